@@ -11,6 +11,7 @@ import { outputFolder } from './.ci/output-folder.mjs';
 import { packageAliases } from './.ci/package-aliases.js';
 import { elementData, pageFiles, sitePages } from './.ci/site/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
+import { textKeys } from './.ci/text-keys.js';
 
 const repository = fileURLToPath(new URL('.', import.meta.url));
 const demo = join(repository, 'demo');
@@ -21,7 +22,15 @@ export default defineConfig({
   // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), basisTranscoder(), strippedGlsl(), licences(), elementData(), sitePages()],
+  plugins: [
+    dracoDecoder(),
+    basisTranscoder(),
+    strippedGlsl(),
+    textKeys(),
+    licences(),
+    elementData(),
+    sitePages(),
+  ],
   resolve: {
     alias: packageAliases,
     // Lit's development build would log a warning on every page.

@@ -1,25 +1,56 @@
 // @ts-check
-// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it to import. A step of
-// `npm run build`.
+// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it to import; the type
+// of their keys; and the list of keys in src/TEXTS.md. A step of `npm run build`, after the types.
 
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join, parse } from 'node:path';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { outputFolder } from './output-folder.mjs';
 
-const folder = fileURLToPath(new URL('../src/element/texts/', import.meta.url));
-const target = join(outputFolder('dist'), 'texts');
-mkdirSync(target, { recursive: true });
+/** By heading, then by key. @type {Readonly<Record<string, Readonly<Record<string, Readonly<Record<string, string>>>>>>} */
+const sections = JSON.parse(
+  readFileSync(fileURLToPath(new URL('../src/element/fields/texts.json', import.meta.url)), 'utf8'),
+);
 
-const types = `import type { CompleteTexts } from '../types/element/fields/texts.js';
+const table = Object.assign({}, ...Object.values(sections));
+
+export const LANGUAGES = Object.keys(table['en'] ?? {});
+
+/** The ready set of a language, by key. @param {string} language @returns {Record<string, string>} */
+export const textsIn = (language) =>
+  Object.fromEntries(Object.entries(table).map(([key, texts]) => [key, texts[language] ?? '']));
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) writeAll();
+
+function writeAll() {
+  const target = join(outputFolder('dist'), 'texts');
+  mkdirSync(target, { recursive: true });
+  const module = `import type { CompleteTexts } from '../types/element/fields/texts.js';
 declare const texts: CompleteTexts;
 export default texts;
 `;
-
-for (const file of readdirSync(folder)) {
-  const { name } = parse(file);
-  const json = readFileSync(join(folder, file), 'utf8');
-  writeFileSync(join(target, file), json);
-  writeFileSync(join(target, `${name}.js`), `export default ${json.trim()};\n`);
-  writeFileSync(join(target, `${name}.d.ts`), types);
+  for (const name of LANGUAGES) {
+    const json = JSON.stringify(textsIn(name), null, 2);
+    writeFileSync(join(target, `${name}.json`), `${json}\n`);
+    writeFileSync(join(target, `${name}.js`), `export default ${json};\n`);
+    writeFileSync(join(target, `${name}.d.ts`), module);
+  }
+  // The table itself is not in the package.
+  const folder = join(outputFolder('dist'), 'types/element/fields');
+  mkdirSync(folder, { recursive: true });
+  const keys = Object.keys(table).map((key) => JSON.stringify(key));
+  const type = `export type ViewerText = Exclude<${keys.join(' | ')}, ViewerErrorCode>;`;
+  writeFileSync(
+    join(folder, 'text-list.d.ts'),
+    `import type { ViewerErrorCode } from '../events.js';\n${type}\n`,
+  );
+  const page = fileURLToPath(new URL('../src/TEXTS.md', import.meta.url));
+  const list = Object.entries(sections).map(
+    ([heading, texts]) =>
+      `### ${heading}\n\n${Object.keys(texts)
+        .map((key) => `- \`${key}\`\n`)
+        .join('')}`,
+  );
+  const before = readFileSync(page, 'utf8').split('### ', 1)[0];
+  writeFileSync(page, `${before}${list.join('\n')}`);
 }

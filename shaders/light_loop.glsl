@@ -67,43 +67,34 @@ vec3 towardLight(vec3 position, vec3 p, out float d, out float squared) {
 
 /** Adds the directional light whose first row is `row`. All three functions take the same arguments. */
 void addDirectional(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
-  vec3 L = lightRow(row + DIRECTIONAL_DIRECTION).xyz;
-  addLobes(sums, N, view, L, n, lightRow(row + DIRECTIONAL_DIFFUSE).rgb, lightRow(row + DIRECTIONAL_SPECULAR).rgb, 1.0, features);
-}
-
-/** Adds a positional light's lobes; `factor` is what its cone leaves. */
-void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, vec3 view, float n, float factor, int features) {
-  vec4 diffuse = lightRow(row + POINT_DIFFUSE);
-  vec4 specular = lightRow(row + POINT_SPECULAR);
-  if (has(features, FEATURE_ATTENUATED)) {
-    vec3 k = vec3(lightRow(row + POINT_POSITION).w, diffuse.w, specular.w);
-    factor *= attenuation(k, d, squared, features);
-  }
-  addLobes(sums, N, view, L, n, diffuse.rgb, specular.rgb, factor, features);
+  DirectionalLight light = directionalLight(row);
+  addLobes(sums, N, view, light.direction, n, light.diffuse, light.specular, 1.0, features);
 }
 
 void addPoint(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
+  PointLight light = pointLight(row);
   float d, squared;
-  vec3 L = towardLight(lightRow(row + POINT_POSITION).xyz, p, d, squared);
-  addAttenuated(sums, row, L, d, squared, N, view, n, 1.0, features);
+  vec3 L = towardLight(light.position, p, d, squared);
+  float factor = has(features, FEATURE_ATTENUATED) ? attenuation(light.attenuation, d, squared, features) : 1.0;
+  addLobes(sums, N, view, L, n, light.diffuse, light.specular, factor, features);
 }
 
 void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
+  SpotLight light = spotLight(row);
   float d, squared;
-  vec3 L = towardLight(lightRow(row + SPOT_POSITION).xyz, p, d, squared);
-  vec4 axis = lightRow(row + SPOT_AXIS);
-  vec4 ambient = lightRow(row + SPOT_AMBIENT);
+  vec3 L = towardLight(light.position, p, d, squared);
   // cos² and sin² of half the angle to the axis A; L points to the light, so c = dot(L, -A).
   bool chords = has(features, FEATURE_CHORDS);
-  float cosHalfSquared = chords ? quarterLengthSquared(L - axis.xyz) : 0.5 - 0.5 * dot(L, axis.xyz);
-  float sinHalfSquared = quarterLengthSquared(L + axis.xyz); // unused, and so removed, where a cosine will do
+  float cosHalfSquared = chords ? quarterLengthSquared(L - light.axis) : 0.5 - 0.5 * dot(L, light.axis);
+  float sinHalfSquared = quarterLengthSquared(L + light.axis); // unused, and so removed, where a cosine will do
   // At the light itself there is no angle: inside any cone, no decay.
   sinHalfSquared = d > 0.0 ? sinHalfSquared : 0.0;
   cosHalfSquared = d > 0.0 ? cosHalfSquared : 1.0;
-  bool inside = insideCone(sinHalfSquared, cosHalfSquared, ambient.w, features);
-  float factor = inside ? spotDecay(sinHalfSquared, cosHalfSquared, axis.w, features) : 0.0;
-  if (has(features, FEATURE_AMBIENT)) sums.ambient += ambient.rgb * factor;
-  addAttenuated(sums, row, L, d, squared, N, view, n, factor, features);
+  bool inside = insideCone(sinHalfSquared, cosHalfSquared, light.aperture, features);
+  float factor = inside ? spotDecay(sinHalfSquared, cosHalfSquared, light.cutoff, features) : 0.0;
+  if (has(features, FEATURE_AMBIENT)) sums.ambient += light.ambient * factor;
+  if (has(features, FEATURE_ATTENUATED)) factor *= attenuation(light.attenuation, d, squared, features);
+  addLobes(sums, N, view, L, n, light.diffuse, light.specular, factor, features);
 }
 
 /**

@@ -1,5 +1,5 @@
 // One quantity of the equation in place of the surface's colour: the normal, or a number of one light. Takes the place
-// of surface_color. Needs light_loop. VIEW_VALUE is an expression of `at` with one of the functions below.
+// of surface_color. Needs light_loop. VIEW_VALUE calls the function of the view, viewNDotL for n-dot-l.
 
 uniform vec4 uViewPosition; // of the light, in shading space; w = 0: xyz is L, unit or zero
 uniform vec4 uViewAxis; // A, unit or zero; w = cutoff
@@ -14,7 +14,7 @@ struct Viewed {
   float squared; // d²
 };
 
-vec3 normalColor(Viewed at) {
+vec3 viewNormals(Viewed at) {
   return 0.5 * at.N + 0.5;
 }
 
@@ -23,21 +23,21 @@ vec3 grey(float value) {
   return vec3(value * uViewAttenuation.w);
 }
 
-float nDotL(Viewed at) {
+float viewNDotL(Viewed at) {
   return diffuseLobe(dot(at.N, at.L));
 }
 
 /** The lobe with the exponent 1. */
-float rDotV(Viewed at) {
+float viewRDotV(Viewed at) {
   return dot(at.N, at.L) > 0.0 ? specularLobe(at.N, at.L, specularView(at.N, at.V), 1.0) : 0.0;
 }
 
-float attenuationOf(Viewed at) {
+float viewAttenuation(Viewed at) {
   if (uViewPosition.w == 0.0) return 1.0;
   return attenuation(uViewAttenuation.xyz, at.d, at.squared, FEATURE_CLAMPED + FEATURE_LINEAR);
 }
 
-float decayOf(Viewed at) {
+float viewDecay(Viewed at) {
   bool aimed = dot(at.L, at.L) > 0.5 && dot(uViewAxis.xyz, uViewAxis.xyz) > 0.5; // unit vectors or zero
   float sinHalfSquared = quarterLengthSquared(at.L + uViewAxis.xyz);
   float cosHalfSquared = quarterLengthSquared(at.L - uViewAxis.xyz);

@@ -19,6 +19,7 @@ import {
   sizesHtml,
 } from './generated.js';
 import { readmePage } from '../readme-picture.mjs';
+import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
 import { pairsHtml, type ModelEntries } from './models.js';
 import { picturesHtml } from './pictures.js';
@@ -193,7 +194,7 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
 
 /** The ready texts of a language, for a page in it. */
 function textsHtml(language: string): string {
-  const texts = readFileSync(join(repository, `src/element/texts/${language}.json`), 'utf8');
+  const texts = JSON.stringify(textsIn(language), null, 2);
   return `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
 }
 

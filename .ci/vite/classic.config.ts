@@ -10,6 +10,7 @@ import { dracoDecoder } from '../draco-decoder.js';
 import { outputFolder } from '../output-folder.mjs';
 import { standaloneThree } from '../standalone-three/plugin.js';
 import { strippedGlsl } from '../strip-glsl.js';
+import { textKeys } from '../text-keys.js';
 import { wasmFiles } from '../wasm-files.js';
 
 export default defineConfig({
@@ -20,6 +21,7 @@ export default defineConfig({
     wasmFiles({ file: false }),
     standaloneThree(),
     strippedGlsl(),
+    textKeys(),
     licences({ listed: false }),
     decoderWorkers({ files: false, plugins: () => [] }),
   ],

@@ -13,6 +13,7 @@ import { inPage } from '../in-page.js';
 import { modelChunks } from '../model-chunks.js';
 import { outputFolder } from '../output-folder.mjs';
 import { strippedGlsl } from '../strip-glsl.js';
+import { textKeys } from '../text-keys.js';
 import { wasmFiles } from '../wasm-files.js';
 
 const source = (path: string): string => fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
@@ -82,6 +83,7 @@ export default defineConfig(({ mode }) => ({
     basisTranscoder(),
     wasmFiles(),
     strippedGlsl(),
+    textKeys(),
     inPage(),
     decoderWorkers({ plugins: workerPlugins }),
     beforeLit,

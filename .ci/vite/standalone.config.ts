@@ -13,6 +13,7 @@ import { outputFolder } from '../output-folder.mjs';
 import { retriedImports } from '../retried-imports.js';
 import { standaloneThree } from '../standalone-three/plugin.js';
 import { strippedGlsl } from '../strip-glsl.js';
+import { textKeys } from '../text-keys.js';
 import { wasmFiles } from '../wasm-files.js';
 
 export default defineConfig({
@@ -24,6 +25,7 @@ export default defineConfig({
     wasmFiles(),
     standaloneThree(),
     strippedGlsl(),
+    textKeys(),
     licences(),
     retriedImports(),
     decoderWorkers({

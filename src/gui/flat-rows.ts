@@ -38,6 +38,11 @@ export class FlatRows {
     this.#viewer = viewer;
     this.#range = range;
     this.#attributes = attributes;
+    const rows = [LIGHT_ROWS, MESH_ROWS, VIEWER_ROWS].flatMap((table: Rows<never>) => Object.entries(table));
+    const shown = rows.flatMap(([key, row]) => (row === NO_ROW ? [] : [attributeOf(key)]));
+    for (const attribute of attributes)
+      if (!shown.includes(attribute))
+        console.warn(`<phong-viewer gui>: the panel has no row for ${attribute}.`);
   }
 
   /** Follows values, and children that come, go or change places. */

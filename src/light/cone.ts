@@ -1,7 +1,8 @@
 // Tests whether a spot's cone reaches a box, in shading space and float64, from the packed rows that the GLSL reads.
 // Errs on the safe side.
-import { LIMIT_OPEN, NEAREST, ROWS } from './light-layout.js';
+import { floatOf } from './light-layout.js';
 import type { PackedLights } from './pack-lights.js';
+import { LIMIT_OPEN, NEAREST } from './precision.js';
 
 /**
  * Largest angle in radians between the cone's edge on the GPU and here: 2e-6 measured on the worst lawful driver
@@ -11,6 +12,10 @@ const EDGE = 1e-5;
 
 /** Times a box is halved where its bounding sphere is too large to decide: 64 parts at most. */
 const HALVINGS = 6;
+
+const PLACE = floatOf('spot', 'position');
+const AXIS = floatOf('spot', 'axis');
+const APERTURE = floatOf('spot', 'aperture');
 
 /** One spot's cone, read once and tested against many boxes. Before it is read it reaches everything. */
 export class Cone {
@@ -27,15 +32,15 @@ export class Cone {
 
   /** Reads the spot whose first row is `row`. */
   read({ data }: PackedLights, row: number): this {
-    const place = (row + ROWS.spot.position) * 4;
-    const axis = (row + ROWS.spot.axis) * 4;
+    const place = row * 4 + PLACE;
+    const axis = row * 4 + AXIS;
     this.#x = data[place]!;
     this.#y = data[place + 1]!;
     this.#z = data[place + 2]!;
     this.#ax = data[axis]!;
     this.#ay = data[axis + 1]!;
     this.#az = data[axis + 2]!;
-    const limit = data[(row + ROWS.spot.ambient) * 4 + 3]!;
+    const limit = data[row * 4 + APERTURE]!;
     const half = Math.abs(limit); // sin² of half the aperture, or of half its complement to 180°
     this.#open = limit === LIMIT_OPEN;
     this.#sin = 2 * Math.sqrt(Math.max(half * (1 - half), 0));

@@ -1,5 +1,7 @@
-// Where each number of a packed light is. These tables give the offsets that pack-lights writes to and the defines that
-// the GLSL reads with, so the two cannot disagree. A row is a vec4.
+// Where each number of a packed light is, from the table of values (LIGHT_FIELDS): the offsets that pack-lights writes
+// to, and the structs that the GLSL reads, so the two cannot disagree. A row is a vec4.
+import { KINDS, LIGHT_FIELDS, type LightKind, type Shaded } from './light-state.js';
+import { LEAST_EXPONENT, LIMIT_OPEN, NEAREST, TINY } from './precision.js';
 
 /** Rows before the first light: the number of lights of each kind, and the ambient light that reaches everywhere. */
 export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
@@ -12,111 +14,82 @@ export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
  */
 export const GRID = { low: 0, scale: 1, size: 2, rows: 3 } as const;
 
-/**
- * Rows of each kind of light, relative to the light's first row. xyz (or rgb) is the vector; w holds a scalar.
- * Lights stand sorted by kind in this order: directional, point, spot.
- */
-export const ROWS = {
-  directional: {
-    /** L, unit. */
-    direction: 0,
-    diffuse: 1,
-    specular: 2,
-    rows: 3,
-  },
-  point: {
-    /** Position; w = kc. */
-    position: 0,
-    /** Id; w = kl. */
-    diffuse: 1,
-    /** Is; w = kq. */
-    specular: 2,
-    rows: 3,
-  },
-  /** Begins as a point light does. */
-  spot: {
-    position: 0,
-    diffuse: 1,
-    specular: 2,
-    /** A, unit; w = cutoff. */
-    axis: 3,
-    /** Ia; w = the cone's limit, see packedLimit in light-features. */
-    ambient: 4,
-    rows: 5,
-  },
-} as const;
+type Key = keyof typeof LIGHT_FIELDS;
+type Shading<K extends Key> = (typeof LIGHT_FIELDS)[K]['shading'];
+
+const SHADED = Object.entries(LIGHT_FIELDS).flatMap(([key, { shading }]) =>
+  typeof shading === 'string' ? [] : [{ key: key as Key, ...(shading as Shaded<never>) }],
+);
+
+const byKind = <T>(of: (kind: LightKind) => T): Readonly<Record<LightKind, T>> => ({
+  directional: of('directional'),
+  point: of('point'),
+  spot: of('spot'),
+});
+
+/** A value in the rows of one kind. */
+export interface PackedValue extends Pick<Shaded<never>, 'as'> {
+  readonly key: Key;
+  /** Its name in the GLSL's struct. */
+  readonly name: string;
+  /** Where its first number is, in floats from the light's first. */
+  readonly at: number;
+}
+
+const isVector = ({ as }: PackedValue): boolean => typeof as === 'string' && as !== 'numbers';
+
+/** The packed values of each kind. */
+export const PACKED_VALUES = byKind((kind) =>
+  SHADED.flatMap(({ key, as, rows: { [kind]: row } }): PackedValue[] => {
+    if (row === undefined) return [];
+    const name = as === 'place' && kind === 'directional' ? 'direction' : key;
+    const value = { key, as, name, at: row * 4 };
+    return [isVector(value) ? value : { ...value, at: row * 4 + 3 }];
+  }),
+);
+
+/** Those that depend on the space. */
+export const MOVED_VALUES = byKind((kind) =>
+  PACKED_VALUES[kind].filter(({ as }) => as === 'place' || as === 'axis'),
+);
+
+/** Where the value of this name begins, in floats from the light's first. */
+export const floatOf = (kind: LightKind, name: string): number =>
+  PACKED_VALUES[kind].find((value) => value.name === name)!.at;
 
 /**
- * The cone's limit is one float: from 0 the largest allowed (1 - c)/2, below 0 minus the smallest allowed (1 + c)/2;
- * this value, above any (1 - c)/2, lets every direction through.
+ * Rows of each kind of light, relative to the light's first row, by the vector in x y z. Lights stand sorted by kind in
+ * this order: directional, point, spot.
  */
-export const LIMIT_OPEN = 4;
+export const ROWS = byKind((kind): Readonly<Record<string, number>> & { readonly rows: number } => {
+  const values = PACKED_VALUES[kind];
+  const rows = Math.max(...values.map(({ at, as }) => (at >> 2) + (as === 'numbers' ? 3 : 1)));
+  return { ...Object.fromEntries(values.filter(isVector).map(({ name, at }) => [name, at / 4])), rows };
+});
+
+/** The bits of the feature mask, and which lights need them. */
+export const FEATURES = SHADED.flatMap(({ features, terms, rows }) =>
+  Object.entries(features).map(([name, [now, ever = now]]) => ({ name, now, ever, terms, rows })),
+).map((feature, i) => ({ ...feature, bit: 1 << i }));
+
+/** Those that lights of each kind can need. */
+export const FEATURES_OF = byKind((kind) => FEATURES.filter(({ rows }) => kind in rows));
+
+type FeatureName = { [K in Key]: Shading<K> extends { readonly features: infer F } ? keyof F : never }[Key];
 
 /**
  * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL share. Each bit adds
- * code, so the union of several lights' masks is right for all of them. `power` and above hold a spot's cutoff where it
- * is an integer from 1 to LARGEST_INTEGER_POWER; other cutoffs above 0 set `decay`.
+ * code, so the union of several lights' masks is right for all of them. The kinds are those that a scene has declared;
+ * packed lights are sorted by kind instead. From `powerShift` on a mask holds a spot's cutoff where it is an integer
+ * from 1 to LARGEST_INTEGER_POWER; other cutoffs above 0 set `decay`.
  */
-export const LIGHT_FEATURES = {
-  ambient: 1,
-  diffuse: 2,
-  specular: 4,
-  attenuated: 8,
-  /** A cone compared on the axis's side, by (1 - c)/2; `wide` on the far side, by (1 + c)/2. */
-  narrow: 16,
-  wide: 32,
-  decay: 64,
-  /** Cone or decay are too steep for a cosine. */
-  chords: 128,
-  /** kc below 1: near the light, attenuation is clamped to 1. */
-  clamped: 256,
-  /** kl above 0: attenuation needs the distance, not its square alone. */
-  linear: 512,
-  /** Channels differ; grey light is summed as one number. */
-  tintedDiffuse: 1024,
-  tintedSpecular: 2048,
-  /** Kinds that a scene has declared. Packed lights are sorted by kind instead. */
-  directional: 4096,
-  point: 8192,
-  spot: 16384,
-  powerShift: 15,
-} as const;
-
-/**
- * Largest shininess that log2 and the lobe's cosine are precise enough for: 0.1 of a code on the worst lawful driver.
- * log2 near 1 may be 2^-21 off, of which an exponent of 200 makes 6.6e-5, or 0.02 of a code.
- */
-export const LARGEST_MILD_POWER = 200;
-
-/**
- * The same of a spot's decay. Its (c + 1)/2 may be 2e-7 off as well: an exponent of 32 makes 1.1e-5 and 6e-6 of them,
- * 0.007 of a code at most.
- */
-export const LARGEST_MILD_CUTOFF = 32;
-
-/**
- * Largest integer exponent that a specialised program multiplies out: six squarings (powInteger) round to 0.001 of a
- * code.
- */
-export const LARGEST_INTEGER_POWER = 64;
+export const LIGHT_FEATURES = Object.fromEntries([
+  ...[...FEATURES.map(({ name }) => name), ...KINDS].map((name, i) => [name, 1 << i]),
+  ['powerShift', FEATURES.length + KINDS.length],
+]) as Readonly<Record<FeatureName | LightKind | 'powerShift', number>>;
 
 /** Width of the light texture in texels, one row of a light each: a power of two within every device's limit. */
 export const TEXTURE_ROWS_LOG2 = 10;
-
-/**
- * A light nearer to the fragment than this has no direction: NoL = spec = 0, inside any cone, decay 1. Its square is
- * a normal float32, so the comparison cannot be lost to flushed denormals.
- */
-export const NEAREST = 1e-15;
-
-/** Exponents below this are 0: x^0 = 1 for every x. */
-export const LEAST_EXPONENT = 1e-6;
-
-/**
- * Positive numbers below this count as zero: a device may flush numbers below 2^-126. Not 2^-126 itself, because
- * Firefox on Mesa reads literals of 1.2e-38 and less as zero.
- */
-const TINY = 2 ** -120;
 
 const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCase();
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
@@ -124,7 +97,7 @@ const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toE
 /** Not String(n): V8's number-to-string cache grows to 64 KiB for good when numbers collide in it, as these do. */
 const integer = (n: number): string => n.toFixed();
 
-/** `#define` lines for the GLSL: the whole layout. */
+/** `#define` lines for the GLSL. */
 export function layoutDefines(): string {
   const lines = [
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
@@ -133,11 +106,28 @@ export function layoutDefines(): string {
     `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,
     `#define TINY ${float(TINY)}`,
   ];
-  const tables = { HEADER, GRID, FEATURE: LIGHT_FEATURES, ...ROWS };
+  const lengths = Object.fromEntries(KINDS.map((kind) => [`${kind}Rows`, ROWS[kind].rows]));
+  const tables = { HEADER_: HEADER, GRID_: GRID, FEATURE_: LIGHT_FEATURES, '': lengths };
   for (const [table, numbers] of Object.entries(tables)) {
     for (const [name, number] of Object.entries(numbers)) {
-      lines.push(`#define ${table.toUpperCase()}_${snake(name)} ${integer(number)}`);
+      lines.push(`#define ${table}${snake(name)} ${integer(number)}`);
     }
   }
   return lines.join('\n');
 }
+
+/** GLSL: for each kind a struct of its packed values, SpotLight, and the function of its first row, spotLight(row). */
+export const lightStructs = (): string =>
+  KINDS.map((kind) => {
+    const type = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}Light`;
+    const values = PACKED_VALUES[kind];
+    const members = values.map(({ as, name }) => `${typeof as === 'string' ? 'vec3' : 'float'} ${name};`);
+    const rows = Array.from({ length: ROWS[kind].rows }, (_, i) => `vec4 r${i}=lightRow(row+${i});`);
+    const numbers = values.map((value) => {
+      const row = value.at >> 2;
+      if (isVector(value)) return `r${row}.xyz`;
+      return value.as === 'numbers' ? `vec3(r${row}.w,r${row + 1}.w,r${row + 2}.w)` : `r${row}.w`;
+    });
+    return `struct ${type}{${members.join('')}};
+${type} ${kind}Light(int row){${rows.join('')}return ${type}(${numbers.join()});}`;
+  }).join('\n');

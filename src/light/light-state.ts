@@ -1,5 +1,5 @@
-// One light's values in HTML's units, with their domains and defaults. Elements, the panel and plain JavaScript all
-// write here.
+// One light's values in HTML's units: their domains and defaults, and what shading makes of each. Elements, the panel
+// and plain JavaScript all write here; packing, masks and the GLSL's structs follow from the table.
 import { FieldStore } from '../fields/field-store.js';
 import {
   booleanField,
@@ -11,7 +11,17 @@ import {
   textField,
   vectorField,
 } from '../fields/field.js';
+import { isBlack, isGrey } from '../math/color.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
+import { isIntegerPower, isOnFarSide, isSteep, LEAST_EXPONENT, packedLimit } from './precision.js';
+
+/** In the order of their packed rows. */
+export const KINDS = ['directional', 'point', 'spot'] as const;
+export type LightKind = (typeof KINDS)[number];
+
+/** The terms of the equation. */
+export const TERMS = ['ambient', 'diffuse', 'specular'] as const;
+export type Term = (typeof TERMS)[number];
 
 export type LightSpace = 'world' | 'camera';
 
@@ -54,20 +64,119 @@ export const LIMITS = { coordinate: 1e15, exponent: 1e6, color: 1e6, attenuation
 const coordinates = { min: -LIMITS.coordinate, max: LIMITS.coordinate };
 const colors = { min: 0, max: LIMITS.color };
 
-/** Default and domain of every value of a light. */
-export const LIGHT_FIELDS: { readonly [K in keyof LightValues]: Field<LightValues[K]> } = {
-  name: textField(),
-  active: booleanField(true),
-  ambient: colorField([0, 0, 0], colors),
-  diffuse: colorField([255, 255, 255], colors),
-  specular: colorField([255, 255, 255], colors),
-  position: homogeneousField([1, 2, 3, 0], coordinates),
-  axis: vectorField([0, 0, -1], coordinates),
-  aperture: numberField(180, { min: 0, max: 180 }),
-  cutoff: numberField(0, { min: 0, max: LIMITS.exponent }),
-  attenuation: vectorField([1, 0, 0], { min: 0, max: LIMITS.attenuation }),
-  space: choiceField<LightSpace>('world', LIGHT_SPACES),
-};
+type Values = Readonly<LightValues>;
+
+type Test = (light: Values) => boolean;
+
+/** How shading takes a value. */
+export interface Shaded<T> {
+  /**
+   * The numbers in the rows. `color`: r g b, 255 is 1. `light`: the same, times what its own cone and decay leave of a
+   * directional light. `place`: where the light is, or the unit vector to a directional one. `axis`: a unit vector.
+   * `numbers`: three, in the w of this row and of the next two. A function: one, in the row's w.
+   */
+  readonly as: 'color' | 'light' | 'place' | 'axis' | 'numbers' | ((value: T) => number);
+  /** Its row in each kind of light that holds it, relative to the light's first. */
+  readonly rows: { readonly [K in LightKind]?: number };
+  /** The terms that it enters. Without these its features are left out. */
+  readonly terms: readonly Term[];
+  /**
+   * Code that only some of these lights need, a bit each: `now`, whether this light needs it, and `ever`, whether it may
+   * with another colour, cone or cutoff.
+   */
+  readonly features: Readonly<Record<string, readonly [now: Test, ever?: Test]>>;
+}
+
+/** `select`: says whether, as which kind or in which space a light is packed. `none`: the picture is the same. */
+export type LightField<T> = Field<T> & { readonly shading: Shaded<T> | 'select' | 'none' };
+
+const isAmbient: Test = ({ ambient }) => !isBlack(ambient);
+const isDiffuse: Test = ({ diffuse }) => !isBlack(diffuse);
+const isSpecular: Test = ({ specular }) => !isBlack(specular);
+
+/** Attenuation that can differ from 1. */
+const isAttenuated: Test = ({ attenuation: k }) => k[0] > 1 || k[1] > 0 || k[2] > 0;
+
+const hasCone: Test = ({ aperture }) => aperture < 180;
+const hasDecay: Test = ({ cutoff }) => cutoff >= LEAST_EXPONENT;
+
+/**
+ * Every value of a light: default, domain, and what shading makes of it. One without `shading` does not compile. GLSL
+ * reads a packed value by its name in the kind's struct, as in `light.cutoff`; its features are FEATURE_… there.
+ */
+export const LIGHT_FIELDS = {
+  name: { ...textField(), shading: 'none' },
+  active: { ...booleanField(true), shading: 'select' },
+  ambient: {
+    ...colorField([0, 0, 0], colors),
+    // The other kinds' is summed in the header.
+    shading: {
+      as: 'light',
+      rows: { spot: 4 },
+      terms: ['ambient'],
+      features: { ambient: [isAmbient] },
+    },
+  },
+  diffuse: {
+    ...colorField([255, 255, 255], colors),
+    shading: {
+      ...{ as: 'light', rows: { directional: 1, point: 1, spot: 1 }, terms: ['diffuse'] },
+      // Grey light is summed as one number.
+      features: { diffuse: [isDiffuse], tintedDiffuse: [({ diffuse }) => !isGrey(diffuse), isDiffuse] },
+    },
+  },
+  specular: {
+    ...colorField([255, 255, 255], colors),
+    shading: {
+      ...{ as: 'light', rows: { directional: 2, point: 2, spot: 2 }, terms: ['specular'] },
+      features: { specular: [isSpecular], tintedSpecular: [({ specular }) => !isGrey(specular), isSpecular] },
+    },
+  },
+  position: {
+    ...homogeneousField([1, 2, 3, 0], coordinates),
+    shading: { as: 'place', rows: { directional: 0, point: 0, spot: 0 }, terms: TERMS, features: {} },
+  },
+  axis: {
+    ...vectorField([0, 0, -1], coordinates),
+    shading: { as: 'axis', rows: { spot: 3 }, terms: TERMS, features: {} },
+  },
+  aperture: {
+    ...numberField(180, { min: 0, max: 180 }),
+    shading: {
+      ...{ as: packedLimit, rows: { spot: 4 }, terms: TERMS },
+      features: {
+        // Compared on the axis's side, by (1 - c)/2. Steep cones may be compared on either side.
+        narrow: [(light) => hasCone(light) && !isOnFarSide(light.aperture), isSteep],
+        // Compared on the far side, by (1 + c)/2.
+        wide: [({ aperture }) => isOnFarSide(aperture), hasCone],
+        // Cone or decay are too steep for a cosine.
+        chords: [isSteep],
+      },
+    },
+  },
+  cutoff: {
+    ...numberField(0, { min: 0, max: LIMITS.exponent }),
+    shading: {
+      ...{ as: Number, rows: { spot: 3 }, terms: TERMS },
+      // Integer powers are in the mask themselves: see LIGHT_FEATURES.
+      features: { decay: [(light) => hasDecay(light) && !isIntegerPower(light.cutoff), hasDecay] },
+    },
+  },
+  attenuation: {
+    ...vectorField([1, 0, 0], { min: 0, max: LIMITS.attenuation }),
+    shading: {
+      ...{ as: 'numbers', rows: { point: 0, spot: 0 }, terms: ['diffuse', 'specular'] },
+      features: {
+        attenuated: [isAttenuated],
+        // Near the light it is clamped to 1. Also without attenuation: in a loop every light takes its sum.
+        clamped: [({ attenuation: k }) => k[0] < 1, isAttenuated],
+        // It needs the distance, not its square alone.
+        linear: [({ attenuation: k }) => k[1] > 0, isAttenuated],
+      },
+    },
+  },
+  space: { ...choiceField<LightSpace>('world', LIGHT_SPACES), shading: 'select' },
+} as const satisfies { readonly [K in keyof LightValues]: LightField<LightValues[K]> };
 
 /** One light. Every write is checked and notifies the listener, its LightSet. */
 export class LightState extends FieldStore<LightValues> {

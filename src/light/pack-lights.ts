@@ -1,20 +1,12 @@
 // Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
 // lights left out. Everything that is the same for all fragments is computed here in float64: units, cosines, unit
 // vectors, the sum of ambient light, a directional light's cone. A pure function.
-import { srgbDecode } from '../math/color.js';
-import { add, dot, type Mat4, negate, normalize, type Vec3, type Vec4 } from '../math/vector.js';
-import {
-  coneLimit,
-  featuresOf,
-  isBlack,
-  isSpot,
-  kindOf,
-  KINDS,
-  type LightKind,
-  packedLimit,
-} from './light-features.js';
-import { HEADER, LEAST_EXPONENT, ROWS } from './light-layout.js';
-import type { LightValues } from './light-state.js';
+import { isBlack, srgbDecode } from '../math/color.js';
+import { add, dot, type Mat4, negate, normalize, type Vec3 } from '../math/vector.js';
+import { featuresOf, isSpot, kindOf } from './light-features.js';
+import { HEADER, MOVED_VALUES, PACKED_VALUES, type PackedValue, ROWS } from './light-layout.js';
+import { KINDS, type LightKind, type LightValues } from './light-state.js';
+import { coneLimit, LEAST_EXPONENT } from './precision.js';
 
 /** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
 export interface PackSpace {
@@ -109,7 +101,7 @@ export function moveLights(space: PackSpace, into: PackedLights): boolean {
     for (const end = light + counts[kind]; light < end; light++, row += rows) {
       const source = sources[light]!;
       if (hasNoDirection(source, kind)) return false;
-      writePlace(source, kind, space, data, row * 4);
+      for (const value of MOVED_VALUES[kind]) writeValue(value, source, kind, 1, space, data, row * 4);
     }
   }
   return true;
@@ -136,36 +128,49 @@ function packLight(
   space: PackSpace,
   into: PackedLights,
 ): void {
-  const { linear } = space;
   const { rows } = ROWS[kind];
   reserve(into, into.rows + rows, into.sent + 1);
   const { data } = into;
   const at = into.rows * 4;
-  writePlace(light, kind, space, data, at);
-  // A spot begins as a point light does.
-  const { attenuation } = light;
-  const [linearly, squared] = kind === 'directional' ? [0, 0] : [attenuation[1], attenuation[2]];
-  writeColor(data, at + ROWS[kind].diffuse * 4, light.diffuse, factor, linear, linearly);
-  writeColor(data, at + ROWS[kind].specular * 4, light.specular, factor, linear, squared);
-  if (kind === 'spot')
-    writeColor(data, at + ROWS.spot.ambient * 4, light.ambient, 1, linear, packedLimit(light.aperture));
+  data.fill(0, at, at + rows * 4);
+  for (const value of PACKED_VALUES[kind]) writeValue(value, light, kind, factor, space, data, at);
   into.features[into.sent] = featuresOf(light, kind);
   into.sources.push(light);
   into.rows += rows;
   into.sent += 1;
 }
 
-/** Where a light is or points to, in the rows that begin at `at`. */
-function writePlace(light: Values, kind: LightKind, space: PackSpace, data: Float32Array, at: number): void {
-  const { position, attenuation, axis, cutoff } = light;
-  const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
-  if (kind === 'directional') {
-    writeDirection(matrix, data, at + ROWS.directional.direction * 4, position, 0);
+/** Writes one value into the rows that begin at `first`. The light's own are multiplied by `factor`. */
+function writeValue(
+  { key, as, at: offset }: PackedValue,
+  light: Values,
+  kind: LightKind,
+  factor: number,
+  space: PackSpace,
+  data: Float32Array,
+  first: number,
+): void {
+  const at = first + offset;
+  if (typeof as === 'function') {
+    data[at] = as(light[key] as never);
     return;
   }
-  const [x, y, z] = position;
-  writeThrough(matrix, data, at + ROWS.point.position * 4, x, y, z, 1, attenuation[0]);
-  if (kind === 'spot') writeDirection(matrix, data, at + ROWS.spot.axis * 4, axis, cutoff);
+  // By index: taking an array apart costs more than all of the rest.
+  const v = light[key] as Vec3;
+  if (as === 'light' || as === 'color') {
+    const times = as === 'light' ? factor : 1;
+    data[at] = channel(v[0], space.linear) * times;
+    data[at + 1] = channel(v[1], space.linear) * times;
+    data[at + 2] = channel(v[2], space.linear) * times;
+  } else if (as === 'numbers') {
+    data[at] = v[0];
+    data[at + 4] = v[1];
+    data[at + 8] = v[2];
+  } else {
+    const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
+    if (as === 'place' && kind !== 'directional') writeThrough(matrix, data, at, v[0], v[1], v[2], 1);
+    else writeDirection(matrix, data, at, v);
+  }
 }
 
 /** A channel of a light's colour as the shader takes it: 255 is 1, decoded for linear shading. */
@@ -208,16 +213,16 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
  * A unit vector along v, not zero: scaled by its largest component first, so that a denormal vector has its direction
  * too.
  */
-function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3 | Vec4, scalar: number): void {
+function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3): void {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const x = v[0] / largest;
   const y = v[1] / largest;
   const z = v[2] / largest;
   const unit = 1 / Math.sqrt(x * x + y * y + z * z);
-  writeThrough(m, data, at, x * unit, y * unit, z * unit, 0, scalar);
+  writeThrough(m, data, at, x * unit, y * unit, z * unit, 0);
 }
 
-/** A position (w = 1) or a direction (w = 0) through a matrix, and a scalar in w. */
+/** A position (w = 1) or a direction (w = 0) through a matrix. */
 function writeThrough(
   m: Mat4,
   data: Float32Array,
@@ -226,26 +231,10 @@ function writeThrough(
   y: number,
   z: number,
   w: 0 | 1,
-  scalar: number,
 ): void {
   data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
   data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
   data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;
-  data[at + 3] = scalar;
-}
-
-function writeColor(
-  data: Float32Array,
-  at: number,
-  color: Vec3,
-  factor: number,
-  linear: boolean,
-  scalar: number,
-): void {
-  data[at] = channel(color[0], linear) * factor;
-  data[at + 1] = channel(color[1], linear) * factor;
-  data[at + 2] = channel(color[2], linear) * factor;
-  data[at + 3] = scalar;
 }
 
 function write(data: Float32Array, at: number, x: number, y: number, z: number, w: number): void {

@@ -2,7 +2,7 @@
 // Roughness becomes an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes
 // the same per fragment.
 import type { Texture } from 'three';
-import { isBlack } from '../light/light-features.js';
+import { isBlack } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
 import type { ShadingStyle } from './material-values.js';
 

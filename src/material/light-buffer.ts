@@ -2,7 +2,8 @@
 // texture beyond. Sends only what changed.
 import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
-import { kindFeatures, KINDS } from '../light/light-features.js';
+import { kindFeatures } from '../light/light-features.js';
+import { KINDS } from '../light/light-state.js';
 import { emptyPack, type PackedLights } from '../light/pack-lights.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;

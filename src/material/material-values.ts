@@ -1,6 +1,6 @@
 // What an author says about a surface: its values in HTML's units (255 = 1) with their domains and defaults, and how it
 // is shaded. Names that markup, panel, material and programs share.
-import { LIMITS } from '../light/light-state.js';
+import { LIMITS, type Term, TERMS } from '../light/light-state.js';
 import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';
 
@@ -26,11 +26,9 @@ export const SURFACE_FIELDS: { readonly [K in keyof SurfaceValues]: Field<Surfac
 
 export const SHADINGS = ['phong', 'gouraud', 'flat'] as const;
 export const REFLECTIONS = ['phong', 'blinn-phong'] as const;
-export const TERMS = ['ambient', 'diffuse', 'specular'] as const;
 
 export type Shading = (typeof SHADINGS)[number];
 export type Reflection = (typeof REFLECTIONS)[number];
-export type Term = (typeof TERMS)[number];
 
 /** How a surface is shaded, besides its colours. `flat` needs a geometry that carries the triangles' own normals. */
 export interface ShadingStyle {

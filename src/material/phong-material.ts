@@ -19,13 +19,8 @@ import { cullsBackFaces, type Sides } from './back-faces.js';
 import { type BaseLook, PLAIN_LOOK, lobeScale, usesRoughnessMap } from './file-surface.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
-import {
-  SURFACE_FIELDS,
-  type SurfaceValues,
-  DEFAULT_STYLE,
-  type ShadingStyle,
-  type Term,
-} from './material-values.js';
+import { SURFACE_FIELDS, type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from './material-values.js';
+import { type Term } from '../light/light-state.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
 import { MaterialPrograms } from './program/material-programs.js';

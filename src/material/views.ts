@@ -4,7 +4,7 @@ import type { IUniform } from 'three';
 import type { LightValues } from '../light/light-state.js';
 import type { PackedLights, PackSpace } from '../light/pack-lights.js';
 import type { Variant } from './program/variant.js';
-import type { Term } from './material-values.js';
+import type { Term } from '../light/light-state.js';
 
 /**
  * `shaded`: the equation. `ambient`, `diffuse`, `specular`: one term's sum. `normals`: (N + 1)/2 per channel in world

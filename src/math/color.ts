@@ -1,5 +1,6 @@
 // The sRGB transfer curve, on single channels where 1 is full. Constants: IEC 61966-2-1. The GLSL of the same curve is
-// generated from SRGB.
+// generated from SRGB. Colours by channels.
+import type { Vec3 } from './vector.js';
 
 export const SRGB = {
   /** Encoded value up to which the curve is a straight line. */
@@ -24,3 +25,8 @@ export function srgbEncode(linear: number): number {
   if (linear <= SRGB.linearKnee) return linear * SRGB.slope;
   return (1 + SRGB.offset) * linear ** (1 / SRGB.exponent) - SRGB.offset;
 }
+
+/** All three components are 0. */
+export const isBlack = (c: Vec3): boolean => c[0] === 0 && c[1] === 0 && c[2] === 0;
+
+export const isGrey = (c: Vec3): boolean => c[0] === c[1] && c[1] === c[2];

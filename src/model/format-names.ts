@@ -1,28 +1,33 @@
-// The formats of models: their names, extensions and media types. What a file's bytes say, and the readers, are in
-// format.ts.
+// The formats of models: their names, extensions and media types, and the code that reads them. What a file's bytes say
+// is in format.ts.
+import { lazyCode } from './lazy-code.js';
 
 /** One row per format, in the order in which contents are tested: the strictest test first. */
 export const FORMAT_NAMES = {
   gltf: {
     name: 'glTF',
+    code: /* @__PURE__ */ lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models'),
     extensions: ['glb', 'gltf'],
     types: ['gltf', 'glb', 'model/gltf-binary', 'model/gltf+json'],
     otherTypes: [],
   },
   ply: {
     name: 'PLY',
+    code: /* @__PURE__ */ lazyCode(() => import('./ply/read-ply.js'), 'PLY files'),
     extensions: ['ply'],
     types: ['ply', 'model/ply'],
     otherTypes: ['application/ply', 'application/x-ply', 'text/ply'],
   },
   stl: {
     name: 'STL',
+    code: /* @__PURE__ */ lazyCode(() => import('./stl/read-stl.js'), 'STL files'),
     extensions: ['stl'],
     types: ['stl', 'model/stl'],
     otherTypes: ['model/x.stl-binary', 'model/x.stl-ascii', 'application/sla'],
   },
   obj: {
     name: 'OBJ',
+    code: /* @__PURE__ */ lazyCode(() => import('./obj/read-obj.js'), 'OBJ files'),
     extensions: ['obj'],
     types: ['obj', 'model/obj'],
     otherTypes: ['application/x-obj', 'text/prs.wavefront-obj'],
@@ -32,6 +37,8 @@ export const FORMAT_NAMES = {
 export interface FormatNames {
   /** For messages. */
   readonly name: string;
+  /** Requests the code of its reader. */
+  readonly code: () => Promise<unknown>;
   /** Lower case, without the dot. */
   readonly extensions: readonly string[];
   /** The words and media types that the attribute `type` takes. */

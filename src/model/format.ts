@@ -3,7 +3,6 @@
 // file that needs it.
 import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
 import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.js';
-import { READER_CODE } from './request-file.js';
 import { type Content, ModelError } from './model.js';
 import type { ModelBudget } from './model-budget.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
@@ -45,17 +44,17 @@ export interface Format extends FormatNames {
 const READERS: Readonly<Record<FormatKey, Pick<Format, 'matches' | 'reader'>>> = {
   gltf: {
     matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
-    reader: async () => (await READER_CODE.gltf()).readGltf,
+    reader: async () => (await FORMAT_NAMES.gltf.code()).readGltf,
   },
   ply: {
     matches: (bytes) => startsWith(bytes, 'ply\n') || startsWith(bytes, 'ply\r'),
-    reader: async () => (await READER_CODE.ply()).readPly,
+    reader: async () => (await FORMAT_NAMES.ply.code()).readPly,
   },
   stl: {
     matches: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
-    reader: async () => (await READER_CODE.stl()).readStl,
+    reader: async () => (await FORMAT_NAMES.stl.code()).readStl,
   },
-  obj: { matches: isObj, reader: async () => (await READER_CODE.obj()).readObj },
+  obj: { matches: isObj, reader: async () => (await FORMAT_NAMES.obj.code()).readObj },
 };
 
 const FORMATS: readonly Format[] = (Object.keys(FORMAT_NAMES) as FormatKey[]).map((key) => ({

@@ -1,5 +1,5 @@
 // Requests a file of a model, and the code that reads it. Imports nothing that takes long to run.
-import { FORMAT_NAMES, type FormatKey } from './format-names.js';
+import { FORMAT_NAMES, type FormatNames } from './format-names.js';
 import { lazyCode } from './lazy-code.js';
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
@@ -47,25 +47,16 @@ function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
 /** The code that loads models. */
 export const modelCode = /* @__PURE__ */ lazyCode(() => import('./model-content.js'), 'models');
 
-/** The code that reads each format. */
-export const READER_CODE = {
-  gltf: /* @__PURE__ */ lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models'),
-  ply: /* @__PURE__ */ lazyCode(() => import('./ply/read-ply.js'), 'PLY files'),
-  stl: /* @__PURE__ */ lazyCode(() => import('./stl/read-stl.js'), 'STL files'),
-  obj: /* @__PURE__ */ lazyCode(() => import('./obj/read-obj.js'), 'OBJ files'),
-};
-
 /**
  * Requests the code for a model beside its file, not after it: each request that waits for another is a delay that the
  * user sees. The file's name says which format; the content decides what is read.
  */
 export function requestCode({ pathname }: URL): void {
   const path = pathname.toLowerCase();
-  const named = (Object.keys(READER_CODE) as FormatKey[]).find((key) =>
-    FORMAT_NAMES[key].extensions.some((extension) => path.endsWith(`.${extension}`)),
+  const named = Object.values<FormatNames>(FORMAT_NAMES).filter(({ extensions }) =>
+    extensions.some((extension) => path.endsWith(`.${extension}`)),
   );
-  for (const code of [modelCode, ...(named === undefined ? [] : [READER_CODE[named]])])
-    code().catch(() => undefined); // reported when it is used
+  for (const { code } of [{ code: modelCode }, ...named]) code().catch(() => undefined); // reported when it is used
   // What both of these import, which would be found 35 ms later. Its failure is theirs.
   import('./slices.js').catch(() => undefined);
 }

@@ -1,6 +1,6 @@
 // The shading equation in float64. The picture is measured against this file, so it follows the textbook rather than
 // the shader. World space throughout. Colours come in as in HTML (255 = 1) and go out with 1 as full.
-import { LEAST_EXPONENT, NEAREST } from '../light/light-layout.js';
+import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
 import type { LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';

@@ -1,5 +1,6 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
-import { LARGEST_MILD_CUTOFF, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
+import { TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
+import { LARGEST_MILD_CUTOFF, LIMIT_OPEN } from '../../src/light/precision.js';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';

@@ -1,12 +1,13 @@
 // What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and
 // inlined lights. Also the lobes that a program with a known exponent has. Each against the same law in float64.
 import { declaredFeatures } from '../../src/light/light-features.js';
-import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
+import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/light/precision.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import { type Form, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
-import { DEFAULT_STYLE, type Reflection, type Term, TERMS } from '../../src/material/material-values.js';
+import { DEFAULT_STYLE, type Reflection } from '../../src/material/material-values.js';
+import { type Term, TERMS } from '../../src/light/light-state.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';

@@ -1,5 +1,5 @@
 // Scenes as people write them, and the same pushed to the ends of what their attributes can hold.
-import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
+import { LARGEST_MILD_POWER } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { add, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, type StressCase, type Variant } from './case.js';

@@ -3,8 +3,8 @@
 
 import { expect } from 'vitest';
 import { divideLights } from '../../src/light/light-grid.js';
-import { KINDS } from '../../src/light/light-features.js';
-import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
+import { KINDS } from '../../src/light/light-state.js';
+import { floatOf, GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
 import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
@@ -118,7 +118,9 @@ export function most(
 
 /** The rows that each of `lights` has in `into`, found by its red ambient light, which is its number: spots alone. */
 export const rowByNumber = (into: PackedLights): Map<number, number> =>
-  new Map(rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[(row + ROWS.spot.ambient) * 4]!), row]));
+  new Map(
+    rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[row * 4 + floatOf('spot', 'ambient')]!), row]),
+  );
 
 /**
  * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest point of the next

@@ -3,7 +3,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { declaredFeatures, featuresOf, kindOf, unionOf } from '../../src/light/light-features.js';
-import { LARGEST_INTEGER_POWER, LIGHT_FEATURES } from '../../src/light/light-layout.js';
+import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
+import { LARGEST_INTEGER_POWER } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { anyLight, light } from './arbitraries.js';
 

@@ -3,8 +3,8 @@
 
 import { describe, expect, it } from 'vitest';
 import { LEAST_DIVIDED, divideLights } from '../../src/light/light-grid.js';
-import { KINDS } from '../../src/light/light-features.js';
-import { HEADER, ROWS } from '../../src/light/light-layout.js';
+import { KINDS } from '../../src/light/light-state.js';
+import { floatOf, HEADER, ROWS } from '../../src/light/light-layout.js';
 import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
@@ -124,7 +124,7 @@ describe('lights in a grid', () => {
     };
     expect(texts(into).toSorted()).toEqual(texts(packed).toSorted());
     expect(unlistedOf(into)).toBe(1);
-    expect(into.data[(rowsOf(into)[2]![0]! + ROWS.spot.ambient) * 4]).toBe(Math.fround(200 / 255));
+    expect(into.data[rowsOf(into)[2]![0]! * 4 + floatOf('spot', 'ambient')]).toBe(Math.fround(200 / 255));
     // Otherwise in their old order: the lists are the same from one frame to the next.
     expect(texts(into).slice(3)).toEqual(texts(packed).filter((text) => texts(into).slice(3).includes(text)));
   });

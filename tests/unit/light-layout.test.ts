@@ -4,16 +4,19 @@ import { describe, expect, it } from 'vitest';
 import {
   GRID,
   HEADER,
-  LARGEST_INTEGER_POWER,
-  LARGEST_MILD_CUTOFF,
-  LARGEST_MILD_POWER,
   layoutDefines,
-  LEAST_EXPONENT,
-  LIMIT_OPEN,
-  NEAREST,
+  PACKED_VALUES,
   ROWS,
   TEXTURE_ROWS_LOG2,
 } from '../../src/light/light-layout.js';
+import {
+  LARGEST_INTEGER_POWER,
+  LARGEST_MILD_CUTOFF,
+  LARGEST_MILD_POWER,
+  LEAST_EXPONENT,
+  LIMIT_OPEN,
+  NEAREST,
+} from '../../src/light/precision.js';
 
 const defines = new Map(
   layoutDefines()
@@ -59,10 +62,16 @@ describe('the layout', () => {
     expect(HEADER.rows).toBe(2);
   });
 
-  it('begins a spot as a point light, so that one writer serves both', () => {
-    const { rows: _rows, ...point } = ROWS.point;
-    expect(ROWS.spot).toMatchObject(point);
-  });
+  it.each(Object.entries(PACKED_VALUES))(
+    'gives every number of a %s light a place of its own',
+    (_, values) => {
+      const places = values.flatMap(({ as, at }) => {
+        if (typeof as !== 'string') return [at];
+        return as === 'numbers' ? [at, at + 4, at + 8] : [at, at + 1, at + 2];
+      });
+      expect(new Set(places).size).toBe(places.length);
+    },
+  );
 
   it('finds texture rows by a shift', () => {
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);

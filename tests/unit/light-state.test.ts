@@ -2,8 +2,16 @@
 
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
-import { LIGHT_FIELDS, LightState, type LightValues, LIMITS } from '../../src/light/light-state.js';
-import { anyLight } from './arbitraries.js';
+import { numberField } from '../../src/fields/field.js';
+import {
+  LIGHT_FIELDS,
+  type LightField,
+  LightState,
+  type LightValues,
+  LIMITS,
+} from '../../src/light/light-state.js';
+import { shade } from '../../src/reference/index.js';
+import { anyLight, plainLight } from './arbitraries.js';
 
 describe('a light', () => {
   it('has the documented defaults', () => {
@@ -90,4 +98,25 @@ it('keeps every product of the equation inside float32', () => {
 
 it('describes the domain of every field in words', () => {
   for (const field of Object.values(LIGHT_FIELDS)) expect(field.expected).not.toBe('');
+});
+
+it('says of every value what shading makes of it, or does not compile', () => {
+  // @ts-expect-error nothing says where it is packed, nor that it selects a kind or changes no picture
+  const forgotten: LightField<number> = numberField(0, {});
+  expect('shading' in forgotten).toBe(false);
+});
+
+it('the equation takes every value but those that change no picture', () => {
+  const fragment = { p: [0, 0, 0], normal: [0, 0, 1], eye: [1, 0, 3] } as const;
+  const surface = { ka: [200, 200, 200], kd: [200, 200, 200], ks: [200, 200, 200], shininess: 2 } as const;
+  const camera = { right: [0.6, 0, -0.8], up: [0, 1, 0], back: [0.8, 0, 0.6] } as const;
+  const sum = (light: LightValues) => shade(fragment, surface, [light], { camera }).sum.join();
+  const lights = fc.sample(plainLight, { numRuns: 400, seed: 1 });
+  for (const [key, { shading }] of Object.entries(LIGHT_FIELDS)) {
+    const differ = lights.filter((light, i) => {
+      const other = { ...light, [key]: lights.at(i - 1)![key as keyof LightValues] };
+      return sum(light) !== sum(other);
+    });
+    expect(differ.length > 0, key).toBe(shading !== 'none');
+  }
 });

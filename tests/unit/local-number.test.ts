@@ -1,7 +1,9 @@
 // Are numbers that are only read written as the language of the words around them writes them?
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import de from '../../src/element/texts/de.json' with { type: 'json' };
 import { localNumber } from '../../src/element/page/local-number.js';
+import { readyTexts } from '../support/texts.js';
+
+const de = readyTexts('de');
 
 const inLanguage = (lang: string): void => {
   vi.stubGlobal('document', { documentElement: { lang } });

@@ -2,8 +2,9 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { coneLimit, kindOf } from '../../src/light/light-features.js';
-import { LIMIT_OPEN } from '../../src/light/light-layout.js';
+import { kindOf } from '../../src/light/light-features.js';
+import { coneLimit } from '../../src/light/precision.js';
+import { LIMIT_OPEN } from '../../src/light/precision.js';
 import type { PackSpace } from '../../src/light/pack-lights.js';
 import { multiply, normalize, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade } from '../../src/reference/equation.js';

@@ -2,8 +2,9 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { coneLimit } from '../../src/light/light-features.js';
-import { HEADER, LIMIT_OPEN } from '../../src/light/light-layout.js';
+import { coneLimit } from '../../src/light/precision.js';
+import { HEADER } from '../../src/light/light-layout.js';
+import { LIMIT_OPEN } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import {
   emptyPack,

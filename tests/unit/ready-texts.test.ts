@@ -1,22 +1,16 @@
 // Are the ready sets of texts complete, and does the document list all keys?
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { ERROR_TEXTS, VIEWER_TEXTS } from '../../src/element/fields/text-list.js';
-import type { CompleteTexts } from '../../src/element/fields/texts.js';
-import de from '../../src/element/texts/de.json' with { type: 'json' };
-import es from '../../src/element/texts/es.json' with { type: 'json' };
-import fr from '../../src/element/texts/fr.json' with { type: 'json' };
-import pt from '../../src/element/texts/pt.json' with { type: 'json' };
+import { LANGUAGES } from '../../.ci/texts.mjs';
+import { ERROR_TEXTS, readyTexts, VIEWER_TEXTS } from '../support/texts.js';
 
 const bracesOf = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 
 /** What every error's message may contain. */
 const ERROR_VALUES = ['{message}', '{url}'];
 
-describe.each(Object.entries<CompleteTexts>({ de, es, fr, pt }))('the texts in %s', (_language, texts) => {
-  it('have every key, in the order of the list', () => {
-    expect(Object.keys(texts)).toEqual([...VIEWER_TEXTS, ...ERROR_TEXTS]);
-  });
+describe.each(LANGUAGES)('the texts in %s', (language) => {
+  const texts = readyTexts(language);
 
   it('keep the values in braces', () => {
     for (const key of VIEWER_TEXTS) expect(bracesOf(texts[key]), key).toEqual(bracesOf(key));
@@ -39,7 +33,7 @@ describe.each(Object.entries<CompleteTexts>({ de, es, fr, pt }))('the texts in %
 });
 
 it('French has no-break spaces before colons, and narrow ones before semicolons', () => {
-  for (const [key, text] of Object.entries(fr))
+  for (const [key, text] of Object.entries(readyTexts('fr')))
     expect(text, key).not.toMatch(/(?<!\u00a0):|(?<!\u202f);|(?<!\u202f)[?!]/u);
 });
 

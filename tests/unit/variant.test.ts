@@ -13,8 +13,8 @@ import {
   REFLECTIONS,
   SHADINGS,
   type ShadingStyle,
-  TERMS,
 } from '../../src/material/material-values.js';
+import { TERMS } from '../../src/light/light-state.js';
 import { anyLight, light } from './arbitraries.js';
 
 /** What differs from a plain material: fields of its look, of its style and the others, side by side. */

@@ -4,15 +4,16 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, expectTypeOf, it } from 'vitest';
-import { VIEWER_TEXTS, type ViewerText } from '../../src/element/fields/text-list.js';
+import type { ViewerText } from '../../src/element/fields/text-list.js';
+import { VIEWER_TEXTS } from '../support/texts.js';
 import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_KINDS } from '../../src/gui/light-values.js';
-import { TERMS } from '../../src/material/material-values.js';
+import { TERMS } from '../../src/light/light-state.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
-  .filter((path) => path.endsWith('.ts') && !path.endsWith('text-list.ts'))
+  .filter((path) => path.endsWith('.ts'))
   .map((path) => readFileSync(join('src', path), 'utf8'))
   .join('\n');
 

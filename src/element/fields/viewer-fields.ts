@@ -1,14 +1,8 @@
 // The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
 // defaults in HTML's units.
 import { LIGHT_FIELDS, LIMITS } from '../../light/light-state.js';
-import {
-  type Reflection,
-  REFLECTIONS,
-  type Shading,
-  SHADINGS,
-  type Term,
-  TERMS,
-} from '../../material/material-values.js';
+import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/material-values.js';
+import { type Term, TERMS } from '../../light/light-state.js';
 import { type View, VIEWS } from '../../material/views.js';
 import type { Fields } from '../../fields/field-store.js';
 import {
@@ -24,7 +18,8 @@ import {
   vectorField,
 } from '../../fields/field.js';
 import type { Vec3 } from '../../math/vector.js';
-import { SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js';
+import { MESH_FIELDS, SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js';
+import { attributeOf } from './attribute-text.js';
 
 export type Loading = 'auto' | 'eager' | 'lazy';
 type ColorInterpolation = 'srgb' | 'linear';
@@ -132,14 +127,8 @@ export interface ViewerValues extends ShapeValues, CameraValues {
 /** Folders of the panel that `gui` can open. */
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
-/** Attributes whose rows `gui` can show alone: those of all elements that the panel edits. */
-const GUI_ROWS: readonly string[] = [
-  ...Object.keys(LIGHT_FIELDS),
-  ...(
-    'ka kd ks shininess segments rotation scale theta phi radius target fov auto-rotate shading reflection terms ' +
-    'color-interpolation antialias samples view view-light helpers probe'
-  ).split(' '),
-];
+/** Attributes that `gui` can list: those of all elements that the panel edits. The panel warns of one without a row. */
+const GUI_ROWS: string[] = [];
 
 const PROBE_VALUES = 'true, false, formula or ask';
 
@@ -199,6 +188,9 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
     GUI_ROWS,
   ]),
 };
+
+for (const fields of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS])
+  GUI_ROWS.push(...Object.keys(fields).map(attributeOf));
 
 /** Assigning the same value again retries what failed. */
 export const RETRY_KEYS: ReadonlySet<string> = new Set(['src', 'geometry', 'gui']);

@@ -2,7 +2,7 @@
 // Fetched by pages that have such a script.
 import { clip } from '../../fields/clip.js';
 import { nearest } from '../../fields/nearest.js';
-import { ERROR_TEXTS, VIEWER_TEXTS } from '../fields/text-list.js';
+import known from '../fields/texts.json';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
 
@@ -11,7 +11,7 @@ const SCRIPT = '<script data-phong-viewer-texts>';
 /** Keys that a warning names. */
 const NAMED = 5;
 
-const KEYS: readonly string[] = [...VIEWER_TEXTS, ...ERROR_TEXTS];
+const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);
 
 /** What was read last. */
 let sources: readonly string[] = [];

@@ -1,10 +1,12 @@
 // The programs of one material: its general variant, and a specialised one where the program cache has it. Code that
 // was needed once stays, so that turning something off and on compiles nothing.
-import { isBlack, isIntegerPower, isMildPower } from '../../light/light-features.js';
+import { isBlack } from '../../math/color.js';
+import { isIntegerPower, isMildPower } from '../../light/precision.js';
 import { usesRoughnessMap, type BaseLook } from '../file-surface.js';
 import type { LightBuffer } from '../light-buffer.js';
 import type { PhongLighting } from '../lighting.js';
-import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle, type Term } from '../material-values.js';
+import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../material-values.js';
+import { type Term } from '../../light/light-state.js';
 import type { Draw } from './program-cache.js';
 import {
   type Form,

@@ -16,7 +16,7 @@ import specularPhong from '../../../shaders/specular_phong.glsl?raw';
 import spot from '../../../shaders/spot.glsl?raw';
 import srgb from '../../../shaders/srgb.glsl?raw';
 import surfaceColor from '../../../shaders/surface_color.glsl?raw';
-import { layoutDefines } from '../../light/light-layout.js';
+import { layoutDefines, lightStructs } from '../../light/light-layout.js';
 import { SRGB } from '../../math/color.js';
 import { FULL_LOBE, LEAST_FILE_EXPONENT, LEAST_ROUGHNESS } from '../file-surface.js';
 
@@ -44,7 +44,7 @@ const loopWith = (surface: string): string =>
   [
     ...[CONSTANTS, guard, power, attenuation, spot, diffuseLobe],
     ...['#ifdef REFLECTION_BLINN_PHONG', specularBlinnPhong, '#else', specularPhong, '#endif'],
-    lightRows,
+    ...[lightRows, lightStructs()],
     where('defined(HAS_LIGHT_GRID)', lightGrid),
     ...[lightLoop, surface],
   ].join('\n');

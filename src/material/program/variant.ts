@@ -1,11 +1,12 @@
 // The code that a program holds. A variant is the defines of one program and its text. The general variant of a
 // material works for any number of its lights; specialised variants are derived from it for the current lights.
 import type { Texture } from 'three';
-import { kindFeatures, KINDS, type LightKind } from '../../light/light-features.js';
-import { HEADER, LIGHT_FEATURES, ROWS } from '../../light/light-layout.js';
+import { kindFeatures } from '../../light/light-features.js';
+import { FEATURES, HEADER, ROWS } from '../../light/light-layout.js';
+import { KINDS, type LightKind, type Term } from '../../light/light-state.js';
 import { forEachLight, type PackedLights } from '../../light/pack-lights.js';
 import { emits, hasMetalness, usesRoughnessMap, type BaseLook } from '../file-surface.js';
-import { type ShadingStyle, type Term, TERMS } from '../material-values.js';
+import type { ShadingStyle } from '../material-values.js';
 import { type Shaders, shadersOf } from './source.js';
 
 /** What a general variant depends on besides its lights. */
@@ -140,19 +141,12 @@ export function specialisedVariant(
 /** The define that holds the features of all declared lights. */
 const DECLARED = 'DECLARED_FEATURES';
 
-/** All features but those of other terms. */
+/** All features but those of values that enter none of these terms. */
 function maskOf(terms: readonly Term[]): number {
   let mask = ~0;
-  for (const term of TERMS) if (!terms.includes(term)) mask &= ~TERM_FEATURES[term];
+  for (const { bit, terms: own } of FEATURES) if (!own.some((term) => terms.includes(term))) mask &= ~bit;
   return mask;
 }
-
-/** The feature bits of each term. */
-const TERM_FEATURES: Readonly<Record<Term, number>> = {
-  ambient: LIGHT_FEATURES.ambient,
-  diffuse: LIGHT_FEATURES.diffuse | LIGHT_FEATURES.tintedDiffuse,
-  specular: LIGHT_FEATURES.specular | LIGHT_FEATURES.tintedSpecular,
-};
 
 /**
  * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: a picture with 16 lights

@@ -3,7 +3,7 @@
 import type { LightValues } from '../../light/light-state.js';
 import { packLights, packNothing, type PackSpace } from '../../light/pack-lights.js';
 import type { View, PictureView } from '../views.js';
-import { viewEntry, type Shows } from './view-table.js';
+import { type Shows, viewEntry, viewValue } from './view-table.js';
 import { Vector4 } from 'three';
 import { type Mat4, normalize, type Vec3 } from '../../math/vector.js';
 import trianglesVertex from '../../../shaders/view_triangles.vert.glsl?raw';
@@ -15,7 +15,7 @@ type Chosen = (lights: Lights) => Lights;
 
 export function pictureView(view: View, chosen: Chosen): PictureView {
   const { shows } = viewEntry(view);
-  if (shows.by !== 'equation') return ownView(shows, chosen);
+  if (shows.by !== 'equation') return ownView(view, shows, chosen);
   return {
     term: shows.term,
     separate: false,
@@ -26,7 +26,7 @@ export function pictureView(view: View, chosen: Chosen): PictureView {
   };
 }
 
-function ownView(shows: OwnProgram, chosen: Chosen): PictureView {
+function ownView(view: View, shows: OwnProgram, chosen: Chosen): PictureView {
   const quantity = quantityUniforms();
   return {
     term: null,
@@ -37,7 +37,7 @@ function ownView(shows: OwnProgram, chosen: Chosen): PictureView {
     },
     program: {
       uniforms: quantity,
-      variant: (general) => viewVariant(shows, general),
+      variant: (general) => viewVariant(view, shows, general),
     },
   };
 }
@@ -86,27 +86,26 @@ type OwnProgram = Exclude<Shows, { by: 'equation' }>;
  */
 const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HAS_EMISSIVE_MAP'];
 
-const made = new WeakMap<OwnProgram, Map<string, Variant>>();
+const made = new Map<string, Variant>();
 
 /**
  * The program of a view that is not the equation's: a material's general program with another text for the colour, and
  * without what only colours need. One for each view and general program.
  */
-function viewVariant(shows: OwnProgram, general: Variant): Variant {
-  let variants = made.get(shows);
-  if (variants === undefined) made.set(shows, (variants = new Map<string, Variant>()));
-  let variant = variants.get(general.key);
-  if (variant === undefined) variants.set(general.key, (variant = make(shows, general)));
+function viewVariant(view: View, shows: OwnProgram, general: Variant): Variant {
+  const key = `${view} ${general.key}`;
+  let variant = made.get(key);
+  if (variant === undefined) made.set(key, (variant = make(view, shows, general)));
   return variant;
 }
 
-function make(shows: OwnProgram, general: Variant): Variant {
+function make(view: View, shows: OwnProgram, general: Variant): Variant {
   const defines: Record<string, string> = { ...general.defines };
   for (const name of DROPPED) Reflect.deleteProperty(defines, name);
   // Programs are told apart by their defines.
   defines['VIEW'] = shows.by;
   if (shows.by === 'quantity') {
-    defines['VIEW_VALUE'] = shows.value;
+    defines['VIEW_VALUE'] = viewValue(view);
     return variantOf(defines, shows.text);
   }
   const variant = variantOf(defines, shows.text);

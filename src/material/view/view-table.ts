@@ -2,7 +2,7 @@
 // say. A view of `VIEWS` without an entry does not compile.
 import quantityText from '../../../shaders/view_quantity.glsl?raw';
 import trianglesText from '../../../shaders/view_triangles.glsl?raw';
-import type { Term } from '../material-values.js';
+import type { Term } from '../../light/light-state.js';
 import type { View } from '../views.js';
 
 /** The equation: all its terms, or one without emissive and unlit colours. Materials keep their programs. */
@@ -11,14 +11,10 @@ interface Equation {
   readonly term: Term | null;
 }
 
-/**
- * A quantity of the fragment or of one light: `value` is a GLSL expression of a colour, from functions of
- * view_quantity.
- */
+/** A quantity of the fragment or of one light, by the function of the view's name in view_quantity.glsl. */
 interface Quantity {
   readonly by: 'quantity';
   readonly text: string;
-  readonly value: string;
 }
 
 /** Every triangle for itself, so each has vertices of its own. */
@@ -41,34 +37,37 @@ export interface ViewEntry {
   readonly title: string;
   /** The same with `reflection="blinn-phong"`, where that differs. */
   readonly blinnTitle?: string;
-  /** The legend's scale: 0 to 1 in grey, or −1 to 1 for each axis. */
+  /**
+   * The legend's scale. `unit`: a number from 0 to 1 in grey; the picture can be all white or all black, as the page behind
+   * it can, so it has an outline. `axes`: a colour, −1 to 1 for each axis.
+   */
   readonly scale: 'none' | 'unit' | 'axes';
 }
 
 const equation = (term: Term | null): Equation => ({ by: 'equation', term });
-const quantity = (value: string): Quantity => ({ by: 'quantity', text: quantityText, value });
+const QUANTITY: Quantity = { by: 'quantity', text: quantityText };
 
 export const VIEW_TABLE = {
   shaded: { shows: equation(null), lights: 'all', title: 'Shaded', scale: 'none' },
   ambient: { shows: equation('ambient'), lights: 'all', title: 'Ambient term', scale: 'none' },
   diffuse: { shows: equation('diffuse'), lights: 'all', title: 'Diffuse term', scale: 'none' },
   specular: { shows: equation('specular'), lights: 'all', title: 'Specular term', scale: 'none' },
-  normals: { shows: quantity('normalColor(at)'), lights: 'none', title: 'Normals', scale: 'axes' },
-  'n-dot-l': { shows: quantity('grey(nDotL(at))'), lights: 'one', title: 'N · L', scale: 'unit' },
+  normals: { shows: QUANTITY, lights: 'none', title: 'Normals', scale: 'axes' },
+  'n-dot-l': { shows: QUANTITY, lights: 'one', title: 'N · L', scale: 'unit' },
   'r-dot-v': {
-    shows: quantity('grey(rDotV(at))'),
+    shows: QUANTITY,
     lights: 'one',
     title: 'R · V',
     blinnTitle: 'N · H',
     scale: 'unit',
   },
   attenuation: {
-    shows: quantity('grey(attenuationOf(at))'),
+    shows: QUANTITY,
     lights: 'one',
     title: 'Attenuation',
     scale: 'unit',
   },
-  decay: { shows: quantity('grey(decayOf(at))'), lights: 'one', title: 'Decay', scale: 'unit' },
+  decay: { shows: QUANTITY, lights: 'one', title: 'Decay', scale: 'unit' },
   triangles: {
     shows: { by: 'triangles', text: trianglesText },
     lights: 'none',
@@ -76,6 +75,12 @@ export const VIEW_TABLE = {
     scale: 'none',
   },
 } as const satisfies Readonly<Record<View, ViewEntry>>;
+
+/** The GLSL expression of a quantity's colour: `grey(viewNDotL(at))`. */
+export const viewValue = (view: View): string => {
+  const call = `${`-${view}`.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase())}(at)`;
+  return viewEntry(view).scale === 'unit' ? `grey(view${call})` : `view${call}`;
+};
 
 /** The entry of a view, with all its possible fields. */
 export const viewEntry = (view: View): ViewEntry => VIEW_TABLE[view];

@@ -4,14 +4,11 @@ import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView } from '../../material/view/picture-view.js';
-import type { View } from '../../material/views.js';
+import { viewEntry } from '../../material/view/view-table.js';
 import { chosenLights, lightsText, unknownLightText } from './chosen-lights.js';
 import { LegendBox } from './legend-box.js';
 import styles from './legend.css?inline';
 import { type Bar, barsOf, titleOf } from './view-scale.js';
-
-/** Their pictures can be all white or all black, as the page behind them can. */
-const OUTLINED: readonly View[] = ['n-dot-l', 'attenuation', 'decay'];
 
 export const create = (host: ExtraHost): Extra => new ViewExtra(host);
 
@@ -40,7 +37,7 @@ class ViewExtra implements Extra {
       this.#shown = shown;
       viewport.picture.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
       viewport.picture.style = { ...viewport.picture.style }; // materials and geometries follow
-      viewport.holder.classList.toggle('outlined', OUTLINED.includes(values.view));
+      viewport.holder.classList.toggle('outlined', viewEntry(values.view).scale === 'unit');
     }
     this.#updateLegend();
     if (!this.#warned.has(values.viewLight) && unknownLightText(this.#host) !== null) this.#warnLater();

@@ -1,7 +1,7 @@
 // The columns of a sum, and the shapes that its table can have. "…" stands for terms that are in the sum but have no
 // column.
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
-import { isBlack } from '../../light/light-features.js';
+import { isBlack } from '../../math/color.js';
 import { add } from '../../math/vector.js';
 import { type Sum, type SumRow, numberText, termText } from './sum.js';
 

@@ -5,11 +5,11 @@ import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { LightValues } from '../../light/light-state.js';
-import { LEAST_EXPONENT } from '../../light/light-layout.js';
+import { LEAST_EXPONENT } from '../../light/precision.js';
 import { radians } from '../../math/angle.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import { add, dot, map, normalize, scale, subtract } from '../../math/vector.js';
-import type { Term } from '../../material/material-values.js';
+import type { Term } from '../../light/light-state.js';
 import { degreesOf, degreesText, numberText } from './sum.js';
 import { decimals, rounded } from './words.js';
 

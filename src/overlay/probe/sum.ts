@@ -4,7 +4,7 @@ import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import type { ViewerTexts } from '../../element/fields/texts.js';
 import { localNumber } from '../../element/page/local-number.js';
-import { isBlack } from '../../light/light-features.js';
+import { isBlack } from '../../math/color.js';
 import { radians } from '../../math/angle.js';
 import { srgbDecode } from '../../math/color.js';
 import { add, length, map, type Vec3 } from '../../math/vector.js';

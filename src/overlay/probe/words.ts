@@ -3,7 +3,7 @@
 import { localNumber } from '../../element/page/local-number.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
-import { LEAST_EXPONENT } from '../../light/light-layout.js';
+import { LEAST_EXPONENT } from '../../light/precision.js';
 import { cosDegrees } from '../../math/angle.js';
 import {
   byShare,

@@ -1,9 +1,11 @@
 // Does <phong-control> edit one value of viewers, lights and meshes, from anywhere on the page?
 
 import type { Locator, Page } from '@playwright/test';
-import de from '../../../src/element/texts/de.json' with { type: 'json' };
 import { expect, test } from '../../support/test.js';
 import { assign, cameraOf, drag, type PhongViewer } from '../support/viewer.js';
+import { readyTexts } from '../../support/texts.js';
+
+const de = readyTexts('de');
 
 const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
 const scene = `<phong-viewer id="v" geometry="torus"><phong-light id="spot" name="spot" position="0 2 0"

@@ -1,9 +1,11 @@
 // Do texts hold for a whole page, by markup and by `PhongViewer.texts`, and do numbers follow its language?
 
 import type { Locator, Page } from '@playwright/test';
-import de from '../../../src/element/texts/de.json' with { type: 'json' };
 import { expect, test } from '../../support/test.js';
 import { assign, type PhongViewer } from '../support/viewer.js';
+import { readyTexts } from '../../support/texts.js';
+
+const de = readyTexts('de');
 
 type ViewerClass = { texts: Readonly<Record<string, string>> | null };
 

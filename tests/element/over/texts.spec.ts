@@ -2,7 +2,7 @@
 // text without brackets.
 
 import type { Locator } from '@playwright/test';
-import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';
+import { VIEWER_TEXTS } from '../../support/texts.js';
 import { expect, test } from '../../support/test.js';
 import {
   button,

@@ -52,3 +52,10 @@ test('a row names its attribute, and models are opened only where they can be dr
   await assign(viewer, { droppable: true });
   await expect(button(viewer, 'open model…')).toBeVisible();
 });
+
+test('warns of a listed attribute that the panel has no row for', async ({ mount, consoleGuard }) => {
+  consoleGuard.allow(/the panel has no row for poster/, 1);
+  const viewer = await mount(scene('gui="cutoff poster"'));
+  const rows = panelOf(viewer).locator('.lil-controller').filter({ visible: true });
+  await expect(rows.locator('.lil-name')).toHaveText(['spot: cutoff']);
+});

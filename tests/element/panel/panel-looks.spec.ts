@@ -3,12 +3,13 @@
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
-import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';
-import de from '../../../src/element/texts/de.json' with { type: 'json' };
 import { firstOf } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { field, listOf, opened, panelOf, titleOf } from './panel-rows.js';
 import { assign } from '../support/viewer.js';
+import { readyTexts, VIEWER_TEXTS } from '../../support/texts.js';
+
+const de = readyTexts('de');
 
 const scene = `<phong-viewer alt="A scene" geometry="box" gui>
   <phong-light name="lamp" position="-1 -2 3 1" cutoff="4" axis="0 -1 0"></phong-light>
