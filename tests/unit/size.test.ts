@@ -9,7 +9,7 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Lines of all files with one of these ends, below a folder. */
 const linesOf = (folder: string, ends: RegExp): number =>
   readdirSync(repository + folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile() && ends.test(entry.name))
+    .filter((entry) => entry.isFile() && ends.test(entry.name) && !/node_modules/.test(entry.parentPath))
     .reduce((sum, { parentPath, name }) => {
       const text = readFileSync(`${parentPath}/${name}`, 'utf8');
       return sum + text.split('\n').length - 1;
