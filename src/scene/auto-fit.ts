@@ -1,5 +1,6 @@
 // Fits the camera to the scene for `auto`, and measures how deep the scene is. Measures the scene when its meshes have
 // changed, and moves the orbit when scene, field of view or the picture's aspect have.
+import type { Mesh } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
@@ -83,6 +84,22 @@ export class AutoFit {
   reshaped(): void {
     this.#measured = null;
     this.#refit();
+  }
+
+  /** A mesh has moved, from its world matrix to its own. Inside the bounds at both places it leaves them as they are. */
+  moved(mesh: Mesh): void {
+    if (this.#staysInside(mesh)) this.#changed();
+    else this.reshaped();
+  }
+
+  #staysInside({ geometry, matrixWorld, matrix, parent }: Mesh): boolean {
+    const { extent, bounds = null } = this.#measured ?? {};
+    // Other points than the bounds' centre have other farthest vertices.
+    const { target = 'auto', radius = 0 } = this.#framing ?? {};
+    const isFitted = this.#fitted !== null || this.#framing === null;
+    if (bounds === null || !isFitted || this.#shared !== null || parent !== this.#tree.scene) return false;
+    if (target !== 'auto' && radius === 'auto') return false;
+    return [matrixWorld, matrix].every(({ elements }) => extent!.holds(geometry, elements, bounds.radius));
   }
 
   resized({ width, height }: Size): void {

@@ -10,18 +10,23 @@ export interface Extent {
   readonly center: Vec3;
   /** Distance of the farthest vertex from a point. */
   radiusAbout(point: Vec3): number;
+  /** A geometry under this world matrix reaches neither the box nor so far from its centre. */
+  holds(geometry: BufferGeometry, matrix: readonly number[], farthest: number): boolean;
 }
 
-const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0 };
+const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0, holds: () => false };
 
 /** A measured mesh under its present matrix. */
 interface Placed {
   readonly extremes: ExtremePoints;
   readonly matrix: readonly number[];
-  /** World sphere that holds all of it. */
-  readonly center: Vec3;
-  readonly radius: number;
 }
+
+/** World sphere that holds all of a mesh. */
+const sphereOf = ({ extremes: { center, radius }, matrix }: Placed): { center: Vec3; radius: number } => ({
+  center: transformed(matrix, ...center),
+  radius: radius * stretch(matrix),
+});
 
 /** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
 const SAME = 1e-9;
@@ -40,8 +45,10 @@ export function measure(root: Object3D): Extent {
       if (place > high[axis]) high[axis] = place;
     }
   };
-  const inside = ({ center, radius }: Placed): boolean => {
-    const r = (1 - SAME) * radius;
+  /** `share` of its sphere is inside the box. */
+  const inside = (mesh: Placed, share: number): boolean => {
+    const { center, radius } = sphereOf(mesh);
+    const r = share * radius;
     for (const i of [0, 1, 2] as const) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
     return true;
   };
@@ -57,13 +64,20 @@ export function measure(root: Object3D): Extent {
   }
   for (const mesh of turned) {
     const { points } = mesh.extremes;
-    if (!inside(mesh)) extend(placesOf(points, points.length, mesh.matrix), points.length);
+    if (!inside(mesh, 1 - SAME)) extend(placesOf(points, points.length, mesh.matrix), points.length);
   }
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
+  const center: Vec3 = [middle(0), middle(1), middle(2)];
   return {
     empty: false,
-    center: [middle(0), middle(1), middle(2)],
+    center,
     radiusAbout: (point) => farthestFrom(point, meshes),
+    holds(geometry, matrix, farthest) {
+      const extremes = extremesOf(geometry);
+      if (extremes === null || !inside({ extremes, matrix }, 1 + SAME)) return false;
+      const sphere = sphereOf({ extremes, matrix });
+      return distance(center, ...sphere.center) + sphere.radius < (1 - SAME) * farthest;
+    },
   };
 }
 
@@ -143,14 +157,7 @@ function placedMeshes(root: Object3D): Placed[] {
     const { isMesh, geometry } = object as Partial<Mesh>;
     const extremes = isMesh === true && geometry !== undefined ? extremesOf(geometry) : null;
     if (extremes === null) return;
-    const matrix = object.matrixWorld.elements;
-    const { center, radius } = extremes;
-    placed.push({
-      extremes,
-      matrix,
-      center: transformed(matrix, ...center),
-      radius: radius * stretch(matrix),
-    });
+    placed.push({ extremes, matrix: object.matrixWorld.elements });
   });
   return placed;
 }
@@ -168,7 +175,9 @@ const extremesOf = (geometry: BufferGeometry): ExtremePoints | null =>
 
 function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
   let farthest = 0;
-  for (const { extremes, matrix, center, radius } of meshes) {
+  for (const mesh of meshes) {
+    const { extremes, matrix } = mesh;
+    const { center, radius } = sphereOf(mesh);
     const away = distance(point, ...center);
     const reach = away + radius;
     if (reach <= farthest * (1 + SAME)) continue;

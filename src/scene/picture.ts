@@ -80,6 +80,11 @@ export class Picture {
     this.fit.reshaped();
   }
 
+  /** A mesh of the scene has moved, and its world matrix is not up to date. */
+  moved(mesh: Mesh): void {
+    this.fit.moved(mesh);
+  }
+
   /** Measures the whole scene again, vertices included, and fits `auto` to it. */
   refit(): void {
     forgetBounds(this.scene);

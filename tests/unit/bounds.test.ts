@@ -61,6 +61,26 @@ function place(mesh: Mesh, random: Random): Mesh {
 }
 
 describe('the measure of a scene', () => {
+  it('stays as it is when a mesh moves that it holds at both places', async () => {
+    const [box, sphere] = [await createGeometry('box', undefined), await createGeometry('sphere', undefined)];
+    const random = new Random(7);
+    let held = 0;
+    for (let i = 0; i < 200; i++) {
+      const meshes = Array.from({ length: 9 }, (_, k) => place(new Mesh(k % 2 === 0 ? box : sphere), random));
+      const scene = sceneOf(...meshes);
+      const before = measure(scene);
+      const radius = before.radiusAbout(before.center);
+      const [moved] = meshes as [Mesh];
+      const wasHeld = before.holds(moved.geometry, moved.matrixWorld.elements, radius);
+      place(moved, random).updateMatrixWorld();
+      if (!wasHeld || !before.holds(moved.geometry, moved.matrixWorld.elements, radius)) continue;
+      held += 1;
+      const after = measure(scene);
+      expect([...after.center, after.radiusAbout(after.center)]).toEqual([...before.center, radius]);
+    }
+    expect(held).toBeGreaterThan(5);
+  });
+
   for (const name of GEOMETRIES) {
     it(`finds centre and radius of a ${name} within 1 %, however it is turned and stretched`, async () => {
       const geometry = await createGeometry(name, undefined);

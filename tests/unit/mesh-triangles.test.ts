@@ -20,7 +20,15 @@ function setUp(limit: number) {
   const quiet = (): void => undefined;
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
-    ...{ crossOrigin: null, mayLoad: true, changed: quiet, reshaped: quiet, began: quiet, progress: quiet },
+    ...{
+      crossOrigin: null,
+      mayLoad: true,
+      changed: quiet,
+      reshaped: quiet,
+      moved: quiet,
+      began: quiet,
+      progress: quiet,
+    },
     ...{ shown: () => false, removed: quiet },
     ended: (mesh, _, error) => error !== null && failed.set(mesh, (error as { code: string }).code),
     dropped: (mesh) => failed.delete(mesh),

@@ -35,7 +35,7 @@ function setUp() {
     ...{ materials, ended, animations: new Set() as unknown as MeshHost['animations'] },
     ...{ crossOrigin: null, mayLoad: true, began: vi.fn(), progress: vi.fn(), dropped: vi.fn() },
     budget: new Budget(),
-    ...{ changed: vi.fn(), reshaped: vi.fn(), shown: () => false, removed: vi.fn() },
+    ...{ changed: vi.fn(), reshaped: vi.fn(), moved: vi.fn(), shown: () => false, removed: vi.fn() },
   };
   const state = new FieldStore(SHAPE_FIELDS);
   const mesh = new SceneMesh(state, host);

@@ -21,6 +21,7 @@ function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: F
     ...{
       changed: quiet,
       reshaped: quiet,
+      moved: quiet,
       began: quiet,
       progress: quiet,
       ended: quiet,

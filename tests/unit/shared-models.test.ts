@@ -53,7 +53,15 @@ function viewerOf() {
   const quiet = (): void => undefined;
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
-    ...{ crossOrigin: null, mayLoad: true, changed: quiet, reshaped: quiet, began: quiet, progress: quiet },
+    ...{
+      crossOrigin: null,
+      mayLoad: true,
+      changed: quiet,
+      reshaped: quiet,
+      moved: quiet,
+      began: quiet,
+      progress: quiet,
+    },
     ...{ shown: () => false, removed: quiet, dropped: quiet },
     ended: (_mesh, _url, error) => error !== null && errors.push((error as { code: string }).code),
   };

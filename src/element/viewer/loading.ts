@@ -1,5 +1,6 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors.
 import type { ReactiveController } from 'lit';
+import type { Mesh } from 'three';
 import { clipMessage } from '../../fields/clip.js';
 import type { Animations } from '../../scene/mesh/animation.js';
 import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
@@ -119,6 +120,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   reshaped(): void {
     this.#context.picture.reshaped();
+  }
+
+  moved(mesh: Mesh): void {
+    this.#context.picture.moved(mesh);
   }
 
   shown(mesh: SceneMesh): boolean {

@@ -184,6 +184,11 @@ export class Placement {
   #rotation: Vec3 | null = null;
   #scale: Vec3 | null = null;
 
+  /** The root was put there. */
+  get known(): boolean {
+    return this.#position !== null;
+  }
+
   /** The next {@link put} writes whatever its values are: the root is a new one. */
   forget(): void {
     this.#position = null;

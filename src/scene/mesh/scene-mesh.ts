@@ -1,6 +1,6 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
 // the next one is there and can be shown.
-import type { Object3D } from 'three';
+import type { Mesh, Object3D } from 'three';
 import { type Animated, type Animations, MeshAnimation } from './animation.js';
 import type { ShadingStyle } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
@@ -37,6 +37,8 @@ export interface MeshHost extends LoadHost<SceneMesh> {
   changed(): void;
   /** The mesh's geometry or place is different: measure again. */
   reshaped(): void;
+  /** The mesh, which is this one, was put elsewhere; its world matrix still says where it was. */
+  moved(mesh: Mesh): void;
   /**
    * The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content
    * before is kept.
@@ -366,7 +368,10 @@ export class SceneMesh implements Animated, ContentOwner {
     const [part] = this.parts;
     const { root } = this;
     if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
-    if (this.#placement.put(root, this.#values)) this.#host.reshaped();
+    const { known } = this.#placement;
+    if (!this.#placement.put(root, this.#values)) return;
+    if (known && part?.mesh === root) this.#host.moved(part.mesh);
+    else this.#host.reshaped();
   }
 
   /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */

@@ -222,7 +222,7 @@ const presence = (attribute: string): Row => ({
 const panelList: Row = {
   ...presence('gui'),
   valid: [['', true], ['gui', true], ['true', true], ['false', false], ['camera lights', ['camera', 'lights']], ['Cutoff, theta', ['cutoff', 'theta']]], // prettier-ignore
-  outside: ['lights cutoff', 'src', 'x'],
+  outside: ['lights cutoff', 'source', 'x'],
   refused: [[['lights', 'cutoff'], 'RangeError'], [['x'], 'RangeError'], [1, 'TypeError'], [[1], 'RangeError']], // prettier-ignore
 };
 

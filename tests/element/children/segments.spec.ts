@@ -23,8 +23,11 @@ test('a sphere has the segments that its size and the camera need, and the camer
   expect(await triangles(viewer)).toBe(sphereOf(16));
   await assign(viewer, { radius: 0.501 });
   await settled(viewer);
-  expect(await triangles(viewer)).toBe(sphereOf(128));
-  await assign(viewer, { radius: 'auto' });
+  expect(await triangles(viewer), 'no outline is in view').toBe(sphereOf(64));
+  await assign(viewer, { target: [0.5, 0, 0], radius: 0.2 });
+  await settled(viewer);
+  expect(await triangles(viewer)).toBeGreaterThan(sphereOf(64));
+  await assign(viewer, { target: 'auto', radius: 'auto' });
   await settled(viewer);
   expect(await triangles(viewer)).toBe(first);
   expect(await viewer.evaluate((element: PhongViewer) => element.camera.radius)).toBe(radius);
