@@ -36,15 +36,14 @@ export interface PackedValue extends Pick<Shaded<never>, 'as'> {
   readonly at: number;
 }
 
-const isVector = ({ as }: PackedValue): boolean => typeof as === 'string' && as !== 'numbers';
+/** In x y z. */
+const isVector = ({ as }: Pick<PackedValue, 'as'>): boolean => typeof as === 'string' && as !== 'numbers';
 
 /** The packed values of each kind. */
 export const PACKED_VALUES = byKind((kind) =>
-  SHADED.flatMap(({ key, as, rows: { [kind]: row } }): PackedValue[] => {
-    if (row === undefined) return [];
+  SHADED.filter(({ rows }) => kind in rows).map(({ key, as, rows }): PackedValue => {
     const name = as === 'place' && kind === 'directional' ? 'direction' : key;
-    const value = { key, as, name, at: row * 4 };
-    return [isVector(value) ? value : { ...value, at: row * 4 + 3 }];
+    return { key, as, name, at: rows[kind]! * 4 + (isVector({ as }) ? 0 : 3) };
   }),
 );
 

@@ -2,6 +2,7 @@
 // case has it.
 import { describe, expect, it } from 'vitest';
 import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
+import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import { FORMS } from '../../src/material/program/variant.js';
 import { LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { forSomeCases, formsOfAll, masksOfAll } from '../glsl/loop-coverage.js';
@@ -47,6 +48,17 @@ describe('the stress run', () => {
     for (const [name, bit] of Object.entries(bits))
       expect(new Set(masks.map((mask) => (mask & bit) !== 0)), name).toEqual(new Set([true, false]));
     expect(new Set(masks.map((mask) => mask >> powerShift > 0))).toEqual(new Set([true, false]));
+  });
+
+  it('has lights that differ in each value that shading takes', () => {
+    const seen = new Map<string, Set<string>>();
+    forSomeCases(({ lights }) => {
+      for (const light of lights)
+        for (const [key, value] of Object.entries(light))
+          seen.set(key, (seen.get(key) ?? new Set()).add(String(value)));
+    });
+    for (const [key, { shading }] of Object.entries(LIGHT_FIELDS))
+      if (typeof shading === 'object') expect(seen.get(key)?.size, key).toBeGreaterThan(1);
   });
 
   it('takes the programs that the shipped code makes for a case', () => {

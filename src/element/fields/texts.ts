@@ -1,5 +1,4 @@
-// The page's own words in place of a viewer's texts. English by default; text-list.ts has all
-// texts.
+// The page's own words in place of a viewer's texts. English by default; texts.json has all texts.
 import type { ViewerErrorCode } from '../events.js';
 import type { ViewerText } from './text-list.js';
 

@@ -262,11 +262,12 @@ test('a viewer that was removed aborts its downloads and requests them again whe
   await page.route(/bunny|quad\.bin/, (route) => (answered ? route.continue() : undefined));
   const aborted: string[] = [];
   page.on('requestfailed', (request) => aborted.push(new URL(request.url()).pathname));
+  const asked = page.waitForRequest(/quad\.bin/);
   const viewer = await mount(
     `<phong-viewer src="${BUNNY}"><phong-mesh src="/fixtures/models/beside/quad.gltf"></phong-mesh></phong-viewer>`,
     { ...SIZE, waitForReady: false },
   );
-  await page.waitForRequest(/quad\.bin/);
+  await asked;
   const events = await record(viewer, 'error', 'load');
   const removed = await viewer.evaluateHandle((element: PhongViewer) => {
     element.remove();
