@@ -94,10 +94,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     consoleGuard,
   }) => {
     consoleGuard.allow(/error: Failed to load resource/);
-    consoleGuard.allow(
-      /warning: <phong-viewer>: .*The code of the control panel could not be fetched/,
-      2,
-    );
+    consoleGuard.allow(/warning: <phong-viewer>: .*The code of the control panel could not be fetched/, 2);
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
     const show = (): Promise<void> =>
@@ -107,7 +104,7 @@ for (const usage of ['standalone', 'modules'] as const) {
       });
     await page.route(/\/panel/, (route) => route.abort());
     for (let time = 0; time < 2; time++) {
-      const failed = page.waitForEvent('console', (message) => message.text().includes('<phong-viewer gui>'));
+      const failed = page.waitForEvent('console', (message) => message.text().includes('control panel'));
       await show();
       await failed;
     }
