@@ -485,7 +485,7 @@ describe('work', () => {
 
 it('a list of a text file that is full grows up to a length that moves in one task, then is too-large', () => {
   const list = new Growing(Uint8Array, 2 ** 24);
-  list.length = 2 ** 24;
+  list.fillTo(2 ** 24, 0);
   list.push(1);
   expect(list.array.length).toBe(2 ** 25);
   list.length = 2 ** 25;

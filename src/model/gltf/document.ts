@@ -185,6 +185,7 @@ async function readMeshes(
   const meshes: GltfMesh[] = [];
   for (const mesh of objectsAt(json['meshes'], 'meshes')) {
     const primitives = await readPrimitives(mesh, context, slices);
+    await slices.pauseIfDue();
     meshes.push({
       name: textAt(mesh['name']),
       primitives,

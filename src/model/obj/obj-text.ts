@@ -276,7 +276,9 @@ class ObjReader {
 
   /** Names in quotes, or that end in .mtl, apart by blanks, which they may also contain. */
   #libraryNames(text: string): void {
-    for (const written of text.match(/"[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$/gi) ?? []) {
+    // Whatever else there is matches too: the search would begin again at each of its characters.
+    const names = /("[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$)|[^"]+|"/gi;
+    for (const [, written = ''] of text.matchAll(names)) {
       if (this.#libraries.length >= LIBRARY_LIMIT) return;
       const name = unquoted(written.trim()).replace(/\\/g, '/');
       if (name !== '' && !name.startsWith('#') && !this.#libraries.includes(name)) this.#libraries.push(name);

@@ -241,6 +241,13 @@ export class TextScanner {
     return utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
   }
 
+  /** The next bytes of this line, a character each. Stays before them. */
+  ahead(most: number): string {
+    const bytes = this.#bytes.subarray(this.at, this.at + most);
+    const end = bytes.findIndex(isLineEnd);
+    return latin1.decode(end < 0 ? bytes : bytes.subarray(0, end));
+  }
+
   /** From `start` to the next byte, a character for each byte. */
   latin1From(start: number, most: number): string {
     return latin1.decode(this.#bytes.subarray(start, Math.min(this.at, start + most)));
