@@ -1,11 +1,18 @@
-// Which chunks hold the code that several readers of models, or several views, share? Without these groups each shared
-// file would be a request of its own. None of them may be the target of an import(): such a chunk could not be fetched
-// again after a failure.
+// Which chunks hold the code that several readers of models, several views, or panel and controls share? Without these
+// groups each shared file would be a request of its own. None of them may be the target of an import() by `lazyCode`:
+// such a chunk could not be fetched again after a failure.
 
 export const modelChunks = [
   {
     name: 'model-shared',
     test: /\/src\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|owned-model|listed|stl\/stl-kind|text\/utf-16|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
+  },
+  // What helpers have in common with the panel. Before the panel's rows, which would take it with them.
+  { name: 'round-number', test: /\/src\/(element\/viewer\/history|math\/round-number)\.ts$/ },
+  // What <phong-control> has in common with the panel.
+  {
+    name: 'panel-rows',
+    test: /\/src\/gui\/(?!(panel|flat-rows|full-screen|control|control-form|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
   },
   { name: 'model-triangles', test: /\/src\/model\/(left-out|(text|triangles)\/[^/]+)\.ts$/ },
 ];

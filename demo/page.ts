@@ -1,7 +1,5 @@
-// What does every demo page load? The elements, and the two features around them. Knows no particular page.
+// What does every demo page load? The elements, and the listings of their markup. Knows no particular page.
 import 'phong-viewer';
-import { connectDials } from './parts/dials.js';
 import { showListings } from './parts/listings.js';
 
 showListings(document);
-connectDials(document);

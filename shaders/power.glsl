@@ -25,7 +25,7 @@ float powMild(float x, float k) {
 }
 
 /**
- * The same for k from 1 to LARGEST_MILD_POWER, where a base near 0 gives a result near 0. x may be negative by
+ * The same for k from 1 to LARGEST_MILD_CUTOFF, where a base near 0 gives a result near 0. x may be negative by
  * rounding.
  */
 float powFrom1(float x, float k) {

@@ -19,13 +19,13 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   float squared = dot(sum, sum);
   bool hasHalf = squared >= LEAST_SUM;
   vec3 H = sum * inversesqrt(max(squared, LEAST_SUM));
-  vec3 d = N - H;
-  float y = 0.5 * dot(d, d); // 1 - dot(N, H), as in specular_phong
+  float NoH = hasHalf ? dot(N, H) : 0.0;
 #if defined(INTEGER_SHININESS)
-  return hasHalf ? powInteger(max(1.0 - y, 0.0), INTEGER_SHININESS) : 0.0;
+  return powInteger(max(NoH, 0.0), INTEGER_SHININESS);
 #elif defined(SHININESS_IS_MILD)
-  return powMild(hasHalf ? 1.0 - y : 0.0, n);
+  return powMild(NoH, n);
 #else
-  return powNearOne(hasHalf ? dot(N, H) : 0.0, y, n);
+  vec3 d = N - H;
+  return powNearOne(NoH, 0.5 * dot(d, d), n); // 1 - dot(N, H) by a chord, as in specular_phong
 #endif
 }

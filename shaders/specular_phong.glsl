@@ -15,16 +15,14 @@ vec3 specularView(vec3 N, vec3 V) {
 
 /** max(dot(R, V), 0)^n with R = 2 NoL N - L. N, L unit, W from specularView; NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 W, float n) {
-  // 1 - dot(R, V), without cancelling at the highlight's centre. There it hardly depends on the vectors' lengths
-  // either, whose errors inversesqrt brings: those of N count four times in W. A cosine would give all of them to the
-  // power.
-  vec3 d = L - W;
-  float y = 0.5 * dot(d, d);
 #if defined(INTEGER_SHININESS)
-  return powInteger(max(1.0 - y, 0.0), INTEGER_SHININESS);
+  return powInteger(max(dot(L, W), 0.0), INTEGER_SHININESS);
 #elif defined(SHININESS_IS_MILD)
-  return powMild(1.0 - y, n);
+  return powMild(dot(L, W), n);
 #else
-  return powNearOne(dot(L, W), y, n);
+  // 1 - dot(R, V), without cancelling at the highlight's centre. There it hardly depends on the vectors' lengths
+  // either, whose errors inversesqrt brings: those of N count four times in W. A cosine gives all of them to the power.
+  vec3 d = L - W;
+  return powNearOne(dot(L, W), 0.5 * dot(d, d), n);
 #endif
 }

@@ -1,18 +1,22 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>` and `<phong-compare>`. Importing it
- * without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>` and
+ * `<phong-control>`. Importing it without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
  */
-// First, because it must run before Lit does.
+// First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
+import './element/page/early-requests.js';
 import { PhongCompare } from './element/phong-compare.js';
+import { PhongControl, provideControl } from './element/phong-control.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { providePanel } from './element/viewer/viewer-panel.js';
 import { lazyCode } from './model/lazy-code.js';
+import { endEarly } from './model/request-file.js';
 
 litWasImported();
 providePanel(lazyCode(() => import('./gui/panel.js'), 'the control panel'));
+provideControl(lazyCode(() => import('./gui/control.js'), '<phong-control>'));
 
 // Children first: the viewer then finds all of them at once when it is upgraded.
 if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
@@ -21,12 +25,14 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
     ['phong-mesh', PhongMesh],
     ['phong-viewer', PhongViewer],
     ['phong-compare', PhongCompare],
+    ['phong-control', PhongControl],
   ] as const) {
     if (customElements.get(name) === undefined) customElements.define(name, element);
   }
+  endEarly();
 }
 
-export { PhongCompare, PhongLight, PhongMesh, PhongViewer };
+export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
 export type {
   LoadDetail,
   PhongCompareEventMap,
@@ -37,7 +43,7 @@ export type {
 } from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
 export type { ViewerTexts } from './element/fields/texts.js';
-export type { PhongCompareProps, PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
+export type { PhongCompareProps, PhongControlProps, PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
 export type {} from './element/types/solid.js';
 export type {} from './element/types/svelte.js';
 export type {} from './element/elements.js';

@@ -14,6 +14,7 @@ import {
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
+import type { ControlValues } from './element/fields/control-fields.js';
 import type { ComponentProps } from './element/jsx.js';
 import type { Elements, Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
@@ -22,6 +23,7 @@ export type PhongLightElement = elements.PhongLight;
 export type PhongMeshElement = elements.PhongMesh;
 export type PhongViewerElement = elements.PhongViewer;
 export type PhongCompareElement = elements.PhongCompare;
+export type PhongControlElement = elements.PhongControl;
 
 export type PhongLightProps = ComponentProps<elements.PhongLightProps, object>;
 export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.PhongMeshEventMap>;
@@ -61,6 +63,15 @@ export const PhongCompare: ForwardRefExoticComponent<PhongCompareProps> = compon
   elements.PhongCompare.observedAttributes,
 );
 
+export type PhongControlProps = ComponentProps<elements.PhongControlProps, object>;
+
+/** `<phong-control>`, as {@link PhongLight}. Its children are its label. */
+export const PhongControl: ForwardRefExoticComponent<PhongControlProps> = component(
+  'phong-control',
+  // Written out: the table of fields would bring its code.
+  ['for', 'attribute', 'component', 'values', 'min', 'max', 'step', 'type'] satisfies (keyof ControlValues)[],
+);
+
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */
 const EVENTS: ReadonlyMap<string, string> = new Map(
   Object.entries({
@@ -70,6 +81,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onCameraChange: 'camera-change',
     onLightChange: 'light-change',
     onProbeChange: 'probe-change',
+    onAnswer: 'answer',
     onRender: 'render',
     onDividerChange: 'divider-change',
   } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),

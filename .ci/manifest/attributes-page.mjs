@@ -18,7 +18,7 @@ and one warning on the console says what was expected. Every attribute is also a
 `;
 
 /** The elements in the order in which they are written: a scene needs a light and a mesh before it needs the rest. */
-const ORDER = ['phong-light', 'phong-mesh', 'phong-viewer', 'phong-compare'];
+const ORDER = ['phong-light', 'phong-mesh', 'phong-viewer', 'phong-compare', 'phong-control'];
 
 /** @param {Element[]} elements @returns {string} */
 export function attributesPage(elements) {

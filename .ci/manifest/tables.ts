@@ -3,6 +3,7 @@
 
 import type { Field } from '../../src/fields/field.js';
 import { COMPARE_FIELDS } from '../../src/element/fields/compare-fields.js';
+import { CONTROL_FIELDS } from '../../src/element/fields/control-fields.js';
 import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
@@ -14,4 +15,5 @@ export const fields: Readonly<Record<string, Readonly<Record<string, Field<unkno
   'phong-light': LIGHT_FIELDS,
   'phong-mesh': MESH_FIELDS,
   'phong-compare': COMPARE_FIELDS,
+  'phong-control': CONTROL_FIELDS,
 };

@@ -8,6 +8,7 @@ export interface Entry {
 
 /** The header's navigation, on every page. */
 export const sections: readonly Entry[] = [
+  { path: 'lesson/', label: 'Lesson' },
   { path: 'guide/', label: 'Guide' },
   { path: 'examples/', label: 'Examples' },
   { path: 'playground/', label: 'Playground' },

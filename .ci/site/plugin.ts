@@ -167,6 +167,7 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
   ],
   ['sizes', () => sizesHtml(dist)],
   ['members', () => membersHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
+  ['texts', textsHtml],
   ['size', (name) => sizeOf(dist, `phong-viewer.${name}.js`)],
   [
     'pairs',
@@ -189,6 +190,12 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
       sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
   ],
 ]);
+
+/** The ready texts of a language, for a page in it. */
+function textsHtml(language: string): string {
+  const texts = readFileSync(join(repository, `src/element/texts/${language}.json`), 'utf8');
+  return `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
+}
 
 function sceneHtml(name: string): string {
   return readFileSync(join(demo, 'scenes', `${name}.html`), 'utf8');

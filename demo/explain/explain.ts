@@ -86,8 +86,7 @@ function changed(): void {
   picture = null;
 }
 
-for (const event of ['camera-change', 'light-change'] as const) viewer.addEventListener(event, changed);
-// The dial writes the viewer's own attribute.
-new MutationObserver(changed).observe(viewer, { attributes: true });
+for (const event of ['camera-change', 'light-change', 'render'] as const)
+  viewer.addEventListener(event, changed);
 new ResizeObserver(changed).observe(viewer);
 viewer.addEventListener('probe-change', ({ detail }) => show(detail));

@@ -6,7 +6,7 @@ import { inspect } from './diagnosis/inspect.js';
 import { FieldBinding } from './fields/field-binding.js';
 
 /** Importing this file where there is no DOM does nothing. */
-const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
+export const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
 
 /** Registers a light or mesh with the nearest viewer around it, if any. Does nothing for other elements. */
 export let register: (element: Element) => void;

@@ -6,6 +6,7 @@ import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventM
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import type {
   CompareProperties,
+  ControlProperties,
   LightProperties,
   MeshProperties,
   ViewerProperties,
@@ -13,7 +14,7 @@ import type {
 import type { ViewerTexts } from './fields/texts.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import type { Vec3 } from '../math/vector.js';
-import type { ViewportStats } from '../scene/painter.js';
+import type { ViewportStats } from '../scene/picture.js';
 
 /** The class of an element. */
 export interface ElementClass<E extends HTMLElement> {
@@ -101,6 +102,12 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    * on the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
+  /**
+   * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface there, drawn, hidden or
+   * outside the picture. Null if no surface is near it on the line from the eye, and while the viewer has no box on the
+   * page. Rejects with `TypeError` or `RangeError` unless it is three finite numbers.
+   */
+  explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null>;
   /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
   toHTML(): string;
   /** Back to the last declared camera. */
@@ -128,6 +135,11 @@ export interface PhongCompare extends LitElement, CompareProperties {
   readonly viewers: readonly PhongViewer[];
   /** The comparison as markup, with the cameras and dividers as they are now. */
   toHTML(): string;
+}
+
+/** Edits one value of viewers, lights or meshes, anywhere on the page. */
+export interface PhongControl extends HTMLElement, ControlProperties {
+  readonly localName: 'phong-control';
 }
 
 /** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */

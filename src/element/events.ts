@@ -40,6 +40,37 @@ export interface ProbeDetail {
   readonly pinned: boolean;
 }
 
+/** An answer to a question of `probe="ask"`. */
+export interface AnswerDetail {
+  readonly term: 'ambient' | 'diffuse' | 'specular' | 'sum';
+  /** Null for the sum and the head-light. */
+  readonly light: PhongLight | null;
+  /** Null where all channels are equal. */
+  readonly channel: 'red' | 'green' | 'blue' | null;
+  /** As typed, and as a number; null if it is none. */
+  readonly text: string;
+  readonly value: number | null;
+  readonly expected: number;
+  readonly correct: boolean;
+  /** The likeliest one that gives this value. Null for right answers and unusual ones. */
+  readonly mistake:
+    | 'digits'
+    | 'left-out'
+    | 'unclamped'
+    | 'angle'
+    | 'radians'
+    | 'sine'
+    | 'exponent'
+    | 'times-exponent'
+    | 'other-value'
+    | 'attenuation'
+    | 'aperture'
+    | 'cone'
+    | 'behind'
+    | 'scale'
+    | null;
+}
+
 /** Events of `<phong-viewer>`. None bubbles; several of one type in a task become one. */
 export interface PhongViewerEventMap {
   /**
@@ -60,6 +91,8 @@ export interface PhongViewerEventMap {
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
   /** The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and `detail.y`. */
   'probe-change': CustomEvent<ProbeDetail>;
+  /** The user answered a question of `probe="ask"`. */
+  answer: CustomEvent<AnswerDetail>;
   /** A changed picture is on the canvas. Its pixels can be read in the listener, but not later. */
   render: CustomEvent<null>;
 }

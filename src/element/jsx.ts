@@ -25,6 +25,7 @@ export type PhongLightProps = ElementProps<Elements['light']>;
 export type PhongMeshProps = ElementProps<Elements['mesh']>;
 export type PhongViewerProps = ElementProps<Elements['viewer']>;
 export type PhongCompareProps = ElementProps<Elements['compare']>;
+export type PhongControlProps = ElementProps<Elements['control']>;
 
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
 /** @ts-ignore */
@@ -36,6 +37,7 @@ declare module 'react' {
       'phong-mesh': PhongMeshProps;
       'phong-viewer': PhongViewerProps;
       'phong-compare': PhongCompareProps;
+      'phong-control': PhongControlProps;
     }
   }
 }

@@ -2,7 +2,7 @@
 // CSS gives a size; what shows the viewers in it is a chunk. Their cameras are linked by viewer/camera-group.ts.
 import { html, LitElement, nothing } from 'lit';
 import { FieldStore } from '../fields/field-store.js';
-import { lazyCode } from '../model/lazy-code.js';
+import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Comparison } from './compare/comparison.js';
 import type { ElementClass, PhongCompare as PublicCompare, PhongViewer } from './elements.js';
 import type { Listen, PhongCompareEventMap } from './events.js';
@@ -94,7 +94,7 @@ class CompareElement extends LitElement implements PublicCompare {
       this.#comparison = new Comparison(this);
       this.addController(this.#comparison);
     } catch (error) {
-      console.warn(`<phong-compare>: ${(error as Error).message}`);
+      reportMissing(error);
       this.#failed = true;
     }
     this.requestUpdate();

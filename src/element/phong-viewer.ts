@@ -148,15 +148,16 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   get scene(): Scene {
-    return this.#context.viewport.scene;
+    return this.#context.picture.scene;
   }
 
   get maxTriangles(): number {
-    return this.#context.viewport.budget.limit;
+    return this.#context.picture.budget.limit;
   }
 
   set maxTriangles(triangles: number | null | undefined) {
-    this.#context.viewport.budget.limit = triangles ?? null;
+    this.#context.picture.budget.limit = triangles ?? null;
+    this.#context.picture.invalidate(); // other levels of detail may fit
     if (this.hasUpdated) this.#loading.retry();
   }
 
@@ -171,11 +172,11 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   requestRender(): void {
-    this.#context.viewport.invalidate();
+    this.#context.picture.invalidate();
   }
 
   refit(): void {
-    this.#context.viewport.refit();
+    this.#context.picture.refit();
   }
 
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
@@ -187,6 +188,12 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#update();
     const snapshot = this.#extras.snapshot();
     return (await lazy.shadeAt()).shadeAt(snapshot, x, y, options);
+  }
+
+  async explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null> {
+    this.#update();
+    const snapshot = this.#extras.snapshot();
+    return (await lazy.shadeAt()).explain(snapshot, point);
   }
 
   toHTML(): string {
@@ -255,7 +262,7 @@ class ViewerElement extends LitElement implements PublicViewer {
   /** Passes changed values on. */
   #apply(changed: { has(key: string): boolean }): void {
     const { values } = this.#store;
-    const viewport = this.#context.viewport;
+    const { viewport } = this.#context;
     applyStyle(viewport, values, changed);
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
@@ -279,7 +286,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (!this.#visibility.connected) return true;
     if (this.#loading.pending || this.#extras.pending !== null || isUnplaced(this)) return false;
     const { viewport } = this.#context;
-    const converging = viewport.converging && !this.#camera.moving;
+    const converging = viewport.still.pending && !this.#camera.moving;
     return !viewport.drawable || (viewport.upToDate && !converging);
   }
 }
@@ -297,12 +304,12 @@ const STYLE_KEYS = ['shading', 'reflection', 'terms'] as const;
 
 /** Passes the values that change the picture as a whole to the viewport. `changed`: the values that were written. */
 function applyStyle(
-  viewport: Pick<Viewport, 'fov' | 'linear' | 'style' | 'samples'>,
+  { picture, still }: Pick<Viewport, 'picture' | 'still'>,
   { fov, colorInterpolation, shading, reflection, terms, antialias, samples }: Readonly<ViewerValues>,
   changed: { has(key: string): boolean },
 ): void {
-  viewport.fov = fov;
-  viewport.linear = colorInterpolation === 'linear';
-  viewport.samples = antialias === 'full' ? samples : 0;
-  if (STYLE_KEYS.some((key) => changed.has(key))) viewport.style = { shading, reflection, terms };
+  picture.fit.fov = fov;
+  picture.linear = colorInterpolation === 'linear';
+  still.wanted = antialias === 'full' ? samples : 0;
+  if (STYLE_KEYS.some((key) => changed.has(key))) picture.style = { shading, reflection, terms };
 }

@@ -46,6 +46,24 @@ export type ComponentNames = readonly [ViewerText, ViewerText, ViewerText];
 
 const AXES: ComponentNames = ['{row} x', '{row} y', '{row} z'];
 
+/** One number of a vector. */
+export const componentOf = (value: Bound<Vec3>, axis: Axis): Bound<number> =>
+  bound(
+    () => value.value[axis],
+    (number) => {
+      const [x, y, z] = value.value;
+      value.value = [axis === 0 ? number : x, axis === 1 ? number : y, axis === 2 ? number : z];
+    },
+  );
+
+/** Names the row of one number of a vector. */
+export const nameComponent = (
+  name: HTMLElement,
+  row: ViewerText,
+  axis: Axis,
+  components: ComponentNames = AXES,
+): void => label(name, (say) => (name.textContent = say(components[axis], { row: say(row) })));
+
 export class VectorControl extends Controller {
   readonly #travel: (axis: Axis) => Travel;
   readonly #fields: readonly NumberField[];
@@ -62,14 +80,7 @@ export class VectorControl extends Controller {
     nameRow(this, name);
     this.#travel = travel;
     this.#fields = ([0, 1, 2] as const).map((axis) => {
-      const component = bound(
-        () => value.value[axis],
-        (number) => {
-          const [x, y, z] = value.value;
-          value.value = [axis === 0 ? number : x, axis === 1 ? number : y, axis === 2 ? number : z];
-        },
-      );
-      const field = new NumberField(component, travel(axis));
+      const field = new NumberField(componentOf(value, axis), travel(axis));
       const { input } = field;
       this.$widget.append(input);
       label(input, (say) => {
@@ -183,7 +194,10 @@ class NumberField {
 
   /** False if the element refuses the value. */
   set(value: number): boolean {
-    return Number.isFinite(value) && accepted(() => (this.#bound.value = value));
+    const [least, most] = this.travel.limits ?? [-Infinity, Infinity];
+    return (
+      Number.isFinite(value) && accepted(() => (this.#bound.value = Math.min(Math.max(value, least), most)))
+    );
   }
 
   #listenToKeys(): void {

@@ -12,7 +12,14 @@ import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { ColorControl } from './color-control.js';
 import { explain, nameAttribute, nameRow, type Say } from './label.js';
-import { type Axis, type ComponentNames, NumberControl, VectorControl } from './number-controls.js';
+import {
+  type Axis,
+  type ComponentNames,
+  componentOf,
+  nameComponent,
+  NumberControl,
+  VectorControl,
+} from './number-controls.js';
 import type { SceneRange } from './scene-range.js';
 import { SelectControl } from './select-control.js';
 import { DrawnReadout, Readout, TextControl } from './text-control.js';
@@ -27,12 +34,33 @@ export interface Place<E> {
   readonly range: SceneRange;
   /** The title of the folder, in the page's words. */
   title(): string;
+  /** The scale that is shown in place of a row's own. */
+  readonly scale?: (own: Travel) => Travel;
+  /** The only component of vectors that is shown, by slider and field. */
+  readonly axis?: Axis | null;
 }
+
+/** Where the value of a row is kept. */
+export interface Source {
+  readonly subject: Subject<unknown>;
+  readonly get: () => unknown;
+  /** Throws RangeError or TypeError for a value that the element refuses. */
+  readonly set: (value: unknown) => void;
+}
+
+/** The declared value of an element. It is written through the property, which checks it. */
+export const declared = (element: Editable, key: string): Source => ({
+  subject: valuesOf(element),
+  get: () => bindingOf<Record<string, unknown>>(element).store.values[key],
+  set: (value) => Reflect.set(element, key, value),
+});
 
 /** How one field of an element `E` is edited. */
 export interface Row<T, E> {
   /** Adds the controls to the folder. `value` reads and writes the field. */
   readonly add: (gui: GUI, place: Place<E>, value: Bound<T>) => void;
+  /** Where the value is; the declared one, if left out. */
+  readonly source?: (element: E) => Source;
   /** When the row is shown; always, if left out. Rows with the same condition stay while one of them has the focus. */
   readonly shown?: (element: E) => boolean;
   /** The folder of the row, where an element has several. */
@@ -76,20 +104,13 @@ export function addRows<E extends Editable>(
   rows: Rows<E>,
 ): ReadonlyMap<string, AddedRow<E>> {
   const { element } = place;
-  const { fields, values } = bindingOf<Record<string, unknown>>(element).store;
-  const subject = valuesOf(element);
+  const { fields } = bindingOf<Record<string, unknown>>(element).store;
   const added = new Map<string, AddedRow<E>>();
   for (const [key, row] of Object.entries(rows)) {
     if (row === NO_ROW) continue;
     const before = gui.controllers.length;
-    const value = edited(
-      place.viewer,
-      subject,
-      () => values[key],
-      // Through the property, which checks the value.
-      (next) => Reflect.set(element, key, next),
-    );
-    row.add(gui, place, value as never);
+    const { subject, get, set } = row.source?.(element) ?? declared(element, key);
+    row.add(gui, place, edited(place.viewer, subject, get, set) as never);
     const controls = gui.controllers.slice(before);
     if (Object.hasOwn(fields, key))
       for (const { domElement } of controls) nameAttribute(domElement, attributeOf(key));
@@ -136,10 +157,12 @@ export const mapped = <A, B, E>(
 /** A slider's scale, or how it follows from the scene. */
 type TravelOf<E> = Travel | ((place: Place<E>) => Travel);
 
+const scaled = <E>({ scale }: Place<E>, travel: Travel): Travel => scale?.(travel) ?? travel;
+
 export const number = <E>(label: ViewerText, travel: TravelOf<E>, hint?: ViewerText): Row<number, E> => ({
   add: (gui, place, value) => {
     const control = new NumberControl(gui, value, label, () =>
-      typeof travel === 'function' ? travel(place) : travel,
+      scaled(place, typeof travel === 'function' ? travel(place) : travel),
     );
     if (hint !== undefined) explain(control.domElement, hint);
   },
@@ -152,8 +175,14 @@ export const vector = <E>(
   components?: ComponentNames,
 ): Row<Vec3, E> => ({
   add: (gui, place, value) => {
-    const travelOf = (axis: Axis): Travel => (typeof travel === 'function' ? travel(place, axis) : travel);
-    new VectorControl(gui, value, label, travelOf, components);
+    const travelOf = (axis: Axis): Travel =>
+      scaled(place, typeof travel === 'function' ? travel(place, axis) : travel);
+    const { axis } = place;
+    if (axis === undefined || axis === null) new VectorControl(gui, value, label, travelOf, components);
+    else {
+      const control = new NumberControl(gui, componentOf(value, axis), label, () => travelOf(axis));
+      nameComponent(control.$name, label, axis, components);
+    }
   },
 });
 

@@ -15,6 +15,10 @@ export interface Travel {
   stepAt(value: number): number;
   /** This scale, or one wide enough for the value. */
   reaching(value: number): Travel;
+  /** This scale between these ends and in this step, null as it is now. With an end it no longer grows. */
+  within(min: number | null, max: number | null, step: number | null): Travel;
+  /** Values outside cannot be typed. */
+  readonly limits?: readonly [least: number, most: number];
 }
 
 /** Steps from end to end: about one per pixel or two. */
@@ -35,6 +39,11 @@ export function linear(min: number, max: number, step = niceCeil((max - min) / S
       const high = value > max ? (value > 0 ? niceCeil(value) : 0) : max;
       return linear(low, high, Math.max(step, niceCeil((high - low) / (2 * STEPS))));
     },
+    within(least, most, by) {
+      const [low, high] = [least ?? min, most ?? max];
+      const even = linear(low, high, by ?? ((least ?? most) === null ? step : undefined));
+      return low < high ? limited(even, least, most) : this;
+    },
   };
 }
 
@@ -52,8 +61,29 @@ export function logarithmic(knee: number, max: number): Travel {
     reaching(value) {
       return value <= max ? this : logarithmic(knee, niceCeil(value));
     },
+    within(least, most, by) {
+      const scale = logarithmic(knee, most ?? max);
+      const start = scale.place(least ?? 0);
+      if (!(start < 1)) return this;
+      const even = (value: number): number =>
+        tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
+      const stepped = by === null ? {} : { value: (p: number) => even(scale.value(p)), stepAt: () => by };
+      return limited({ ...scale, start, ...stepped }, least, most);
+    },
   };
 }
+
+/** Keeps a scale from growing beyond the ends that are given. */
+const limited = (scale: Travel, least: number | null, most: number | null): Travel =>
+  least === null && most === null
+    ? scale
+    : {
+        ...scale,
+        limits: [least ?? -Infinity, most ?? Infinity],
+        reaching() {
+          return this;
+        },
+      };
 
 /** A number as a person would write it. Values below 1e-9 of `span` are rounding noise and become 0. */
 export function numberText(value: number, span = 0): string {

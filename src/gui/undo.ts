@@ -43,7 +43,7 @@ const isEditor = (target: EventTarget | undefined): boolean =>
  * Undo by Ctrl or Cmd with Z, Shift + Z, and Y, wherever in `viewer` the focus is. A text field in which the user is
  * typing keeps its own undo. The returned function stops listening outside the panel.
  */
-function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: History): () => void {
+export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: History): () => void {
   let typedIn: EventTarget | null = null;
   panel.addEventListener('input', ({ target }) => {
     if (isText(target)) typedIn = target;

@@ -10,9 +10,9 @@ import type { Say } from './label.js';
 import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';
 import {
   button,
-  edited,
   flag,
   flags,
+  mapped,
   inFolder,
   NO_ROW,
   number,
@@ -34,19 +34,16 @@ const ofCamera = <K extends keyof Pose>(
   key: K,
   row: Row<Pose[K], PhongViewer>,
 ): Row<ViewerValues[K], PhongViewer> => ({
-  add: (gui, place) => {
-    const { viewer } = place;
-    const move = (value: Pose[K]): void => {
-      fieldsOf(viewer).store.fields[key].check(value);
+  ...(row as Row<ViewerValues[K], PhongViewer>),
+  source: (viewer) => ({
+    subject: cameraOf(viewer),
+    get: () => viewer.camera[key],
+    set(value) {
+      const checked = fieldsOf(viewer).store.fields[key].check(value);
       const camera = viewerCameras.get(viewer);
-      camera?.place({ pose: { ...camera.placement().pose, [key]: value }, framing: null }, 'panel');
-    };
-    row.add(
-      gui,
-      place,
-      edited<Pose[K]>(viewer, cameraOf(viewer), () => viewer.camera[key], move),
-    );
-  },
+      camera?.place({ pose: { ...camera.placement().pose, [key]: checked }, framing: null }, 'panel');
+    },
+  }),
 });
 
 export const VIEWER_ROWS = {
@@ -80,7 +77,11 @@ export const VIEWER_ROWS = {
     view: oneOf('view', VIEWS),
     viewLight: oneName('view light', lightNames, lightText),
     helpers: flags(HELPERS, (helper) => `show ${helper}`),
-    probe: flag('probe'),
+    probe: mapped<boolean, ViewerValues['probe'], unknown>(
+      flag('probe'),
+      (probe) => probe !== false,
+      (wanted, before) => wanted && (before || true),
+    ),
   }),
   ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.

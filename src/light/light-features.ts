@@ -4,6 +4,7 @@ import { radians } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
 import {
   LARGEST_INTEGER_POWER,
+  LARGEST_MILD_CUTOFF,
   LARGEST_MILD_POWER,
   LEAST_EXPONENT,
   LIGHT_FEATURES,
@@ -111,11 +112,11 @@ const isBlunt = (aperture: number): boolean =>
   aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
 /**
- * A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_POWER at the
+ * A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_CUTOFF at the
  * axis.
  */
 function isSteep({ aperture, cutoff }: Values): boolean {
-  const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && isMildPower(cutoff));
+  const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_MILD_CUTOFF);
   return !gentle || !(aperture >= 180 || isBlunt(aperture));
 }
 
@@ -132,7 +133,7 @@ function coneFeatures(light: Values): number {
 export const isIntegerPower = (exponent: number): boolean =>
   Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_INTEGER_POWER;
 
-/** An exponent whose power needs no series near 1; 0 included. */
+/** A shininess whose power needs no series near 1; 0 included. */
 export const isMildPower = (exponent: number): boolean => exponent <= LARGEST_MILD_POWER;
 
 /** The bits of a mask; above them is an integer power. */

@@ -83,10 +83,16 @@ export const LIGHT_FEATURES = {
 } as const;
 
 /**
- * Largest exponent that log2 and a spot's cosine are precise enough for. log2 near 1 may be 2^-21 off, a spot's (c +
- * 1)/2 2e-7: an exponent of 32 makes 1.1e-5 and 6e-6 of them, and both powers of one light 0.007 of a code at most.
+ * Largest shininess that log2 and the lobe's cosine are precise enough for: 0.1 of a code on the worst lawful driver.
+ * log2 near 1 may be 2^-21 off, of which an exponent of 200 makes 6.6e-5, or 0.02 of a code.
  */
-export const LARGEST_MILD_POWER = 32;
+export const LARGEST_MILD_POWER = 200;
+
+/**
+ * The same of a spot's decay. Its (c + 1)/2 may be 2e-7 off as well: an exponent of 32 makes 1.1e-5 and 6e-6 of them,
+ * 0.007 of a code at most.
+ */
+export const LARGEST_MILD_CUTOFF = 32;
 
 /**
  * Largest integer exponent that a specialised program multiplies out: six squarings (powInteger) round to 0.001 of a

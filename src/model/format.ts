@@ -3,8 +3,7 @@
 // file that needs it.
 import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
 import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.js';
-import { lazyCode } from './lazy-code.js';
-import { gltfCode } from './request-file.js';
+import { READER_CODE } from './request-file.js';
 import { type Content, ModelError } from './model.js';
 import type { ModelBudget } from './model-budget.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
@@ -42,25 +41,21 @@ export interface Format extends FormatNames {
   readonly reader: () => Promise<ModelReader>;
 }
 
-const plyCode = lazyCode(() => import('./ply/read-ply.js'), 'PLY files');
-const stlCode = lazyCode(() => import('./stl/read-stl.js'), 'STL files');
-const objCode = lazyCode(() => import('./obj/read-obj.js'), 'OBJ files');
-
 /** How each format is recognised and read. */
 const READERS: Readonly<Record<FormatKey, Pick<Format, 'matches' | 'reader'>>> = {
   gltf: {
     matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
-    reader: async () => (await gltfCode()).readGltf,
+    reader: async () => (await READER_CODE.gltf()).readGltf,
   },
   ply: {
     matches: (bytes) => startsWith(bytes, 'ply\n') || startsWith(bytes, 'ply\r'),
-    reader: async () => (await plyCode()).readPly,
+    reader: async () => (await READER_CODE.ply()).readPly,
   },
   stl: {
     matches: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
-    reader: async () => (await stlCode()).readStl,
+    reader: async () => (await READER_CODE.stl()).readStl,
   },
-  obj: { matches: isObj, reader: async () => (await objCode()).readObj },
+  obj: { matches: isObj, reader: async () => (await READER_CODE.obj()).readObj },
 };
 
 const FORMATS: readonly Format[] = (Object.keys(FORMAT_NAMES) as FormatKey[]).map((key) => ({

@@ -18,3 +18,7 @@ export function lazyCode<T>(load: (failures: number) => Promise<T>, what: string
       throw new Error(`The code of ${what} could not be fetched. The next use requests it again.`, { cause });
     }));
 }
+
+/** For uses that go on without the code. */
+export const reportMissing = (error: unknown): void =>
+  console.warn(`<phong-viewer>: ${(error as Error).message}`);

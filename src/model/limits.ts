@@ -1,5 +1,5 @@
-// The limits of a model's size, how memory is freed, and how it is recognised that there is none. Chosen so that the page's renderer and GPU
-// process together grow by less than 1 GB.
+// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB; how
+// memory is freed, and how a lack of it is recognised.
 
 /**
  * Most bytes of one model, all its files together, as they arrive after decompression: 256 MiB. The reader holds the

@@ -1,5 +1,5 @@
-// Requests a file of a model. A model's first file is requested before the code that reads it is there.
-import { FORMAT_NAMES } from './format-names.js';
+// Requests a file of a model, and the code that reads it. Imports nothing that takes long to run.
+import { FORMAT_NAMES, type FormatKey } from './format-names.js';
 import { lazyCode } from './lazy-code.js';
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
@@ -44,12 +44,69 @@ function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
   });
 }
 
-/**
- * The code that reads glTF. It is fetched beside a file whose name says glTF, not after it: most models are, and on a
- * slow line each request that waits for another is a delay that the user sees.
- */
-export const gltfCode = /* @__PURE__ */ lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models');
+/** The code that loads models. */
+export const modelCode = /* @__PURE__ */ lazyCode(() => import('./model-content.js'), 'models');
 
-/** Whether a path's extension says glTF. The content decides what is read. */
-export const isNamedGltf = (path: string): boolean =>
-  FORMAT_NAMES.gltf.extensions.some((extension) => path.toLowerCase().endsWith(`.${extension}`));
+/** The code that reads each format. */
+export const READER_CODE = {
+  gltf: /* @__PURE__ */ lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models'),
+  ply: /* @__PURE__ */ lazyCode(() => import('./ply/read-ply.js'), 'PLY files'),
+  stl: /* @__PURE__ */ lazyCode(() => import('./stl/read-stl.js'), 'STL files'),
+  obj: /* @__PURE__ */ lazyCode(() => import('./obj/read-obj.js'), 'OBJ files'),
+};
+
+/**
+ * Requests the code for a model beside its file, not after it: each request that waits for another is a delay that the
+ * user sees. The file's name says which format; the content decides what is read.
+ */
+export function requestCode({ pathname }: URL): void {
+  const path = pathname.toLowerCase();
+  const named = (Object.keys(READER_CODE) as FormatKey[]).find((key) =>
+    FORMAT_NAMES[key].extensions.some((extension) => path.endsWith(`.${extension}`)),
+  );
+  for (const code of [modelCode, ...(named === undefined ? [] : [READER_CODE[named]])])
+    code().catch(() => undefined); // reported when it is used
+  // What both of these import, which would be found 35 ms later. Its failure is theirs.
+  import('./slices.js').catch(() => undefined);
+}
+
+/** Requests that no element has taken yet, by address and credentials. */
+const early = new Map<string, { readonly request: FileRequest; readonly end: AbortController }>();
+
+const earlyKey = (url: URL, crossOrigin: CrossOrigin): string =>
+  `${url.href} ${String(crossOrigin === 'use-credentials')}`;
+
+/** Requests a model's file and its code for an element that is about to be defined. */
+export function requestEarly(url: URL, crossOrigin: CrossOrigin): void {
+  const key = earlyKey(url, crossOrigin);
+  if (early.has(key) || isDataUri(url.href)) return;
+  const end = new AbortController();
+  early.set(key, { request: requestFile(url, 'follow', { signal: end.signal, crossOrigin }), end });
+  requestCode(url);
+}
+
+/** The request of a model's first file: the early one, if there is one. */
+export function requestModelFile(
+  url: URL,
+  options: { readonly signal: AbortSignal; readonly crossOrigin: CrossOrigin },
+): FileRequest {
+  requestCode(url);
+  const key = earlyKey(url, options.crossOrigin);
+  const found = early.get(key);
+  if (found === undefined) return requestFile(url, 'follow', options);
+  early.delete(key);
+  const { signal } = options;
+  signal.addEventListener('abort', () => {
+    found.end.abort(signal.reason);
+  });
+  return found.request;
+}
+
+/** Ends the early requests that no element has taken. */
+export function endEarly(): void {
+  for (const { request, end } of early.values()) {
+    request.stop();
+    end.abort();
+  }
+  early.clear();
+}

@@ -3,7 +3,8 @@
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
-import { type Extent, measure, NO_EXTENT, radiusOf } from './bounds.js';
+import { type Extent, measure, radiusOf } from './bounds.js';
+import type { Size } from './gpu/atlas.js';
 import type { SceneTree } from './scene-tree.js';
 
 /** Target and radius as declared: `auto`, or a value. */
@@ -22,7 +23,7 @@ export interface Fit {
 
 /** Frames several pictures as one. */
 export interface SharedFit {
-  /** The scene, the size or the field of view of a picture has changed. */
+  /** The scene, its shading, the size or the field of view of a picture has changed. */
   changed(): void;
   /** The fit of all pictures together. */
   fit(framing: Framing): Fit;
@@ -31,19 +32,23 @@ export interface SharedFit {
 export class AutoFit {
   readonly #tree: SceneTree;
   readonly #orbit: Orbit;
+  readonly #changed: () => void;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
-  #extent: Extent = NO_EXTENT;
-  #bounds: Bounds | null = null;
-  #extentStale = true;
-  #fitStale = true;
-  #depthBounds: Bounds | null = null;
+  #fov = 45;
   /** Width over height of the last size above 0: a hidden picture keeps its camera. */
   #aspect = 1;
   #shared: SharedFit | null = null;
+  /** Null after a change of the scene. */
+  #measured: { readonly extent: Extent; readonly bounds: Bounds | null } | null = null;
+  /** Where the orbit was put; null after a change of anything that this follows from. */
+  #fitted: Fit | null = null;
+  readonly #depthBounds = { center: ORIGIN, radius: 0 };
 
-  constructor(tree: SceneTree, orbit: Orbit) {
+  /** `changed`: another frame is to be drawn. */
+  constructor(tree: SceneTree, orbit: Orbit, changed: () => void) {
     this.#tree = tree;
     this.#orbit = orbit;
+    this.#changed = changed;
   }
 
   /** How target and radius are found; null leaves them where the user put them. */
@@ -53,89 +58,94 @@ export class AutoFit {
 
   set framing(framing: Framing | null) {
     this.#framing = framing;
-    this.#fitStale = true;
+    this.#fitted = null;
+    this.#changed();
   }
 
   /** Frames this picture together with others; null, the default: alone. */
   set shared(shared: SharedFit | null) {
     this.#shared = shared;
-    this.#fitStale = true;
+    this.#fitted = null;
   }
 
-  /** The meshes' bounds as last measured; null where the scene shows nothing. */
-  get bounds(): Bounds | null {
-    return this.#bounds;
+  /** Vertical, in degrees. Default 45. */
+  get fov(): number {
+    return this.#fov;
   }
 
-  /**
-   * A sphere about the same centre that holds everything visible under the present world matrices, objects that moved
-   * since the last measurement included. The same object while nothing changes. Null where the scene shows nothing.
-   */
-  depthBounds(): Bounds | null {
-    const center = this.#bounds?.center ?? ORIGIN;
-    const radius = radiusOf(this.#tree.scene, center);
-    const last = this.#depthBounds;
-    if (last === null || last.center !== center || last.radius !== radius)
-      this.#depthBounds = radius === 0 && this.#bounds === null ? null : { center, radius };
-    return this.#depthBounds;
+  set fov(degrees: number) {
+    if (degrees === this.#fov) return;
+    this.#fov = degrees;
+    this.#refit();
   }
 
   /** Meshes were added, removed or moved, or their vertices changed. */
   reshaped(): void {
-    this.#extentStale = true;
-    this.#changed();
+    this.#measured = null;
+    this.#refit();
   }
 
-  resized(width: number, height: number): void {
+  resized({ width, height }: Size): void {
     if (width > 0 && height > 0) this.#aspect = width / height;
-    this.#changed();
+    this.#refit();
   }
 
-  /** The field of view has changed. */
-  fovChanged(): void {
-    this.#changed();
+  /** The meshes' bounds, measured where the scene has changed; null where it shows nothing. */
+  measure(): Bounds | null {
+    return this.#measure().bounds;
   }
 
-  /** Measures and fits where something has changed. `fov` is vertical, in degrees. True if the orbit moved. */
-  settle(fov: number): boolean {
-    if (this.#extentStale) this.#measure();
-    if (!this.#fitStale) return false;
-    this.#fitStale = false;
-    return this.#fit(fov);
+  /**
+   * A sphere about the same centre that holds everything visible under the present world matrices, objects that moved
+   * since the last measurement included. Null where the scene shows nothing. Overwritten by the next call.
+   */
+  depthBounds(): Bounds | null {
+    const { bounds } = this.#measure();
+    const depth = this.#depthBounds;
+    depth.center = bounds?.center ?? ORIGIN;
+    depth.radius = radiusOf(this.#tree.scene, depth.center);
+    return bounds === null && depth.radius === 0 ? null : depth;
+  }
+
+  /** Measures and fits where something has changed. True if the orbit moved. */
+  settle(): boolean {
+    this.#measure();
+    if (this.#fitted !== null || this.#framing === null) return false;
+    this.#fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing);
+    const { radius } = this.#framing;
+    const before = this.#orbit.version;
+    this.#orbit.set({
+      target: this.#fitted.target,
+      radius: radius === 'auto' ? this.#fitted.radius : radius,
+    });
+    return this.#orbit.version !== before;
   }
 
   /**
    * Where this framing puts the camera for this picture alone. The radius is that of `auto`, whatever the framing says.
    */
-  fitOf({ target }: Framing, fov: number): Fit {
-    if (this.#extentStale) this.#measure();
-    const { empty } = this.#extent;
-    const fitted = fitPose(this.#bounds, fov, this.#aspect);
+  fitOf({ target }: Framing): Fit {
+    const { extent, bounds } = this.#measure();
+    const { empty } = extent;
+    const fitted = fitPose(bounds, this.#fov, this.#aspect);
     if (target === 'auto') return { ...fitted, empty };
-    const radius = empty ? fitted.radius : fitRadius(this.#extent.radiusAbout(target), fov, this.#aspect);
+    const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), this.#fov, this.#aspect);
     return { target, radius, empty };
   }
 
-  #changed(): void {
-    this.#fitStale = true;
+  #refit(): void {
+    this.#fitted = null;
     this.#shared?.changed();
+    this.#changed();
   }
 
-  #measure(): void {
-    this.#extentStale = false;
+  #measure(): { readonly extent: Extent; readonly bounds: Bounds | null } {
+    if (this.#measured !== null) return this.#measured;
     this.#tree.update();
-    this.#extent = measure(this.#tree.scene);
-    const { center } = this.#extent;
-    this.#bounds = this.#extent.empty ? null : { center, radius: this.#extent.radiusAbout(center) };
-  }
-
-  #fit(fov: number): boolean {
-    if (this.#framing === null) return false;
-    const { radius } = this.#framing;
-    const fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing, fov);
-    const before = this.#orbit.version;
-    this.#orbit.set({ target: fitted.target, radius: radius === 'auto' ? fitted.radius : radius });
-    return this.#orbit.version !== before;
+    const extent = measure(this.#tree.scene);
+    const { center, empty } = extent;
+    const bounds = empty ? null : { center, radius: extent.radiusAbout(center) };
+    return (this.#measured = { extent, bounds });
   }
 }
 

@@ -12,7 +12,7 @@ export interface Extent {
   radiusAbout(point: Vec3): number;
 }
 
-export const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0 };
+const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0 };
 
 /** A measured mesh under its present matrix. */
 interface Placed {
@@ -113,7 +113,7 @@ export function boundsOf(object: Object3D, into: Ball): boolean {
 }
 
 /** False for an empty sphere. */
-function writeBall(into: Ball, { center, radius }: Sphere): boolean {
+export function writeBall(into: Ball, { center, radius }: Sphere): boolean {
   into.x = center.x;
   into.y = center.y;
   into.z = center.z;

@@ -4,36 +4,25 @@ import {
   type BufferAttribute,
   type BufferGeometry,
   type InstancedMesh,
-  type InterleavedBufferAttribute,
   type Material,
   Matrix4,
   type Mesh,
   type Object3D,
 } from 'three';
 import { PhongMaterial } from '../material/phong-material.js';
-import { boundsOf, hasMovingVertices, newBall, stretch } from './bounds.js';
-import { type BoxList, forEachRun } from './triangle-boxes.js';
+import { boundsOf, hasMovingVertices, newBall, writeBall } from './bounds.js';
 import {
-  along,
-  cutTriangle,
-  DEPTH,
-  isInView,
-  leastDepth,
-  polygon,
-  setCorner,
-  setObject,
-  setView,
-  STRIDE,
+  boxIsInView,
+  depthOf,
+  sphereDepth,
+  triangleDepth,
   type View,
-} from './view-cut.js';
+  writeModelViewProjection,
+} from './frustum-clip.js';
+import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle-bvh.js';
 
 /** Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond this distance. */
 const UNKNOWN_NEAREST = 1e-5;
-
-/** The least depth found so far. */
-let nearest = 0;
-/** {@link UNKNOWN_NEAREST} in the corners of the view. */
-let unknownDepth = 0;
 
 /**
  * The least depth of what is visible below `root` and in view, or `limit` where nothing is nearer. Exact for
@@ -42,48 +31,100 @@ let unknownDepth = 0;
  * World matrices must be up to date.
  */
 export function nearestDepth(root: Object3D, view: View, limit: number): number {
-  setView(view);
-  nearest = limit;
-  unknownDepth = (UNKNOWN_NEAREST * view.radius) / Math.hypot(1, view.slopeX, view.slopeY);
-  searchBelow(root);
-  return nearest;
+  search.view = view;
+  search.nearest = limit;
+  search.below(root);
+  return search.nearest;
 }
 
-function searchBelow(object: Object3D): void {
-  if (!object.visible) return;
-  if (boundsOf(object, ball)) search(object as Mesh);
-  const { children } = object;
-  for (let i = 0; i < children.length; i++) searchBelow(children[i]!);
-}
+class NearestSearch implements BvhQuery {
+  view!: View;
+  /** The least depth found so far. */
+  nearest = 0;
+  /** From the present object's own space to clip coordinates. */
+  readonly #matrix = new Float64Array(12);
+  #position!: Position;
+  #index: BufferAttribute | null = null;
 
-const ball = newBall();
+  below(object: Object3D): void {
+    if (!object.visible) return;
+    if (boundsOf(object, ball)) this.#object(object as Mesh);
+    const { children } = object;
+    for (let i = 0; i < children.length; i++) this.below(children[i]!);
+  }
 
-function search(object: Mesh): void {
-  const { elements } = object.matrixWorld;
-  setObject(elements);
-  const least = leastDepth(ball.x, ball.y, ball.z, ball.radius * stretch(elements));
-  if (least >= nearest) return;
-  const { isInstancedMesh, isSprite } = object as Partial<InstancedMesh> & { isSprite?: boolean };
-  if (isSprite === true)
-    consider(along(DEPTH, ball.x, ball.y, ball.z)); // it faces the eye
-  else if (!hasKnownVertices(object)) consider(Math.max(least, unknownDepth));
-  else if (isInstancedMesh === true) searchInstances(object as InstancedMesh);
-  else searchGeometry(object.geometry, object);
-}
+  #object(object: Mesh): void {
+    const { elements } = object.matrixWorld;
+    const least = sphereDepth(this.view, elements, ball, this.nearest);
+    if (least >= this.nearest) return;
+    writeModelViewProjection(this.view, elements, this.#matrix);
+    const { isInstancedMesh, isSprite } = object as Partial<InstancedMesh> & { isSprite?: boolean };
+    if (isSprite === true)
+      this.#consider(depthOf(this.#matrix, ball.x, ball.y, ball.z)); // it faces the eye
+    else if (!hasKnownVertices(object)) this.#consider(Math.max(least, unknownDepth(this.view)));
+    else if (isInstancedMesh === true) this.#instances(object as InstancedMesh);
+    else this.#geometry(object.geometry, object);
+  }
 
-const instance = /* @__PURE__ */ new Matrix4();
+  #instances(object: InstancedMesh): void {
+    const { geometry, instanceMatrix, count, matrixWorld } = object;
+    if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+    writeBall(ball, geometry.boundingSphere!);
+    for (let i = 0; i < count; i++) {
+      const { elements } = instance.fromArray(instanceMatrix.array, 16 * i).premultiply(matrixWorld);
+      if (sphereDepth(this.view, elements, ball, this.nearest) >= this.nearest) continue;
+      writeModelViewProjection(this.view, elements, this.#matrix);
+      this.#geometry(geometry, object);
+    }
+  }
 
-function searchInstances(object: InstancedMesh): void {
-  const { geometry, instanceMatrix, count, matrixWorld } = object;
-  if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
-  const { center, radius } = geometry.boundingSphere!;
-  for (let i = 0; i < count; i++) {
-    instance.fromArray(instanceMatrix.array, 16 * i).premultiply(matrixWorld);
-    setObject(instance.elements);
-    if (leastDepth(center.x, center.y, center.z, radius * stretch(instance.elements)) < nearest)
-      searchGeometry(geometry, object);
+  /** Triangles, or the segments of lines, or points. */
+  #geometry(geometry: BufferGeometry, object: Object3D): void {
+    this.#index = geometry.index;
+    this.#position = geometry.getAttribute('position');
+    const { count } = this.#index ?? this.#position;
+    const { isMesh, isLineSegments, isLine } = object as Partial<Mesh> & {
+      isLineSegments?: boolean;
+      isLine?: boolean;
+    };
+    if (isMesh !== true) {
+      const [step, size] = isLineSegments === true ? [2, 1] : [1, isLine === true ? 1 : 0];
+      for (let i = 0; i + size < count; i += step) this.#triangle(i, i, i + size);
+      if ((object as { isLineLoop?: boolean }).isLineLoop === true) this.#triangle(0, 0, count - 1);
+    } else if (hasMovingVertices(geometry)) this.visit(0, count);
+    else queryBvh(geometry, this);
+  }
+
+  meets(boxes: BoxList, at: number): boolean {
+    return boxIsInView(this.#matrix, boxes, at, this.nearest);
+  }
+
+  visit(first: number, end: number): void {
+    for (let i = first; i + 2 < end; i += 3) this.#triangle(i, i + 1, i + 2);
+  }
+
+  #triangle(a: number, b: number, c: number): void {
+    const index = this.#index;
+    const i = index === null ? a : index.getX(a);
+    const j = index === null ? b : index.getX(b);
+    const k = index === null ? c : index.getX(c);
+    this.nearest = triangleDepth(this.#matrix, this.view, this.#position, i, j, k, this.nearest);
+  }
+
+  /** NaN is ignored. */
+  #consider(depth: number): void {
+    if (depth >= 0 && depth < this.nearest) this.nearest = depth;
   }
 }
+
+/** Used within one call: nothing is allocated in a frame. */
+const ball = newBall();
+const instance = /* @__PURE__ */ new Matrix4();
+const search = /* @__PURE__ */ new NearestSearch();
+
+/** {@link UNKNOWN_NEAREST} in the corners of the view. */
+const unknownDepth = ({ radius, slopeX, slopeY }: View): number =>
+  (UNKNOWN_NEAREST * radius) / Math.hypot(1, slopeX, slopeY);
 
 /** The vertices are drawn as they are stored. */
 function hasKnownVertices(object: Mesh): boolean {
@@ -104,45 +145,4 @@ function keepsVertices(material: Material): boolean {
   };
   if (isShaderMaterial === true || (displacementMap ?? null) !== null) return false;
   return !Object.hasOwn(material, 'onBeforeCompile');
-}
-
-/** NaN, of a broken vertex, is ignored: it is not drawn either. */
-function consider(depth: number): void {
-  if (depth >= 0 && depth < nearest) nearest = depth;
-}
-
-let position: BufferAttribute | InterleavedBufferAttribute;
-let index: BufferAttribute | null = null;
-
-/** Triangles, or the segments of lines, or points. */
-function searchGeometry(geometry: BufferGeometry, object: Object3D): void {
-  ({ index } = geometry);
-  position = geometry.getAttribute('position');
-  const { count } = index ?? position;
-  const { isMesh, isLineSegments, isLine } = object as Partial<Mesh> & {
-    isLineSegments?: boolean;
-    isLine?: boolean;
-  };
-  if (isMesh !== true) {
-    const [step, size] = isLineSegments === true ? [2, 1] : [1, isLine === true ? 1 : 0];
-    for (let i = 0; i + size < count; i += step) searchTriangle(i, i, i + size);
-    if ((object as { isLineLoop?: boolean }).isLineLoop === true) searchTriangle(0, 0, count - 1);
-  } else if (hasMovingVertices(geometry)) searchRun(0, count);
-  else forEachRun(geometry, meetsView, searchRun);
-}
-
-const meetsView = (boxes: BoxList, at: number): boolean => isInView(boxes, at, nearest);
-
-function searchRun(first: number, end: number): void {
-  for (let i = first; i + 2 < end; i += 3) searchTriangle(i, i + 1, i + 2);
-}
-
-function searchTriangle(a: number, b: number, c: number): void {
-  setCorner(0, position, index === null ? a : index.getX(a));
-  setCorner(1, position, index === null ? b : index.getX(b));
-  setCorner(2, position, index === null ? c : index.getX(c));
-  const p = polygon;
-  if (p[2]! >= nearest && p[STRIDE + 2]! >= nearest && p[2 * STRIDE + 2]! >= nearest) return;
-  const corners = cutTriangle();
-  for (let i = 0; i < corners; i++) consider(p[STRIDE * i + 2]!);
 }

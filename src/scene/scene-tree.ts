@@ -5,20 +5,13 @@ import type { SceneMesh } from './mesh/scene-mesh.js';
 
 export class SceneTree {
   readonly scene: Scene;
-  readonly #meshes: Set<SceneMesh>;
-  #moves = 0;
+  readonly #meshes = new Set<SceneMesh>();
 
-  /** `meshes` is filled from here, in the order in which they are drawn. */
-  constructor(scene: Scene, meshes: Set<SceneMesh>) {
+  constructor(scene: Scene) {
     this.scene = scene;
-    this.#meshes = meshes;
   }
 
-  /** Goes up with each {@link update} that moved a mesh. Says nothing of the page author's own objects. */
-  get moves(): number {
-    return this.#moves;
-  }
-
+  /** In drawing order. */
   get meshes(): ReadonlySet<SceneMesh> {
     return this.#meshes;
   }
@@ -47,22 +40,12 @@ export class SceneTree {
   update(): void {
     const { children } = this.scene;
     let own = 0;
-    let moved = false;
     for (const { root } of this.#meshes) {
-      if (root === null) continue;
-      if (root.parent !== this.scene) {
-        moved = true; // the page has put it into an object of its own
-        continue;
-      }
+      if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
       if (children[own] !== root) this.#sort();
       own += 1;
     }
-    for (let i = 0; i < children.length; i++) {
-      const child = children[i]!;
-      if (i < own && !moved) moved = willMove(child);
-      child.updateMatrixWorld(i >= own);
-    }
-    if (moved) this.#moves += 1;
+    for (let i = 0; i < children.length; i++) children[i]!.updateMatrixWorld(i >= own);
   }
 
   #sort(): void {
@@ -72,7 +55,3 @@ export class SceneTree {
     this.scene.children.sort((a, b) => rank(a) - rank(b));
   }
 }
-
-/** The next update computes a world matrix of it or of a part. */
-const willMove = ({ matrixWorldNeedsUpdate, children }: Object3D): boolean =>
-  matrixWorldNeedsUpdate || children.some(willMove);

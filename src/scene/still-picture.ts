@@ -1,12 +1,9 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its first use.
 import type { WebGLRenderer } from 'three';
-import { lazyCode } from '../model/lazy-code.js';
+import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
-import type { PaintPart } from './samples/sampled-capture.js';
-
-export type { PaintPart };
 
 const sampling = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js'),
@@ -32,10 +29,12 @@ export class StillPicture {
   }
 
   set wanted(samples: number) {
+    if (samples === this.#wanted) return;
     this.#wanted = samples;
     this.dispose();
     this.#converging = null;
     if (samples > 0) void this.#fetch();
+    this.#subject.picture.invalidate();
   }
 
   /** Samples of the picture that is shown; 0: it is as it was drawn. */
@@ -73,7 +72,10 @@ export class StillPicture {
     this.#converging?.copy(renderer, part);
   }
 
-  /** The mean of so many samples of the scene. */
+  /**
+   * The mean of so many samples of each pixel, at exactly this size in pixels. It begins again when the scene changes.
+   * Rejects with RangeError if no canvas can hold it. Where the GPU has no float targets it is the plain picture.
+   */
   async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
     const { captureSamples } = await sampling();
     return captureSamples(this.#subject, size, samples);
@@ -101,7 +103,7 @@ export class StillPicture {
       this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
       this.#subject.animate();
     } catch (error) {
-      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+      reportMissing(error);
       this.#wanted = 0;
       this.#settled();
     }

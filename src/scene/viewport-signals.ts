@@ -1,4 +1,4 @@
-// What a viewport reports to the parts around it.
+// What a viewport reports to the parts around it, and what it asks them.
 import { Signal } from '../fields/signal.js';
 
 export class ViewportSignals {
@@ -18,4 +18,13 @@ export class ViewportSignals {
   readonly contextMissing = new Signal<Error>();
   readonly contextLost = new Signal();
   readonly contextRestored = new Signal();
+  /**
+   * Moves what moves by itself to where it is at `now`, the time of an animation frame in ms. True while it keeps
+   * moving.
+   */
+  moveTo: (now: number) => boolean = () => false;
+  /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
+  awaited: () => boolean = () => false;
+  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
+  recover: (error: unknown, draw: () => void) => boolean = () => false;
 }

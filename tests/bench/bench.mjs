@@ -14,6 +14,7 @@ import { measureModel } from './measure/model.mjs';
 import { measurePicture } from './measure/pictures.mjs';
 import { measureBytes, measureConnect, measureStill, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
+import { missedLimits } from './aims.mjs';
 import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
 import { Progress } from './progress.mjs';
@@ -81,10 +82,10 @@ async function main(options) {
   });
   await lab.close();
   if (out !== '') console.log(`\n${out}`);
-  if (result.failures.length > 0) {
-    for (const { subject, message } of result.failures) console.error(`${subject}: ${message}`);
-    process.exitCode = 1;
-  }
+  const faults = result.failures.map(({ subject, message }) => `${subject}: ${message}`);
+  if (options.limits) faults.push(...missedLimits(result));
+  for (const fault of faults) console.error(fault);
+  if (faults.length > 0) process.exitCode = 1;
 }
 
 /**

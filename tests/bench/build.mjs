@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { outputFolder } from '../../.ci/output-folder.mjs';
-import { writeModels } from './models.mjs';
+import { writeFirstModels, writeModels } from './models.mjs';
 import { copyPeers, installPeers } from './peers/install.mjs';
 import { buildCaster } from './truths.mjs';
 
@@ -42,6 +42,10 @@ export async function buildPages(folder) {
   cpSync(dist, join(folder, 'dist'), { recursive: true, filter });
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
   writeModels(join(folder, 'models'));
+  writeFirstModels(join(folder, 'models'));
+  cpSync(join(repository, 'node_modules/three/examples/jsm/libs/draco/gltf'), join(folder, 'draco'), {
+    recursive: true,
+  });
   const peers = installPeers();
   if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
   else copyPeers(join(folder, 'peers'));

@@ -1,15 +1,15 @@
 // @ts-check
-// The charts of the report, drawn by Observable Plot as SVG files: five at most for each stack. Text of fixed size and colour, on white,
+// The charts of the report, drawn by Observable Plot as SVG files: four at most for each stack. Text of fixed size and colour, on white,
 // so that they are readable wherever the report is shown.
 
 import * as Plot from '@observablehq/plot';
 import { parseHTML } from 'linkedom';
-import { AIMS, SCRIPT_MOST, stackKind, TAKE_OVER_MS } from './aims.mjs';
+import { AIMS, stackKind, TAKE_OVER_MS } from './aims.mjs';
 import { panelMarks, panelPoints, panelScales } from './picture-chart.mjs';
 import { SERIES } from './pictures.mjs';
 import { ratioOf, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
-import { SCRIPT_LIGHTS, SPHERE_LIGHTS } from './subjects.mjs';
+import { SPHERE_LIGHTS } from './subjects.mjs';
 
 /** @typedef {import('./results.mjs').BenchResult} BenchResult @typedef {{ x: number, y: number, series: string }} Point */
 
@@ -25,7 +25,6 @@ export function chartsOf(result) {
   const add = (name, svg) => svg !== undefined && charts.set(name, svg);
   add('sphere', sphereChart(result));
   add('longest-frame', longestChart(result));
-  add('script', scriptChart(result));
   add('fronts', frontsChart(result));
   add('pictures', picturesChart(result));
   return charts;
@@ -72,22 +71,6 @@ function longestChart(result) {
     x: 'lights',
     ticks: [...SPHERE_LIGHTS, 1024],
     rule: TAKE_OVER_MS[stackKind(result)],
-  });
-}
-
-/** @param {BenchResult} result */
-function scriptChart(result) {
-  /** @param {number} count */
-  const name = (count) => `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`;
-  /** @param {string} side @param {string} series @returns {Point[]} */
-  const points = (side, series) =>
-    perLight(result, SCRIPT_LIGHTS, name, 'script per frame', (row) => ratioOf(row, side)?.median, series);
-  const aims = SCRIPT_LIGHTS.map((x, i) => ({ x, y: SCRIPT_MOST[i] ?? NaN, series: 'element' }));
-  return lines([...points('element', 'element'), ...points('three', 'MeshPhongMaterial')], aims, {
-    title: 'Script per frame with moving lights, three’s unlit mesh = 1 (dashed: aims)',
-    x: 'lights',
-    ticks: SCRIPT_LIGHTS,
-    rule: 1,
   });
 }
 

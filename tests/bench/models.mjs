@@ -22,6 +22,17 @@ export const MODELS = /** @type {const} */ ({
   engine: '2CylinderEngine.gltf',
 });
 
+/** Models whose first picture is compared with that of a page with three.js's own loader, and their files. */
+export const FIRST_MODELS = /** @type {const} */ ({
+  'GLB of 1 MB': 'first-1.glb',
+  'GLB of 10 MB': 'first-10.glb',
+  Draco: 'bunny.glb',
+  '.gltf with .bin': 'first.gltf',
+  'text STL': 'first.stl',
+  '64 images': 'images.glb',
+  'PLY of 0.8 M triangles': 'first.ply',
+});
+
 /** The model of a whole picture, whose error is measured. */
 const CHECKS = 'checks.glb';
 
@@ -58,6 +69,20 @@ export function writeModels(folder) {
   write(MODELS['four textures'], texturedSpheres().glb());
   write(MODELS['500 parts'], manyParts().glb());
   write(CHECKS, checkedSphere().glb());
+}
+
+/** @param {string} folder */
+export function writeFirstModels(folder) {
+  /** @param {string} name @param {string | Uint8Array} file */
+  const write = (name, file) => writeFileSync(join(folder, name), file);
+  write(FIRST_MODELS['GLB of 1 MB'], one(bumpySphere(230, 115)).glb());
+  write(FIRST_MODELS['GLB of 10 MB'], one(bumpySphere(540, 380)).glb());
+  const [json, bin] = one(bumpySphere(230, 115)).pair('first.bin');
+  write(FIRST_MODELS['.gltf with .bin'], json);
+  write('first.bin', bin);
+  write(FIRST_MODELS['text STL'], textStl(bumpySphere(160, 80)));
+  write(FIRST_MODELS['64 images'], texturedSpheres(64, 64).glb());
+  write(FIRST_MODELS['PLY of 0.8 M triangles'], binaryPly(bumpySphere(800, 500)));
 }
 
 /**
@@ -162,6 +187,12 @@ class Gltf {
     this.json.buffers = [{ byteLength: this.#length }];
     return glbFile(this.json, this.#bin());
   }
+
+  /** The JSON and its buffer apart. @param {string} uri @returns {readonly [string, Uint8Array]} */
+  pair(uri) {
+    this.json.buffers = [{ byteLength: this.#length, uri }];
+    return [JSON.stringify(this.json), this.#bin()];
+  }
 }
 
 /** @param {Float32Array | Int16Array} positions */
@@ -212,11 +243,11 @@ function quantizedPatches() {
   return gltf;
 }
 
-function texturedSpheres() {
+function texturedSpheres(count = 4, size = TEXTURE_SIZE) {
   const gltf = new Gltf();
-  const images = [1, 2, 3, 4].map((seed) => ({
+  const images = Array.from({ length: count }, (_, i) => ({
     mimeType: 'image/png',
-    bufferView: gltf.view(noisePng(TEXTURE_SIZE, seed)),
+    bufferView: gltf.view(noisePng(size, i + 1)),
   }));
   Object.assign(gltf.json, {
     images,
@@ -226,10 +257,35 @@ function texturedSpheres() {
     })),
   });
   images.forEach((_, material) => {
-    const translation = [2.2 * (material % 2), 2.2 * Math.floor(material / 2), 0];
+    const row = Math.sqrt(count);
+    const translation = [2.2 * (material % row), 2.2 * Math.floor(material / row), 0];
     gltf.node(gltf.mesh(bumpySphere(48, 24), { material }), { translation });
   });
   return gltf;
+}
+
+/** @param {Grid} grid */
+function textStl({ positions, normals, indices }) {
+  /** @param {Float32Array} list @param {number} i */
+  const at = (list, i) => list.subarray(3 * i, 3 * i + 3).join(' ');
+  let text = 'solid sphere\n';
+  for (let i = 0; i < indices.length; i += 3) {
+    const corners = [...indices.subarray(i, i + 3)].map((corner) => `vertex ${at(positions, corner)}\n`);
+    text += `facet normal ${at(normals, indices[i] ?? 0)}\nouter loop\n${corners.join('')}endloop\nendfacet\n`;
+  }
+  return `${text}endsolid sphere\n`;
+}
+
+/** @param {Grid} grid */
+function binaryPly({ positions, indices }) {
+  const header = [
+    ...['ply', 'format binary_little_endian 1.0', `element vertex ${positions.length / 3}`],
+    ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
+    ...[`element face ${indices.length / 3}`, 'property list uchar int vertex_indices', 'end_header', ''],
+  ].join('\n');
+  const faces = Buffer.alloc((13 * indices.length) / 3, 3);
+  indices.forEach((corner, i) => faces.writeUInt32LE(corner, 13 * Math.floor(i / 3) + 1 + 4 * (i % 3)));
+  return Buffer.concat([Buffer.from(header), Buffer.from(positions.buffer), faces]);
 }
 
 /** A texture so small that each texel covers several pixels: its sampling is exact without smaller levels. */
@@ -272,7 +328,7 @@ function noisePng(size, seed) {
   return png(size, (x) => {
     state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
     const light = 96 + 64 * ((x >> 6) % 2) + 8 * (state >>> 29);
-    return [light, light - 10 * seed, light - 40];
+    return [light, light - 10 * (seed % 8), light - 40];
   });
 }
 

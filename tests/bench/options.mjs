@@ -23,6 +23,7 @@ Measures the built package in Chromium and writes tests/bench/results/STACK.json
   --out FILE          result file
   --build DIR         only builds the pages into DIR
   --built DIR         uses pages built before; needs only Node, playwright-core and a browser
+  --limits            fails if a limit of aims.mjs is missed
   --help              prints this
 
 npm run bench:report writes tests/bench/REPORT.md and its charts from all results.
@@ -30,7 +31,7 @@ npm run bench:report writes tests/bench/REPORT.md and its charts from all result
 
 /**
  * @typedef {object} Options
- * @property {boolean} quick @property {boolean} add @property {boolean} list
+ * @property {boolean} quick @property {boolean} add @property {boolean} list @property {boolean} limits
  * @property {string[]} only @property {number} launches @property {number} minutes
  * @property {string} browser @property {string[]} flags @property {string} stack
  * @property {readonly [number, number] | null} size
@@ -45,6 +46,7 @@ export function readOptions(args = process.argv.slice(2)) {
       quick: { type: 'boolean', default: false },
       add: { type: 'boolean', default: false },
       list: { type: 'boolean', default: false },
+      limits: { type: 'boolean', default: false },
       only: { type: 'string', default: '' },
       launches: { type: 'string', default: '' },
       minutes: { type: 'string', default: 'Infinity' },

@@ -2,7 +2,7 @@
 // What `npm run bench` measures, by name. A subject has sides (the element, plain three.js, …) that are measured in turns; the
 // last side is the one that the others are divided by.
 
-import { MODELS } from './models.mjs';
+import { FIRST_MODELS, MODELS } from './models.mjs';
 
 /**
  * @typedef {import('./pages/frame.js').SideName} SideName
@@ -67,7 +67,6 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 /** Lights of the sphere that fills the view, as in the table of aims. */
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
 export const FRAMED_LIGHTS = [1, 8, 32];
-export const SCRIPT_LIGHTS = [1, 8, 32, 128];
 
 /** How a model reaches the page, as a part of a subject's name. */
 export const NETWORKS = /** @type {const} */ (['local', '10 Mbit/s']);
@@ -75,6 +74,8 @@ export const NETWORKS = /** @type {const} */ (['local', '10 Mbit/s']);
 export const modelSubject = (model, network) => `model, ${model}, ${network}`;
 /** All models over one network. @param {(typeof NETWORKS)[number]} network */
 export const modelSubjects = (network) => Object.keys(MODELS).map((model) => modelSubject(model, network));
+/** @param {string} model */
+export const firstModelSubject = (model) => `first picture of models against three's page, ${model}`;
 const MODEL_PAGES = {
   element: 'start-model-element.html',
   'model-viewer': 'start-model-google.html',
@@ -102,15 +103,9 @@ export const SUBJECTS = {
     ]),
   ),
   'core, 8 lights': frames('sphere:8', ['core', 'element']),
-  ...Object.fromEntries(
-    SCRIPT_LIGHTS.map((count) => [
-      `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`,
-      script(`box-moving:${count}`, ['element', 'three', 'unlit']),
-    ]),
-  ),
+  'script, 128 moving lights': script('box-moving:128', ['element', 'three', 'unlit']),
   'script, turning camera': script('box-turning:3', ['element', 'three', 'unlit']),
   'script, 2,000 boxes': script('boxes:3'),
-  'script, 2,000 spheres': script('two-thousand-spheres:3', ['element', 'fixed']),
   'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
   'script, mesh moved beside 1 M triangles': script('beside-a-million:3', ['element']),
   'connecting 5,000 lights': { kind: 'connect' },
@@ -123,6 +118,18 @@ export const SUBJECTS = {
     kind: 'start',
     pages: { element: 'start-boxes-element.html', three: 'start-boxes-three.html' },
   },
+  ...Object.fromEntries(
+    Object.entries(FIRST_MODELS).map(([model, file]) => [
+      firstModelSubject(model),
+      /** @type {StartSubject} */ ({
+        kind: 'start',
+        pages: {
+          element: `start-model-element.html?model=models/${file}`,
+          three: `start-model-three.html?model=models/${file}`,
+        },
+      }),
+    ]),
+  ),
   ...Object.fromEntries(
     NETWORKS.flatMap((network) =>
       Object.entries(MODELS).map(([model, file]) => [

@@ -1,7 +1,7 @@
 // What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and
 // inlined lights. Also the lobes that a program with a known exponent has. Each against the same law in float64.
 import { declaredFeatures } from '../../src/light/light-features.js';
-import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
+import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import { PLAIN_LOOK } from '../../src/material/file-surface.js';
@@ -11,7 +11,7 @@ import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/
 import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';
 import type { Check } from './chunk-checks.js';
-import { MILD_POWER_ERROR } from './worst-driver.js';
+import { mildPowerError } from './worst-driver.js';
 
 /** L of a light in front, and V anywhere, exactly opposite L and zero among them. */
 function lobeInputs(random: Random): readonly [number[], number[]] {
@@ -103,7 +103,7 @@ const LOBES: readonly Check[] = [
       ],
     ],
     expected: ([x, k]) => [k! < 1e-6 ? 1 : x! ** k!],
-    bound: MILD_POWER_ERROR,
+    bound: mildPowerError(LARGEST_MILD_POWER),
     floor: 1,
   },
 ];
@@ -242,7 +242,7 @@ export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): bo
 /** No cone or decay is steep, so that cosines do: the general program has no chords. */
 const isGentle = ({ aperture, cutoff }: LightValues): boolean =>
   (aperture === 180 || (aperture >= 15 && aperture <= 165)) &&
-  (cutoff === 0 || (cutoff >= 1 && cutoff <= LARGEST_MILD_POWER));
+  (cutoff === 0 || (cutoff >= 1 && cutoff <= LARGEST_MILD_CUTOFF));
 
 const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
 

@@ -1,7 +1,6 @@
 // The worst driver that is still lawful: the same GLSL with each built-in replaced by one that errs by its whole
 // allowance, and gives NaN wherever its result is undefined. Allowances are those of the Vulkan specification for
 // 32-bit floats ("Precision and Operation of SPIR-V Instructions"), which WebGL's own only loosen.
-import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
 
 /** Which way results err: all up, all down, or either way by chance, as their bits fall. */
 export type Driver = 'shipped' | 'up' | 'down' | 'either';
@@ -15,10 +14,10 @@ export const spoiledBy = (driver: Driver): string =>
   driver === 'shipped' ? '' : '\n  if (worst_undefined) result = vec4(worst_nan());';
 
 /**
- * Largest error of x^k for x to 1 and k to LARGEST_MILD_POWER, by log2's allowance of 2^-21. Twice: a worst driver errs
+ * Largest error of x^k for x to 1 and exponents to `most`, by log2's allowance of 2^-21. Twice: a worst driver errs
  * on top of the driver that runs it.
  */
-export const MILD_POWER_ERROR = 2 * LARGEST_MILD_POWER * Math.LN2 * 2 ** -21; // 2.1e-5
+export const mildPowerError = (most: number): number => 2 * most * Math.LN2 * 2 ** -21;
 
 const SIGN: Readonly<Record<Exclude<Driver, 'shipped'>, string>> = {
   up: '1',

@@ -66,7 +66,12 @@ const uses: readonly Use[] = [
     use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-compare'))),
     chunks: ['comparison'],
   },
-  { what: 'the panel', use: set({ gui: true }), chunks: ['panel', 'round-number'] },
+  { what: 'the panel', use: set({ gui: true }), chunks: ['panel', 'panel-rows', 'round-number'] },
+  {
+    what: 'a control',
+    use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-control'))),
+    chunks: ['control'],
+  },
   {
     what: 'a model',
     use: set({ src: '/fixtures/models/textured.glb' }),

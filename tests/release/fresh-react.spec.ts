@@ -75,6 +75,7 @@ export const known = [
   <phong-viewer radius="auto" target={[0, 1, 2]} terms={['ambient']} crossOrigin={null} color-interpolation="linear" />,
   <phong-viewer helpers={['lights', 'grid']} view="n-dot-l" view-light="sun" probe probe-at="0 0 1" onprobe-change={(event) => event.detail.pinned} />,
   <phong-compare at={40} labels="Gouraud, Phong" ondivider-change={(event) => event.detail.at} />,
+  <phong-control for="a" attribute="cutoff" component="x" max={60} type="slider">label</phong-control>,
   <phong-light position={[1, 2, 3]} active="false" space="camera" aperture={undefined} />,
 ];
 `;

@@ -1,4 +1,5 @@
 // Scenes as people write them, and the same pushed to the ends of what their attributes can hold.
+import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { add, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, type StressCase, type Variant } from './case.js';
@@ -40,15 +41,15 @@ function inCamera(light: LightValues, eye: Vec3): LightValues {
 }
 
 /** Exponents as most scenes have them, whole ones among them. */
-const mildExponent = (random: Random): number =>
-  random.chance(0.5) ? random.from(1, 64) : Math.ceil(random.from(0, 64));
+const mildExponent = (random: Random, most: number): number =>
+  random.chance(0.5) ? random.from(1, most) : Math.ceil(random.from(0, most));
 
 /** In and around a highlight, under a spot near its axis: the errors of both powers add up. */
 function mildPowers(random: Random, variant: Variant): StressCase {
-  const stress = highlight(random, mildExponent(random), variant);
+  const stress = highlight(random, mildExponent(random, random.pick([64, LARGEST_MILD_POWER])), variant);
   const light = stress.lights[0]!;
   if (light.position[3] === 0) return stress;
-  const cutoff = mildExponent(random);
+  const cutoff = mildExponent(random, 64);
   const [x, y, z] = light.position;
   const toFragment = normalize(subtract(stress.p, [x, y, z]));
   const axis = random.around(toFragment, chordAngle((2 * random.magnitude(1e-3, 30)) / cutoff));
@@ -138,7 +139,7 @@ export const ordinaryCategories: readonly Category[] = [
   {
     id: 'shininess-1e3',
     title: 'shininess from 1 to 1,000, in and around the highlight',
-    bound: BOUNDS.shininess1e3,
+    bound: BOUNDS.mildPower,
     variants: BOTH,
     make: (random, variant) => highlight(random, random.magnitude(1, 1e3), variant),
   },
@@ -165,8 +166,8 @@ export const ordinaryCategories: readonly Category[] = [
   },
   {
     id: 'mild-powers',
-    title: 'shininess and cutoff from 1 to 64 at once, in and around the highlight, near the axis',
-    bound: BOUNDS.generic,
+    title: 'shininess to 200 and cutoff to 64 at once, in and around the highlight, near the axis',
+    bound: BOUNDS.mildPower,
     variants: BOTH,
     make: mildPowers,
   },

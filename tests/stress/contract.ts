@@ -7,11 +7,15 @@ import { add, cross, dot, length, normalize, type Vec3 } from '../../src/math/ve
 import type { LightShare, Shaded } from '../../src/reference/equation.js';
 import type { StressCase, Variant } from './case.js';
 
-/** Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities). */
+/**
+ * Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities). `mildPower`: in and around
+ * highlights with exponents to LARGEST_MILD_POWER, 0.089 was measured on a worst driver, 0.025 in SwiftShader.
+ * `generic`: with exponents to 100.
+ */
 export const BOUNDS = {
-  generic: 0.01,
+  generic: 0.05,
   smallExponent: 0.05,
-  shininess1e3: 0.02,
+  mildPower: 0.1,
   shininess1e4: 0.1,
   shininess1e5: 0.25,
   shininess1e6: 0.5,
@@ -23,7 +27,7 @@ export const BOUNDS = {
  * At least this share of 8-bit codes is exactly the nearest to float64, over all categories together and in each whose
  * bound is at most `upTo`: larger errors move more of them, by one.
  */
-export const EXACT = { share: 0.9998, upTo: BOUNDS.shininess1e3 } as const;
+export const EXACT = { share: 0.9998, upTo: BOUNDS.generic } as const;
 
 /**
  * Of all categories together on the worst lawful drivers: 99.973 to 99.982 % were measured on five stacks and seeds,

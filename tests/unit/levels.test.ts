@@ -6,7 +6,7 @@ import type { Vec3 } from '../../src/math/vector.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import { isLargeFor, levelFor, levelIn, segmentsIn } from '../../src/scene/mesh/levels.js';
 import { createGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
-import type { View } from '../../src/scene/view-cut.js';
+import type { View } from '../../src/scene/frustum-clip.js';
 import {
   boxOf,
   deviations,

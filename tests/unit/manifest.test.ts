@@ -10,8 +10,10 @@ import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
 import type { CompareValues } from '../../src/element/fields/compare-fields.js';
+import type { ControlValues } from '../../src/element/fields/control-fields.js';
 import type {
   CompareProperties,
+  ControlProperties,
   LightProperties,
   MeshProperties,
   SingleNumber,
@@ -151,6 +153,7 @@ describe('the types of properties and JSX', () => {
       mesh: (mesh: MeshProperties, key: keyof MeshValues) => (mesh[key] = undefined),
       viewer: (viewer: ViewerProperties, key: keyof ViewerValues) => (viewer[key] = undefined),
       compare: (compare: CompareProperties, key: keyof CompareValues) => (compare[key] = undefined),
+      control: (control: ControlProperties, key: keyof ControlValues) => (control[key] = undefined),
     };
     expect(
       Object.keys(resets)

@@ -54,9 +54,9 @@ describe('another program', () => {
       ['the same light again', () => light!.set('active', true), 0],
       ['fewer terms', () => material.setStyle({ terms: ['diffuse'] }), 0],
       ['no specular colour', () => material.setSurface({ ks: [0, 0, 0] }), 0],
-      ['other colours and exponents to 32', () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }), 0],
-      ['an exponent above 32', () => material.setSurface({ shininess: 33 }), 1],
-      ['an exponent to 32 again', () => material.setSurface({ shininess: 8 }), 0],
+      ['other colours and exponents to 200', () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }), 0],
+      ['an exponent above 200', () => material.setSurface({ shininess: 201 }), 1],
+      ['an exponent to 200 again', () => material.setSurface({ shininess: 8 }), 0],
     ];
     let before = draw();
     for (const [which, change, programs] of changes) {

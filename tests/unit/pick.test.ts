@@ -27,7 +27,7 @@ import { drawnObjects, copyFrame, type SceneSnapshot } from '../../src/scene/sna
 import { distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { cornersOf } from '../../src/scene/snapshot/corners.js';
-import { ViewCamera } from '../../src/scene/view-camera.js';
+import { Frame } from '../../src/scene/frame.js';
 
 const lighting = new PhongLighting();
 const SIZE = 100;
@@ -45,17 +45,18 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
 }
 
 function look(column = 50, row = 50): Hit | null {
-  const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-  view.aim(45, scene, { center: [0, 0, 0], radius: 2 }, SIZE, SIZE);
+  const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+  view.look(45, { width: SIZE, height: SIZE });
+  view.aim(scene, { center: [0, 0, 0], radius: 2 });
   return pick(snapshotThrough(view), column, row);
 }
 
-function snapshotThrough({ camera, frame }: ViewCamera): SceneSnapshot {
+function snapshotThrough({ camera, shading }: Frame): SceneSnapshot {
   scene.updateMatrixWorld();
   const objects = drawnObjects(scene, camera, (object) =>
     own.includes(object as Mesh) ? 'ours' : undefined,
   );
-  return { width: SIZE, height: SIZE, frame: copyFrame(frame), camera: camera.clone(), objects };
+  return { width: SIZE, height: SIZE, frame: copyFrame(shading), camera: camera.clone(), objects };
 }
 
 beforeEach(() => {
@@ -164,13 +165,15 @@ describe('the pick', () => {
   it('does not change when the camera moves afterwards', () => {
     wall();
     const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
-    const view = new ViewCamera(orbit);
-    view.aim(45, scene, null, SIZE, SIZE);
+    const view = new Frame(orbit);
+    view.look(45, { width: SIZE, height: SIZE });
+    view.aim(scene, null);
     const snapshot = snapshotThrough(view);
     const before = pick(snapshot, 50, 50)!;
     const eye = [...before.frame.eye];
     orbit.set({ theta: 90, radius: 7 });
-    view.aim(45, scene, null, SIZE, SIZE);
+    view.look(45, { width: SIZE, height: SIZE });
+    view.aim(scene, null);
     expect(before.frame.eye).toEqual(eye);
     expect(pick(snapshot, 50, 50)).toEqual(before);
   });
@@ -180,8 +183,9 @@ describe('the pick', () => {
     const foreign = new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial());
     foreign.position.set(0.5, 0, 1);
     scene.add(foreign);
-    const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-    view.aim(45, scene, null, SIZE, SIZE);
+    const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+    view.look(45, { width: SIZE, height: SIZE });
+    view.aim(scene, null);
     const snapshot = snapshotThrough(view);
     const { depth } = pick(snapshot, 50, 50)!;
     const material = mesh.material as PhongMaterial;
@@ -233,7 +237,7 @@ describe('the corners of what was picked', () => {
 });
 
 describe('a snapshot of an animated mesh', () => {
-  const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+  const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
   const taken = (): BufferGeometry | undefined =>
     snapshotThrough(view).objects.find(({ object }) => object === own[0])?.geometry;
 
@@ -254,8 +258,9 @@ describe('a snapshot of an animated mesh', () => {
 
 describe('the distance along a ray', () => {
   const along = (from: Vec3, direction: Vec3): number => {
-    const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-    view.aim(45, scene, { center: [0, 0, 0], radius: 2 }, SIZE, SIZE);
+    const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+    view.look(45, { width: SIZE, height: SIZE });
+    view.aim(scene, { center: [0, 0, 0], radius: 2 });
     return distanceAlong(snapshotThrough(view), from, direction);
   };
 

@@ -5,7 +5,9 @@ import { renderToStaticMarkup } from 'react-dom/server';
 import { describe, expect, it } from 'vitest';
 import {
   PhongCompare,
+  PhongControl,
   type PhongCompareProps,
+  type PhongControlProps,
   PhongLight,
   type PhongLightProps,
   PhongMesh,
@@ -74,6 +76,13 @@ describe('the React components on a server', () => {
     );
   });
 
+  it('write a control with its label', () => {
+    const props = { for: 'a b', attribute: 'cutoff', max: 60, children: 'softness' };
+    expect(markup(PhongControl, props)).toBe(
+      '<phong-control for="a b" attribute="cutoff" max="60">softness</phong-control>',
+    );
+  });
+
   it('write lists of texts with commas, which labels may contain spaces between', () => {
     const labels = ['Gouraud shading', 'Phong'];
     expect(markup(PhongCompare, { labels })).toBe(
@@ -89,9 +98,11 @@ describe('the React components on a server', () => {
     const light: PhongLightProps = { color: 'red' };
     // @ts-expect-error meshes have no such prop
     const mesh: PhongMeshProps = { color: 'red' };
+    // @ts-expect-error there is no such look
+    const control: PhongControlProps = { type: 'knob' };
     // @ts-expect-error labels are texts
     const compare: PhongCompareProps = { labels: [1] };
-    expect([light, mesh, compare]).toHaveLength(3);
+    expect([light, mesh, compare, control]).toHaveLength(4);
   });
 
   it('omit a value that has no text form, which the client sets', () => {

@@ -29,7 +29,7 @@ function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: F
       removed: quiet,
     },
   };
-  const tree = new SceneTree(new Scene(), new Set());
+  const tree = new SceneTree(new Scene());
   const stores = Array.from({ length: count }, () => new FieldStore(MESH_FIELDS));
   const meshes = stores.map((store, i) => {
     store.set('geometry', 'box');

@@ -6,7 +6,7 @@ import { registryAround } from '../child-registry.js';
 import type { PhongViewer } from '../elements.js';
 import { isNamed } from '../viewer/naming.js';
 import { attributeAdvice } from './attribute-advice.js';
-import { lacksProbe, strayAttributes, wrappedViewer } from './inspect.js';
+import { strayAttributes, wrappedViewer } from './inspect.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
 /** Not for the inside of a viewer. */
@@ -30,7 +30,6 @@ export function diagnose(elements: readonly Element[]): void {
     else if (tag === 'phong-viewer') {
       diagnoseContent(element);
       if (!isNamed(element as PhongViewer)) warn(UNNAMED);
-      if (lacksProbe(element as PhongViewer)) warn(WITHOUT_PROBE);
     } else if (registryAround(element) === null) warn(lonely(element));
   }
 }
@@ -45,9 +44,6 @@ function diagnoseWrapped(compare: Element): void {
 
 const UNNAMED =
   'A <phong-viewer> has no alt. Write alt="…", the picture in words for people who do not see it, or alt="" if it is decoration.';
-
-const WITHOUT_PROBE =
-  '<phong-viewer> has probe-at but no probe, so it shows no point. Write probe beside it.';
 
 /** As the element was defined with. */
 function attributesOf(tag: string): readonly string[] {

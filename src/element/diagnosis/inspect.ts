@@ -53,9 +53,6 @@ export function strayAttributes(element: Element): string[] {
 export const wrappedViewer = (compare: Element): Element | null =>
   compare.querySelector(':scope > :not(phong-viewer) phong-viewer');
 
-/** A viewer whose `probe-at` has no effect. */
-export const lacksProbe = ({ probe, probeAt }: PhongViewer): boolean => probeAt !== null && !probe;
-
 const FOREIGN = /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_)|[^\p{L}\d]/u;
 
 function inspectSoon(): void {
@@ -105,7 +102,6 @@ function isSuspect(element: Element): boolean {
   if (element.localName === 'phong-compare') return wrappedViewer(element) !== null;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
-    lacksProbe(element as PhongViewer) ||
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
     Array.from(element.childNodes).some(
       (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',

@@ -5,6 +5,7 @@
 import type { LightValues } from '../../light/light-state.js';
 import type { MeshValues, ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import type { CompareValues } from './compare-fields.js';
+import type { ControlValues } from './control-fields.js';
 import type { ViewerValues } from './viewer-fields.js';
 
 /** Numbers in a list: an array or a typed array. */
@@ -45,6 +46,7 @@ type Shape = Inputs<ShapeValues>;
 type Mesh = Inputs<MeshValues>;
 type Viewer = Inputs<ViewerValues>;
 type Compare = Inputs<CompareValues>;
+type Control = Inputs<ControlValues>;
 
 export interface LightProperties extends LightValues {
   get name(): LightValues['name'];
@@ -175,4 +177,23 @@ export interface CompareProperties extends CompareValues {
   set at(value: Compare['at']);
   get labels(): CompareValues['labels'];
   set labels(value: Compare['labels']);
+}
+
+export interface ControlProperties extends ControlValues {
+  get for(): ControlValues['for'];
+  set for(value: Control['for']);
+  get attribute(): ControlValues['attribute'];
+  set attribute(value: Control['attribute']);
+  get component(): ControlValues['component'];
+  set component(value: Control['component']);
+  get values(): ControlValues['values'];
+  set values(value: Control['values']);
+  get min(): ControlValues['min'];
+  set min(value: Control['min']);
+  get max(): ControlValues['max'];
+  set max(value: Control['max']);
+  get step(): ControlValues['step'];
+  set step(value: Control['step']);
+  get type(): ControlValues['type'];
+  set type(value: Control['type']);
 }

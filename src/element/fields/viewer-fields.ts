@@ -1,6 +1,6 @@
 // The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
 // defaults in HTML's units.
-import { LIMITS } from '../../light/light-state.js';
+import { LIGHT_FIELDS, LIMITS } from '../../light/light-state.js';
 import {
   type Reflection,
   REFLECTIONS,
@@ -109,8 +109,11 @@ export interface ViewerValues extends ShapeValues, CameraValues {
    * Empty, the default: all lights, or the first active one where a view is of one.
    */
   viewLight: string;
-  /** The user can point at the picture to see N, L, R and V there, and the sum light by light. Default false. */
-  probe: boolean;
+  /**
+   * The user can point at the picture to see N, L, R and V there, and the sum light by light. `formula`: the equation
+   * with the numbers of the point in place of the table. `ask`: the same as questions. Default false.
+   */
+  probe: boolean | 'formula' | 'ask';
   /**
    * World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default:
    * none.
@@ -130,11 +133,15 @@ export interface ViewerValues extends ShapeValues, CameraValues {
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
 /** Attributes whose rows `gui` can show alone: those of all elements that the panel edits. */
-const GUI_ROWS: readonly string[] = (
-  'active ambient diffuse specular position axis aperture cutoff attenuation space ka kd ks shininess segments ' +
-  'rotation scale name theta phi radius target fov auto-rotate shading reflection terms color-interpolation ' +
-  'antialias samples view view-light helpers probe'
-).split(' ');
+const GUI_ROWS: readonly string[] = [
+  ...Object.keys(LIGHT_FIELDS),
+  ...(
+    'ka kd ks shininess segments rotation scale theta phi radius target fov auto-rotate shading reflection terms ' +
+    'color-interpolation antialias samples view view-light helpers probe'
+  ).split(' '),
+];
+
+const PROBE_VALUES = 'true, false, formula or ask';
 
 const CAMERA_FIELDS: Fields<CameraValues> = {
   theta: numberField(30, {}),
@@ -170,7 +177,18 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   helpers: { ...subsetField<Helper>(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },
   view: choiceField<View>('shaded', VIEWS),
   viewLight: textField(),
-  probe: presenceField(),
+  probe: {
+    kind: 'flag-or-words',
+    fallback: false,
+    expected: PROBE_VALUES,
+    check(value) {
+      if (typeof value === 'boolean') return value;
+      const word = String(value);
+      if (word === 'formula' || word === 'ask') return word;
+      if (word === 'probe') return true;
+      throw new RangeError(`expected ${PROBE_VALUES}, got ${word}`);
+    },
+  },
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   cameraGroup: textField(),
   gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [

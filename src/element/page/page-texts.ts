@@ -1,6 +1,6 @@
 // The texts of a whole page, in place of those of its viewers and comparisons: by `PhongViewer.texts`, and in scripts
 // of JSON in the markup. Reading the markup is a chunk.
-import { lazyCode } from '../../model/lazy-code.js';
+import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 
 export const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';
@@ -51,12 +51,5 @@ export const leaveTexts = (user: TextUser): unknown => users.delete(user);
 /** Reads the page's scripts of texts, if there are any. Call it when elements have come, and the page is parsed. */
 export function lookForTexts(): void {
   if (document.querySelector(TEXT_SCRIPTS) === null) return;
-  markup().then(
-    ({ readTexts }) => {
-      readTexts();
-    },
-    (error: unknown) => {
-      console.warn((error as Error).message);
-    },
-  );
+  markup().then(({ readTexts }) => readTexts(), reportMissing);
 }

@@ -150,9 +150,12 @@ export class Visibility implements ReactiveController, Watcher {
     this.#host.disconnectedCallback();
   }
 
-  /** Reports come after their frame: meanwhile an element may have been shown. */
+  /**
+   * Reports come after their frame: meanwhile an element may have been shown. Browsers round both times, so equal
+   * ones may be that late too.
+   */
   #reported({ time }: IntersectionObserverEntry): void {
-    if (time < this.#located && this.#page !== null) {
+    if (time <= this.#located && this.#page !== null) {
       this.#locate(this.#page);
       this.#page.reportAgain(this.#element);
     }

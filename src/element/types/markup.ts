@@ -5,9 +5,10 @@ import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
 import type { Inputs } from '../fields/properties.js';
 import type { CompareValues } from '../fields/compare-fields.js';
+import type { ControlValues } from '../fields/control-fields.js';
 import type { ViewerTexts } from '../fields/texts.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
-import type { PhongCompare } from '../elements.js';
+import type { PhongCompare, PhongControl } from '../elements.js';
 import type { PhongLight } from '../elements.js';
 import type { PhongMesh } from '../elements.js';
 import type { PhongViewer } from '../elements.js';
@@ -40,6 +41,12 @@ export interface Elements {
     readonly values: CompareValues;
     readonly properties: object;
     readonly events: PhongCompareEventMap;
+  };
+  readonly control: {
+    readonly element: PhongControl;
+    readonly values: ControlValues;
+    readonly properties: object;
+    readonly events: object;
   };
 }
 

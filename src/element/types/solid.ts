@@ -39,6 +39,7 @@ declare module 'solid-js' {
       'phong-mesh': Attributes<Elements['mesh']>;
       'phong-viewer': Attributes<Elements['viewer']>;
       'phong-compare': Attributes<Elements['compare']>;
+      'phong-control': Attributes<Elements['control']>;
     }
   }
 }

@@ -23,5 +23,6 @@ declare module 'svelte/elements' {
     'phong-mesh': Attributes<Elements['mesh']>;
     'phong-viewer': Attributes<Elements['viewer']>;
     'phong-compare': Attributes<Elements['compare']>;
+    'phong-control': Attributes<Elements['control']>;
   }
 }

@@ -30,5 +30,6 @@ declare module 'vue' {
     'phong-mesh': Component<Elements['mesh']>;
     'phong-viewer': Component<Elements['viewer']>;
     'phong-compare': Component<Elements['compare']>;
+    'phong-control': Component<Elements['control']>;
   }
 }

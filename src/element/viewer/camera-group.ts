@@ -10,7 +10,7 @@ import type { Extra, ExtraHost } from './extras.js';
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
 
 /** Keeps a viewer in the group that its attributes and its parent name. */
-export function createMember(member: Member): Extra {
+export function create(member: Member): Extra {
   let group: CameraGroup | null = null;
   const join = (next: CameraGroup | null): void => {
     if (next === group) return;
@@ -57,7 +57,7 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
   /** For the framing that all members share; null after a change. */
   #fitted: { readonly framing: Framing; readonly fit: Fit; readonly from: Member } | null = null;
   #settling = false;
-  #isFixed: boolean | null = null;
+  #wasFixed = false;
   readonly #emptied: () => void;
 
   /** `emptied` is called when the last member has left. */
@@ -70,10 +70,9 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
     const [first] = this.#members.values();
     this.#members.set(member.camera, member);
     member.camera.link = this;
-    member.viewport.fit.shared = this;
-    member.viewport.levels.shared = this;
+    member.viewport.picture.fit.shared = this;
+    member.viewport.picture.levels.shared = this;
     this.changed();
-    this.reshaded();
     if (first !== undefined) member.camera.place(placementOf(first), 'script', true);
   }
 
@@ -81,14 +80,11 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
   leave(member: Member): void {
     this.#members.delete(member.camera);
     member.camera.link = null;
-    member.viewport.fit.shared = null;
-    member.viewport.levels.shared = null;
-    member.viewport.invalidate();
+    member.viewport.picture.fit.shared = null;
+    member.viewport.picture.levels.shared = null;
+    member.viewport.picture.invalidate();
     if (this.#members.size === 0) this.#emptied();
-    else {
-      this.changed();
-      this.reshaded();
-    }
+    else this.changed();
   }
 
   moved(camera: ViewerCamera, source: CameraSource): void {
@@ -120,7 +116,7 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
     if (this.#fitted?.framing !== framing) {
       const fits = [...this.#members.values()].map((from) => ({
         framing,
-        fit: from.viewport.fit.fitOf(framing, from.viewport.fov),
+        fit: from.viewport.picture.fit.fitOf(framing),
         from,
       }));
       const full = fits.filter(({ fit }) => !fit.empty);
@@ -131,28 +127,32 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
 
   /** A picture shows round shapes by a fixed number of segments: then all do, so that outlines meet at a divider. */
   get isFixed(): boolean {
-    return (this.#isFixed ??= [...this.#members.values()].some(({ viewport }) => viewport.levels.isFixed));
+    for (const { viewport } of this.#members.values()) if (viewport.picture.levels.isFixed) return true;
+    return false;
   }
 
-  reshaded(): void {
-    const before = this.#isFixed;
-    this.#isFixed = null;
-    if (this.isFixed === before) return;
-    for (const { viewport } of this.#members.values()) viewport.invalidate();
-  }
-
-  /** Moves all cameras to the fit, on behalf of the member that it comes from. */
+  /**
+   * Moves all cameras to the fit, on behalf of the member that it comes from. All draw again where {@link isFixed} has
+   * changed.
+   */
   #settle(): void {
+    const { isFixed } = this;
+    if (isFixed !== this.#wasFixed)
+      for (const { viewport } of this.#members.values()) viewport.picture.invalidate();
+    this.#wasFixed = isFixed;
     const [first] = this.#members.values();
-    const framing = first?.viewport.framing ?? null;
+    const framing = first?.viewport.picture.fit.framing ?? null;
     if (framing === null) return;
     const { target, radius } = this.fit(framing);
     const from = this.#fitted?.from;
     if (from === undefined) return;
-    const { pose } = from.viewport.orbit;
+    const { pose } = from.viewport.picture.orbit;
     const fitted = framing.radius === 'auto' ? radius : framing.radius;
     from.camera.place({ pose: { ...pose, target, radius: fitted }, framing }, 'auto');
   }
 }
 
-const placementOf = ({ viewport }: Member) => ({ pose: viewport.orbit.pose, framing: viewport.framing });
+const placementOf = ({ viewport: { picture } }: Member) => ({
+  pose: picture.orbit.pose,
+  framing: picture.fit.framing,
+});

@@ -45,8 +45,8 @@ export class ViewerCamera implements ReactiveController {
   link: CameraLink | null = null;
 
   constructor(context: ViewerContext) {
-    const { viewport, signals } = (this.#context = context);
-    viewport.moveTo = (now) => {
+    const { signals } = (this.#context = context);
+    signals.moveTo = (now) => {
       signals.orderNeeded.emit();
       return this.#frame(now);
     };
@@ -78,9 +78,9 @@ export class ViewerCamera implements ReactiveController {
 
   /** Where the camera is now; fits it first. */
   state(): CameraState {
-    const { viewport } = this.#context;
-    viewport.settle();
-    const { orbit } = viewport;
+    const { picture } = this.#context;
+    picture.settle();
+    const { orbit } = picture;
     const { theta, phi, radius, target } = orbit.pose;
     const { up } = orbit.basis(newBasis());
     return Object.freeze({
@@ -94,9 +94,9 @@ export class ViewerCamera implements ReactiveController {
   }
 
   placement(): Placement {
-    const { viewport } = this.#context;
-    viewport.settle();
-    return { pose: viewport.orbit.pose, framing: viewport.framing };
+    const { picture } = this.#context;
+    picture.settle();
+    return { pose: picture.orbit.pose, framing: picture.fit.framing };
   }
 
   /**
@@ -105,9 +105,9 @@ export class ViewerCamera implements ReactiveController {
    */
   place({ pose, framing }: Placement, source: CameraSource, linked = false): void {
     const write = (): void => {
-      const { viewport } = this.#context;
-      viewport.orbit.set(pose);
-      if (framing !== viewport.framing) viewport.framing = framing;
+      const { picture } = this.#context;
+      picture.orbit.set(pose);
+      if (framing !== picture.fit.framing) picture.fit.framing = framing;
       this.#fit();
     };
     this.#move(source, write, linked);
@@ -122,15 +122,15 @@ export class ViewerCamera implements ReactiveController {
   /** A property was assigned. Moves the camera there, even if the value is the same as before. */
   assigned(key: string): void {
     if (!CAMERA_KEYS.has(key)) return;
-    const { values, viewport } = this.#context;
+    const { values, picture } = this.#context;
     const { theta, phi, radius, target } = values;
-    const { orbit } = viewport;
+    const { orbit } = picture;
     this.#move('script', () => {
       if (key === 'theta' || key === 'phi') {
         orbit.set(key === 'theta' ? { theta } : { phi });
       } else {
-        const kept = viewport.framing ?? orbit.pose;
-        viewport.framing =
+        const kept = picture.fit.framing ?? orbit.pose;
+        picture.fit.framing =
           key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
         this.#fit();
       }
@@ -139,28 +139,28 @@ export class ViewerCamera implements ReactiveController {
 
   /** Back to the declared camera. */
   reset(source: CameraSource = 'script'): void {
-    const { values, viewport } = this.#context;
+    const { values, picture } = this.#context;
     const { theta, phi, radius, target } = values;
     this.#move(source, () => {
-      viewport.orbit.set({ theta, phi });
-      viewport.framing = { radius, target };
+      picture.orbit.set({ theta, phi });
+      picture.fit.framing = { radius, target };
       this.#fit();
     });
   }
 
   /** Turns the scene and plays animations to where they are at `now`. True while something keeps moving. */
   #frame(now: number): boolean {
-    const { viewport, values } = this.#context;
-    const plays = viewport.animations.playing && this.mayMove; // in this order: a media query takes 0.2 µs
-    if (plays) viewport.animations.step(now);
-    else viewport.animations.rest();
-    if (plays) viewport.invalidate();
+    const { picture, values } = this.#context;
+    const plays = picture.animations.playing && this.mayMove; // in this order: a media query takes 0.2 µs
+    if (plays) picture.animations.step(now);
+    else picture.animations.rest();
+    if (plays) picture.invalidate();
     if (!this.turning) {
       this.#turntable.rest();
       return plays;
     }
     if (this.link?.turns(this) === false) this.#turntable.rest();
-    else if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
+    else if (this.#turntable.step(picture.orbit, now, values.autoRotate)) this.#moved('auto');
     return true;
   }
 
@@ -170,7 +170,7 @@ export class ViewerCamera implements ReactiveController {
     if (inView) this.#startMotion();
     else {
       this.#turntable.rest();
-      this.#context.viewport.animations.rest();
+      this.#context.picture.animations.rest();
     }
   }
 
@@ -190,27 +190,26 @@ export class ViewerCamera implements ReactiveController {
 
   /** Something moves by itself. */
   get moving(): boolean {
-    return this.turning || (this.mayMove && this.#context.viewport.animations.playing);
+    return this.turning || (this.mayMove && this.#context.picture.animations.playing);
   }
 
   readonly #startMotion = (): void => {
-    const { viewport } = this.#context;
-    if (this.moving) viewport.animate();
+    if (this.moving) this.#context.viewport.animate();
   };
 
   /** Fits at once. Unlike the viewport's own `settle` it reports no move: the caller does. */
   #fit(): void {
-    const { viewport } = this.#context;
-    viewport.fit.settle(viewport.fov);
+    const { picture } = this.#context;
+    picture.fit.settle();
   }
 
   /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
   #move(source: CameraSource, write: () => void, linked = false): void {
-    const { viewport } = this.#context;
-    const before = viewport.orbit.version;
+    const { picture } = this.#context;
+    const before = picture.orbit.version;
     write();
     this.#input?.reanchor();
-    if (viewport.orbit.version !== before) this.#changed(source, linked);
+    if (picture.orbit.version !== before) this.#changed(source, linked);
     if (!linked) this.link?.moved(this, source);
   }
 
@@ -220,24 +219,24 @@ export class ViewerCamera implements ReactiveController {
   }
 
   #changed(source: CameraSource, linked: boolean): void {
-    this.#context.viewport.invalidate();
+    this.#context.picture.invalidate();
     this.#context.signals.cameraMoved.emit({ source, linked });
   }
 
   #inputHost(surface: HTMLElement): OrbitInputHost {
-    const { viewport, values } = this.#context;
+    const { picture, values } = this.#context;
     const corners = new PictureCorners(surface);
     return {
-      orbit: viewport.orbit,
+      orbit: picture.orbit,
       size: () => corners.box,
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
-      fov: () => viewport.fov,
-      radiusLimits: () => zoomLimits(viewport.measure()),
+      fov: () => picture.fit.fov,
+      radiusLimits: () => zoomLimits(picture.measure()),
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.
-        viewport.framing = null;
+        picture.fit.framing = null;
         this.#moved(source);
       },
       reset: () => {

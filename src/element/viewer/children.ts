@@ -62,7 +62,7 @@ export class ViewerChildren implements ChildListener {
   }
 
   moved(): void {
-    this.#context.viewport.invalidate();
+    this.#context.picture.invalidate();
   }
 
   /** For the viewer's `connectedCallback`, after its shadow tree was made. */
@@ -133,7 +133,7 @@ export class ViewerChildren implements ChildListener {
     if (mesh === undefined) {
       mesh = new ElementMesh(element, this.#meshHost, this.#update);
       this.#shown.set(element, mesh);
-      this.#context.viewport.add(mesh);
+      this.#context.picture.add(mesh);
     }
     fieldsOf(element).store.listen(mesh.written);
     mesh.written();
@@ -150,13 +150,13 @@ export class ViewerChildren implements ChildListener {
     // Another viewer may have taken it over already and listens now.
     fieldsOf(element).store.unlisten(mesh.written);
     this.#shown.delete(element);
-    this.#context.viewport.remove(mesh);
+    this.#context.picture.remove(mesh);
   }
 
   #sortMeshes(meshes: readonly PhongMesh[]): void {
     if (sameList(meshes, this.#meshes)) return;
     this.#meshes = Object.freeze(meshes);
-    this.#context.viewport.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
+    this.#context.picture.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
     this.#context.signals.meshesChanged.emit();
   }
 

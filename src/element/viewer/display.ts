@@ -155,7 +155,7 @@ export class ViewerDisplay {
   }
 
   get #isEmpty(): boolean {
-    return !this.#loading.wanted && this.#context.viewport.scene.children.length === 0;
+    return !this.#loading.wanted && this.#context.picture.scene.children.length === 0;
   }
 }
 

@@ -1,7 +1,7 @@
 // The parts that most viewers do without: helpers, a legend, the probe, linked cameras. Each is a chunk that is fetched
 // with its first use, and removed again.
 import type { ReactiveController } from 'lit';
-import { lazyCode } from '../../model/lazy-code.js';
+import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer, CameraSource } from '../elements.js';
@@ -44,35 +44,30 @@ export interface Extra {
 
 interface Kind {
   readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
-  readonly load: () => Promise<(host: ExtraHost) => Extra>;
+  readonly load: () => Promise<{ readonly create: (host: ExtraHost) => Extra }>;
 }
 
 const KINDS: readonly Kind[] = [
   {
     wanted: ({ helpers }) => helpers.length > 0,
-    load: lazyCode(
-      () => import('../../overlay/helpers/helpers.js').then(({ createHelpers }) => createHelpers),
-      'helpers',
-    ),
+    load: lazyCode(() => import('../../overlay/helpers/helpers.js'), 'helpers'),
   },
   {
     wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
-    load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
+    load: lazyCode(() => import('../../overlay/legend/legend.js'), 'views'),
   },
   {
-    wanted: ({ probe }) => probe,
-    load: lazyCode(
-      () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
-      'the probe',
-    ),
+    wanted: ({ probe }) => probe !== false,
+    load: lazyCode(() => import('../../overlay/probe/probe.js'), 'the probe'),
+  },
+  {
+    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
+    load: lazyCode(() => import('../../overlay/probe/watch.js'), 'the probe'),
   },
   {
     wanted: ({ cameraGroup }, viewer) =>
       cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
-    load: lazyCode(
-      () => import('./camera-group.js').then(({ createMember }) => createMember),
-      'linked cameras',
-    ),
+    load: lazyCode(() => import('./camera-group.js'), 'linked cameras'),
   },
 ];
 
@@ -82,7 +77,8 @@ export class ViewerExtras implements ReactiveController {
   readonly #children: ViewerChildren;
   readonly #visibility: Visibility;
   readonly #names: ExtraHost['names'] = { placed: [] };
-  readonly #extras = new Map<Kind, Extra | 'loading'>();
+  /** Null while its code is being fetched. */
+  readonly #extras = new Map<Kind, Extra | null>();
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
@@ -97,10 +93,10 @@ export class ViewerExtras implements ReactiveController {
     this.#children = children;
     this.#visibility = visibility;
     signals.drawn.listen(() => {
-      for (const extra of this.#extras.values()) if (extra !== 'loading') extra.update();
+      for (const extra of this.#extras.values()) extra?.update();
     });
     signals.cameraMoved.listen(({ source }) => {
-      for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
+      for (const extra of this.#extras.values()) extra?.cameraMoved?.(source);
     });
   }
 
@@ -119,7 +115,7 @@ export class ViewerExtras implements ReactiveController {
   }
 
   hostDisconnected(): void {
-    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
+    for (const kind of this.#extras.keys()) this.#drop(kind);
   }
 
   /** The viewer's values have changed. */
@@ -128,7 +124,7 @@ export class ViewerExtras implements ReactiveController {
       const extra = this.#extras.get(kind);
       if (!kind.wanted(this.#context.values, this.#context.viewer)) this.#drop(kind);
       else if (extra === undefined) this.#wait(this.#fetch(kind));
-      else if (extra !== 'loading') extra.update();
+      else extra?.update();
     }
   }
 
@@ -139,9 +135,7 @@ export class ViewerExtras implements ReactiveController {
 
   /** What the extras show belongs to this picture, which was captured in this task. */
   async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
-    const extras = KINDS.map((kind) => this.#extras.get(kind)).filter(
-      (extra) => extra !== undefined && extra !== 'loading',
-    );
+    const extras = KINDS.flatMap((kind) => this.#extras.get(kind) ?? []);
     if (extras.length === 0) return;
     const { width, height } = picture;
     // Apart from the picture: the scene can change while some code is fetched.
@@ -161,21 +155,19 @@ export class ViewerExtras implements ReactiveController {
   #drop(kind: Kind): void {
     const extra = this.#extras.get(kind);
     this.#extras.delete(kind);
-    if (extra !== 'loading') extra?.dispose();
+    extra?.dispose();
   }
 
   async #fetch(kind: Kind): Promise<void> {
     const tree = this.#tree;
     if (tree === null) return;
-    this.#extras.set(kind, 'loading');
-    const create = await kind.load().catch((error: unknown) => {
-      console.warn(`<phong-viewer>: ${(error as Error).message}`);
-    });
-    if (this.#extras.get(kind) !== 'loading') return;
+    this.#extras.set(kind, null);
+    const code = await kind.load().catch(reportMissing);
+    if (this.#extras.get(kind) !== null) return;
     this.#extras.delete(kind);
-    if (create === undefined || !this.#context.viewer.isConnected) return;
+    if (code === undefined || !this.#context.viewer.isConnected) return;
     const { viewer, values, viewport } = this.#context;
-    const extra = create({
+    const extra = code.create({
       viewer,
       values,
       viewport,

@@ -84,9 +84,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.#events = events;
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
     sceneMeshes.set(viewer, this.ownMesh);
-    viewport.add(this.ownMesh);
-    viewport.awaited = () => !this.#hasDrawn && this.#meshes().some((mesh) => mesh.awaitsShape);
-    viewport.recover = (error, draw) => this.#recover(error, draw);
+    viewport.picture.add(this.ownMesh);
+    signals.awaited = () =>
+      !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
+    signals.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
       if (near) this.#neared();
@@ -95,15 +96,15 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   get materials(): SharedMaterials {
-    return this.#context.viewport.materials;
+    return this.#context.picture.materials;
   }
 
   get animations(): Animations {
-    return this.#context.viewport.animations;
+    return this.#context.picture.animations;
   }
 
   get budget(): Budget {
-    return this.#context.viewport.budget;
+    return this.#context.picture.budget;
   }
 
   get crossOrigin(): CrossOrigin {
@@ -115,11 +116,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   changed(): void {
-    this.#context.viewport.invalidate();
+    this.#context.picture.invalidate();
   }
 
   reshaped(): void {
-    this.#context.viewport.reshaped();
+    this.#context.picture.reshaped();
   }
 
   shown(mesh: SceneMesh): boolean {
@@ -210,13 +211,19 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** Something to show is declared. */
   get wanted(): boolean {
-    for (const mesh of this.#context.viewport.meshes) if (mesh.wanted) return true;
+    for (const mesh of this.#context.picture.meshes) if (mesh.wanted) return true;
     return false;
   }
 
   /** Something is there, whatever else failed. */
   get shows(): boolean {
     return this.#meshes().some(({ root }) => root !== null);
+  }
+
+  /** A picture would show nothing, but something is on its way. */
+  get #isEmpty(): boolean {
+    const { children, background } = this.#context.picture.scene;
+    return this.pending && children.length === 0 && background === null;
   }
 
   /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */
@@ -285,7 +292,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   #meshes(): SceneMesh[] {
-    return [...this.#context.viewport.meshes];
+    return [...this.#context.picture.meshes];
   }
 }
 

@@ -37,9 +37,7 @@ export const keysText = (viewer: PhongViewer, texts: ViewerTexts | null): string
   );
 
 const usable = ({ orbit, zoom }: PhongViewer, rotate: string, scale: string, reset: string): string =>
-  [orbit ? rotate : '', zoom ? scale : '', orbit || zoom ? reset : '']
-    .filter((part) => part !== '')
-    .join(' ');
+  [orbit && rotate, zoom && scale, (orbit || zoom) && reset].filter(Boolean).join(' ');
 
 /** The picture has a name, needs none, or is hidden from assistive technology. */
 export const isNamed = (viewer: PhongViewer): boolean =>

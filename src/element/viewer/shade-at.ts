@@ -6,8 +6,9 @@ import { add, map, type Vec3 } from '../../math/vector.js';
 import type { LightShare, Shaded } from '../../reference/index.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
-import { type Hit, pick } from '../../scene/snapshot/pick.js';
+import { type Hit, pick, pickNear } from '../../scene/snapshot/pick.js';
 import { type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
+import type { PhongMesh, PhongViewer } from '../elements.js';
 import type { FragmentExplanation, ShadeOptions } from '../explanation.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
 import { type Equation, relative, shadeHit } from './shade-hit.js';
@@ -23,7 +24,25 @@ export async function shadeAt(
 ): Promise<FragmentExplanation | null> {
   const column = pixel('x', x, width, scene?.width ?? 0, exact);
   const row = pixel('y', y, height, scene?.height ?? 0, exact);
-  const hit = scene === null ? null : pick(scene, column, row);
+  return explained(scene === null ? null : pick(scene, column, row), lights);
+}
+
+/** The same of a point in world space. */
+export async function explain(
+  { scene, lights }: ViewerSnapshot,
+  point: unknown,
+): Promise<FragmentExplanation | null> {
+  if (!Array.isArray(point) || point.length !== 3 || !point.every((x) => typeof x === 'number'))
+    throw new TypeError(`explain: expected a point of three numbers, got ${String(point)}`);
+  if (!point.every(Number.isFinite))
+    throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
+  return explained(scene === null ? null : pickNear(scene, point as unknown as Vec3), lights);
+}
+
+async function explained(
+  hit: Hit<PhongMesh | PhongViewer> | null,
+  lights: ViewerSnapshot['lights'],
+): Promise<FragmentExplanation | null> {
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
   const equation = await referenceCode();

@@ -4,6 +4,7 @@ import type { FieldStore } from '../../fields/field-store.js';
 import { Signal } from '../../fields/signal.js';
 import { LightSet } from '../../light/light-set.js';
 import type { LightState } from '../../light/light-state.js';
+import type { Picture } from '../../scene/picture.js';
 import { Viewport } from '../../scene/viewport.js';
 import { ViewportSignals } from '../../scene/viewport-signals.js';
 import type { CameraSource, PhongLight, PhongViewer } from '../elements.js';
@@ -60,13 +61,15 @@ export class ViewerContext {
   readonly signals = new ViewerSignals();
   readonly lightSet = new LightSet((light) => this.signals.lightChanged.emit(light));
   readonly viewport: Viewport;
+  readonly picture: Picture;
 
   /** `holder` will hold the canvas, and nothing else. */
   constructor(viewer: PhongViewer, store: FieldStore<ViewerValues>, holder: HTMLElement) {
     this.viewer = viewer;
     this.store = store;
-    const viewport = (this.viewport = new Viewport(holder, this.lightSet, this.signals));
-    this.signals.lightChanged.listen(() => viewport.invalidate());
+    this.viewport = new Viewport(holder, this.lightSet, this.signals);
+    const picture = (this.picture = this.viewport.picture);
+    this.signals.lightChanged.listen(() => picture.relit());
     this.signals.viewChanged.listen((view) => this.#follow(view));
   }
 
@@ -75,8 +78,7 @@ export class ViewerContext {
   }
 
   #follow({ pixelWidth, pixelHeight, painted, near, visible, printsAt }: ElementView): void {
-    const { width, height } = sizeOnPage({ width: pixelWidth, height: pixelHeight });
-    this.viewport.resize(width, height);
+    this.viewport.resize(sizeOnPage({ width: pixelWidth, height: pixelHeight }));
     this.viewport.visible = visible;
     this.viewport.near = this.values.loading === 'eager' ? painted : near;
     if (printsAt === null) return;

@@ -1,4 +1,5 @@
 // The control panel's life: its code is fetched on first use, it is notified of changes, and removed again.
+import { reportMissing } from '../../model/lazy-code.js';
 import type { PhongViewer } from '../elements.js';
 import type { ViewerContext } from './viewer-context.js';
 
@@ -33,9 +34,7 @@ export class ViewerPanel {
     if (wanted === false) return;
     if (loadPanel === null || place === null) return;
     if (this.#panel === null) place.setAttribute(OPEN_PANEL, AWAITED);
-    const code = await loadPanel().catch((error: unknown) => {
-      console.warn(`<phong-viewer gui>: ${(error as Error).message}`);
-    });
+    const code = await loadPanel().catch(reportMissing);
     if (this.#panel === null) place.removeAttribute(OPEN_PANEL);
     if (code === undefined) return;
     const root = this.#viewer.shadowRoot;

@@ -2,6 +2,7 @@
 // the scene changes meanwhile.
 import { lazyCode } from '../../model/lazy-code.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
+import type { Size } from '../../scene/gpu/atlas.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
@@ -43,15 +44,19 @@ export function viewerSnapshot(
   children: Pick<ViewerChildren, 'lightOf'>,
   size: { readonly width: number; readonly height: number },
 ): ViewerSnapshot {
-  const { holder } = viewport;
+  const { holder, picture, still } = viewport;
   // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own. Not all browsers have this
   // property.
   const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   return {
-    scene: holder.getClientRects().length > 0 ? viewport.snapshot((mesh) => elementOf(mesh) ?? viewer) : null,
+    // The triangles of the picture that is shown.
+    scene:
+      holder.getClientRects().length > 0
+        ? picture.snapshot(viewport, Math.max(still.samples, 1), (mesh) => elementOf(mesh) ?? viewer)
+        : null,
     width: size.width * zoom,
     height: size.height * zoom,
-    lights: viewport.lighting.lights.lights.map((state, index) => {
+    lights: picture.lighting.lights.lights.map((state, index) => {
       const light = children.lightOf(state);
       return { light, name: lightName(light, state, index, viewer.texts), values: { ...state.values } };
     }),
@@ -77,7 +82,7 @@ export async function blobOf(
 /** The picture at this size, by default the canvas's own; null for an invalid size. */
 function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
   const size = sizeOf(viewport, options);
-  return size && viewport.capture(...size, true);
+  return size && viewport.capture(size, true);
 }
 
 /** The same with `samples`. */
@@ -87,15 +92,15 @@ async function meanOf(viewport: Viewport, options: PictureOptions): Promise<HTML
   if (!isCount)
     throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
   const size = sizeOf(viewport, options);
-  return size && viewport.captureSamples(...size, samples);
+  return size && viewport.still.capture(size, samples);
 }
 
 const MOST_SAMPLES = 1024;
 
-function sizeOf(viewport: Viewport, options: PictureOptions): [number, number] | null {
+function sizeOf(viewport: Viewport, options: PictureOptions): Size | null {
   const width = options.width ?? Math.max(viewport.width, 1);
   const height = options.height ?? Math.max(viewport.height, 1);
-  return [width, height].every((side) => Number.isInteger(side) && side >= 1) ? [width, height] : null;
+  return [width, height].every((side) => Number.isInteger(side) && side >= 1) ? { width, height } : null;
 }
 
 /** Code that the snapshots are for. */

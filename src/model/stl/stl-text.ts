@@ -22,6 +22,9 @@ export async function readStlText(
   return reader.finish();
 }
 
+/** Lower case: s, e, f, v. */
+const KEYWORD_STARTS = [115, 101, 102, 118];
+
 class StlTextReader {
   readonly #scanner: TextScanner;
   readonly #leftOut: LeftOut;
@@ -49,7 +52,9 @@ class StlTextReader {
     const scanner = this.#scanner;
     if (!scanner.nextWord()) return false;
     const { at } = scanner;
-    switch (scanner.word(16).toLowerCase()) {
+    // The others are skipped unread: `normal` and its numbers, `outer`, `loop`.
+    const isKeyword = KEYWORD_STARTS.includes(scanner.peek() | 32);
+    switch (scanner.word(isKeyword ? 16 : 0).toLowerCase()) {
       case 'solid':
         this.#endFacet(at);
         this.#endSolid();

@@ -24,6 +24,9 @@ const NUMBER_LENGTH = 400;
 /** Most bytes that one call skips, so that no line, token or gap makes a long task. */
 const PIECE = 2 ** 14;
 
+/** Bytes of a word that is not worth a call of the decoder. */
+const SHORT = 32;
+
 /** What the next call goes on to skip, because it is longer than {@link PIECE}. */
 type Pending = 'nothing' | 'line' | 'blanks';
 
@@ -250,7 +253,9 @@ export class TextScanner {
 
   /** From `start` to the next byte, a character for each byte. */
   latin1From(start: number, most: number): string {
-    return latin1.decode(this.#bytes.subarray(start, Math.min(this.at, start + most)));
+    const bytes = this.#bytes.subarray(start, Math.min(this.at, start + most));
+    // A call of the decoder takes as long as reading ten numbers.
+    return bytes.length > SHORT ? latin1.decode(bytes) : String.fromCharCode.apply(null, bytes as never);
   }
 
   #slowNumber(): number {

@@ -11,6 +11,8 @@ import { faceVector, type FaceVector } from './triangulate.js';
  * keep their edges (an icosahedron's faces meet at 41.8°), and cylinders of ten sides or more (36°) are round.
  */
 const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
+/** Faces that are less than half of that from their mean are all smoothed together. A little less, for rounding. */
+const HALF_CREASE_COSINE = Math.cos((19.9 * Math.PI) / 180);
 
 /** Most corners at a vertex that are compared in pairs. With more, each triangle has its own normal there. */
 const FAN_LIMIT = 256;
@@ -76,12 +78,28 @@ class Fan {
   write(corners: Uint32Array, lists: CornerLists, smoothed: boolean): void {
     const first = lists.normals.length / 3;
     const sum = this.#sum;
+    let isOne = false;
     for (let i = 0; i < corners.length; i += 1) {
-      if (smoothed) this.#smooth(i, corners.length);
-      else this.#takeOwn(i);
-      lists.pushNormal(sum.x, sum.y, sum.z);
-      lists.cornerNormals.array[corners[i] ?? 0] = mergedWithLast(lists, first);
+      if (!isOne) {
+        if (smoothed) this.#smooth(i, corners.length);
+        else this.#takeOwn(i);
+        lists.pushNormal(sum.x, sum.y, sum.z);
+      }
+      lists.cornerNormals.array[corners[i] ?? 0] = isOne ? first : mergedWithLast(lists, first);
+      if (i === 0) isOne = smoothed && this.#areOne(corners.length);
     }
+  }
+
+  /** Whether the sum is that of all faces, for each of them: so it is around most vertices. */
+  #areOne(count: number): boolean {
+    const { x, y, z } = this.#sum;
+    const least = HALF_CREASE_COSINE * Math.sqrt(x * x + y * y + z * z);
+    const group = this.#groups[0] ?? FACETED;
+    for (let i = 0; i < count; i += 1) {
+      const along = x * (this.#x[i] ?? 0) + y * (this.#y[i] ?? 0) + z * (this.#z[i] ?? 0);
+      if (!(along >= least) || this.#groups[i] !== group || group === FACETED) return false;
+    }
+    return least > 0;
   }
 
   #smooth(i: number, count: number): void {

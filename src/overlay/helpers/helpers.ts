@@ -15,7 +15,8 @@ import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './placed-light.js';
 import { SceneHelpers } from './scene-helpers.js';
 
-export const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
+const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
+export { createHelpers as create };
 
 /** The ball of a scene that shows nothing, as its camera assumes. */
 const EMPTY: SceneBall = { center: [0, 0, 0], radius: 1 };
@@ -99,12 +100,12 @@ class Helpers implements Extra {
 
   /** The projection of the picture as it is now; the same object while that stays. Null without a picture. */
   #look(): Projection | null {
-    const { viewport } = this.#host;
     const size = this.#host.size();
     if (!(size.width > 0 && size.height > 0)) return null;
-    const { fov, orbit, width, height } = viewport;
-    const bounds = viewport.measure();
-    const seen = [bounds, fov, orbit.pose, width, height, size.width, size.height];
+    const { width, height, picture } = this.#host.viewport;
+    const { orbit, fit } = picture;
+    const bounds = picture.measure();
+    const seen = [bounds, fit.fov, orbit.pose, width, height, size.width, size.height];
     if (this.#view === null || seen.some((value, i) => value !== this.#seen[i])) {
       this.#seen = seen;
       this.#scene = ballOf(this.#host);
@@ -118,13 +119,13 @@ class Helpers implements Extra {
     { width, height }: { readonly width: number; readonly height: number },
     aspect = width / height,
   ): Projection {
-    const { fov, orbit } = this.#host.viewport;
-    return new Projection({ pose: orbit.pose, fov, width, height, aspect });
+    const { orbit, fit } = this.#host.viewport.picture;
+    return new Projection({ pose: orbit.pose, fov: fit.fov, width, height, aspect });
   }
 }
 
 function ballOf({ viewport }: ExtraHost): SceneBall {
-  const bounds = viewport.measure();
+  const bounds = viewport.picture.measure();
   if (bounds === null) return EMPTY;
   return { center: bounds.center, radius: bounds.radius > 0 ? bounds.radius : EMPTY.radius };
 }

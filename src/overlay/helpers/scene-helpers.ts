@@ -34,7 +34,7 @@ export class SceneHelpers {
       this.hide();
       return NO_DRAWING;
     }
-    const meshes = meshesIn(this.#host.viewport.scene);
+    const meshes = meshesIn(this.#host.viewport.picture.scene);
     const seen = [view, scene, helpers, ...meshes.flatMap(stateOf)];
     const changed = seen.length !== this.#seen.length || seen.some((value, i) => value !== this.#seen[i]);
     if (!changed && !this.#hidingChanged) return this.#drawing;
@@ -48,7 +48,7 @@ export class SceneHelpers {
 
   /** The same for another size. */
   drawingAt(view: Projection, scene: SceneBall, helpers: readonly Helper[]): Drawing {
-    return this.#drawingOf(view, scene, helpers, meshesIn(this.#host.viewport.scene), new Map());
+    return this.#drawingOf(view, scene, helpers, meshesIn(this.#host.viewport.picture.scene), new Map());
   }
 
   hide(): void {

@@ -13,12 +13,12 @@ function namedIndex({ values, viewport, children, viewer }: ExtraHost): number {
   // Lights without a name have an English one, and one by the page's texts.
   const isNamed = (state: LightState, i: number): boolean =>
     [null, viewer.texts].some((texts) => lightName(children.lightOf(state), state, i, texts) === viewLight);
-  return viewLight === '' ? -1 : viewport.lighting.lights.lights.findIndex(isNamed);
+  return viewLight === '' ? -1 : viewport.picture.lighting.lights.lights.findIndex(isNamed);
 }
 
 /** Indices of the viewer's lights. None if `view-light` names no light: the view is black. */
 function chosenIndices(host: ExtraHost): number[] {
-  const { lights } = host.viewport.lighting.lights;
+  const { lights } = host.viewport.picture.lighting.lights;
   const { view, viewLight } = host.values;
   const named = namedIndex(host);
   if (viewLight !== '') return named < 0 ? [] : [named];
@@ -29,14 +29,14 @@ function chosenIndices(host: ExtraHost): number[] {
 
 /** The values of the lights that the view is limited to. */
 export const chosenLights = (host: ExtraHost): Readonly<LightValues>[] =>
-  chosenIndices(host).map((i) => host.viewport.lighting.lights.values[i]!);
+  chosenIndices(host).map((i) => host.viewport.picture.lighting.lights.values[i]!);
 
 /** The line under a legend's title; empty where no light has a part in the view. */
 export function lightsText(host: ExtraHost): string {
   const { values, viewport, children, viewer } = host;
   const entry = viewEntry(values.view);
   if (entry.lights === 'none') return '';
-  const { lights } = viewport.lighting.lights;
+  const { lights } = viewport.picture.lighting.lights;
   const chosen = chosenIndices(host);
   const [index] = chosen;
   const { viewLight } = values;
@@ -57,7 +57,7 @@ const MOST_LISTED = 10;
 export function unknownLightText(host: ExtraHost): string | null {
   const { values, viewport, children } = host;
   if (values.viewLight === '' || namedIndex(host) >= 0) return null;
-  const { lights } = viewport.lighting.lights;
+  const { lights } = viewport.picture.lighting.lights;
   const names = lights
     .slice(0, MOST_LISTED)
     .map((state, i) => JSON.stringify(lightName(children.lightOf(state), state, i)));

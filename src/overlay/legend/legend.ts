@@ -13,7 +13,7 @@ import { type Bar, barsOf, titleOf } from './view-scale.js';
 /** Their pictures can be all white or all black, as the page behind them can. */
 const OUTLINED: readonly View[] = ['n-dot-l', 'attenuation', 'decay'];
 
-export const showView = (host: ExtraHost): Extra => new ViewExtra(host);
+export const create = (host: ExtraHost): Extra => new ViewExtra(host);
 
 class ViewExtra implements Extra {
   readonly #host: ExtraHost;
@@ -38,8 +38,8 @@ class ViewExtra implements Extra {
     const shown = `${values.view} ${values.viewLight}`;
     if (shown !== this.#shown) {
       this.#shown = shown;
-      viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
-      viewport.style = { ...viewport.style }; // materials and geometries follow
+      viewport.picture.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
+      viewport.picture.style = { ...viewport.picture.style }; // materials and geometries follow
       viewport.holder.classList.toggle('outlined', OUTLINED.includes(values.view));
     }
     this.#updateLegend();
@@ -63,8 +63,8 @@ class ViewExtra implements Extra {
     this.#legend.place.remove();
     viewport.holder.classList.remove('outlined');
     removeStyles(this.#root, styles);
-    viewport.lighting.view = null;
-    viewport.style = { ...viewport.style };
+    viewport.picture.lighting.view = null;
+    viewport.picture.style = { ...viewport.picture.style };
   }
 
   #updateLegend(): void {

@@ -8,9 +8,12 @@ import type { FragmentExplanation } from '../../element/explanation.js';
 import type { Box } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
+import type { AnswerDetail } from '../../element/events.js';
+import type { Equation } from './equations.js';
 import { columnsOf, MOST_LEFT, NO_AMBIENT, type TableShape } from './columns.js';
 import { type Sum, type SumRow, tripleText } from './sum.js';
 import { type Chosen, STEPS, SumTable } from './sum-table.js';
+import { Tutor } from './tutor.js';
 import { FILTERED, GOURAUD, stepsText, UNLIT } from './words.js';
 
 /** A fragment with its sum. */
@@ -21,6 +24,10 @@ export interface BoxContent {
   readonly row: SumRow | null;
   readonly halfway: boolean;
   readonly gouraud: boolean;
+  /** They replace the table. */
+  readonly equations: readonly Equation[] | null;
+  /** Their results are questions. */
+  readonly asks: boolean;
 }
 
 /** What the box shows. */
@@ -60,6 +67,7 @@ export class ProbeBox {
   /** Holds the box, in the free part of the picture. */
   readonly place = create('div', { class: 'probe-place' });
   readonly #table: SumTable;
+  readonly #tutor: Tutor;
   readonly #room: Room;
   readonly #release: () => void;
   /** The point is in the half where text begins, and in the upper half. */
@@ -67,7 +75,8 @@ export class ProbeBox {
   #isAbove = true;
 
   /** `changed`: another light was chosen. `release`: the button that takes the pin away was pressed. */
-  constructor(room: Room, changed: () => void, release: () => void) {
+  constructor(room: Room, changed: () => void, release: () => void, report: (detail: AnswerDetail) => void) {
+    this.#tutor = new Tutor(changed, report);
     this.#room = room;
     this.#release = release;
     this.#table = new SumTable(changed);
@@ -105,7 +114,7 @@ export class ProbeBox {
     const isWide = box.right - box.left >= WIDE;
     const { content } = state;
     const bare: Form = { isColumn: isWide, shape: null, lights: 0, note: true, steps: true };
-    if (content === null || typeof content === 'string') {
+    if (content === null || typeof content === 'string' || content.equations !== null) {
       this.#render(state, bare);
       return;
     }
@@ -174,7 +183,9 @@ export class ProbeBox {
       ...(isColumn
         ? { column: true, end: this.#isAtStart }
         : { strip: true, low: this.#isAbove, high: !this.#isAbove }),
-      alone: !isEmpty && shape === null,
+      tutor: !isEmpty && content.equations !== null,
+      asks: !isEmpty && content.asks,
+      alone: !isEmpty && content.equations === null && shape === null,
       stacked: shape?.stacked === true,
       fine: shape?.digits === 1,
       'no-note': !note,
@@ -206,7 +217,13 @@ export class ProbeBox {
         ></button>
       </p>
       <p class="note" dir="auto" .textContent=${isEmpty ? (content ?? '') : noteOf(content, texts)}></p>
-      ${isEmpty || shape === null ? noChange : this.#sumTemplate(content, texts, shape, form.lights)}
+      ${
+        !isEmpty && content.equations !== null
+          ? this.#tutor.template(content.equations, content.asks, texts)
+          : isEmpty || shape === null
+            ? noChange
+            : this.#sumTemplate(content, texts, shape, form.lights)
+      }
     </div>`;
   }
 

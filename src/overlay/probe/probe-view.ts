@@ -13,6 +13,7 @@ import { type Point, Projection, type Sight } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import { drawingOf, markOf, type Surroundings } from './drawing.js';
+import { equationsOf } from './equations.js';
 import { figureOf, trianglePlaces } from './figure.js';
 import { type BoxContent, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
@@ -57,7 +58,12 @@ export class ProbeView {
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
     this.#room = new Room(host.tree, () => this.#show());
-    this.#box = new ProbeBox(this.#room, () => this.#show(), release);
+    this.#box = new ProbeBox(
+      this.#room,
+      () => this.#show(),
+      release,
+      (detail) => host.viewer.dispatchEvent(new CustomEvent('answer', { detail })),
+    );
     addStyles(host.viewer.shadowRoot!, styles);
     host.tree.room.before(this.root);
     host.tree.free.append(this.place);
@@ -125,6 +131,8 @@ export class ProbeView {
   announce(): void {
     if (this.#shown === null) return;
     const { fragment, message } = this.#shown;
+    // It would tell the answers.
+    if (fragment !== null && this.#host.values.probe === 'ask') return;
     this.#announcer.say(
       fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)),
     );
@@ -152,8 +160,8 @@ export class ProbeView {
   }
 
   #projectionTo(size: Pick<Sight, 'width' | 'height' | 'aspect'>): Projection {
-    const { orbit, fov } = this.#host.viewport;
-    return new Projection({ pose: orbit.pose, fov, ...size });
+    const { orbit, fit } = this.#host.viewport.picture;
+    return new Projection({ pose: orbit.pose, fov: fit.fov, ...size });
   }
 
   #sumOf(fragment: FragmentExplanation): Sum {
@@ -208,7 +216,18 @@ export class ProbeView {
   #contentOf(fragment: FragmentExplanation): BoxContent {
     const sum = this.#sumOf(fragment);
     const halfway = this.#isHalfway(fragment);
-    return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud: this.#isGouraud(fragment) };
+    const gouraud = this.#isGouraud(fragment);
+    return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud, ...this.#lessonOf(fragment, halfway) };
+  }
+
+  /** Corners' terms and unlit surfaces have no equation at the point: the table shows them. */
+  #lessonOf(fragment: FragmentExplanation, halfway: boolean): Pick<BoxContent, 'equations' | 'asks'> {
+    const { probe, colorInterpolation, terms } = this.#host.values;
+    if (typeof probe === 'boolean' || fragment.unlit || this.#isGouraud(fragment))
+      return { equations: null, asks: false };
+    const lights = this.#host.snapshot().lights.map(({ values }) => values);
+    const options = { lights, linear: colorInterpolation === 'linear', halfway, terms };
+    return { equations: equationsOf(fragment, options, this.#texts), asks: probe === 'ask' };
   }
 
   /** The arrows at `at`, with labels in the space. */

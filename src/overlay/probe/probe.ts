@@ -19,7 +19,7 @@ import { HIDDEN, NOTHING, OUTSIDE } from './words.js';
  */
 const IN_FRONT = 0.005;
 
-export const createProbe = (host: ExtraHost): Extra => new Probe(host);
+export const create = (host: ExtraHost): Extra => new Probe(host);
 
 class Probe implements Extra, ProbeInputHost {
   readonly #host: ExtraHost;
@@ -71,7 +71,7 @@ class Probe implements Extra, ProbeInputHost {
     this.#listening.abort();
     this.#cancel();
     // Like the camera, the pin stays with a viewer that leaves the page.
-    if (!this.#host.values.probe) viewerPins.delete(this.#host.viewer);
+    if (this.#host.values.probe === false) viewerPins.delete(this.#host.viewer);
     this.#view.dispose();
   }
 
@@ -212,7 +212,7 @@ class Probe implements Extra, ProbeInputHost {
   async #ofPoint(point: Vec3): Promise<ProbedPoint | null> {
     const { viewer, viewport } = this.#host;
     // As shadeAt does: an `auto` camera may not have followed the scene yet.
-    viewport.settle();
+    viewport.picture.settle();
     const { projection } = this.#view;
     const at = projection.point(point);
     const without = (text: keyof ViewerTexts): ProbedPoint => ({

@@ -127,10 +127,10 @@ function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number):
 }
 
 /** The fewest decimals, from `least` to nine, that make a statement of rounded numbers true. */
-function decimals(least: number, isTrue: (digits: number) => boolean): number {
+export function decimals(least: number, isTrue: (digits: number) => boolean): number {
   let digits = least;
   while (digits < 9 && !isTrue(digits)) digits += 1;
   return digits;
 }
 
-const rounded = (x: number, digits: number): number => Number(x.toFixed(digits));
+export const rounded = (x: number, digits: number): number => Number(x.toFixed(digits));

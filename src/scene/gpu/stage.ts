@@ -107,14 +107,15 @@ class Stage {
   /**
    * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page. The
    * first call opens the context. False: nothing is drawn, because there is no context. All clients are notified of
-   * that, and again when drawing is possible.
+   * that, and again when drawing is possible. Without `render` the context is opened, and that is all.
    */
-  draw(client: StageClient, render: (renderer: WebGLRenderer) => void): boolean {
+  draw(client: StageClient, render?: (renderer: WebGLRenderer) => void): boolean {
     try {
       // The canvas stays in its own document: a picture in a popup is a copy too.
       const alone = this.#clients.size === 1 && client.holder.ownerDocument === document;
       const renderer = this.#context.open(alone ? client : this.#layOut(client).atlas);
       if (renderer === null) return false;
+      if (render === undefined) return true;
       this.#count();
       if (alone) this.#drawAlone(client, renderer, render);
       else this.#drawPlace(client, renderer, render);

@@ -3,7 +3,8 @@
 // same triangles.
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
-import type { View } from '../view-cut.js';
+import type { Frame } from '../frame.js';
+import type { View } from '../frustum-clip.js';
 import type { Budget } from '../../model/budget.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
@@ -33,43 +34,19 @@ const FREE_PER_PIXEL = 8;
 export interface SharedLevels {
   /** One of them shows a round shape by its fixed number of segments, so all do. */
   readonly isFixed: boolean;
-  /** That may have changed. */
-  reshaded(): void;
 }
-
-/** What a choice follows from, beside the meshes. */
-type Condition = 'camera' | 'moves' | 'slopeX' | 'slopeY' | 'height' | 'room' | 'isFixed' | 'sampled';
 
 export class Levels {
   readonly #meshes: ReadonlySet<SceneMesh>;
   readonly #budget: Budget;
   readonly #materials: SharedMaterials;
-  #shared: SharedLevels | null = null;
-  /** As {@link shared} was last told. */
-  #wasFixed = false;
-  #stale = true;
-  /** What the last choice was made for. */
-  readonly #chosenFor: Partial<Record<Condition, number | boolean>> = {};
+  /** Chooses together with other pictures; null: alone. */
+  shared: SharedLevels | null = null;
 
   constructor(meshes: ReadonlySet<SceneMesh>, budget: Budget, materials: SharedMaterials) {
     this.#meshes = meshes;
     this.#budget = budget;
     this.#materials = materials;
-  }
-
-  /** Chooses together with other pictures; null, the default: alone. */
-  set shared(shared: SharedLevels | null) {
-    this.#shared = shared;
-    this.#wasFixed = this.isFixed;
-    this.#stale = true;
-  }
-
-  /** A mesh, the shading, or what this picture is shared with has changed. */
-  changed(): void {
-    this.#stale = true;
-    if (this.#shared === null || this.isFixed === this.#wasFixed) return;
-    this.#wasFixed = !this.#wasFixed;
-    this.#shared.reshaded();
   }
 
   /** The number of segments of round shapes is part of this picture: Gouraud or flat shading shows it. */
@@ -80,23 +57,12 @@ export class Levels {
   }
 
   /**
-   * Chooses for a picture of `height` device pixels, and builds and shows what is chosen. `sampled`: for the samples of
-   * a still picture. `camera` and `moves`: the versions of the camera and of the meshes' places; for other changes see
-   * {@link changed}. World matrices must be up to date.
+   * Chooses for a picture of so many device pixels, and builds and shows what is chosen. With more than one sample it is
+   * one of a still picture's. World matrices must be up to date.
    */
-  choose(view: View, height: number, sampled: boolean, camera: number, moves: number): void {
-    const room = this.#budget.limit - this.#budget.used;
-    const isFixed = this.#shared?.isFixed ?? false;
-    this.#compare('camera', camera);
-    this.#compare('moves', moves);
-    this.#compare('slopeX', view.slopeX);
-    this.#compare('slopeY', view.slopeY);
-    this.#compare('height', height);
-    this.#compare('room', room);
-    this.#compare('isFixed', isFixed);
-    this.#compare('sampled', sampled);
-    if (!this.#stale) return;
-    this.#stale = false;
+  choose({ view, height, samples }: Pick<Frame, 'view' | 'height' | 'samples'>): void {
+    const isFixed = this.shared?.isFixed ?? false;
+    const sampled = samples > 1;
     let count = 0;
     for (const { auto } of this.#meshes) if (isRound(auto)) count += 1;
     for (const mesh of this.#meshes) {
@@ -129,12 +95,6 @@ export class Levels {
     const room = this.#budget.limit - this.#budget.used + trianglesOf(name, undefined);
     const isLarge = isLargeFor(view, name, parts[0]!.mesh.matrixWorld.elements);
     return isLarge && trianglesOf(name, LARGE_SEGMENTS) <= room ? LARGE_SEGMENTS : FIXED;
-  }
-
-  /** In place: every frame, and every sample of a still picture, comes by. */
-  #compare(condition: Condition, value: number | boolean): void {
-    this.#stale ||= value !== this.#chosenFor[condition];
-    this.#chosenFor[condition] = value;
   }
 }
 

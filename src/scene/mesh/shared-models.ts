@@ -1,10 +1,9 @@
 // The models that meshes show now. Equal sources are one download and one content for the whole page, as built-in shapes
 // are; users are counted. A model that moves gets matrices and moving vertices of its own for each mesh.
 import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
-import { lazyCode } from '../../model/lazy-code.js';
 import type { LoadOptions } from '../../model/model-content.js';
 import type { Content } from '../../model/model.js';
-import { type CrossOrigin, gltfCode, isDataUri, isNamedGltf, requestFile } from '../../model/request-file.js';
+import { type CrossOrigin, isDataUri, modelCode, requestModelFile } from '../../model/request-file.js';
 
 interface ModelName {
   /** A file's address is not fetched: it is for messages. */
@@ -141,15 +140,10 @@ class SharedModel {
   }
 }
 
-/** The code that reads models. */
-export const modelCode = /* @__PURE__ */ lazyCode(() => import('../../model/model-content.js'), 'models');
-
 /**
  * A model from its address or a file. A file is requested at once; the code that reads models comes with the first one.
  */
 async function requestModel(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
-  const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
-  // Its failure is reported when the file is read.
-  if (request !== null && isNamedGltf(url.pathname)) gltfCode().catch(() => undefined);
+  const request = file !== null || isDataUri(url.href) ? null : requestModelFile(url, options);
   return (await modelCode()).modelContent(url, options, file ?? request);
 }

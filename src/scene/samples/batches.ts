@@ -2,9 +2,9 @@
 // never wait longer for them. One batch is drawn after the other: a small one ends long before the next animation frame.
 import type { WebGLRenderer } from 'three';
 import type { Region } from '../gpu/stage.js';
+import type { Picture } from '../picture.js';
 import { shifted } from './pixel-offsets.js';
 import type { SampleSum } from './sample-sum.js';
-import type { PaintPart } from './sampled-capture.js';
 
 const BATCH_MS = 8;
 
@@ -20,7 +20,7 @@ const IN_TIME = 8;
 export class Batches {
   readonly #gl: WebGL2RenderingContext;
   readonly #next: (() => void) | undefined;
-  #size = 1;
+  #size: number;
   /** Larger batches took too long lately. */
   #most = Infinity;
   /** Batches in time since the last late one. */
@@ -31,9 +31,10 @@ export class Batches {
   /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
   #quick: boolean | null = null;
 
-  /** `next`: a batch has ended within 8 ms; another one may be sent. */
-  constructor(gl: WebGL2RenderingContext, next?: () => void) {
+  /** `size`: samples of the first batch. `next`: a batch has ended within 8 ms; another one may be sent. */
+  constructor(gl: WebGL2RenderingContext, size: number, next?: () => void) {
     this.#gl = gl;
+    this.#size = size;
     this.#next = next;
   }
 
@@ -116,18 +117,18 @@ export class Batches {
   }
 }
 
-/** Adds a batch to `sum`, which is that of `tile` and gets so many `samples`. */
+/** Adds a batch of the frame that `picture` has made to `sum`, which is that of `tile` and gets so many `samples`. */
 export function sendBatch(
   batches: Batches,
   sum: SampleSum,
   samples: number,
   tile: Region,
   renderer: WebGLRenderer,
-  paint: PaintPart,
+  picture: Pick<Picture, 'draw'>,
 ): void {
   batches.send(samples - sum.count, () => {
     sum.add(() => {
-      paint(renderer, shifted(tile, sum.count), samples);
+      picture.draw(renderer, shifted(tile, sum.count));
     });
   });
 }

@@ -3,6 +3,7 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { type Region, stage } from '../gpu/stage.js';
+import type { Picture } from '../picture.js';
 import { Batches, sendBatch } from './batches.js';
 import { copyPart, fromBelow } from './picture-copy.js';
 import type { Captured } from './sampled-capture.js';
@@ -15,6 +16,7 @@ export { captureSamples } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size, Captured {
+  readonly picture: Pick<Picture, 'version' | 'invalidate' | 'make' | 'draw'>;
   /** In view. */
   readonly visible: boolean;
   /** Shows the kept picture. `last`: it has all samples. */
@@ -25,6 +27,9 @@ export interface Sampled extends Size, Captured {
 
 /** Animation frames without a change before the first sample: a slow drag has frames in which nothing moves. */
 const STILL_FRAMES = 3;
+
+/** One such frame is enough after a change that comes so long after the last standstill began. */
+const LONE_MS = 200;
 
 /** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
 const FIRST_SHOWN = 16;
@@ -42,6 +47,11 @@ export class ConvergingPicture {
   #samples = 0;
   #picture: WebGLRenderTarget | null = null;
   #stillFrames = 0;
+  /** When the last standstill began, and whether changes have followed it as those of a drag do. */
+  #stood = -Infinity;
+  #dragged = false;
+  /** Samples of the first batch: half as many as the last run ended with. */
+  #pace = 1;
   #run: Run | null = null;
   /** Not possible on this GPU, or not with this scene. */
   #failed = false;
@@ -69,8 +79,9 @@ export class ConvergingPicture {
   /** Call in an animation frame without a change. True: call again in the next one. */
   step(): boolean {
     if (!this.pending) return false;
+    if (this.#stillFrames === 0) this.#stood = performance.now();
     this.#stillFrames += 1;
-    if (this.#stillFrames <= STILL_FRAMES) return true;
+    if (this.#stillFrames <= (this.#dragged ? STILL_FRAMES : 1)) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
     this.#aside(this.#draw);
@@ -92,6 +103,7 @@ export class ConvergingPicture {
 
   /** The scene, the camera or the size has changed. */
   reset(): void {
+    if (this.#stillFrames > 0) this.#dragged = performance.now() - this.#stood < LONE_MS;
     this.#stillFrames = 0;
     this.#samples = 0;
     this.#failed = false;
@@ -175,7 +187,7 @@ export class ConvergingPicture {
     const tiles = tilesOf({ width, height }, MOST_SUMMED);
     const sum = sumOf(renderer);
     if (!sum.begin(tiles[0]!)) return null;
-    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, this.#goOn);
+    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, this.#pace, this.#goOn);
     return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };
   }
 
@@ -183,7 +195,9 @@ export class ConvergingPicture {
   #advance(renderer: WebGLRenderer, run: Run): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
-    sendBatch(batches, sum, this.#wanted, tile, renderer, this.#subject.sampler(this.#subject, false));
+    const { picture } = this.#subject;
+    picture.make(this.#subject, this.#wanted); // a frame of another size may have been drawn since
+    sendBatch(batches, sum, this.#wanted, tile, renderer, picture);
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = isLast || (tiles.length === 1 && sum.count >= run.nextShown);
@@ -195,7 +209,9 @@ export class ConvergingPicture {
     if (!shows) return;
     run.nextShown = sum.count * SHOWN_AGAIN;
     this.#samples = Math.max(this.#samples, sum.count);
-    if (isLast) this.pause();
+    if (!isLast) return;
+    this.#pace = Math.max(1, batches.size >> 1);
+    this.pause();
   }
 
   #fail(): void {

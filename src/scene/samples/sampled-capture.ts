@@ -5,6 +5,7 @@ import type { Size } from '../gpu/atlas.js';
 import { newTarget } from '../gpu/capture-target.js';
 import { SAFE_SIDE } from '../gpu/context.js';
 import { contextLost, type Region, stage } from '../gpu/stage.js';
+import type { Picture } from '../picture.js';
 import { Batches, sendBatch } from './batches.js';
 import { copyPart } from './picture-copy.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
@@ -16,19 +17,12 @@ const PAUSE = 4;
 /** Times that a capture begins again because its scene has changed. The last time it is drawn in one task. */
 const RESTARTS = 4;
 
-/**
- * Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. `samples`: so
- * many such pictures are averaged.
- */
-export type PaintPart = (renderer: WebGLRenderer, part: Region, samples: number) => void;
-
 export interface Captured {
-  /** Counts the changes of its scene. */
-  readonly changes: number;
+  readonly picture: Pick<Picture, 'version' | 'make' | 'draw'>;
   /** False: nothing keeps the context open from one task to the next. */
   readonly attached: boolean;
-  /** Returns what draws samples of the scene as it is now, all of them in this task. `begin`: they are the first. */
-  sampler(size: Size, begin: boolean): PaintPart;
+  /** Gives back what the GPU holds, at the end of the task, unless it is attached. */
+  releaseUnlessAttached(): void;
 }
 
 /** The page's last capture. One is drawn after the other: only the first has float buffers. */
@@ -43,11 +37,12 @@ export function captureSamples(subject: Captured, size: Size, samples: number): 
 
 async function draw(subject: Captured, size: Size, samples: number): Promise<HTMLCanvasElement> {
   for (let restarts = 0; ; restarts++) {
-    const { changes } = subject;
+    const { version } = subject.picture;
     const atOnce = restarts === RESTARTS || !subject.attached;
-    const batches = drawBatches(subject, size, samples, atOnce);
+    const batches = drawBatches(subject.picture, size, samples, atOnce);
+    subject.releaseUnlessAttached();
     try {
-      while (atOnce || subject.changes === changes) {
+      while (atOnce || subject.picture.version === version) {
         const { done, value } = batches.next();
         if (done === true) return value;
         if (!atOnce) await new Promise((resolve) => setTimeout(resolve, PAUSE));
@@ -60,7 +55,7 @@ async function draw(subject: Captured, size: Size, samples: number): Promise<HTM
 
 /** Stops after each batch, unless `atOnce`. */
 function* drawBatches(
-  subject: Captured,
+  picture: Captured['picture'],
   size: Size,
   samples: number,
   atOnce: boolean,
@@ -68,58 +63,54 @@ function* drawBatches(
   const { width, height } = size;
   const target = newTarget(width, height);
   if (target === null) throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
-  let begin = true;
-  const sampler = (): PaintPart => {
-    const paint = subject.sampler(size, begin);
-    begin = false;
-    return paint;
-  };
   for (const tile of tilesOf(size, MOST_SUMMED, SAFE_SIDE)) {
-    const piece = yield* drawTile(tile, samples, sampler, atOnce);
+    const piece = yield* drawTile(picture, size, tile, samples, atOnce);
     target.drawImage(piece, tile.x, tile.y);
   }
   return target.canvas;
 }
 
 function* drawTile(
+  picture: Captured['picture'],
+  size: Size,
   tile: Region,
   samples: number,
-  sampler: () => PaintPart,
   atOnce: boolean,
 ): Generator<void, HTMLCanvasElement> {
   const plain = (): HTMLCanvasElement => {
-    const paint = sampler();
+    picture.make(size, 1);
     return stage.capture(tile, (renderer, { x, y, width, height }) => {
-      paint(renderer, { x: tile.x + x, y: tile.y + y, width, height }, 1);
+      picture.draw(renderer, { x: tile.x + x, y: tile.y + y, width, height });
     });
   };
   let sum: SampleSum | null = null;
   let batches: Batches | null = null;
-  let picture: WebGLRenderTarget | null = null;
+  let into: WebGLRenderTarget | null = null;
   try {
     const renderer = stage.open(tile);
     if (!canSum(renderer)) return plain();
     sum = new SampleSum(renderer);
     if (!sum.begin(tile)) return plain();
-    const [mean, sent] = [sum, (batches = new Batches(renderer.getContext() as WebGL2RenderingContext))];
+    const [mean, sent] = [sum, (batches = new Batches(renderer.getContext() as WebGL2RenderingContext, 1))];
     while (sum.count < samples) {
       if (atOnce || batches.ended)
         aside((r) => {
-          sendBatch(sent, mean, samples, tile, r, sampler());
+          picture.make(size, samples); // another frame may have been drawn since
+          sendBatch(sent, mean, samples, tile, r, picture);
         });
       if (!atOnce) yield;
     }
-    const into = (picture = pictureTarget(tile.width, tile.height));
+    const { texture } = (into = pictureTarget(tile.width, tile.height));
     aside(() => {
-      mean.resolve(into, { ...tile, x: 0, y: 0 });
+      mean.resolve(into!, { ...tile, x: 0, y: 0 });
     });
     return stage.capture(tile, (r, part) => {
-      copyPart(r, into.texture, part, tile.height);
+      copyPart(r, texture, part, tile.height);
     });
   } finally {
     batches?.cancel();
     sum?.dispose();
-    picture?.dispose();
+    into?.dispose();
   }
 }
 

@@ -11,7 +11,7 @@ import {
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
-import { add, cross, dot, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
@@ -70,11 +70,7 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
  * either side. Infinity if there is none.
  */
 export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3): number {
-  const [x, y, z] = map(along, Math.abs);
-  const other: Vec3 = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1];
-  const right = normalize(cross(along, other));
-  const frame = { origin: from, eye: ORIGIN, right, up: cross(right, along), back: scale(along, -1) };
-  const ray: ViewRay = { frame, slopeX: 0, slopeY: 0, near: 0, far: Infinity };
+  const ray = rayAlong(from, ORIGIN, along);
   let nearest = Infinity;
   for (const drawn of snapshot.objects) {
     if (!isOwn(drawn)) nearest = Math.min(nearest, foreignDepth(drawn, snapshot.camera, ray));
@@ -84,6 +80,39 @@ export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3):
       });
   }
   return nearest;
+}
+
+/**
+ * The surface at a point in world space, drawn or not: of all on the line through it from the eye, the nearest to it.
+ * Null if none is within a share of the distance.
+ */
+export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point: Vec3): Hit<Owner> | null {
+  const place = subtract(point, frame.origin);
+  const toPoint = subtract(place, frame.eye);
+  const along = normalize(toPoint);
+  let nearest: Hit<Owner> | null = null;
+  let distance = NEAR * length(toPoint);
+  for (const drawn of objects)
+    if (isOwn(drawn))
+      forEachSurface(drawn, rayAlong(frame.origin, frame.eye, along), (hit, base) => {
+        const p = add(frame.eye, scale(along, hit.depth));
+        const away = length(subtract(p, place));
+        if (base.discarded || away > distance) return;
+        nearest = { ...hit, drawn, base, filtered: false, frame, p };
+        distance = away;
+      });
+  return nearest;
+}
+
+/** A share of the distance from the eye: curved shapes are made of flat triangles. */
+const NEAR = 0.005;
+
+function rayAlong(origin: Vec3, eye: Vec3, along: Vec3): ViewRay {
+  const [x, y, z] = map(along, Math.abs);
+  const other: Vec3 = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1];
+  const right = normalize(cross(along, other));
+  const frame = { origin, eye, right, up: cross(right, along), back: scale(along, -1) };
+  return { frame, slopeX: 0, slopeY: 0, near: 0, far: Infinity };
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];

@@ -3,8 +3,9 @@
 // 2013), and flattened, mirrored or huge matrices need no inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../material/lighting.js';
-import { dot, scale, subtract, type Vec3 } from '../../math/vector.js';
-import { type BoxList, forEachRun } from '../triangle-boxes.js';
+import { dot, scale, type Vec3 } from '../../math/vector.js';
+import { writeModelViewProjection } from '../frustum-clip.js';
+import { type BoxList, queryBvh } from '../triangle-bvh.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {
@@ -79,9 +80,10 @@ export function forEachHit(
   // Runs begin at whole triangles of the index.
   if (first % 3 !== 0) test(first, end);
   else {
-    const meets = (boxes: BoxList, at: number): boolean =>
-      hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at);
-    forEachRun(geometry, meets, (from, to) => test(Math.max(from, first), Math.min(to, end)));
+    queryBvh(geometry, {
+      meets: (boxes, at) => hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at),
+      visit: (from, to) => test(Math.max(from, first), Math.min(to, end)),
+    });
   }
 }
 
@@ -103,25 +105,13 @@ const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: n
  * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is
  * subtracted first, so that accuracy does not depend on the distance from the world's origin.
  */
-function rowsOf({ frame, slopeX, slopeY }: ViewRay, matrixWorld: Matrix4): readonly [Row, Row, Row] {
-  const m = matrixWorld.elements;
-  const place = subtract(subtract([m[12], m[13], m[14]], frame.origin), frame.eye);
-  const along = (axis: Vec3): Row => [
-    dot(axis, [m[0], m[1], m[2]]),
-    dot(axis, [m[4], m[5], m[6]]),
-    dot(axis, [m[8], m[9], m[10]]),
-    dot(axis, place),
-  ];
-  const right = along(frame.right);
-  const up = along(frame.up);
-  const back = along(frame.back);
-  const less = (row: Row, slope: number): Row => [
-    row[0] + slope * back[0],
-    row[1] + slope * back[1],
-    row[2] + slope * back[2],
-    row[3] + slope * back[3],
-  ];
-  return [less(right, slopeX), less(up, slopeY), [-back[0], -back[1], -back[2], -back[3]]];
+function rowsOf({ frame, slopeX, slopeY }: ViewRay, { elements }: Matrix4): readonly [Row, Row, Row] {
+  const m = writeModelViewProjection({ frame, slopeX: 1, slopeY: 1 }, elements, new Float64Array(12));
+  const row = (at: number, slope: number): Row => {
+    const of = (i: number): number => m[at + i]! - slope * m[8 + i]!;
+    return [of(0), of(1), of(2), of(3)];
+  };
+  return [row(0, slopeX), row(4, slopeY), row(8, 0)];
 }
 
 /** False only if the function is above 0, or below, in the whole box; NaN counts as 0. */

@@ -187,9 +187,6 @@ export function sceneOf(name: string): Scene {
       };
     case 'boxes':
       return twoThousand('box', lights);
-    case 'two-thousand-spheres':
-      // As many segments as `auto` chooses on so small a canvas.
-      return { ...twoThousand('sphere', lights), segments: 16 };
     case 'box-turning':
       return box(lights, 'camera');
     case 'box-moving':

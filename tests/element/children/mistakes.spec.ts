@@ -73,27 +73,6 @@ test.describe('an attribute that does not exist', () => {
   });
 });
 
-test('`probe-at` without `probe` is named, once; with `probe`, by attribute or property, it is not', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
-  await mount(scene('', ' probe probe-at="0 0 0.5"'), size);
-  await page.evaluate(() => {
-    const viewer = document.createElement('phong-viewer');
-    viewer.setAttribute('alt', '');
-    viewer.setAttribute('probe-at', '0 0 0.5');
-    document.body.append(viewer);
-    viewer.probe = true;
-  });
-  await nextFrame(page);
-  const warnings = claim(consoleGuard, 1);
-  await mount(scene('', ' probe-at="0 0 0.5"').repeat(2), size);
-  expect(await reported(page, warnings, 1)).toEqual([
-    '<phong-viewer> has probe-at but no probe, so it shows no point. Write probe beside it.',
-  ]);
-});
-
 test('attributes of HTML, ARIA and frameworks give no warning', async ({ page, mount }) => {
   const global =
     'accesskey autocapitalize autocorrect autofocus class contenteditable dir draggable enterkeyhint exportparts hidden id ' +

@@ -377,7 +377,7 @@ test('if its code cannot be fetched, the viewers are shown one after the other, 
   consoleGuard,
 }) => {
   consoleGuard.allow(/error: Failed to load resource/);
-  consoleGuard.allow(/warning: <phong-compare>: The code of <phong-compare> could not be fetched/, 1);
+  consoleGuard.allow(/warning: <phong-viewer>: The code of <phong-compare> could not be fetched/, 1);
   await page.route(/\/comparison-/, (route) => route.abort());
   const failed = page.waitForEvent('console', (message) => message.text().includes('<phong-compare>'));
   await mount(comparison(), { width: 150, height: 100, css, waitForReady: false });

@@ -34,7 +34,7 @@ const STEPS: readonly Step[] = [
   (dice) => ['move', String(dice.from(-2, 2))],
   (dice) => ['toggle', String(dice.from(0, 1))],
   (dice) => ['recolour', String(Math.round(dice.from(1, 255)))],
-  (dice) => ['shininess', String(dice.pick([1, 8, 32, 33.5, 1e3]))],
+  (dice) => ['shininess', String(dice.pick([1, 8, 200, 200.5, 1e3]))],
   (dice) => ['shading', dice.pick(['phong', 'gouraud', 'flat'])],
   (dice) => ['reflection', dice.pick(['phong', 'blinn-phong'])],
   (dice) => ['color-interpolation', dice.pick(['srgb', 'linear'])],
@@ -146,8 +146,8 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       for (const term of element.terms) {
         if (term !== 'specular' || element.ks.some((k) => k > 0)) facts.push(`${term} term`);
       }
-      // The power function is shorter for exponents up to 32.
-      if (element.shininess > 32) facts.push('steep');
+      // The power function is shorter for exponents up to 200.
+      if (element.shininess > 200) facts.push('steep');
       // Flat shading differs in its triangles alone.
       const shading = element.shading === 'gouraud' ? 'gouraud' : 'fragment';
       return {

@@ -60,6 +60,32 @@ test('a still picture gets its samples, which are no frames, and then nothing ru
   expect(await samplesOf(viewer)).toBe(0);
 });
 
+test('samples begin two frames sooner after a lone change than after a drag', async ({ mount }) => {
+  const viewer = await mount(viewerOf(full), size);
+  /** Frames from the last of so many changes, two frames apart, to its first batch of samples, which ends with a fence. */
+  const waited = (changes: number): Promise<number> =>
+    viewer.evaluate(async (element: PhongViewer, count) => {
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      const { prototype } = WebGL2RenderingContext;
+      const { fenceSync } = prototype;
+      let [batches, frames] = [0, 0];
+      prototype.fenceSync = function (...args) {
+        batches += 1;
+        return fenceSync.apply(this, args);
+      };
+      for (let i = 0; i < count; i++) {
+        for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+        element.theta += 1;
+        batches = 0;
+      }
+      for (; batches === 0; frames++) await new Promise(requestAnimationFrame);
+      prototype.fenceSync = fenceSync;
+      await element.ready;
+      return frames;
+    }, changes);
+  expect((await waited(5)) - (await waited(1))).toBe(2);
+});
+
 test('several viewers converge, one after the other, and keep their pictures when another one comes or goes', async ({
   page,
   mount,

@@ -93,7 +93,7 @@ for (const path of sitePages) {
   const pictured = PICTURED.has(path);
   const looks = pictured ? ', looks as before' : '';
   // The others are made of the same parts.
-  const often = ['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'playground/'].includes(path);
+  const often = ['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'lesson/de/', 'playground/'].includes(path);
 
   test(`${often ? '' : '@release '}the ${name} fits a phone, passes axe${looks}, and has a head, a link to the package and no broken link`, async ({
     page,
@@ -109,7 +109,7 @@ for (const path of sitePages) {
       await expectPictures(page, `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`);
     await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
     const nav = page.getByRole('navigation', { name: 'Pages', exact: true });
-    const pages = ['Guide', 'Examples', 'Playground', 'API', 'Install'];
+    const pages = ['Lesson', 'Guide', 'Examples', 'Playground', 'API', 'Install'];
     await expect.soft(nav.getByRole('link')).toHaveText(pages);
     await expect
       .soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Bench|Releases)$/ }))

@@ -1,95 +1,88 @@
-// The three.js camera of an orbit. Matrices are written from the orbit's own basis, without an up vector or an inverse:
-// poles and distant targets lose no accuracy.
+// What one drawing of a picture shows, whatever it is for: its size, its samples and its camera. The matrices are written
+// from the orbit's own basis, without an up vector or an inverse: poles and distant targets lose no accuracy.
 import { type Object3D, PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange, nearBefore } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
 import { type ShadingFrame, writeView } from '../material/lighting.js';
 import { radians } from '../math/angle.js';
-import { sameValue } from '../fields/field-store.js';
+import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import { nearestDepth } from './near-depth.js';
-import type { View } from './view-cut.js';
+import type { View } from './frustum-clip.js';
 
-export class ViewCamera {
+/** One object for all frames of a picture: {@link look} and then {@link aim} overwrite it. */
+export class Frame {
+  /** Device pixels of the whole picture. */
+  width = 0;
+  height = 0;
+  /** So many drawings are averaged. 1: the plain picture. */
+  samples = 1;
+  /** The version of what is in it, lights aside. */
+  #version = -1;
   readonly camera = new PerspectiveCamera();
-  /** The shading frame that {@link look} or {@link aim} last wrote. */
-  readonly frame: ShadingFrame;
+  readonly shading: ShadingFrame;
+  /** The whole picture's sides. */
+  readonly view: { -readonly [K in keyof View]: View[K] };
   readonly #orbit: Orbit;
   readonly #basis: Basis = newBasis();
   readonly #eye: MutableVec3 = [0, 0, 0];
   readonly #offset: MutableVec3 = [0, 0, 0];
   readonly #depth: DepthRange = { near: 0.1, far: 100, cuts: false };
-  /** What {@link camera} shows. */
-  readonly #view: { -readonly [K in keyof View]: View[K] };
-  /** The orbit's version and the arguments of the last {@link aim}. */
-  #aimed: readonly unknown[] = [];
 
   constructor(orbit: Orbit) {
     this.#orbit = orbit;
-    this.frame = {
+    this.shading = {
       get origin() {
         return orbit.target;
       },
       eye: this.#offset,
       ...this.#basis,
     };
-    this.#view = { frame: this.frame, slopeX: 1, slopeY: 1, radius: 1 };
+    this.view = { frame: this.shading, slopeX: 1, slopeY: 1, radius: 1 };
     this.camera.matrixAutoUpdate = false;
     this.camera.matrixWorldAutoUpdate = false;
   }
 
-  /** The whole picture's sides, as {@link look} or {@link aim} last wrote them. */
-  get view(): View {
-    return this.#view;
-  }
-
   /**
-   * Writes the matrices for a picture of `width` × `height`, or for a part of it. `fov` is vertical, in degrees. The
-   * near plane is that of the whole picture: before whatever is visible below `root`, which `bounds` hold.
+   * Looks from where the orbit is now. `fov` is vertical, in degrees; `version` is that of the scene and the orbit.
+   * Matrices and depth range follow by {@link aim}. False if only lights can differ from the last frame.
    */
-  aim(
-    fov: number,
-    root: Object3D,
-    bounds: Bounds | null,
-    width: number,
-    height: number,
-    part?: Region,
-  ): void {
-    const near = this.#nearPlane(fov, root, bounds, width / height);
-    const aimed = [this.#orbit.version, fov, bounds, near, width, height, part];
-    if (sameValue(aimed, this.#aimed)) return;
-    this.#aimed = aimed;
-    const { camera } = this;
-    this.#place();
-    camera.near = near;
-    camera.far = this.#depth.far;
+  look(fov: number, { width, height }: Size, samples = 1, version = 0): boolean {
+    const { view, camera } = this;
+    const isSameSize = width === this.width && height === this.height;
+    const isOther = !isSameSize || samples !== this.samples || version !== this.#version;
+    this.#version = version;
+    this.width = width;
+    this.height = height;
+    this.samples = samples;
+    this.#orbit.basis(this.#basis);
+    this.#writeEye();
     camera.fov = fov;
     camera.aspect = width / height;
+    view.slopeY = Math.tan(radians(fov) / 2);
+    view.slopeX = view.slopeY * camera.aspect;
+    view.radius = this.#orbit.radius;
+    return isOther;
+  }
+
+  /** Writes the camera. Its near plane lies before whatever is visible below `root`, which `bounds` hold. */
+  aim(root: Object3D, bounds: Bounds | null): void {
+    const { camera, view } = this;
+    const { near, far, cuts } = depthRange(this.#orbit.pose, bounds, this.#depth);
+    camera.near = cuts ? Math.min(near, nearBefore(nearestDepth(root, view, 2 * near), view.radius)) : near;
+    camera.far = far;
+    this.#place();
+    this.show();
+  }
+
+  /** The camera takes in this part of the picture; without one, the whole of it. */
+  show(part?: Region): void {
+    const { camera, width, height } = this;
     if (part === undefined) camera.clearViewOffset();
     else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
     camera.updateProjectionMatrix();
-    if (camera.far > DEEPEST * near) removeFarPlane(camera);
-    scaleClipSpace(camera, this.#orbit.pose.radius);
-  }
-
-  /** Writes {@link frame} and {@link view}, but neither matrices nor the depth range. `fov` is vertical, in degrees. */
-  look(fov: number, aspect: number): View {
-    this.#orbit.basis(this.#basis);
-    this.#writeEye();
-    const view = this.#view;
-    view.slopeY = Math.tan(radians(fov) / 2);
-    view.slopeX = view.slopeY * aspect;
-    view.radius = this.#orbit.radius;
-    return view;
-  }
-
-  /** Also writes the depth range. */
-  #nearPlane(fov: number, root: Object3D, bounds: Bounds | null, aspect: number): number {
-    const view = this.look(fov, aspect);
-    const { near, cuts } = depthRange(this.#orbit.pose, bounds, this.#depth);
-    if (!cuts) return near;
-    const depth = nearestDepth(root, view, 2 * near);
-    return Math.min(near, nearBefore(depth, view.radius));
+    if (camera.far > DEEPEST * camera.near) removeFarPlane(camera);
+    scaleClipSpace(camera, this.view.radius);
   }
 
   #place(): void {

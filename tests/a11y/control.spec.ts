@@ -1,0 +1,32 @@
+// What does a screen reader find in controls? axe, in both forms, and in forced colours.
+
+import { axeOn } from '../support/axe.js';
+import { expect, test } from '../support/test.js';
+
+const scene = `<phong-viewer id="v" alt="A torus" geometry="torus"><phong-light id="spot" position="0 2 0"
+  aperture="30" cutoff="8"></phong-light></phong-viewer>`;
+const of = (attributes: string, label = ''): string =>
+  `<phong-control ${attributes}>${label}</phong-control>`;
+const all = [
+  of('for="spot" attribute="aperture"'),
+  of('for="spot" attribute="diffuse"', 'its colour'),
+  of('for="spot" attribute="position"'),
+  of('for="spot" attribute="active"'),
+  of('for="v" attribute="shading"', 'shading'),
+  of('for="v" attribute="terms"', 'terms of the sum'),
+  of('for="v" attribute="terms" values="ambient | ambient diffuse"', 'the sum'),
+];
+const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
+
+for (const forcedColors of ['none', 'active'] as const)
+  test(`controls have no fault that axe finds, in a text and alone (forced colours: ${forcedColors})`, async ({
+    page,
+    mount,
+  }) => {
+    await page.emulateMedia({ forcedColors });
+    await mount(`<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}</main>`, { css });
+    await expect(page.getByRole('spinbutton', { name: 'aperture' })).toHaveCount(2);
+    await expect(page.getByRole('group', { name: 'terms of the sum' })).toHaveCount(2);
+    expect((await axeOn(page).analyze()).violations).toEqual([]);
+    await page.emulateMedia({ forcedColors: null });
+  });

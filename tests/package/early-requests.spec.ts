@@ -1,0 +1,43 @@
+// When does a page request the models that its markup names? Before the first file has run, once, and only those that
+// the elements would request.
+
+import { allReady, expect, test } from '../support/test.js';
+import { Requests, usages } from './requests.js';
+
+const scene = `<phong-viewer src="/fixtures/models/mask.glb">
+    <phong-mesh src="/fixtures/models/coloured.ply"></phong-mesh>
+  </phong-viewer>
+  <phong-viewer src="/fixtures/models/mask.glb" geometry="box"></phong-viewer>
+  <phong-viewer loading="lazy" id="far" src="/fixtures/models/lazy.glb"></phong-viewer>`;
+
+const css = 'phong-viewer { display: block; width: 200px; height: 150px } #far { margin-top: 9000px }';
+
+for (const usage of ['standalone', 'modules'] as const) {
+  test(`models in the markup are requested once, before the elements are defined, and no others (${usage})`, async ({
+    page,
+    site,
+  }) => {
+    await page.addInitScript(() => {
+      const steps: string[] = [];
+      Object.assign(window, { steps });
+      const { fetch: get } = window;
+      window.fetch = (input, init) => {
+        steps.push(String(input).replace(/.*\//, ''));
+        return get(input, init);
+      };
+      const define = customElements.define.bind(customElements);
+      customElements.define = (name, element) => {
+        steps.push(name);
+        define(name, element);
+      };
+    });
+    const requests = new Requests(page);
+    await page.goto(site.page(scene, { ...usages[usage], css }));
+    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+    await allReady(page);
+    const steps = await page.evaluate(() => Reflect.get(window, 'steps') as string[]);
+    expect(steps.slice(0, 3)).toEqual(['mask.glb', 'coloured.ply', 'phong-light']);
+    expect(steps.filter((step) => step.includes('.')).sort()).toEqual(['coloured.ply', 'mask.glb']);
+    expect(requests.take().join()).toMatch(/model-content/);
+  });
+}
