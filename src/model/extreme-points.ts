@@ -73,8 +73,7 @@ export const extremePointsOf = (geometry: BufferGeometry): ExtremePoints | null 
 
 function* measuring(geometry: BufferGeometry): Search<ExtremePoints | null> {
   let found = known.get(geometry);
-  if (found === undefined)
-    known.set(geometry, (found = declaredOf(geometry) ?? (yield* measured(geometry))));
+  if (found === undefined) known.set(geometry, (found = declaredOf(geometry) ?? (yield* measured(geometry))));
   return found;
 }
 

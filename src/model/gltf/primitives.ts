@@ -29,8 +29,6 @@ export interface Primitive {
     readonly material: number | undefined;
     readonly mode: number;
   };
-  /** Equal for primitives that the parser gives one geometry. */
-  readonly key: string;
   /** As drawn. */
   readonly corners: number;
   readonly vertices: number;
@@ -45,8 +43,6 @@ export interface Primitive {
   readonly read: readonly Accessor[];
   /** Accessors of its morph targets, by their attributes' names. */
   readonly targets: readonly MorphAccessors[];
-  /** Tangents are computed for its normal map. */
-  readonly tangents: boolean;
   /** The buffer view of Draco data. */
   readonly packed: number | undefined;
 }
@@ -134,12 +130,8 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   };
   const targets = readTargets(primitive, vertices, context);
   const unpacked = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
-  const mapped =
-    definition.material !== undefined &&
-    context.materials[definition.material]?.['normalTexture'] !== undefined;
   return {
     definition,
-    key: JSON.stringify([packed, order?.index, definition.attributes, mapped]),
     corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
     vertices,
     attributes,
@@ -150,7 +142,6 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
       ...targets.flatMap((target) => Object.values(target)),
     ],
     targets,
-    tangents: mapped && !('TANGENT' in indexes && 'NORMAL' in indexes),
     packed: packed?.bufferView,
   };
 }
