@@ -38,7 +38,6 @@ export interface Primitive {
     readonly items: number;
     readonly name: string;
   }[];
-  readonly order: Accessor | undefined;
   /** Accessors that are read: all but those whose numbers are in Draco data. */
   readonly read: readonly Accessor[];
   /** Accessors of its morph targets, by their attributes' names. */
@@ -135,7 +134,6 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
     vertices,
     attributes,
-    order,
     read: [
       ...unpacked.map(({ accessor }) => accessor),
       ...(order === undefined || packed ? [] : [order]),
