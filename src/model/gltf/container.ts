@@ -126,7 +126,7 @@ async function cutData(
       start = at + 1;
       continue;
     }
-    const cut = at - start < LEAST_CUT ? null : base64In(bytes.subarray(start, at));
+    const cut = at - start < LEAST_CUT ? null : await base64In(bytes.subarray(start, at), slices);
     if (cut !== null) {
       data.push(cut);
       texts.push(bytes.subarray(kept, start));
@@ -139,15 +139,21 @@ async function cutData(
 }
 
 /** Null for any other text, and where the data are escaped. */
-function base64In(text: Uint8Array<ArrayBuffer>): Cut | null {
+async function base64In(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<Cut | null> {
   const start = LATIN1.decode(text.subarray(0, 256));
   const comma = start.indexOf(',');
   const header = start.slice(0, comma);
   if (comma < 0 || !isDataUri(header) || !dataHeader(header).base64) return null;
-  const escaped = ESCAPES.some((character) => text.includes(character));
-  return escaped ? null : { header, text: text.subarray(comma + 1) };
+  for (let from = 0; from < text.length; from += PIECE) {
+    const piece = text.subarray(from, from + PIECE);
+    if (ESCAPES.some((character) => piece.includes(character))) return null;
+    await slices.pauseIfDue();
+  }
+  return { header, text: text.subarray(comma + 1) };
 }
 
 const QUOTE = 0x22;
+/** Bytes of a string that are searched in one piece. */
+const PIECE = 2 ** 20;
 /** Backslash, percent sign, and the hash of a fragment. */
 const ESCAPES = [0x5c, 0x25, 0x23];
