@@ -9,6 +9,7 @@ import {
   Vector3,
 } from 'three';
 import type { Vec3 } from '../math/vector.js';
+import type { Slices } from './slices.js';
 
 /**
  * The size of a geometry. Its points are found when they are first needed: most meshes are not turned, and need none.
@@ -33,8 +34,7 @@ export class ExtremePoints {
 
   /** x, y, z of each point, one after the other. */
   get points(): Float64Array {
-    const search = this.search();
-    while (search.next().done !== true);
+    finished(this.search());
     return this.#points;
   }
 
@@ -62,12 +62,18 @@ const BLOCK = 64;
  */
 const STRIDE = 61;
 
+/** Numbers of vertices between two steps. */
+const PIECE = 3 * 2 ** 18;
+
 const known = new WeakMap<BufferGeometry, ExtremePoints | null>();
 
 /** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetExtremePoints}. */
-export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null {
+export const extremePointsOf = (geometry: BufferGeometry): ExtremePoints | null =>
+  finished(measuring(geometry));
+
+function* measuring(geometry: BufferGeometry): Search<ExtremePoints | null> {
   let found = known.get(geometry);
-  if (found === undefined) known.set(geometry, (found = declaredOf(geometry) ?? measured(geometry)));
+  if (found === undefined) known.set(geometry, (found = declaredOf(geometry) ?? (yield* measured(geometry))));
   return found;
 }
 
@@ -92,19 +98,13 @@ function declaredOf(geometry: BufferGeometry): ExtremePoints | undefined {
 const versionOf = (geometry: BufferGeometry): number =>
   (geometry.getAttribute('position') as Partial<BufferAttribute>).version ?? 0;
 
-/**
- * Finds the points too, in steps of about a millisecond for 300,000 vertices. What `pause` returns is awaited between
- * them.
- */
-export async function findExtremePoints(
-  geometry: BufferGeometry,
-  pause: () => Promise<void> | null,
-): Promise<void> {
-  const search = extremePointsOf(geometry)?.search();
-  while (search?.next().done === false) {
-    const pausing = pause();
-    if (pausing !== null) await pausing;
-  }
+/** Measures the geometry and finds the points too, in slices. */
+export async function findExtremePoints(geometry: BufferGeometry, slices: Slices): Promise<void> {
+  const search = (function* (): Search<void> {
+    const size = yield* measuring(geometry);
+    if (size !== null) yield* size.search();
+  })();
+  while (search.next().done === false) if (slices.due) await slices.pause();
 }
 
 /** `copy` has the vertices of `geometry`: it is not read for itself. */
@@ -120,16 +120,23 @@ export function forgetExtremePoints(geometry: BufferGeometry): boolean {
   return declaredOf(geometry) !== undefined;
 }
 
-/** A computation in steps. */
+/** A computation in steps of about a millisecond for 300,000 vertices. */
 type Search<T> = Generator<undefined, T, undefined>;
 
-function measured(geometry: BufferGeometry): ExtremePoints | null {
+function finished<T>(search: Search<T>): T {
+  for (;;) {
+    const { done, value } = search.next();
+    if (done === true) return value;
+  }
+}
+
+function* measured(geometry: BufferGeometry): Search<ExtremePoints | null> {
   const position = geometry.getAttribute('position');
   const plain =
     position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
   // Most geometries have only finite numbers, and are read without a copy.
-  const found = plain ? extremesOf(position.array as Float32Array) : null;
-  if (found === null || !Number.isFinite(found.radius)) return extremesOf(finiteVertices(position));
+  const found = plain ? yield* extremesOf(position.array as Float32Array) : null;
+  if (found === null || !Number.isFinite(found.radius)) return yield* extremesOf(finiteVertices(position));
   // three.js would find the same numbers for its own culling, in a pass over all vertices for each.
   if (geometry.morphAttributes['position'] === undefined) {
     const [minX, minY, minZ, maxX, maxY, maxZ] = found.box;
@@ -139,14 +146,18 @@ function measured(geometry: BufferGeometry): ExtremePoints | null {
   return found;
 }
 
-function extremesOf(vertices: Vertices): ExtremePoints | null {
+function* extremesOf(vertices: Vertices): Search<ExtremePoints | null> {
   const box = emptyBox();
-  extend(box, vertices, 0, vertices.length);
+  for (let first = 0; first < vertices.length; first += PIECE) {
+    extend(box, vertices, first, Math.min(first + PIECE, vertices.length));
+    yield;
+  }
   const [minX, minY, minZ, maxX, maxY, maxZ] = box;
   if (!(minX <= maxX)) return null;
   const center: Vec3 = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2];
   let farthest = 0;
   for (let i = 0; i < vertices.length; i += 3) {
+    if (i % PIECE === 0) yield;
     const dx = vertices[i]! - center[0];
     const dy = vertices[i + 1]! - center[1];
     const dz = vertices[i + 2]! - center[2];

@@ -1,5 +1,5 @@
-// The limits of a model's size, and how an exceeded memory is recognised. Chosen so that the page's renderer and GPU
-// process together grow by less than 1 GB.
+// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB; how
+// memory is freed, and how a lack of it is recognised.
 
 /**
  * Most bytes of one model, all its files together, as they arrive after decompression: 256 MiB. The reader holds the
@@ -55,6 +55,9 @@ export const JSON_LIMIT = 2 ** 21;
  */
 export const JSON_PIECE_LIMIT = 2 ** 16;
 
+/** Most bytes of such a part: a string with an escape for every second byte takes 5 ms a megabyte. */
+export const JSON_PIECE_BYTES = 2 ** 23;
+
 /** Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024 × 1024. */
 export const PIXEL_LIMIT = 2 ** 26;
 
@@ -86,6 +89,14 @@ export const VALUES_PER_TRIANGLE = 7;
  * the GPU together. All other limits are those of a viewer too, so every model within them fits in alone.
  */
 export const TRIANGLE_LIMIT = 2 ** 24;
+
+/**
+ * Frees the memory of arrays that nothing reads any more, where the browser can: the collector may come only after the
+ * GPU has its copy of the model.
+ */
+export function free(...arrays: readonly ArrayBufferView[]): void {
+  for (const { buffer } of arrays) (buffer as { transfer?: (bytes: number) => void }).transfer?.(0);
+}
 
 /**
  * Whether memory could not be allocated. Browsers throw a RangeError for that, Firefox also an InternalError or a

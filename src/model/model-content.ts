@@ -3,7 +3,7 @@
 // point of the code that reads models, fetched with the first one.
 import { clip } from '../fields/clip.js';
 import type { Amounts } from './budget.js';
-import { isOutOfMemory } from './limits.js';
+import { free, isOutOfMemory } from './limits.js';
 import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './file-group.js';
@@ -13,7 +13,6 @@ import { listed } from './listed.js';
 import { asUtf8 } from './text/utf-16.js';
 import { type Content, ModelError } from './model.js';
 import type { CrossOrigin, FileRequest } from './request-file.js';
-import { Box3, type BufferGeometry, Sphere, Vector3 } from 'three';
 import { findExtremePoints } from './extreme-points.js';
 import { Slices } from './slices.js';
 
@@ -63,6 +62,7 @@ export async function modelContent(
     });
     signal.throwIfAborted();
     const model = await readModel({ url, bytes, signal, linked, optional, budget });
+    free(bytes);
     try {
       await measureModel(model, signal);
     } catch (error) {
@@ -190,32 +190,11 @@ function parsed(uri: string, base: URL): URL | null {
 }
 
 /**
- * Computes all bounds that framing and culling will need, in slices: the first frame would do it in one task.
+ * Finds all bounds that framing and culling will need, in slices: the first frame would do it in one task.
  * @throws the signal's reason after an abort.
  */
 async function measureModel({ parts }: Content, signal: AbortSignal): Promise<void> {
   const slices = new Slices(signal);
-  for (const geometry of new Set(parts.map((part) => part.geometry))) {
-    if (geometry.boundingSphere === null) await setBounds(geometry, slices);
-    await findExtremePoints(geometry, () => (slices.due ? slices.pause() : null));
-  }
-}
-
-/** Sets the box and the sphere of a geometry with plain, finite positions. */
-async function setBounds(geometry: BufferGeometry, slices: Slices): Promise<void> {
-  const { array, count } = geometry.getAttribute('position');
-  const box = new Box3();
-  const point = new Vector3();
-  await slices.over(count, (from, to) => {
-    for (let i = from; i < to; i += 1) box.expandByPoint(point.fromArray(array, i * 3));
-  });
-  const center = box.getCenter(new Vector3());
-  let farthest = 0;
-  await slices.over(count, (from, to) => {
-    for (let i = from; i < to; i += 1) {
-      farthest = Math.max(farthest, center.distanceToSquared(point.fromArray(array, i * 3)));
-    }
-  });
-  geometry.boundingBox = box;
-  geometry.boundingSphere = new Sphere(center, Math.sqrt(farthest));
+  for (const geometry of new Set(parts.map((part) => part.geometry)))
+    await findExtremePoints(geometry, slices);
 }

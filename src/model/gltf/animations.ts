@@ -52,6 +52,7 @@ export async function readAnimations(
       const channels = await readChannels(animation, context, dropped, slices);
       if (channels.length === 0) continue;
       for (const { input, output, width } of channels) {
+        await slices.pauseIfDue();
         // In float64: the value without animation, and the present one.
         context.budget.add({ values: 4 * width });
         for (const accessor of [input, output]) {

@@ -5,7 +5,7 @@ import { JSON_TEXT_LIMIT } from '../limits.js';
 import { type ModelBudget, requireAtMost } from '../model-budget.js';
 import { isDataUri } from '../request-file.js';
 import type { Slices } from '../slices.js';
-import { parseJson } from './json-text.js';
+import { isEscaped, parseJson } from './json-text.js';
 
 export interface Container {
   readonly json: unknown;
@@ -114,46 +114,46 @@ async function cutData(
   const data: Cut[] = [];
   let kept = 0;
   let next = STEP;
+  /** Where the string begins that is being read; -1 between strings. */
+  let start = -1;
   for (let at = bytes.indexOf(QUOTE); at >= 0; at = bytes.indexOf(QUOTE, at + 1)) {
     if (at >= next) {
       next = at + STEP;
       await slices.pauseIfDue();
     }
-    const start = at + 1;
-    at = endOfString(bytes, start);
-    const cut = at - start < LEAST_CUT ? null : base64In(bytes.subarray(start, at));
-    if (cut === null) continue;
-    data.push(cut);
-    texts.push(bytes.subarray(kept, start));
-    kept = at;
+    if (start >= 0 && isEscaped(bytes, at)) continue;
+    if (start < 0) {
+      start = at + 1;
+      continue;
+    }
+    const cut = at - start < LEAST_CUT ? null : await base64In(bytes.subarray(start, at), slices);
+    if (cut !== null) {
+      data.push(cut);
+      texts.push(bytes.subarray(kept, start));
+      kept = at;
+    }
+    start = -1;
   }
   texts.push(bytes.subarray(kept));
   return { texts, data };
 }
 
-/** Where its closing quote is; the end of the bytes if there is none. */
-function endOfString(bytes: Uint8Array, start: number): number {
-  for (let at = start; ;) {
-    const end = bytes.indexOf(QUOTE, at);
-    if (end < 0) return bytes.length;
-    let escapes = 0;
-    while (end - escapes > start && bytes[end - escapes - 1] === BACKSLASH) escapes += 1;
-    if (escapes % 2 === 0) return end;
-    at = end + 1;
-  }
-}
-
 /** Null for any other text, and where the data are escaped. */
-function base64In(text: Uint8Array<ArrayBuffer>): Cut | null {
+async function base64In(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<Cut | null> {
   const start = LATIN1.decode(text.subarray(0, 256));
   const comma = start.indexOf(',');
   const header = start.slice(0, comma);
   if (comma < 0 || !isDataUri(header) || !dataHeader(header).base64) return null;
-  const escaped = ESCAPES.some((character) => text.includes(character));
-  return escaped ? null : { header, text: text.subarray(comma + 1) };
+  for (let from = 0; from < text.length; from += PIECE) {
+    const piece = text.subarray(from, from + PIECE);
+    if (ESCAPES.some((character) => piece.includes(character))) return null;
+    await slices.pauseIfDue();
+  }
+  return { header, text: text.subarray(comma + 1) };
 }
 
 const QUOTE = 0x22;
-const BACKSLASH = 0x5c;
+/** Bytes of a string that are searched in one piece. */
+const PIECE = 2 ** 20;
 /** Backslash, percent sign, and the hash of a fragment. */
-const ESCAPES = [BACKSLASH, 0x25, 0x23];
+const ESCAPES = [0x5c, 0x25, 0x23];

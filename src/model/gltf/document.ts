@@ -2,13 +2,13 @@
 // Everything else (other scenes, cameras, lights, other textures, extras) is removed before anything is loaded. Every
 // index and size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../fields/clip.js';
-import type { ModelBudget } from '../model-budget.js';
-import { requireAtMost } from '../model-budget.js';
+import { DRACO_LIMIT } from '../limits.js';
+import { type ModelBudget, requireAtMost } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';
-import { countClaims, type DracoClaims } from './claims.js';
+import type { DracoClaims } from './draco-header.js';
 import { extensionsLeftOut, unreadable, VISIBILITY } from './extensions.js';
 import { type Instances, readInstances } from './instances.js';
 import {
@@ -92,7 +92,7 @@ export async function readDocument(
   const roots = readRoots(json, nodes);
   const inScene = withChildren(nodes, roots);
   const drawn = Array.from(inScene, (index) => nodes[index]!);
-  const draco = await countClaims(drawn, { accessors, budget }, slices);
+  const draco = await countDrawn(drawn, accessors, budget, slices);
   const shown = withJoints(nodes, inScene);
   const weights = nodes.map((node) => node.weights);
   const targets = weights.map((list, i) => (shown.has(i) ? list.length : undefined));
@@ -185,6 +185,7 @@ async function readMeshes(
   const meshes: GltfMesh[] = [];
   for (const mesh of objectsAt(json['meshes'], 'meshes')) {
     const primitives = await readPrimitives(mesh, context, slices);
+    await slices.pauseIfDue();
     meshes.push({
       name: textAt(mesh['name']),
       primitives,
@@ -261,6 +262,50 @@ async function readNodes(
   });
   requireTree(nodes.map((node) => node.children));
   return nodes;
+}
+
+/**
+ * Counts parts and corners, gives access to the accessors of what is drawn, and returns the largest claims of what each
+ * Draco buffer view holds. geometries.ts counts the numbers of what it makes as it makes it.
+ * @throws ModelError `too-large` past a limit.
+ */
+async function countDrawn(
+  nodes: readonly GltfNode[],
+  accessors: Accessors,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<ReadonlyMap<number, DracoClaims>> {
+  const counted = new Set<Primitive | Skin>();
+  const packed = new Map<number, DracoClaims>();
+  for (const { primitives, instances, skin } of nodes) {
+    if (primitives.length === 0) continue;
+    for (const accessor of Object.values(instances?.lists ?? {})) accessors.read(accessor);
+    if (skin !== undefined && !counted.has(skin)) {
+      counted.add(skin);
+      // A joint has a matrix in the file and one in its pose, in float64.
+      budget.add({ values: skin.joints.length * 64 });
+      if (skin.inverseBindMatrices !== undefined) accessors.read(skin.inverseBindMatrices);
+    }
+    const copies = instances?.count ?? 1;
+    for (const primitive of primitives) {
+      const { attributes, corners, vertices } = primitive;
+      budget.add({ parts: copies, corners: copies * corners });
+      await slices.pauseIfDue();
+      if (counted.has(primitive)) continue;
+      counted.add(primitive);
+      for (const accessor of primitive.read) accessors.read(accessor);
+      if (primitive.packed === undefined) continue;
+      requireAtMost(Math.max(corners, vertices), DRACO_LIMIT, 'corners in one Draco mesh');
+      // The decoder's numbers.
+      budget.add({ values: attributes.reduce((sum, { items }) => sum + items * vertices, corners) });
+      const most = packed.get(primitive.packed) ?? primitive;
+      packed.set(primitive.packed, {
+        corners: Math.max(most.corners, corners),
+        vertices: Math.max(most.vertices, vertices),
+      });
+    }
+  }
+  return packed;
 }
 
 /** Hidden nodes and all below them are places, no more: they can be joints. */

@@ -3,7 +3,12 @@
 // versions.
 import { DRACO_LIMIT } from '../limits.js';
 import { requireAtMost } from '../model-budget.js';
-import type { DracoClaims } from './claims.js';
+
+/** What the document says of the mesh in a buffer view. */
+export interface DracoClaims {
+  readonly corners: number;
+  readonly vertices: number;
+}
 
 /**
  * Encoders merge or split vertices, and some do not update the accessors. None that we have seen comes near twice their

@@ -22,7 +22,6 @@ import {
   unitNormals,
 } from './attributes.js';
 import type { Accessor } from './accessors.js';
-import { usesFew } from './claims.js';
 import { Deformation, type MorphTarget } from './deformation.js';
 import type { Instances } from './instances.js';
 import { JointPose } from './joint-pose.js';
@@ -116,21 +115,29 @@ export class Geometries {
     const shown = [...attributes.keys()];
     if (isSkinned(mesh)) for (const name of JOINTS) attributes.set(name, source.getAttribute(name));
     for (const [name, accessor] of morphNames(targets))
-      attributes.set(name, await this.#convert(await this.#source.accessor(accessor), floatPositions));
+      attributes.set(name, await this.#convert(await this.#source.accessor(accessor), floatPositions, 3));
     for (const [name, attribute] of attributes) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
     let corners = await this.#cornersOf(source, count);
     const moves = isSkinned(mesh) || targets.length > 0;
-    const split = await this.#completeNormals(
-      attributes,
-      corners,
-      (moves ? 17 : 0) + (tangents === null ? 0 : 16),
-    );
+    const split = await this.#completeNormals(attributes, corners);
     const flat = !attributes.has('normal');
-    if (corners && (flat || split || usesFew(corners.length, count))) {
+    const computed = tangents !== null && !attributes.has('tangent');
+    // A copy of the vertices for each corner, where they cannot be shared, or few of them are used.
+    const separate = corners && (flat || split || corners.length * 2 < count) ? corners : null;
+    const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
+    const each =
+      (separate ? items : 0) +
+      (flat || split ? 3 : 0) +
+      (moves ? MOVING_VALUES : 0) +
+      (computed ? TANGENT_VALUES : 0);
+    // An index, and one of its own where joints mirror it.
+    const indices = separate ? 0 : (corners?.length ?? 0) * (isSkinned(mesh) ? 2 : 1);
+    this.#source.budget.add({ values: (separate?.length ?? count) * each + indices });
+    if (separate) {
       for (const [name, attribute] of attributes) {
-        attributes.set(name, await gathered(attribute, corners, this.#slices));
+        attributes.set(name, await gathered(attribute, separate, this.#slices));
       }
       corners = null;
     }
@@ -143,7 +150,7 @@ export class Geometries {
       geometry.setAttribute('normal', own);
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
-    if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
+    if (computed) await addTangents(geometry, tangents, this.#slices);
     if (moves) await this.#deform(mesh, geometry, flat, attributes, targets.length);
     return geometry;
   }
@@ -154,15 +161,15 @@ export class Geometries {
     tangents: boolean,
   ): Promise<Map<string, Attribute>> {
     const attributes = new Map<string, Attribute>();
-    for (const [name, conversion] of [
-      ['position', floatPositions],
-      ['normal', unitNormals],
-      ['color', encodedColors],
-      ...(tangents && source.hasAttribute('normal') ? [['tangent', unitTangents] as const] : []),
-      ...uvs.map((uv) => [uv, floatUvs] as const),
+    for (const [name, conversion, items] of [
+      ['position', floatPositions, 3],
+      ['normal', unitNormals, 3],
+      ['color', encodedColors, 4],
+      ...(tangents && source.hasAttribute('normal') ? [['tangent', unitTangents, 4] as const] : []),
+      ...uvs.map((uv) => [uv, floatUvs, 2] as const),
     ] as const) {
       if (!source.hasAttribute(name)) continue;
-      attributes.set(name, await this.#convert(source.getAttribute(name), conversion));
+      attributes.set(name, await this.#convert(source.getAttribute(name), conversion, items));
     }
     return attributes;
   }
@@ -195,32 +202,25 @@ export class Geometries {
   /**
    * Normals of the file that have no direction are computed anew. If all of them, they count as absent. Gives 1 for each
    * corner that takes its face's own normal; null for none.
-   * @param more what else a vertex costs, in values, besides its attributes.
    */
   async #completeNormals(
     attributes: Map<string, Attribute>,
     corners: ArrayLike<number> | null,
-    more: number,
   ): Promise<Uint8Array | null> {
     const source = attributes.get('normal') as BufferAttribute | undefined;
     if (source === undefined) return null;
     const missing = this.#missing.get(source) ?? (await countMissing(source, this.#slices));
     this.#missing.set(source, missing);
     if (missing === 0) return null;
-    const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, more);
-    const { budget } = this.#source;
-    const copies = { values: (corners?.length ?? source.count) * (items + 3) };
     if (missing === source.count) {
-      budget.add(copies);
       for (const name of ['normal', 'tangent']) attributes.delete(name);
       return null;
     }
     // A copy, and sums in float64.
-    budget.add({ values: 9 * source.count });
+    this.#source.budget.add({ values: 9 * source.count });
     const { array } = attributes.get('position')!;
     const { normals, split } = await completeNormals(array, source, corners, this.#slices);
     attributes.set('normal', normals);
-    if (split !== null) budget.add(copies);
     return split;
   }
 
@@ -273,10 +273,14 @@ export class Geometries {
     return weights;
   }
 
-  async #convert(source: Attribute, conversion: Conversion): Promise<BufferAttribute> {
+  /** @param items numbers per vertex that it makes. */
+  async #convert(source: Attribute, conversion: Conversion, items: number): Promise<BufferAttribute> {
     const known = this.#converted.get(conversion) ?? new Map<Attribute, BufferAttribute>();
     this.#converted.set(conversion, known);
-    const result = known.get(source) ?? (await conversion(source, this.#slices));
+    const present = known.get(source);
+    if (present !== undefined) return present;
+    this.#source.budget.add({ values: source.count * Math.max(items, source.itemSize) });
+    const result = await conversion(source, this.#slices);
     known.set(source, result);
     return result;
   }
@@ -296,6 +300,15 @@ function replaceNormals(
 }
 
 const JOINTS = ['skinIndex', 'skinWeight'] as const;
+
+/** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
+const TANGENT_VALUES = 16;
+
+/**
+ * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, its joints and
+ * their weights, and whether they mirror it.
+ */
+const MOVING_VALUES = 17;
 
 const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
 

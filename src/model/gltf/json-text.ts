@@ -1,11 +1,12 @@
 // Parses the text of a glTF document. A document's lists can be millions of values long, so they are parsed in pieces
 // of some objects each, with pauses in between.
-import { JSON_LIMIT, JSON_PIECE_LIMIT } from '../limits.js';
+import { JSON_LIMIT, JSON_PIECE_BYTES, JSON_PIECE_LIMIT } from '../limits.js';
 import { type ModelBudget, requireAtMost } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 
-/** Values in a piece: a few milliseconds. */
+/** Values in a piece, and bytes: a few milliseconds. */
 const PIECE = 2 ** 14;
+const PIECE_BYTES = 2 ** 20;
 
 /** Bytes between two looks at the clock. Strings are skipped by the engine's own search. */
 const STEP = 2 ** 18;
@@ -54,7 +55,8 @@ export async function parseJson(bytes: Uint8Array, budget: ModelBudget, slices: 
     if (opens) depth += 1;
     if (closes) depth -= 1;
     if (opens || byte === COMMA) values += 1;
-    if (list !== null && ((closes && depth === 1) || (byte === COMMA && depth === 2 && values > PIECE))) {
+    const isLong = values > PIECE || at - from > PIECE_BYTES;
+    if (list !== null && ((closes && depth === 1) || (byte === COMMA && depth === 2 && isLong))) {
       claim();
       for (const item of parsed(`[${textOf(bytes, from, at)}]`) as unknown[]) list.push(item);
       if (closes) list = null;
@@ -78,7 +80,7 @@ export async function parseJson(bytes: Uint8Array, budget: ModelBudget, slices: 
 }
 
 /** Whether the character is preceded by an odd number of backslashes. */
-function isEscaped(bytes: Uint8Array, at: number): boolean {
+export function isEscaped(bytes: Uint8Array, at: number): boolean {
   let first = at;
   while (bytes[first - 1] === BACKSLASH) first -= 1;
   return (at - first) % 2 === 1;
@@ -93,6 +95,7 @@ function textOf(bytes: Uint8Array, from: number, to?: number): string {
 }
 
 function parsed(text: string): unknown {
+  requireAtMost(text.length, JSON_PIECE_BYTES, 'bytes in one part of its JSON');
   try {
     return JSON.parse(text) as unknown;
   } catch (cause) {

@@ -29,8 +29,6 @@ export interface Primitive {
     readonly material: number | undefined;
     readonly mode: number;
   };
-  /** Equal for primitives that the parser gives one geometry. */
-  readonly key: string;
   /** As drawn. */
   readonly corners: number;
   readonly vertices: number;
@@ -40,13 +38,10 @@ export interface Primitive {
     readonly items: number;
     readonly name: string;
   }[];
-  readonly order: Accessor | undefined;
   /** Accessors that are read: all but those whose numbers are in Draco data. */
   readonly read: readonly Accessor[];
   /** Accessors of its morph targets, by their attributes' names. */
   readonly targets: readonly MorphAccessors[];
-  /** Tangents are computed for its normal map. */
-  readonly tangents: boolean;
   /** The buffer view of Draco data. */
   readonly packed: number | undefined;
 }
@@ -134,23 +129,17 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   };
   const targets = readTargets(primitive, vertices, context);
   const unpacked = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
-  const mapped =
-    definition.material !== undefined &&
-    context.materials[definition.material]?.['normalTexture'] !== undefined;
   return {
     definition,
-    key: JSON.stringify([packed, order?.index, definition.attributes, mapped]),
     corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
     vertices,
     attributes,
-    order,
     read: [
       ...unpacked.map(({ accessor }) => accessor),
       ...(order === undefined || packed ? [] : [order]),
       ...targets.flatMap((target) => Object.values(target)),
     ],
     targets,
-    tangents: mapped && !('TANGENT' in indexes && 'NORMAL' in indexes),
     packed: packed?.bufferView,
   };
 }

@@ -79,7 +79,7 @@ export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<Readon
     if (slices.took(1 + (scanner.at - at) / 8)) await slices.pause();
     ({ at } = scanner);
   }
-  return new Map(Array.from(materials, ([name, draft]) => [name, finished(draft)]));
+  return new Map(await slices.map([...materials], ([name, draft]) => [name, finished(draft)] as const));
 }
 
 /** Longest name of a material in bytes, as in the OBJ file. */

@@ -71,9 +71,8 @@ class ObjReader {
   #inFace = false;
   /** What the last piece took, as {@link Slices.took} counts it. */
   #work = 0;
-  #object = '';
-  #group = '';
-  #material = '';
+  /** Names in force, or where they are: one without a face is not read. Millions of strings would stop the collector. */
+  readonly #names: Record<'o' | 'g' | 'usemtl', string | number> = { o: '', g: '', usemtl: '' };
   #smoothing = UNSTATED;
   /** First corner of the run. */
   #runStart = 0;
@@ -114,7 +113,8 @@ class ObjReader {
   #statement(): void {
     const scanner = this.#scanner;
     if (scanner.peek() === HASH) return;
-    switch (scanner.word()) {
+    const word = scanner.word();
+    switch (word) {
       case 'v':
         this.#vertex();
         break;
@@ -131,16 +131,11 @@ class ObjReader {
         this.#corners();
         break;
       case 'o':
-        this.#endRun();
-        this.#object = scanner.rest(NAME_LENGTH);
-        break;
       case 'g':
-        this.#endRun();
-        this.#group = scanner.rest(NAME_LENGTH);
-        break;
       case 'usemtl':
         this.#endRun();
-        this.#material = scanner.rest(NAME_LENGTH);
+        this.#names[word] = scanner.at;
+        scanner.rest(0);
         break;
       case 's':
         this.#smoothing = smoothingOf(scanner.word());
@@ -276,7 +271,9 @@ class ObjReader {
 
   /** Names in quotes, or that end in .mtl, apart by blanks, which they may also contain. */
   #libraryNames(text: string): void {
-    for (const written of text.match(/"[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$/gi) ?? []) {
+    // Whatever else there is matches too: the search would begin again at each of its characters.
+    const names = /("[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$)|[^"]+|"/gi;
+    for (const [, written = ''] of text.matchAll(names)) {
       if (this.#libraries.length >= LIBRARY_LIMIT) return;
       const name = unquoted(written.trim()).replace(/\\/g, '/');
       if (name !== '' && !name.startsWith('#') && !this.#libraries.includes(name)) this.#libraries.push(name);
@@ -292,7 +289,8 @@ class ObjReader {
           `The model changes its object or material more than ${RUN_LIMIT.toLocaleString('en')} times.`,
         );
       }
-      this.#materials.add(this.#material);
+      const material = this.#nameOf('usemtl');
+      this.#materials.add(material);
       // At least one draw each.
       if (this.#materials.size > PART_LIMIT) {
         throw new ModelError(
@@ -300,10 +298,21 @@ class ObjReader {
           `The model has more than ${PART_LIMIT.toLocaleString('en')} materials.`,
         );
       }
-      const object = this.#object === '' ? this.#group : this.#object;
-      this.#runs.push({ object, material: this.#material, start: this.#runStart, end });
+      const object = this.#nameOf('o') || this.#nameOf('g');
+      this.#runs.push({ object, material, start: this.#runStart, end });
     }
     this.#runStart = end;
+  }
+
+  #nameOf(kind: 'o' | 'g' | 'usemtl'): string {
+    const name = this.#names[kind];
+    if (typeof name === 'string') return name;
+    const scanner = this.#scanner;
+    const { at } = scanner;
+    scanner.at = name;
+    const read = (this.#names[kind] = scanner.rest(NAME_LENGTH));
+    scanner.at = at;
+    return read;
   }
 }
 

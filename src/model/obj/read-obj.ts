@@ -10,7 +10,7 @@ import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
 import { asUtf8 } from '../text/utf-16.js';
-import { indexedGeometry, type CornerRange } from '../triangles/indexed-geometry.js';
+import { IndexedGeometries, type CornerRange } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
 import { addressOf, MapTextures } from './map-textures.js';
 import { plainName } from './material-names.js';
@@ -27,13 +27,14 @@ export const readObj: ModelReader = async (source) => {
   const materials = await readLibraries(text, source, slices);
   await smoothNormals(text.lists, slices);
   const textures = new MapTextures(source, budget);
+  const geometries = new IndexedGeometries(text.lists, budget, slices);
   try {
     const parts: ContentPart[] = [];
     for (const { name, material, ranges } of await groupsOf(text.runs, slices)) {
       const definition = materials.named(material);
       const { map, keMap } = definition;
       const withUvs = (map !== null || keMap !== null) && text.lists.uvs.length > 0;
-      const geometry = await indexedGeometry(text.lists, ranges, withUvs, budget, slices);
+      const geometry = await geometries.of(ranges, withUvs);
       if (geometry === null) continue;
       const look = lookOf(definition, geometry.hasAttribute('color'));
       const maps = withUvs
@@ -44,6 +45,7 @@ export const readObj: ModelReader = async (source) => {
       parts.push({ name, geometry, matrix, look: { ...look, ...maps }, sides: 'double', surface });
       if (slices.took(16)) await slices.pause();
     }
+    text.lists.free();
     if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
     materials.nameLeftOut(leftOut);
     const dropped = await leftOut.names(bytes, slices);
@@ -57,6 +59,8 @@ export const readObj: ModelReader = async (source) => {
   }
 };
 
+type Entry = readonly [name: string, material: MtlMaterial];
+
 /** The materials of a model's libraries. */
 class Materials {
   readonly #byName: ReadonlyMap<string, MtlMaterial>;
@@ -66,7 +70,7 @@ class Materials {
   readonly #used = new Set<MtlMaterial>();
   readonly #unknown = new Set<string>();
 
-  constructor(entries: readonly (readonly [string, MtlMaterial])[], complete: boolean) {
+  constructor(entries: readonly Entry[], complete: boolean) {
     this.#byName = new Map(entries);
     this.#byPlainName = new Map(entries.map(([name, material]) => [plainName(name), material]));
     this.#complete = complete;
@@ -90,10 +94,11 @@ class Materials {
 }
 
 async function readLibraries(
-  { libraries }: ObjText,
+  { libraries, runs }: ObjText,
   { linked, optional, budget }: ModelSource,
   slices: Slices,
 ): Promise<Materials> {
+  const named = new Set(Array.from(new Set(runs.map(({ material }) => material)), plainName));
   const read = libraries.map(async (library) => {
     const found = await optional(
       library,
@@ -104,7 +109,11 @@ async function readLibraries(
       },
     );
     const folder = library.slice(0, library.lastIndexOf('/') + 1);
-    return found === null ? null : Array.from(found, (entry) => placedIn(folder, entry));
+    if (found === null) return null;
+    const placed = await slices.map([...found], (entry) =>
+      named.has(plainName(entry[0])) ? [placedIn(folder, entry)] : [],
+    );
+    return placed.flat();
   });
   const found = await Promise.all(read);
   return new Materials(
@@ -114,10 +123,7 @@ async function readLibraries(
 }
 
 /** Images are named relative to the library. */
-function placedIn(
-  folder: string,
-  [name, material]: readonly [string, MtlMaterial],
-): readonly [string, MtlMaterial] {
+function placedIn(folder: string, [name, material]: Entry): Entry {
   const placed = (map: MtlMaterial['map']): MtlMaterial['map'] => map && { ...map, file: folder + map.file };
   return [name, { ...material, map: placed(material.map), keMap: placed(material.keMap) }];
 }

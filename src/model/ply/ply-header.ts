@@ -27,6 +27,10 @@ export interface PlyHeader {
   readonly end: number;
 }
 
+/** How many rows the elements of this name have. */
+export const countOf = (elements: readonly PlyElement[], name: string): number =>
+  elements.reduce((sum, element) => sum + (element.name === name ? element.count : 0), 0);
+
 const TYPES: Readonly<Record<string, PlyType>> = {
   char: 'int8',
   int8: 'int8',

@@ -13,7 +13,7 @@ import {
   wrongCoordinate,
 } from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
-import type { PlyElement, PlyHeader, PlyProperty, PlyType } from './ply-header.js';
+import { countOf, type PlyElement, type PlyHeader, type PlyProperty, type PlyType } from './ply-header.js';
 import type { PlyValues } from './ply-values.js';
 
 /** @throws Error for broken data; ModelError `too-large`. */
@@ -23,7 +23,7 @@ export async function readRows(
   leftOut: LeftOut,
   slices: Slices,
 ): Promise<CornerLists> {
-  const lists = new CornerLists();
+  const lists = new CornerLists(countOf(header.elements, 'vertex'), countOf(header.elements, 'face'));
   const polygons = new Polygons(lists);
   const file: PlyFile = { values, leftOut, slices, lists, polygons, highest: { vertex: -1 } };
   const colors = { ofVertices: new Colors(lists.colors, 0), ofFaces: new Colors(lists.faceColors, 1) };

@@ -8,10 +8,10 @@ import { ModelError } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
 import { type CornerLists } from '../triangles/corner-lists.js';
-import { indexedGeometry } from '../triangles/indexed-geometry.js';
+import { IndexedGeometries } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
 import { keepSoundFaces } from '../triangles/sound-faces.js';
-import { readPlyHeader, type PlyElement } from './ply-header.js';
+import { countOf, readPlyHeader, type PlyElement } from './ply-header.js';
 import { readRows } from './ply-rows.js';
 import { plyValues } from './ply-values.js';
 
@@ -42,7 +42,8 @@ export const readPly: ModelReader = async ({ bytes, signal, budget }) => {
   await keepSoundFaces(lists, leftOut, slices);
   await smoothNormals(lists, slices);
   const ranges = [{ start: 0, end: lists.corners.length }];
-  const geometry = await indexedGeometry(lists, ranges, false, budget, slices);
+  const geometry = await new IndexedGeometries(lists, budget, slices).of(ranges, false);
+  lists.free();
   if (geometry === null) throw await leftOut.error(bytes, slices, 'it has no triangles');
   if (header.hasTexture) leftOut.feature('TextureFile');
   const dropped = await leftOut.names(bytes, slices);
@@ -52,11 +53,9 @@ export const readPly: ModelReader = async ({ bytes, signal, budget }) => {
 };
 
 function requireFaces(elements: readonly PlyElement[]): void {
-  const countOf = (name: string): number =>
-    elements.reduce((sum, element) => sum + (element.name === name ? element.count : 0), 0);
-  const vertices = countOf('vertex');
+  const vertices = countOf(elements, 'vertex');
   if (vertices === 0) throw new Error('it has no vertices');
-  if (countOf('face') + countOf('tristrips') > 0) return;
+  if (countOf(elements, 'face') + countOf(elements, 'tristrips') > 0) return;
   throw new ModelError(
     'bad-model',
     `The PLY file is a cloud of ${String(vertices)} points without faces. Only surfaces can be lit.`,

@@ -16,8 +16,8 @@ export async function readStlText(
   slices: Slices,
 ): Promise<readonly StlSolid[]> {
   const reader = new StlTextReader(bytes, leftOut);
-  for (let { at } = reader; reader.readWord(); { at } = reader) {
-    if (slices.took((reader.at - at) / 8)) await slices.pause();
+  for (let { at, names } = reader; reader.readWord(); { at, names } = reader) {
+    if (slices.took((reader.at - at) / 8 + (reader.names - names) * NAME_WORK)) await slices.pause();
   }
   return reader.finish();
 }
@@ -35,6 +35,8 @@ class StlTextReader {
   #corners: number | null = null;
   #isSound = true;
   #total = 0;
+  /** Names read so far. */
+  names = 0;
 
   constructor(bytes: Uint8Array, leftOut: LeftOut) {
     this.#scanner = new TextScanner(bytes);
@@ -56,11 +58,11 @@ class StlTextReader {
       case 'solid':
         this.#endFacet(at);
         this.#endSolid();
-        this.#name = readName(scanner);
+        this.#name = this.#readName();
         break;
       case 'endsolid':
         this.#endFacet(at);
-        readName(scanner);
+        this.#readName();
         break;
       case 'facet':
         this.#endFacet(at);
@@ -128,20 +130,26 @@ class StlTextReader {
     }
     this.#places = new Positions();
   }
+
+  /** The rest of the line, which may be made of the format's words; where the file has no lines, a part of it. */
+  #readName(): string {
+    const scanner = this.#scanner;
+    if (scanner.atLineEnd()) return '';
+    this.names += 1;
+    const start = scanner.at;
+    const end = AFTER_NAME.exec(scanner.ahead(NAME_SEARCH))?.index;
+    if (end === undefined) return scanner.rest(NAME_LENGTH);
+    scanner.at = start + end;
+    return scanner.textFrom(start, NAME_LENGTH);
+  }
 }
+
+/** Bytes of a line in which the end of a name is looked for, and what that takes, as {@link Slices.took} counts it. */
+const NAME_SEARCH = 1024;
+const NAME_WORK = 4;
 
 /** Longest name of a solid in bytes. */
 const NAME_LENGTH = 256;
 
 /** What ends a name where the file has no lines: words of the format that no name would have in this order. */
 const AFTER_NAME = /\b(?:facet\s+normal\s+\S+\s+\S+\s+\S+\s+outer\s+loop|endsolid|solid)\b/i;
-
-/** The rest of the line, which may be made of the format's words; where the file has no lines, a part of it. */
-function readName(scanner: TextScanner): string {
-  if (scanner.atLineEnd()) return '';
-  const start = scanner.at;
-  scanner.rest(0);
-  const end = AFTER_NAME.exec(scanner.latin1From(start, 1024))?.index;
-  if (end !== undefined) scanner.at = start + end;
-  return scanner.textFrom(start, NAME_LENGTH);
-}

@@ -241,7 +241,14 @@ export class TextScanner {
 
   /** The text from `start` to the next byte as UTF-8 without blanks at its ends, cut after `most` bytes. */
   textFrom(start: number, most: number): string {
-    return utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
+    return most === 0 ? '' : utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
+  }
+
+  /** The next bytes of this line, a character each. Stays before them. */
+  ahead(most: number): string {
+    const bytes = this.#bytes.subarray(this.at, this.at + most);
+    const end = bytes.findIndex(isLineEnd);
+    return latin1.decode(end < 0 ? bytes : bytes.subarray(0, end));
   }
 
   /** From `start` to the next byte, a character for each byte. */

@@ -2,7 +2,7 @@
 // their own, as OBJ writes them.
 import { Matrix4 } from 'three';
 import { LIMITS } from '../../light/light-state.js';
-import { CORNER_LIMIT } from '../limits.js';
+import { CORNER_LIMIT, free } from '../limits.js';
 import { ModelError } from '../model.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
@@ -16,28 +16,46 @@ export const NONE = -1;
 export const NOT_THERE = 0x7fffffff;
 
 export class CornerLists {
-  readonly places = new Positions();
+  readonly places: Positions;
   /** r g b of each position, or empty. Encoded sRGB, 0 to 1. */
-  readonly colors = new Growing(Float32Array);
+  readonly colors: Growing<Float32Array>;
   /** u v; the first row of an image is at v = 0, as in glTF. */
   readonly uvs = new Growing(Float32Array);
   /** r g b of each face that has a colour, after a white one. Empty, or the colours of positions are. */
-  readonly faceColors = new Growing(Float32Array);
+  readonly faceColors: Growing<Float32Array>;
   /** x y z; unit length, or zero for one without a direction. */
-  readonly normals = new Growing(Float32Array);
+  readonly normals: Growing<Float32Array>;
 
   /** Number of the position of each corner, or {@link NOT_THERE}; three corners are a triangle. */
-  readonly corners = new Growing(Uint32Array);
+  readonly corners: Growing<Uint32Array>;
   /** Number of the texture coordinates of each corner, or {@link NONE}. Shorter if the last corners have none. */
-  readonly cornerUvs = new Growing(Int32Array);
+  readonly cornerUvs = new Growing(Int32Array, 0, 1);
   /** Number of the normal of each corner, or {@link NONE}. Shorter if the last corners have none. */
-  readonly cornerNormals = new Growing(Int32Array);
+  readonly cornerNormals: Growing<Int32Array>;
   /** Smoothing group of each triangle: {@link UNSTATED} beyond the end, {@link FACETED}, or a number above 0. */
-  readonly groups = new Growing(Int32Array);
+  readonly groups = new Growing(Int32Array, 0, 3);
   /** Number of each triangle's colour among those of faces, or {@link NONE}. */
-  readonly triangleColors = new Growing(Int32Array);
+  readonly triangleColors: Growing<Int32Array>;
   /** 1 for a triangle of the same face as the one before it. */
-  readonly joined = new Growing(Uint8Array);
+  readonly joined: Growing<Uint8Array>;
+
+  /** @param vertices and `faces`: how many the file announces, having as many bytes at least. */
+  constructor(vertices = 0, faces = 0) {
+    this.places = new Positions(vertices);
+    this.colors = new Growing(Float32Array, 3 * vertices, 1);
+    this.normals = new Growing(Float32Array, 3 * vertices);
+    this.faceColors = new Growing(Float32Array, 3 * (faces + 1));
+    this.corners = new Growing(Uint32Array, 3 * faces);
+    this.cornerNormals = new Growing(Int32Array, 3 * faces, 2);
+    this.triangleColors = new Growing(Int32Array, faces);
+    this.joined = new Growing(Uint8Array, faces);
+  }
+
+  /** Call when the geometries are made. */
+  free(): void {
+    for (const list of Object.values(this)) if (list instanceof Growing) free(list.array as Uint8Array);
+    free(this.places.array);
+  }
 
   get triangles(): number {
     return this.corners.length / 3;
@@ -72,7 +90,7 @@ export class CornerLists {
 export function setItem(list: Growing<Int32Array>, index: number, value: number): void {
   if (index < list.length) list.array[index] = value;
   if (index < list.length || value === NONE) return;
-  while (list.length < index) list.push(NONE);
+  list.fillTo(index, NONE);
   list.push(value);
 }
 
@@ -91,9 +109,9 @@ export class Positions {
   readonly #values: Growing<Float32Array>;
   #origin: readonly [number, number, number] | null = null;
 
-  /** @param capacity the number of vertices, if it is known; at most what a model can have. */
-  constructor(capacity?: number) {
-    this.#values = new Growing(Float32Array, capacity === undefined ? undefined : 3 * capacity);
+  /** @param count the number of vertices, if it is known. */
+  constructor(count = 0) {
+    this.#values = new Growing(Float32Array, 3 * count);
   }
 
   get count(): number {
@@ -149,44 +167,55 @@ interface NumberArray {
   readonly length: number;
   [index: number]: number;
   set(values: ArrayLike<number>, offset?: number): void;
-  subarray(begin: number, end: number): NumberArray;
+  fill(value: number, start: number, end: number): unknown;
 }
 
 const FIRST_LENGTH = 1024;
-/** Longest list that does not fit into its capacity: 11 million vertices. Moving half of it takes 30 ms. */
+/** Longest list: 11 million vertices. Moving half of it takes 30 ms. */
 const LONGEST = 2 ** 25;
 
-/** A list of numbers whose length is not known before the end of the file: a typed array, doubled when it is full. */
+/**
+ * A list of numbers whose length is not known before the end of the file: a typed array, doubled when it is full. What
+ * of it is not written yet takes no memory.
+ */
 export class Growing<A extends NumberArray> {
   readonly #make: new (length: number) => A;
+  readonly #first: number;
   /** Valid up to {@link length}. Replaced when it grows: do not keep it. */
   array: A;
   length = 0;
 
-  /** @param capacity the length it will probably have. */
-  constructor(make: new (length: number) => A, capacity = FIRST_LENGTH) {
+  /**
+   * @param capacity the length that it will probably have.
+   * @param lane lists that are written together have different ones: they are not moved in the same task.
+   */
+  constructor(make: new (length: number) => A, capacity = 0, lane = 0) {
     this.#make = make;
-    this.array = new make(capacity);
+    this.#first = Math.max(capacity, FIRST_LENGTH + 128 * lane);
+    this.array = new make(0);
   }
 
   push(value: number): void {
-    if (this.isFull) this.grow();
+    if (this.length === this.array.length) this.#grow(this.length + 1);
     this.array[this.length] = value;
     this.length += 1;
   }
 
-  /** Whether the next item makes it grow, which takes 30 ms for 64 MB. */
-  get isFull(): boolean {
-    return this.length === this.array.length;
+  /** Makes the list at least that long, by items of this value. */
+  fillTo(length: number, value: number): void {
+    if (length > this.array.length) this.#grow(length);
+    this.array.fill(value, this.length, length);
+    this.length = Math.max(this.length, length);
   }
 
   /** @throws ModelError `too-large` past {@link LONGEST}. */
-  grow(): void {
-    if (this.array.length >= LONGEST) {
+  #grow(least: number): void {
+    if (least > LONGEST) {
       const most = LONGEST.toLocaleString('en');
       throw new ModelError('too-large', `The model has a list of more than ${most} numbers.`);
     }
-    const larger = new this.#make(Math.max(this.array.length * 2, FIRST_LENGTH));
+    const wanted = Math.max(least, this.array.length * 2, this.#first);
+    const larger = new this.#make(Math.min(wanted, LONGEST));
     larger.set(this.array);
     this.array = larger;
   }

@@ -1,6 +1,7 @@
 // Normals for corners that have none in the file: the mean of the faces around a vertex that are smoothed together,
 // weighted by their angles there, so that it does not depend on how polygons are cut into triangles. Computed in
 // float64.
+import { free } from '../limits.js';
 import type { Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
@@ -46,6 +47,7 @@ export async function smoothNormals(lists: CornerLists, slices: Slices): Promise
     }
     if (start === end && slices.took(1 / 64)) await slices.pause();
   }
+  free(starts, around, faces.normals, faces.angles);
 }
 
 /** The corners around a vertex, copied out of the lists: each is compared with every other. */
