@@ -12,7 +12,7 @@ import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { providePanel } from './element/viewer/viewer-panel.js';
 import { lazyCode } from './model/lazy-code.js';
-import { endEarly } from './model/request-file.js';
+import { endEarly } from './model/request-model.js';
 
 litWasImported();
 providePanel(lazyCode(() => import('./gui/panel.js'), 'the control panel'));
@@ -33,17 +33,23 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 }
 
 export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
+export type { ViewerErrorCode } from './element/fields/text-list.js';
 export type {
   LoadDetail,
   PhongCompareEventMap,
   PhongMeshEventMap,
   PhongViewerEventMap,
-  ViewerErrorCode,
   ViewerErrorDetail,
 } from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
 export type { ViewerTexts } from './element/fields/texts.js';
-export type { PhongCompareProps, PhongControlProps, PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
+export type {
+  PhongCompareProps,
+  PhongControlProps,
+  PhongLightProps,
+  PhongMeshProps,
+  PhongViewerProps,
+} from './element/jsx.js';
 export type {} from './element/types/solid.js';
 export type {} from './element/types/svelte.js';
 export type {} from './element/elements.js';

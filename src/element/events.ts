@@ -2,9 +2,7 @@
 // their types and descriptions from this list. Types only.
 import type { CameraSource, PhongLight } from './elements.js';
 import type { FragmentExplanation } from './explanation.js';
-
-export type ViewerErrorCode =
-  'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
+import type { ViewerErrorCode } from './fields/text-list.js';
 
 export interface ViewerErrorDetail {
   readonly code: ViewerErrorCode;

@@ -4,7 +4,7 @@ import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/text-list.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { historyOf, valuesOf } from '../element/viewer/history.js';
-import { modelCode } from '../model/request-file.js';
+import { modelCode } from '../model/request-model.js';
 import { ButtonRow } from './button-row.js';
 import { label } from './label.js';
 

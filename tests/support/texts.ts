@@ -3,7 +3,7 @@
 import { textsIn } from '../../.ci/texts.mjs';
 import type { ViewerText } from '../../src/element/fields/text-list.js';
 import type { CompleteTexts } from '../../src/element/fields/texts.js';
-import type { ViewerErrorCode } from '../../src/element/events.js';
+import type { ViewerErrorCode } from '../../src/element/fields/text-list.js';
 
 export const readyTexts = (language: string): CompleteTexts => textsIn(language) as CompleteTexts;
 

@@ -1,6 +1,5 @@
 // The page's own words in place of a viewer's texts. English by default; texts.json has all texts.
-import type { ViewerErrorCode } from '../events.js';
-import type { ViewerText } from './text-list.js';
+import type { ViewerErrorCode, ViewerText } from './text-list.js';
 
 /**
  * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in braces stand for

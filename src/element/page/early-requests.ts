@@ -1,6 +1,6 @@
 // Requests the models that the page's markup names before the rest of the first file runs: three.js, Lit and the
 // definitions of the elements take 20 to 50 ms. Only what the elements are going to request anyway.
-import { requestEarly } from '../../model/request-file.js';
+import { requestEarly } from '../../model/request-model.js';
 
 /** Values set before the elements are defined replace the attributes. */
 const isSet = (element: Element): boolean =>

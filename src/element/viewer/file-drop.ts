@@ -1,6 +1,6 @@
 // Files dropped on a viewer become its model. What the browser offers only during the event is taken here; which of
 // them is the model is decided by the code that reads models.
-import { modelCode } from '../../model/request-file.js';
+import { modelCode } from '../../model/request-model.js';
 import type { PhongViewer } from '../elements.js';
 
 /** From now on the viewer takes files while it is `droppable`. */

@@ -1,7 +1,7 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
 import { lazyCode } from '../lazy-code.js';
 import { isDataUri } from '../request-file.js';
-import type { ModelSource } from '../format.js';
+import type { ModelSource } from '../model-reader.js';
 import { BYTE_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import type { Container } from './container.js';

@@ -2,7 +2,7 @@
 // Bytes and images are provided by index. A separate chunk.
 import type { Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import type { ModelReader } from '../format.js';
+import type { ModelReader } from '../model-reader.js';
 import { nameOf } from '../file-name.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';

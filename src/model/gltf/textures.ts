@@ -16,7 +16,7 @@ import {
   type Wrapping,
 } from 'three';
 import { clip } from '../../fields/clip.js';
-import type { ModelSource } from '../format.js';
+import type { ModelSource } from '../model-reader.js';
 import { countImage, decodeImage } from '../image.js';
 import type { ModelBudget } from '../model-budget.js';
 import { isDataUri } from '../request-file.js';

@@ -8,7 +8,7 @@ import {
   RepeatWrapping,
   Texture,
 } from 'three';
-import type { ModelSource } from '../format.js';
+import type { ModelSource } from '../model-reader.js';
 import { countImage, decodeImage, type ImageFile } from '../image.js';
 import type { ModelBudget } from '../model-budget.js';
 import type { MtlMap } from './mtl.js';

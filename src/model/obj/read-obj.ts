@@ -4,7 +4,7 @@ import { type BaseLook, emits, PLAIN_LOOK } from '../../material/file-surface.js
 import type { SurfaceValues } from '../../material/material-values.js';
 import { scale } from '../../math/vector.js';
 import { clip } from '../../fields/clip.js';
-import type { ModelReader, ModelSource } from '../format.js';
+import type { ModelReader, ModelSource } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';

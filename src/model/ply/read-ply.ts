@@ -1,7 +1,7 @@
 // Reads a PLY file, text or binary: vertices with normals and colours, faces as lists or strips. Vertices that the file
 // gives no normals are smoothed, with edges where faces meet at a sharp angle. A separate chunk.
 import { PLAIN_LOOK } from '../../material/file-surface.js';
-import type { ModelReader } from '../format.js';
+import type { ModelReader } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import { isOutOfMemory } from '../limits.js';
 import { ModelError } from '../model.js';

@@ -4,7 +4,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../math/vector.js';
 import { faceNormals } from '../face-normals.js';
-import type { ModelReader } from '../format.js';
+import type { ModelReader } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
 import { ModelBudget } from '../model-budget.js';

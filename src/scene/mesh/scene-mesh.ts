@@ -25,7 +25,7 @@ import {
   type ShownContent,
 } from './parts.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
-import { modelCode } from '../../model/request-file.js';
+import { modelCode } from '../../model/request-model.js';
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName, type LoadedShape } from './shapes/shapes.js';
 
