@@ -8,7 +8,7 @@ import { basisOf, clampLength } from './orbit.js';
 import type { Pose } from './orbit.js';
 
 /** The picture under the pointer. */
-export interface View {
+export interface PictureFrame {
   /** CSS pixels. 0 while the element is not displayed; a drag then moves nothing. */
   readonly width: number;
   readonly height: number;
@@ -25,7 +25,7 @@ export interface RadiusLimits {
 /**
  * One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles.
  */
-export function turn(start: Pose, dx: number, dy: number, { width, height }: View): Pose {
+export function turn(start: Pose, dx: number, dy: number, { width, height }: PictureFrame): Pose {
   if (!(width > 0 && height > 0)) return start;
   return turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
 }
@@ -42,7 +42,7 @@ export function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {
 }
 
 /** Moves the target parallel to the picture plane, so that the point under the pointer stays under it. */
-export function shift(start: Pose, dx: number, dy: number, view: View): Pose {
+export function shift(start: Pose, dx: number, dy: number, view: PictureFrame): Pose {
   if (dx === 0 && dy === 0) return start;
   const step = worldPerPixel(start.radius, view);
   const { right, up } = basisOf(start);
@@ -52,7 +52,7 @@ export function shift(start: Pose, dx: number, dy: number, view: View): Pose {
 }
 
 /** Scene units per CSS pixel in the plane through the target; NaN if the picture has no height. */
-export function worldPerPixel(radius: number, { height, fov }: View): number {
+export function worldPerPixel(radius: number, { height, fov }: PictureFrame): number {
   return height > 0 ? (2 * radius * sinDegrees(fov / 2)) / (cosDegrees(fov / 2) * height) : NaN;
 }
 

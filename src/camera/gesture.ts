@@ -3,7 +3,7 @@
 // pixels; travel is measured along the picture's own axes.
 
 import { pinch, shift, turn } from './drag.js';
-import type { RadiusLimits, View } from './drag.js';
+import type { RadiusLimits, PictureFrame } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
 /** The picture's box, and the directions of its axes on the page. */
@@ -52,7 +52,7 @@ interface Finger {
 /** The state that travel is measured from. */
 interface Anchor {
   readonly pose: Pose;
-  readonly view: View;
+  readonly view: PictureFrame;
   readonly axes: PictureAxes;
   readonly orbit: boolean;
   readonly zoom: boolean;

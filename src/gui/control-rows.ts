@@ -21,7 +21,7 @@ import {
   text,
   vector,
 } from './rows.js';
-import { linear, type Travel } from './travel.js';
+import { linear, type SliderScale } from './travel.js';
 
 export type AnyRow = NonNullable<Rows<Editable>[string]>;
 
@@ -98,7 +98,7 @@ function valuesIn(text: string, field: Field<unknown>): readonly unknown[] {
 }
 
 /** Scales of values that have no slider in the panel. */
-const SCALES: Readonly<Record<string, Travel>> = {
+const SCALES: Readonly<Record<string, SliderScale>> = {
   segments: linear(3, 128, 1),
   pixelRatio: linear(0.25, 4, 0.25),
 };

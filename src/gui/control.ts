@@ -8,7 +8,7 @@ import type { ViewerTexts } from '../element/fields/texts.js';
 import { addStyles, removeStyles } from '../element/page/style-sheets.js';
 import { PhongControl } from '../element/phong-control.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { historyOf, type Subject } from '../element/viewer/history.js';
+import { historyOf, type Undoable } from '../element/viewer/history.js';
 import { clip } from '../fields/clip.js';
 import type { Field } from '../fields/field.js';
 import { FieldStore, sameValue } from '../fields/field-store.js';
@@ -21,7 +21,7 @@ import { LIGHT_ROWS } from './light-folder.js';
 import { MESH_ROWS } from './mesh-folder.js';
 import { declared, type Editable, type Rows, type Source } from './rows.js';
 import { SceneRange } from './scene-range.js';
-import type { Travel } from './travel.js';
+import type { SliderScale } from './travel.js';
 import { listenForUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-folders.js';
 
@@ -173,7 +173,7 @@ class Control {
     const row = values !== '' ? stepper(key, field, values, own) : rowOf(key, field, own);
     const range = new SceneRange(viewer);
     const axis = component === null ? null : axisOf(component);
-    const scale = (travel: Travel) => travel.within(min, max, step);
+    const scale = (travel: SliderScale) => travel.within(min, max, step);
     const inText = type === null ? isInText(this.#element) : type === 'number';
     const box = document.createElement('span');
     box.className = inText ? 'text' : 'line';
@@ -253,7 +253,7 @@ function joined(elements: readonly Editable[], sources: readonly Source[]): Boun
   return value;
 }
 
-const together = (subjects: readonly Subject<unknown>[]): Subject<readonly unknown[]> => ({
+const together = (subjects: readonly Undoable<unknown>[]): Undoable<readonly unknown[]> => ({
   read: () => subjects.map((subject) => subject.read()),
   same: (a, b) => subjects.every((subject, i) => subject.same(a[i], b[i])),
   restore: (from, to) => subjects.forEach((subject, i) => subject.restore(from[i], to[i])),

@@ -3,11 +3,11 @@
 import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/text-list.js';
 import { label } from './label.js';
-import { type AddedRow, addRows, type Editable, type Place, type Rows } from './rows.js';
+import { type AddedRow, addRows, type Editable, type RowContext, type Rows } from './rows.js';
 
 export class Folder<E extends Editable> {
   readonly gui: GUI;
-  readonly #place: Place<E>;
+  readonly #place: RowContext<E>;
   readonly #table: Rows<E>;
   readonly #built: (gui: GUI) => void;
   #rows: ReadonlyMap<string, AddedRow<E>> | null = null;
@@ -17,7 +17,7 @@ export class Folder<E extends Editable> {
   constructor(
     parent: GUI,
     title: ViewerText | null,
-    place: Place<E>,
+    place: RowContext<E>,
     table: Rows<E>,
     built: (gui: GUI) => void = () => undefined,
   ) {

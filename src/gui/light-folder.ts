@@ -18,7 +18,7 @@ import {
   mapped,
   number,
   oneOf,
-  type Place,
+  type RowContext,
   type Row,
   type RowTable,
   text,
@@ -63,7 +63,7 @@ const kind: Row<unknown, PhongLight> = {
 };
 
 /** The point that a new spot is aimed at, in the light's own space. */
-function aimOf({ element, viewer }: Place<PhongLight>): Vec3 {
+function aimOf({ element, viewer }: RowContext<PhongLight>): Vec3 {
   const { target, radius } = viewer.camera;
   return element.space === 'camera' ? [0, 0, -radius] : target;
 }

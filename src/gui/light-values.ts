@@ -7,19 +7,19 @@ import type { Vec3, Vec4 } from '../math/vector.js';
 
 export const LIGHT_KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
 
-export interface Cone {
+export interface ConeValues {
   readonly aperture: number;
   readonly cutoff: number;
 }
 
 /** For a light that becomes a spot for the first time. */
-const FIRST_CONE: Cone = { aperture: 30, cutoff: 8 };
+const FIRST_CONE: ConeValues = { aperture: 30, cutoff: 8 };
 
-const NO_CONE: Cone = { aperture: 180, cutoff: 0 };
+const NO_CONE: ConeValues = { aperture: 180, cutoff: 0 };
 
 /** Changes the kind of one light. A kind that it had before gets its former values back. */
 export class KindChange {
-  #formerCone: Cone | null = null;
+  #formerCone: ConeValues | null = null;
 
   /**
    * The values to write so that the light becomes this kind; none if it is already. x, y and z stay. A spot gets its

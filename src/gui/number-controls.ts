@@ -6,16 +6,16 @@ import { accepted, bound, type Bound } from './bound.js';
 import { label, nameRow } from './label.js';
 import { TextField } from './text-control.js';
 import { tidy } from '../math/round-number.js';
-import { numberText, type Travel } from './travel.js';
+import { numberText, type SliderScale } from './travel.js';
 
 /** A slider over the usual range, and a field that accepts every value that the element accepts. */
 export class NumberControl extends Controller {
-  readonly #travel: () => Travel;
+  readonly #travel: () => SliderScale;
   readonly #slider: Slider;
   readonly #field: NumberField;
 
   /** `travel`: the slider's scale while the value lies within it; read again at each update. */
-  constructor(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => Travel) {
+  constructor(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => SliderScale) {
     super(folder, bound, 'value', 'lil-number');
     nameRow(this, name);
     this.#travel = travel;
@@ -65,7 +65,7 @@ export const nameComponent = (
 ): void => label(name, (say) => (name.textContent = say(components[axis], { row: say(row) })));
 
 export class VectorControl extends Controller {
-  readonly #travel: (axis: Axis) => Travel;
+  readonly #travel: (axis: Axis) => SliderScale;
   readonly #fields: readonly NumberField[];
 
   /** `travel`: the scale of a component's steps; read again at each update. */
@@ -73,7 +73,7 @@ export class VectorControl extends Controller {
     folder: GUI,
     value: Bound<Vec3>,
     name: ViewerText,
-    travel: (axis: Axis) => Travel,
+    travel: (axis: Axis) => SliderScale,
     components: ComponentNames = AXES,
   ) {
     super(folder, value, 'value', 'vector');
@@ -105,13 +105,13 @@ export class VectorControl extends Controller {
 export class Slider {
   readonly input = document.createElement('input');
   /** The scale while the value lies within it. */
-  travel: Travel;
+  travel: SliderScale;
   readonly #bound: Bound<number>;
   /** The scale in use. */
-  #present: Travel;
+  #present: SliderScale;
   #dragging = false;
 
-  constructor(bound: Bound<number>, travel: Travel) {
+  constructor(bound: Bound<number>, travel: SliderScale) {
     this.#bound = bound;
     this.travel = travel;
     this.#present = travel;
@@ -134,7 +134,7 @@ export class Slider {
   }
 
   /** Shows the value. Returns the scale in use. */
-  update(): Travel {
+  update(): SliderScale {
     const { value } = this.#bound;
     const { input } = this;
     if (!this.#dragging) {
@@ -167,12 +167,12 @@ const SLACK = 3;
 class NumberField {
   readonly input: HTMLInputElement;
   /** Gives the steps and the resolution. */
-  travel: Travel;
+  travel: SliderScale;
   readonly #field: TextField;
   readonly #bound: Bound<number>;
   #drag: { readonly x: number; readonly value: number; moved: boolean } | null = null;
 
-  constructor(bound: Bound<number>, travel: Travel) {
+  constructor(bound: Bound<number>, travel: SliderScale) {
     this.#bound = bound;
     this.travel = travel;
     this.#field = new TextField({

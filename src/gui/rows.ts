@@ -7,7 +7,7 @@ import type { ViewerText } from '../element/fields/text-list.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { historyOf, type Subject, valuesOf } from '../element/viewer/history.js';
+import { historyOf, type Undoable, valuesOf } from '../element/viewer/history.js';
 import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { ColorControl } from './color-control.js';
@@ -23,26 +23,26 @@ import {
 import type { SceneRange } from './scene-range.js';
 import { SelectControl } from './select-control.js';
 import { DrawnReadout, Readout, TextControl } from './text-control.js';
-import type { Travel } from './travel.js';
+import type { SliderScale } from './travel.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
 
 /** What a folder edits, and what its rows depend on. */
-export interface Place<E> {
+export interface RowContext<E> {
   readonly element: E;
   readonly viewer: PhongViewer;
   readonly range: SceneRange;
   /** The title of the folder, in the page's words. */
   title(): string;
   /** The scale that is shown in place of a row's own. */
-  readonly scale?: (own: Travel) => Travel;
+  readonly scale?: (own: SliderScale) => SliderScale;
   /** The only component of vectors that is shown, by slider and field. */
   readonly axis?: Axis | null;
 }
 
 /** Where the value of a row is kept. */
 export interface Source {
-  readonly subject: Subject<unknown>;
+  readonly subject: Undoable<unknown>;
   readonly get: () => unknown;
   /** Throws RangeError or TypeError for a value that the element refuses. */
   readonly set: (value: unknown) => void;
@@ -58,7 +58,7 @@ export const declared = (element: Editable, key: string): Source => ({
 /** How one field of an element `E` is edited. */
 export interface Row<T, E> {
   /** Adds the controls to the folder. `value` reads and writes the field. */
-  readonly add: (gui: GUI, place: Place<E>, value: Bound<T>) => void;
+  readonly add: (gui: GUI, place: RowContext<E>, value: Bound<T>) => void;
   /** Where the value is; the declared one, if left out. */
   readonly source?: (element: E) => Source;
   /** When the row is shown; always, if left out. Rows with the same condition stay while one of them has the focus. */
@@ -77,7 +77,7 @@ export type RowTable<V, E, Own extends string = never> = {
 
 /** A row of any field. */
 type AnyRow<E> = Omit<Row<unknown, E>, 'add'> & {
-  readonly add: (gui: GUI, place: Place<E>, value: never) => void;
+  readonly add: (gui: GUI, place: RowContext<E>, value: never) => void;
 };
 
 /** Any table for `E`. */
@@ -100,7 +100,7 @@ export interface AddedRow<E> {
 /** Adds the rows of a table, and returns them by their fields. */
 export function addRows<E extends Editable>(
   gui: GUI,
-  place: Place<E>,
+  place: RowContext<E>,
   rows: Rows<E>,
 ): ReadonlyMap<string, AddedRow<E>> {
   const { element } = place;
@@ -122,7 +122,7 @@ export function addRows<E extends Editable>(
 /** A value whose writes can be undone. Writes of one gesture are one step. */
 export function edited<T>(
   viewer: PhongViewer,
-  subject: Subject<unknown>,
+  subject: Undoable<unknown>,
   get: () => T,
   set: (value: T) => void,
 ): Bound<T> {
@@ -155,9 +155,9 @@ export const mapped = <A, B, E>(
 });
 
 /** A slider's scale, or how it follows from the scene. */
-type TravelOf<E> = Travel | ((place: Place<E>) => Travel);
+type TravelOf<E> = SliderScale | ((place: RowContext<E>) => SliderScale);
 
-const scaled = <E>({ scale }: Place<E>, travel: Travel): Travel => scale?.(travel) ?? travel;
+const scaled = <E>({ scale }: RowContext<E>, travel: SliderScale): SliderScale => scale?.(travel) ?? travel;
 
 export const number = <E>(label: ViewerText, travel: TravelOf<E>, hint?: ViewerText): Row<number, E> => ({
   add: (gui, place, value) => {
@@ -171,11 +171,11 @@ export const number = <E>(label: ViewerText, travel: TravelOf<E>, hint?: ViewerT
 /** `components`: accessible names of x, y and z. */
 export const vector = <E>(
   label: ViewerText,
-  travel: Travel | ((place: Place<E>, axis: Axis) => Travel),
+  travel: SliderScale | ((place: RowContext<E>, axis: Axis) => SliderScale),
   components?: ComponentNames,
 ): Row<Vec3, E> => ({
   add: (gui, place, value) => {
-    const travelOf = (axis: Axis): Travel =>
+    const travelOf = (axis: Axis): SliderScale =>
       scaled(place, typeof travel === 'function' ? travel(place, axis) : travel);
     const { axis } = place;
     if (axis === undefined || axis === null) new VectorControl(gui, value, label, travelOf, components);
@@ -267,7 +267,7 @@ export const drawnReadout = <T, E>(label: ViewerText, read: (element: E) => stri
 });
 
 /** A button in a row of its own. The press edits what it needs to. */
-export const button = <E>(label: ViewerText, press: (place: Place<E>) => void): Row<unknown, E> => ({
+export const button = <E>(label: ViewerText, press: (place: RowContext<E>) => void): Row<unknown, E> => ({
   add: (gui, place) => {
     addButton(gui, label, () => {
       press(place);

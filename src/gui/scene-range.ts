@@ -4,7 +4,7 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Vec3 } from '../math/vector.js';
 import { niceCeil } from '../math/round-number.js';
 import { measure } from '../scene/bounds.js';
-import { linear, type Travel } from './travel.js';
+import { linear, type SliderScale } from './travel.js';
 
 /** In radii of the scene, because lights are placed around a scene as well as inside it. */
 const REACH = 3;
@@ -38,7 +38,7 @@ export class SceneRange {
   }
 
   /** For a position in world space. */
-  place(axis: 0 | 1 | 2): Travel {
+  place(axis: 0 | 1 | 2): SliderScale {
     this.#measure();
     const step = niceCeil(this.#reach / 500);
     const middle = Math.round(this.#center[axis] / step) * step;
@@ -48,7 +48,7 @@ export class SceneRange {
   }
 
   /** For a vector around zero: a direction, or a position in camera space. */
-  vector(): Travel {
+  vector(): SliderScale {
     return linear(-this.reach, this.reach, niceCeil(this.reach / 500));
   }
 

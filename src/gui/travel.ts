@@ -2,7 +2,7 @@
 import { niceCeil, tidy } from '../math/round-number.js';
 
 /** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
-export interface Travel {
+export interface SliderScale {
   readonly start: number;
   readonly end: number;
   /** Distance of neighbouring positions. */
@@ -14,9 +14,9 @@ export interface Travel {
   /** The change by one press of an arrow key, at this value. */
   stepAt(value: number): number;
   /** This scale, or one wide enough for the value. */
-  reaching(value: number): Travel;
+  reaching(value: number): SliderScale;
   /** This scale between these ends and in this step, null as it is now. With an end it no longer grows. */
-  within(min: number | null, max: number | null, step: number | null): Travel;
+  within(min: number | null, max: number | null, step: number | null): SliderScale;
   /** Values outside cannot be typed. */
   readonly limits?: readonly [least: number, most: number];
 }
@@ -25,7 +25,7 @@ export interface Travel {
 const STEPS = 200;
 
 /** Even steps from `min` to `max`. */
-export function linear(min: number, max: number, step = niceCeil((max - min) / STEPS)): Travel {
+export function linear(min: number, max: number, step = niceCeil((max - min) / STEPS)): SliderScale {
   return {
     start: min,
     end: max,
@@ -48,7 +48,7 @@ export function linear(min: number, max: number, step = niceCeil((max - min) / S
 }
 
 /** From 0 to `max`: linear up to about `knee`, logarithmic beyond. Usable around 1 as well as around 1e5. */
-export function logarithmic(knee: number, max: number): Travel {
+export function logarithmic(knee: number, max: number): SliderScale {
   const span = Math.log1p(max / knee);
   const digits = (value: number): number => Number(value.toPrecision(3));
   return {
@@ -74,7 +74,7 @@ export function logarithmic(knee: number, max: number): Travel {
 }
 
 /** Keeps a scale from growing beyond the ends that are given. */
-const limited = (scale: Travel, least: number | null, most: number | null): Travel =>
+const limited = (scale: SliderScale, least: number | null, most: number | null): SliderScale =>
   least === null && most === null
     ? scale
     : {

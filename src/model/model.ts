@@ -6,7 +6,7 @@ import type { SurfaceValues } from '../material/material-values.js';
 
 /** What a mesh shows. Readers of files and built-in shapes make it, the scene draws it. */
 export interface Content {
-  /** Empty only in {@link NOTHING}. */
+  /** Empty only in {@link NO_CONTENT}. */
   readonly parts: readonly ContentPart[];
   /** Null if nothing in it moves. */
   readonly motion: Motion | null;
@@ -18,7 +18,7 @@ export interface Content {
   dispose(): void;
 }
 
-export const NOTHING: Content = { parts: [], motion: null, dispose: () => undefined };
+export const NO_CONTENT: Content = { parts: [], motion: null, dispose: () => undefined };
 
 /** A geometry and how it looks, as far as its file or shape says. */
 export interface ContentPart {

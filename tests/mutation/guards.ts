@@ -166,8 +166,8 @@ export const GUARDS: readonly Guard[] = [
       linkedUrl: (uri, model) => new URL(uri, model),
     }),
   ),
-  guard<typeof sampling>('textures are interpolated', 'scene/snapshot/sample', 'sample', ({ sample }) => ({
-    sample: (texels, map, u, v) =>
-      sample(texels, map, (Math.floor(u * texels.width) + 0.5) / texels.width, v),
+  guard<typeof sampling>('textures are interpolated', 'scene/snapshot/sample', 'sample', ({ sampleTexture }) => ({
+    sampleTexture: (texels, map, u, v) =>
+      sampleTexture(texels, map, (Math.floor(u * texels.width) + 0.5) / texels.width, v),
   })),
 ];

@@ -1,7 +1,7 @@
 // Where are the dividers of a comparison, and how far does a key move one?
 
 import { describe, expect, it } from 'vitest';
-import { keyStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/divider-positions.js';
+import { dividerStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/divider-positions.js';
 
 describe('the dividers of a comparison', () => {
   it('make equal parts unless they are declared', () => {
@@ -32,7 +32,7 @@ describe('the dividers of a comparison', () => {
 
 describe('a key on a divider', () => {
   const step = (key: string, shiftKey = false, vertical = false, rtl = false) =>
-    keyStep({ key, shiftKey }, vertical, rtl);
+    dividerStep({ key, shiftKey }, vertical, rtl);
 
   it('moves it in the direction of the arrow', () => {
     expect(step('ArrowRight')).toBe(1);

@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import {
   cameraText,
   lightCountText,
-  lightName,
+  lightNameText,
   lightsText,
   lightText,
   meshTitle,
@@ -50,8 +50,8 @@ describe('a light', () => {
   });
 
   test('that is off is called so', () => {
-    expect(lightName(null, 'sun', { active: true })).toBe('sun');
-    expect(lightName(null, 'sun', { active: false })).toBe('sun (off)');
+    expect(lightNameText(null, 'sun', { active: true })).toBe('sun');
+    expect(lightNameText(null, 'sun', { active: false })).toBe('sun (off)');
   });
 });
 

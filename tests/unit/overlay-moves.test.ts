@@ -5,8 +5,8 @@ import { describe, expect, it } from 'vitest';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
-import { lightMarks, type Part } from '../../src/overlay/helpers/light-marks.js';
-import { moved, type Anchor, type Travel } from '../../src/overlay/helpers/moves.js';
+import { lightMarks, type HandlePart } from '../../src/overlay/helpers/light-marks.js';
+import { moved, type Anchor, type HandleMove } from '../../src/overlay/helpers/moves.js';
 import { placedLight } from '../../src/overlay/helpers/placed-light.js';
 
 const scene = { center: [0, 0, 0], radius: 1 } as const;
@@ -18,12 +18,12 @@ const sight = {
 } as const;
 const values = (given: Partial<LightValues>): LightValues => new LightState(given).values;
 
-function anchorOf(light: LightValues, view: Projection, part: Part = 'place'): Anchor {
+function anchorOf(light: LightValues, view: Projection, part: HandlePart = 'place'): Anchor {
   const { placed, handles } = lightMarks(light, view, scene, false, Infinity);
   return { part, values: light, placed, handle: handles.find((each) => each.part === part)!, view, scene };
 }
 
-const travel = (dx: number, dy: number, more: Partial<Travel> = {}): Travel => ({
+const travel = (dx: number, dy: number, more: Partial<HandleMove> = {}): HandleMove => ({
   dx,
   dy,
   along: false,

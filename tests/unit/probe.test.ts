@@ -11,7 +11,7 @@ import { Projection } from '../../src/overlay/drawing/projection.js';
 import { cellText, columnsOf } from '../../src/overlay/probe/columns.js';
 import { drawingOf } from '../../src/overlay/probe/drawing.js';
 import { figureOf, MOST_LIGHTS } from '../../src/overlay/probe/figure.js';
-import { byShare, numberText, shownAbsence, sumOf, tripleText } from '../../src/overlay/probe/sum.js';
+import { byShare, shortNumber, shownAbsence, probeSum, tripleText } from '../../src/overlay/probe/sum.js';
 import { fragmentText, stepsText } from '../../src/overlay/probe/words.js';
 import { LightState, shade, type Surface } from '../../src/reference/index.js';
 
@@ -86,7 +86,7 @@ const TWO: readonly Given[] = [
 describe('the sum', () => {
   it('has a row for each active light, whose terms add up to its total, and the totals to the sum', () => {
     const fragment = explained(TWO);
-    const { rows, totals, color } = sumOf(fragment, false);
+    const { rows, totals, color } = probeSum(fragment, false);
     expect(rows.map(({ name }) => name)).toEqual(['light 1', 'light 3']);
     for (const { ambient, diffuse, specular, total } of rows)
       total.forEach((x, i) => expect(x).toBeCloseTo(ambient[i]! + diffuse[i]! + specular[i]!, 10));
@@ -97,7 +97,7 @@ describe('the sum', () => {
 
   it('is encoded last in linear light', () => {
     const fragment = explained(TWO, { linear: true });
-    const { rows, totals } = sumOf(fragment, true);
+    const { rows, totals } = probeSum(fragment, true);
     expect(totals.map(({ label }) => label)).toEqual(['sum', 'encoded', 'clamped'].slice(0, totals.length));
     const red = rows.reduce((total, row) => total + row.total[0], 0);
     expect(red / 255).toBeCloseTo(srgbDecode(fragment.sum[0]), 10);
@@ -106,7 +106,7 @@ describe('the sum', () => {
 
   it('adds an emissive colour, and is the base colour alone for unlit surfaces', () => {
     const glowing = { ...explained([]), emissive: [0.1, 0.2, 0] as const, sum: [0.1, 0.2, 0] as const };
-    expect(sumOf(glowing, false).totals[0]).toEqual({ label: 'emissive', color: [25.5, 51, 0] });
+    expect(probeSum(glowing, false).totals[0]).toEqual({ label: 'emissive', color: [25.5, 51, 0] });
     const unlit = {
       ...explained(TWO),
       unlit: true,
@@ -114,13 +114,13 @@ describe('the sum', () => {
       sum: [1, 0, 0] as const,
       color: [1, 0, 0] as const,
     };
-    const { rows, totals } = sumOf(unlit, false);
+    const { rows, totals } = probeSum(unlit, false);
     expect(rows).toEqual([]);
     expect(totals).toEqual([{ label: 'base colour', color: [255, 0, 0] }]);
   });
 
   it('says why a light adds neither diffuse nor specular', () => {
-    const { rows } = sumOf(
+    const { rows } = probeSum(
       explained([
         { position: [0, -1, 0, 0] },
         { position: [0, 3, 0, 1], axis: [1, 0, 0], aperture: 10 },
@@ -132,18 +132,18 @@ describe('the sum', () => {
     expect(rows.map(({ absence }) => absence)).toEqual([
       ...['behind the surface', 'outside its cone', 'no direction', null],
     ]);
-    expect(sumOf(explained(TWO, { normal: [0, 0, 0] }), false).rows[0]!.absence).toBe('no normal');
+    expect(probeSum(explained(TWO, { normal: [0, 0, 0] }), false).rows[0]!.absence).toBe('no normal');
   });
 
   it('says it only of terms that are missing: under Gouraud shading the corners may have them', () => {
-    const [row] = sumOf(explained([{ position: [0, -1, 0, 0], ambient: [9, 9, 9] }]), false).rows;
+    const [row] = probeSum(explained([{ position: [0, -1, 0, 0], ambient: [9, 9, 9] }]), false).rows;
     expect(shownAbsence(row!)).toBe('behind the surface');
     expect(shownAbsence({ ...row!, diffuse: [1, 0, 0] })).toBeNull();
     expect(shownAbsence({ ...row!, absence: 'outside its cone' })).toBeNull();
   });
 
   it('has "…" in place of terms that have no column, in the rows whose sum has them', () => {
-    const sum = sumOf(explained([TWO[0]!, { ...TWO[2]!, ambient: [0, 0, 0] }]), false);
+    const sum = probeSum(explained([TWO[0]!, { ...TWO[2]!, ambient: [0, 0, 0] }]), false);
     const shown = (left: number): string[] => {
       const shape = { columns: columnsOf(sum, left, true), digits: 0, stacked: false };
       const [first = '…', ...rest] = shape.columns;
@@ -164,10 +164,10 @@ describe('the sum', () => {
   });
 
   it('prints numbers with a typographic minus, none before a zero, and short at any size', () => {
-    expect(numberText(-0.001, 2, null)).toBe('0.00');
-    expect(numberText(-1.5, 1, null)).toBe('−1.5');
-    expect(numberText(Infinity, 1, null)).toBe('∞');
-    expect(numberText(1.5e300, 1, null)).toBe('1.5e+300');
+    expect(shortNumber(-0.001, 2, null)).toBe('0.00');
+    expect(shortNumber(-1.5, 1, null)).toBe('−1.5');
+    expect(shortNumber(Infinity, 1, null)).toBe('∞');
+    expect(shortNumber(1.5e300, 1, null)).toBe('1.5e+300');
     expect(tripleText([1, 2.25, 255], 1, null)).toBe('1.0 2.3 255.0');
     expect(tripleText([1, 2.25, 255], 1, { en: 'de' }), 'a wider gap').toBe('1,0\u20022,3\u2002255,0');
   });
@@ -175,7 +175,7 @@ describe('the sum', () => {
 
 describe('the figure', () => {
   const figure = (fragment: FragmentExplanation, chosen = 0, options = { alone: false, halfway: false }) => {
-    const sum = sumOf(fragment, false);
+    const sum = probeSum(fragment, false);
     return figureOf(fragment, sum, sum.rows[chosen] ?? null, options, null);
   };
 
@@ -188,7 +188,7 @@ describe('the figure', () => {
 
   it('has the angles that the words have', () => {
     const fragment = explained([{ position: [0.3, 1, -0.4, 0] }]);
-    const [row] = sumOf(fragment, false).rows;
+    const [row] = probeSum(fragment, false).rows;
     const said = [...stepsText(null, row!, fragment, false).matchAll(/cos ([\d.]+°)/g)].map(
       ([, angle]) => angle,
     );
@@ -235,7 +235,7 @@ describe('the figure', () => {
       diffuse: [i, i, i],
     }));
     const fragment = explained(many);
-    const strongest = byShare(sumOf(fragment, false).rows).slice(0, MOST_LIGHTS);
+    const strongest = byShare(probeSum(fragment, false).rows).slice(0, MOST_LIGHTS);
     const named = figure(fragment, 0)
       .vectors.filter(({ name }) => name.startsWith('L'))
       .map(({ name }) => name);
@@ -273,7 +273,7 @@ describe('the figure', () => {
             positions.map((position) => ({ position })),
             { normal },
           );
-          const sum = sumOf(fragment, false);
+          const sum = probeSum(fragment, false);
           for (const row of sum.rows) {
             const pose = { theta: 0, phi: 45, radius: Math.sqrt(8), target: [0, 0, 0] } as const;
             const projection = new Projection({ pose, fov: 45, width, height });
@@ -296,22 +296,22 @@ describe('the figure', () => {
 describe('the words', () => {
   it('name point, colour and the terms of the lights that add most', () => {
     const fragment = explained(TWO);
-    expect(fragmentText(null, fragment, sumOf(fragment, false))).toMatch(
+    expect(fragmentText(null, fragment, probeSum(fragment, false))).toMatch(
       /^Point 0 0 0\. Colour: red \d+, green \d+, blue \d+\. light 3: ambient 0 0 0, diffuse [\d ]+, specular [\d ]+\. light 1: ambient 10 10 10, diffuse 32 40 48, specular [\d ]+\.$/,
     );
     const many = explained(Array.from({ length: 5 }, () => TWO[0]!));
-    expect(fragmentText(null, many, sumOf(many, false))).toMatch(/More lights: 2\.$/);
+    expect(fragmentText(null, many, probeSum(many, false))).toMatch(/More lights: 2\.$/);
   });
 
   it('can be replaced by another language', () => {
     const fragment = explained([]);
     const texts = { 'Point {point}.': 'Punkt {point}.' };
-    expect(fragmentText(texts, fragment, sumOf(fragment, false))).toMatch(/^Punkt 0 0 0\./);
+    expect(fragmentText(texts, fragment, probeSum(fragment, false))).toMatch(/^Punkt 0 0 0\./);
   });
 
   it('show the steps from a light’s angles to its terms', () => {
     const fragment = explained([{ position: [0, 1, -1, 0] }, { position: [0, -1, 0, 0] }]);
-    const [first, second] = sumOf(fragment, false).rows;
+    const [first, second] = probeSum(fragment, false).rows;
     expect(stepsText(null, first!, fragment, false)).toBe(
       'light 1: N·L = cos 45° = 0.707; R·V = cos 0° = 1.000, to the power of 8: 1.000.',
     );
@@ -323,7 +323,7 @@ describe('the words', () => {
   it('name the limits of the equation, in place of a power or an angle that is none', () => {
     const steps = (given: Given, options?: { normal?: Vec3; shininess?: number; halfway?: boolean }) => {
       const fragment = { ...explained([given], options), shininess: options?.shininess ?? 2 };
-      return stepsText(null, sumOf(fragment, false).rows[0]!, fragment, options?.halfway ?? false);
+      return stepsText(null, probeSum(fragment, false).rows[0]!, fragment, options?.halfway ?? false);
     };
     const away: Given = { position: [0, 1, 3, 0] };
     expect(steps(away)).toBe('light 1: N·L = cos 71.6° = 0.316; R·V = −0.447 is not above 0: no highlight.');
@@ -348,7 +348,7 @@ describe('the words', () => {
       fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {
         fc.pre(RoV <= 0 || RoV > 1e-6); // nine decimals have the rest
         const fragment = { ...explained([{}]), shininess };
-        const [row] = sumOf(fragment, false).rows;
+        const [row] = probeSum(fragment, false).rows;
         const given = { ...row!, absence: NoL > 0 ? null : ('behind the surface' as const) };
         const text = stepsText(null, { ...given, share: { ...row!.share, NoL, RoV } }, fragment, halfway);
         for (const [, angle, cosine] of text.matchAll(/cos ([\d.]+)° = (−?[\d.]+)/g))
@@ -364,7 +364,7 @@ describe('the words', () => {
   it('say where the numbers are of one point of a texture that the picture averages', () => {
     const fragment = explained(TWO);
     const said = (filtered: boolean): string =>
-      fragmentText(null, { ...fragment, filtered }, sumOf(fragment, false));
+      fragmentText(null, { ...fragment, filtered }, probeSum(fragment, false));
     expect(said(true)).toContain('these numbers read it at one point, so they can differ.');
     expect(said(false)).not.toContain('texture');
   });

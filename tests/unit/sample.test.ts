@@ -9,7 +9,7 @@ import {
   type Wrapping,
 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { sample, type Sampler } from '../../src/scene/snapshot/sample.js';
+import { sampleTexture, type Sampler } from '../../src/scene/snapshot/sample.js';
 
 /** Red tells the column, green the row, in codes of 255. */
 const texels = {
@@ -27,7 +27,7 @@ const sampler = (wrap: Wrapping, filter: Sampler['magFilter'] = NearestFilter, f
 
 /** Column and row, or what lies between them. */
 const at = (map: Sampler, u: number, v: number): number[] =>
-  sample(texels, map, u, v)
+  sampleTexture(texels, map, u, v)
     .slice(0, 2)
     .map((x) => Math.round(x * 255 * 1e9) / 1e9);
 

@@ -3,12 +3,12 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { viewEntry, viewValue } from '../../src/material/view/view-table.js';
 import { VIEWS } from '../../src/material/views.js';
-import { titleOf } from '../../src/overlay/legend/view-scale.js';
+import { viewTitle } from '../../src/overlay/legend/view-scale.js';
 
 describe('the legend', () => {
   it('has a title for every view', () => {
-    for (const view of VIEWS) expect(titleOf(view, false), view).not.toBe('');
-    expect(titleOf('r-dot-v', true)).toBe('N · H');
+    for (const view of VIEWS) expect(viewTitle(view, false), view).not.toBe('');
+    expect(viewTitle('r-dot-v', true)).toBe('N · H');
   });
 });
 

@@ -8,7 +8,7 @@ import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf, placed } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
 import panelColumn from '../page/panel-column.css?inline';
-import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
+import { CORNER_STYLES, CORNER_MARKS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
 import { AWAITED, OPEN_PANEL, WIDE_PANEL } from '../viewer/viewer-panel.js';
@@ -123,7 +123,7 @@ export class Comparison implements DividerHost, ReactiveController {
     const open = split ? this.#withPanels(viewers) : [];
     const kinds = `${open.length > 0 ? ' docked' : ''}${rtl ? ' rtl' : ''}`;
     return html`<div class=${`box ${layout} ${direction}${kinds}`}>
-      ${CORNERS}
+      ${CORNER_MARKS}
       ${viewers.map((viewer, i) => {
         const divider = this.#dividers[i];
         const range = split ? ([places[i - 1] ?? 0, places[i] ?? 100] as const) : null;

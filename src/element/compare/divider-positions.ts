@@ -30,7 +30,7 @@ export function withMoved(places: readonly number[], index: number, place: numbe
 }
 
 /** Percent that a key moves a divider by; `'min'` and `'max'`: all the way. Undefined for other keys. */
-export function keyStep(
+export function dividerStep(
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
   vertical: boolean,
   rtl: boolean,

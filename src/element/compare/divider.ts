@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
 import { keepDrag } from '../../camera/kept-drag.js';
-import { keyStep } from './divider-positions.js';
+import { dividerStep } from './divider-positions.js';
 
 export interface DividerHost {
   readonly vertical: boolean;
@@ -130,7 +130,7 @@ export class Divider {
 
   readonly #onKey = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const step = keyStep(event, this.#host.vertical, this.#host.isRtl());
+    const step = dividerStep(event, this.#host.vertical, this.#host.isRtl());
     const { place, range } = this.#host.placeOf(this);
     if (event.key === 'Escape' && this.#press !== null) {
       const { place: start } = this.#press;

@@ -8,7 +8,8 @@ import styles from './picture-box.css?inline';
  * Elements without size in the top left, top right and bottom left corner of the element around them, whose root has
  * {@link CORNER_STYLES}.
  */
-export const CORNERS = html`<i class="corner"></i><i class="corner right"></i><i class="corner low"></i>`;
+export const CORNER_MARKS = html`<i class="corner"></i><i class="corner right"></i
+  ><i class="corner low"></i>`;
 
 export const CORNER_STYLES = styles;
 
@@ -16,7 +17,7 @@ export class PictureCorners {
   readonly #surface: HTMLElement;
   readonly #corners: readonly Element[];
 
-  /** `surface` contains {@link CORNERS}. */
+  /** `surface` contains {@link CORNER_MARKS}. */
   constructor(surface: HTMLElement) {
     this.#surface = surface;
     this.#corners = [...surface.querySelectorAll(':scope > .corner')];

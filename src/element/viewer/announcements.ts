@@ -7,7 +7,7 @@ import { fieldsOf } from '../internals.js';
 import type { PhongLight, PhongViewer } from '../elements.js';
 import { numberedName } from '../phong-light.js';
 import type { CameraMove, ViewerContext } from './viewer-context.js';
-import { cameraText, lightCountText, lightName, lightsText, lightText, NAMED } from './description.js';
+import { cameraText, lightCountText, lightNameText, lightsText, lightText, NAMED } from './description.js';
 import { keysText } from './naming.js';
 import type { ViewerTree } from './template.js';
 
@@ -136,7 +136,7 @@ export class ViewerAnnouncements implements ReactiveController {
     const { camera, lights } = this.#viewer;
     const names = lights
       .slice(0, NAMED + 1)
-      .map((light, i) => lightName(texts, this.#nameOf(light, i), light));
+      .map((light, i) => lightNameText(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
   }
 

@@ -13,7 +13,7 @@ import type { CameraValues } from '../fields/viewer-fields.js';
 import type { ViewerContext } from './viewer-context.js';
 
 /** Where the camera is and whether it fits the scene, apart from what is declared. */
-export interface Placement {
+export interface CameraPlacement {
   readonly pose: Pose;
   /** What is `auto`; null once the user has moved the camera. */
   readonly framing: Framing | null;
@@ -93,7 +93,7 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  placement(): Placement {
+  placement(): CameraPlacement {
     const { picture } = this.#context;
     picture.settle();
     return { pose: picture.orbit.pose, framing: picture.fit.framing };
@@ -103,7 +103,7 @@ export class ViewerCamera implements ReactiveController {
    * Moves the camera there. The declared values stay, as when the user drags it. `linked`: the camera follows another
    * one, and the link need not be notified.
    */
-  place({ pose, framing }: Placement, source: CameraSource, linked = false): void {
+  place({ pose, framing }: CameraPlacement, source: CameraSource, linked = false): void {
     const write = (): void => {
       const { picture } = this.#context;
       picture.orbit.set(pose);

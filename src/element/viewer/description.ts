@@ -28,7 +28,7 @@ export const cameraText = (
     radius: numbers([radius], texts),
   });
 
-/** All lights in one sentence; empty for none. `names`: of {@link lightName}. */
+/** All lights in one sentence; empty for none. `names`: of {@link lightNameText}. */
 export const lightsText = (texts: ViewerTexts | null, names: readonly string[]): string =>
   names.length === 0
     ? ''
@@ -40,7 +40,7 @@ export const lightCountText = (texts: ViewerTexts | null, count: number): string
   phrase(texts, LIGHTS, { lights: String(count) });
 
 /** A light's name, and whether it is off. */
-export const lightName = (
+export const lightNameText = (
   texts: ViewerTexts | null,
   name: string,
   { active }: Pick<LightValues, 'active'>,
@@ -48,7 +48,7 @@ export const lightName = (
 
 export function lightText(texts: ViewerTexts | null, name: string, values: LightValues): string {
   const light = phrase(texts, lightOf(kindOf(values)), {
-    name: lightName(texts, name, values),
+    name: lightNameText(texts, name, values),
     position: numbers(values.position.slice(0, 3), texts),
     diffuse: numbers(values.diffuse, texts),
   });

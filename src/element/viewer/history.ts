@@ -6,10 +6,10 @@ import { fieldsOf, viewerCameras } from '../internals.js';
 import type { PhongLight } from '../elements.js';
 import type { PhongMesh } from '../elements.js';
 import type { PhongViewer } from '../elements.js';
-import type { Placement } from './camera.js';
+import type { CameraPlacement } from './camera.js';
 
 /** Something whose state can be read and put back. */
-export interface Subject<S> {
+export interface Undoable<S> {
   read(): S;
   same(a: S, b: S): boolean;
   /** Puts back what differs between the two states, and leaves everything else as it is now. */
@@ -17,7 +17,7 @@ export interface Subject<S> {
 }
 
 interface Step {
-  readonly subject: Subject<unknown>;
+  readonly subject: Undoable<unknown>;
   readonly before: unknown;
   after: unknown;
   readonly gesture: object | null;
@@ -44,7 +44,7 @@ export class History {
    * Runs `write` and records what it changes as one step. Edits with the same `gesture`, such as those of one drag, are
    * one step until {@link seal}.
    */
-  edit<S>(subject: Subject<S>, write: () => void, gesture: object | null = null): void {
+  edit<S>(subject: Undoable<S>, write: () => void, gesture: object | null = null): void {
     const before = subject.read();
     try {
       write();
@@ -54,7 +54,7 @@ export class History {
   }
 
   /** Records what has changed since `before` was read as one step, if anything has. */
-  record<S>(subject: Subject<S>, before: S, gesture: object | null = null): void {
+  record<S>(subject: Undoable<S>, before: S, gesture: object | null = null): void {
     const after = subject.read();
     if (!subject.same(before, after)) this.#add({ subject, before, after, gesture });
   }
@@ -132,7 +132,7 @@ export function historyOf(viewer: PhongViewer): History {
 type Given = ReadonlyMap<string, unknown>;
 
 /** The declared values of a light, mesh or viewer. */
-export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Subject<Given> {
+export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoable<Given> {
   const binding = fieldsOf(element as PhongViewer);
   const { store } = binding;
   const keys = Object.keys(store.fields) as (keyof typeof store.values)[];
@@ -147,7 +147,7 @@ export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Subject
 }
 
 /** Where the camera is now, which its declared values do not say. */
-export function cameraOf(viewer: PhongViewer): Subject<Placement> {
+export function cameraOf(viewer: PhongViewer): Undoable<CameraPlacement> {
   const camera = viewerCameras.get(viewer)!;
   return {
     read: () => camera.placement(),
@@ -163,7 +163,7 @@ const sameParts = (a: object, b: object): boolean => {
   return left.length === right.length && left.every(([, value], i) => sameValue(value, right[i]?.[1]));
 };
 
-interface Place {
+interface TreePlace {
   readonly parent: Node | null;
   readonly next: Node | null;
 }
@@ -179,8 +179,8 @@ function holds(element: HTMLElement, node: Node | null): boolean {
  * Which children the viewer has, and where they are in the document. A step back that would move one into itself does
  * nothing.
  */
-export function childrenOf(viewer: PhongViewer): Subject<ReadonlyMap<HTMLElement, Place>> {
-  const stays = (a: Place | undefined, b: Place | undefined): boolean =>
+export function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
+  const stays = (a: TreePlace | undefined, b: TreePlace | undefined): boolean =>
     a?.parent === b?.parent && a?.next === b?.next;
   return {
     read: () =>

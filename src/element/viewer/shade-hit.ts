@@ -14,7 +14,7 @@ export interface Equation {
 }
 
 /** The hit, and the surface there. */
-export interface Subject {
+export interface HitSurface {
   readonly hit: Hit;
   readonly corners: readonly [Corner, Corner, Corner];
   readonly surface: Surface;
@@ -24,7 +24,7 @@ export interface Subject {
  * Lights are relative to the frame's origin, like the hit. Under Gouraud shading only the terms and their sum come from
  * the corners; everything else is the fragment's own.
  */
-export function shadeHit(equation: Equation, subject: Subject, lights: readonly LightValues[]): Shaded {
+export function shadeHit(equation: Equation, subject: HitSurface, lights: readonly LightValues[]): Shaded {
   const { hit, corners, surface } = subject;
   const { frame, weights } = hit;
   const { phong, geometry } = hit.drawn;
@@ -59,7 +59,7 @@ export function relative(values: LightValues, origin: Vec3): LightValues {
 const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
   add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
 
-function tangentAt(weights: Vec3, corners: Subject['corners']): Vec4 | null {
+function tangentAt(weights: Vec3, corners: HitSurface['corners']): Vec4 | null {
   const [a, b, c] = corners.map(({ tangent }) => tangent);
   if (!a || !b || !c) return null;
   const mix = (i: 0 | 1 | 2 | 3): number => a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];

@@ -3,7 +3,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import { CORNERS } from '../page/picture-box.js';
+import { CORNER_MARKS } from '../page/picture-box.js';
 import type { SurfaceName } from './naming.js';
 import type { Failure } from './viewer-context.js';
 
@@ -68,7 +68,7 @@ export const viewerTemplate = (view: ViewerView): TemplateResult => {
       aria-busy=${view.busy ? 'true' : nothing}
       .ariaLabelledByElements=${name.labelledBy}
     >
-      ${view.holder}${CORNERS}
+      ${view.holder}${CORNER_MARKS}
     </div>
     ${
       poster === ''

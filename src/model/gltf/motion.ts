@@ -10,7 +10,7 @@ import type { Channel, ChannelPath, GltfAnimation } from './animations.js';
 import type { Attribute } from './attributes.js';
 import type { Deformation } from './deformation.js';
 import type { JointPose } from './joint-pose.js';
-import { type Keyframes, sample } from './tracks.js';
+import { type Keyframes, sampleTrack } from './tracks.js';
 
 /** The parts of a model that can move. */
 export interface Movable {
@@ -147,7 +147,7 @@ class Clip {
   set(seconds: number): void {
     this.tracks.forEach(({ keyframes, set }, i) => {
       const value = this.#values[i]!;
-      sample(keyframes, seconds, value);
+      sampleTrack(keyframes, seconds, value);
       set(value);
     });
   }

@@ -14,7 +14,7 @@ export interface Keyframes {
 }
 
 /** Writes the value at `seconds` to `out`. Before the first and after the last keyframe, theirs. */
-export function sample(keyframes: Keyframes, seconds: number, out: Float64Array): void {
+export function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): void {
   const { times, values, width, interpolation, rotation } = keyframes;
   const cubic = interpolation === 'CUBICSPLINE';
   const stride = cubic ? 3 * width : width;

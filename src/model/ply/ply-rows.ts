@@ -185,7 +185,7 @@ const SLOTS: ReadonlyMap<string, Slot> = new Map([
 ]);
 
 /** The numbers of the current row, and which of them it has. */
-class Row {
+class RowValues {
   readonly values: Record<Slot, number> = { x: 0, y: 0, z: 0, nx: 0, ny: 0, nz: 0, red: 0, green: 0, blue: 0, alpha: 1 }; // prettier-ignore
   readonly #found = new Set<Slot>();
 
@@ -237,7 +237,7 @@ class Colors {
     return (this.list.length - this.#first) / 3;
   }
 
-  push({ values }: Row): void {
+  push({ values }: RowValues): void {
     const { list } = this;
     for (const slot of ['red', 'green', 'blue'] as const) {
       const { length } = list;
@@ -259,7 +259,7 @@ function chooseColors(ofVertices: Colors, ofFaces: Colors, { lists, leftOut }: P
 
 function vertexReader({ properties }: PlyElement, file: PlyFile, colors: AllColors): RowReader {
   const { values, leftOut, lists } = file;
-  const row = new Row();
+  const row = new RowValues();
   const check = (): void => {
     if (!leftOut.hasReason('vertex')) leftOut.because('vertex', values.problem());
   };
@@ -281,7 +281,7 @@ function vertexReader({ properties }: PlyElement, file: PlyFile, colors: AllColo
 
 function faceReader({ properties }: PlyElement, file: PlyFile, { ofFaces }: AllColors): RowReader {
   const { polygons } = file;
-  const row = new Row();
+  const row = new RowValues();
   const taker: ListTaker = {
     item: (value) => {
       polygons.add(vertexOf(value, file));

@@ -1,7 +1,7 @@
 // Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a
 // strict CSP refuses. The same looks as svg-layer.ts.
 import { HALO } from './contrast.js';
-import { DASHES, type Disc, labelFont, outlineOf, type Primitive, type Stroke } from './display-list.js';
+import { DASHES, type Disc, labelFont, outlineOf, type DrawnItem, type Stroke } from './display-list.js';
 
 /**
  * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the
@@ -21,7 +21,7 @@ export function fileSize(
  */
 export function drawList(
   context: CanvasRenderingContext2D,
-  list: readonly Primitive[],
+  list: readonly DrawnItem[],
   scale: number,
   fontSize: number,
 ): void {
@@ -39,7 +39,7 @@ export function drawList(
 
 function drawLabel(
   context: CanvasRenderingContext2D,
-  { at, text, color }: Extract<Primitive, { kind: 'label' }>,
+  { at, text, color }: Extract<DrawnItem, { kind: 'label' }>,
 ): void {
   context.direction = 'ltr';
   context.setLineDash([]);

@@ -35,7 +35,7 @@ export function coreColor(color: Vec3): Vec3 {
 const whitened = (color: Vec3, share: number): Vec3 => map(color, (c) => c + (1 - c) * share);
 
 /** `rgb(…)` of channels from 0 to 1; larger ones keep their ratios. */
-export function cssColor(color: Vec3): string {
+export function cssRgb(color: Vec3): string {
   const largest = Math.max(...color, 1);
   return `rgb(${color.map((c) => Math.round((255 * c) / largest)).join(' ')})`;
 }

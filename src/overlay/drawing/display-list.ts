@@ -42,7 +42,7 @@ export interface Label {
   readonly opacity?: number;
 }
 
-export type Primitive = Stroke | Disc | Label;
+export type DrawnItem = Stroke | Disc | Label;
 
 /** The outline on either side of a core, CSS pixels. */
 const OUTLINE = 1.5;
@@ -81,7 +81,7 @@ export function arrowHead(from: Point, tip: Point, size: number = HEAD.length): 
 export function arrow(
   points: readonly Point[],
   look: Pick<Stroke, 'color' | 'width' | 'dashed' | 'opacity'>,
-): Primitive[] {
+): DrawnItem[] {
   const [from, tip] = [points.at(-2), points.at(-1)];
   const head = from === undefined || tip === undefined ? null : arrowHead(from, tip);
   const line: Stroke = { kind: 'stroke', lines: [points], ...look };

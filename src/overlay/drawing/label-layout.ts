@@ -12,7 +12,7 @@ export interface LabelWish {
   readonly width: number;
 }
 
-export interface Box {
+export interface Rect {
   readonly left: number;
   readonly top: number;
   readonly right: number;
@@ -46,12 +46,12 @@ const FARTHER = [0, 0.7];
  */
 export function placeLabels(
   wishes: readonly LabelWish[],
-  room: Box,
-  avoided: readonly Box[],
+  room: Rect,
+  avoided: readonly Rect[],
   fontSize: number,
-  boxes: readonly Box[] = [],
+  boxes: readonly Rect[] = [],
 ): (Point | null)[] {
-  const taken: Box[] = [...boxes];
+  const taken: Rect[] = [...boxes];
   return wishes.map((wish) => {
     const box = bestBox(wish, room, taken, avoided, fontSize);
     if (box === null) return null;
@@ -61,7 +61,7 @@ export function placeLabels(
 }
 
 /** What a label covers, by the left end of its baseline. */
-export function labelBox({ x, y }: Point, width: number, fontSize: number): Box {
+export function labelBox({ x, y }: Point, width: number, fontSize: number): Rect {
   const bottom = y + LINE.descent * fontSize;
   return { left: x, top: bottom - LINE.height * fontSize, right: x + width, bottom };
 }
@@ -69,12 +69,12 @@ export function labelBox({ x, y }: Point, width: number, fontSize: number): Box 
 /** The first place of those that cover least of `avoided`. */
 function bestBox(
   wish: LabelWish,
-  room: Box,
-  taken: readonly Box[],
-  avoided: readonly Box[],
+  room: Rect,
+  taken: readonly Rect[],
+  avoided: readonly Rect[],
   fontSize: number,
-): Box | null {
-  let [best, least]: [Box | null, number] = [null, Infinity];
+): Rect | null {
+  let [best, least]: [Rect | null, number] = [null, Infinity];
   for (const by of FARTHER)
     for (const side of SIDES) {
       const box = boxAt(wish, wish.gap + by * fontSize, side, fontSize);
@@ -91,18 +91,18 @@ function boxAt(
   gap: number,
   [across, down]: (typeof SIDES)[number],
   fontSize: number,
-): Box {
+): Rect {
   const height = LINE.height * fontSize;
   const left = center.x + across * gap - ((1 - across) / 2) * width;
   const top = center.y + down * gap - ((1 - down) / 2) * height;
   return { left, top, right: left + width, bottom: top + height };
 }
 
-const isInside = ({ left, top, right, bottom }: Box, room: Box): boolean =>
+const isInside = ({ left, top, right, bottom }: Rect, room: Rect): boolean =>
   left >= room.left + MARGIN && top >= room.top && right <= room.right - MARGIN && bottom <= room.bottom;
 
 /** Square pixels that a box shares with others. */
-function overlap(box: Box, others: readonly Box[]): number {
+function overlap(box: Rect, others: readonly Rect[]): number {
   let sum = 0;
   for (const other of others) {
     const width = Math.min(box.right, other.right) - Math.max(box.left, other.left);
@@ -113,7 +113,7 @@ function overlap(box: Box, others: readonly Box[]): number {
 }
 
 /** A square around a point. */
-export const boxAround = ({ x, y }: Point, half: number): Box => ({
+export const boxAround = ({ x, y }: Point, half: number): Rect => ({
   left: x - half,
   top: y - half,
   right: x + half,
@@ -121,7 +121,7 @@ export const boxAround = ({ x, y }: Point, half: number): Box => ({
 });
 
 /** All of a layer or a picture. */
-export const whole = ({ width, height }: { readonly width: number; readonly height: number }): Box => ({
+export const whole = ({ width, height }: { readonly width: number; readonly height: number }): Rect => ({
   left: 0,
   top: 0,
   right: width,
@@ -129,7 +129,7 @@ export const whole = ({ width, height }: { readonly width: number; readonly heig
 });
 
 /** Squares along a line, so close that no label fits between them. */
-export function boxesAlong(points: readonly Point[], half: number): Box[] {
+export function boxesAlong(points: readonly Point[], half: number): Rect[] {
   return points.flatMap((to, i) => {
     const from = points[i - 1] ?? to;
     const count = Math.max(Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / (2 * half)), 1);

@@ -2,7 +2,7 @@
 // (phong-viewer.css, and panel.css for the panel). Observers follow them after layout, so that no frame forces one.
 import { create } from '../../element/dom.js';
 import type { ViewerTree } from '../../element/viewer/template.js';
-import type { Box } from './label-layout.js';
+import type { Rect } from './label-layout.js';
 
 interface RoomOptions {
   /** The part of the text, if the page can style it. */
@@ -18,8 +18,8 @@ export class Room {
   readonly #observer: ResizeObserver;
   /** Follows what changes the boxes' places but not their sizes. */
   readonly #arrivals: MutationObserver | null;
-  #box: Box = { left: 0, top: 0, right: 0, bottom: 0 };
-  #boxes: readonly Box[] = [];
+  #box: Rect = { left: 0, top: 0, right: 0, bottom: 0 };
+  #boxes: readonly Rect[] = [];
   #fontSize = 0;
 
   /** `changed` is called when room, boxes or text have another size or place. */
@@ -43,12 +43,12 @@ export class Room {
   }
 
   /** CSS pixels of the layer. Without width or height where nothing is free. */
-  get box(): Box {
+  get box(): Rect {
     return this.#box;
   }
 
   /** The legend and the probe's table, where they are followed. CSS pixels of the layer. */
-  get boxes(): readonly Box[] {
+  get boxes(): readonly Rect[] {
     return this.#boxes;
   }
 

@@ -1,14 +1,14 @@
 // Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are kept from list to
 // list, and only what differs is written.
 import { createSvg, set, write } from '../../element/dom.js';
-import { DASHES, labelFont, outlineOf, type Primitive } from './display-list.js';
+import { DASHES, labelFont, outlineOf, type DrawnItem } from './display-list.js';
 import { HALO } from './contrast.js';
 import type { Point } from './projection.js';
 
 const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 
 interface DrawnPrimitive {
-  readonly primitive: Primitive;
+  readonly primitive: DrawnItem;
   /** The outline first. */
   readonly elements: readonly SVGElement[];
 }
@@ -39,7 +39,7 @@ export class SvgLayer {
    * Shows exactly this. A shape that is the same object as before at its place in the list, or an equal label, costs
    * nothing.
    */
-  show(list: readonly Primitive[]): void {
+  show(list: readonly DrawnItem[]): void {
     list.forEach((primitive, i) => {
       const shown = this.#shown[i];
       if (shown !== undefined && isSame(shown.primitive, primitive)) return;
@@ -51,7 +51,7 @@ export class SvgLayer {
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
-  #replace(shown: DrawnPrimitive | undefined, kind: Primitive['kind']): readonly SVGElement[] {
+  #replace(shown: DrawnPrimitive | undefined, kind: DrawnItem['kind']): readonly SVGElement[] {
     const tags = TAGS[kind];
     const elements = tags.map((tag) => createSvg(tag));
     const [first] = shown?.elements ?? [];
@@ -65,10 +65,10 @@ export class SvgLayer {
 }
 
 /** Labels are placed again for each list, but few of them move. */
-const isSame = (a: Primitive, b: Primitive): boolean =>
+const isSame = (a: DrawnItem, b: DrawnItem): boolean =>
   a === b || (a.kind === 'label' && JSON.stringify(a) === JSON.stringify(b));
 
-function draw(elements: readonly SVGElement[], primitive: Primitive): void {
+function draw(elements: readonly SVGElement[], primitive: DrawnItem): void {
   const opacity = String(primitive.opacity ?? 1);
   const [halo, core] = elements;
   if (halo === undefined) return;

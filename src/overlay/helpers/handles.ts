@@ -12,7 +12,7 @@ import type { ExtraHost } from '../../element/viewer/extra.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
 import { ARROWS } from '../arrow-keys.js';
 import { inside, type Projection } from '../drawing/projection.js';
-import { EDGE, type Handle, type LightMarks, type Part } from './light-marks.js';
+import { EDGE, type Handle, type LightMarks, type HandlePart } from './light-marks.js';
 import { LightMove } from './light-move.js';
 import type { SceneBall } from './placed-light.js';
 import { listenToPointers } from './pointer-drag.js';
@@ -20,7 +20,7 @@ import { listenToPointers } from './pointer-drag.js';
 interface HandleEntry {
   readonly element: HTMLElement;
   readonly light: PhongLight;
-  readonly part: Part;
+  readonly part: HandlePart;
   /** What it was placed and named by. */
   handle: Handle | null;
   index: number;
@@ -102,13 +102,13 @@ export class Handles {
     this.#list.hidden = true;
   }
 
-  #keyOf(light: PhongLight, part: Part): string {
+  #keyOf(light: PhongLight, part: HandlePart): string {
     let id = this.#ids.get(light);
     if (id === undefined) this.#ids.set(light, (id = this.#lastId += 1));
     return `${id} ${part}`;
   }
 
-  #add(key: string, light: PhongLight, part: Part): HandleEntry {
+  #add(key: string, light: PhongLight, part: HandlePart): HandleEntry {
     const element = create('div', {
       class: `handle ${part}`,
       role: 'option',

@@ -1,8 +1,8 @@
 // Names in the picture, and their places. Places the names of all helpers together, so that none covers another. CSS
 // pixels of the layer.
 import type { PlacedName } from '../../element/viewer/extra.js';
-import type { Label, Primitive } from '../drawing/display-list.js';
-import { type Box, labelBox, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
+import type { Label, DrawnItem } from '../drawing/display-list.js';
+import { type Rect, labelBox, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
 
 export interface Name {
@@ -17,10 +17,10 @@ export interface Name {
 
 /** What some helpers draw. */
 export interface Drawing {
-  readonly list: readonly Primitive[];
+  readonly list: readonly DrawnItem[];
   readonly names: readonly Name[];
   /** What names do not cover if they can go elsewhere. */
-  readonly covered: readonly Box[];
+  readonly covered: readonly Rect[];
 }
 
 export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
@@ -33,10 +33,10 @@ const COLOR = '#fff';
  */
 export function listOf(
   drawings: readonly Drawing[],
-  room: Box,
+  room: Rect,
   fontSize: number,
-  boxes: readonly Box[] = [],
-): { readonly list: readonly Primitive[]; readonly placed: readonly PlacedName[] } {
+  boxes: readonly Rect[] = [],
+): { readonly list: readonly DrawnItem[]; readonly placed: readonly PlacedName[] } {
   const names = [...drawings].reverse().flatMap((each) => each.names);
   const texts = names.map(({ text }) => shortened(text));
   const places = placeLabels(

@@ -5,7 +5,7 @@ import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
-import { lightName } from '../../element/viewer/description.js';
+import { lightNameText } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import { boxAround } from '../drawing/label-layout.js';
 import type { Projection, Ray } from '../drawing/projection.js';
@@ -108,7 +108,7 @@ export class LightHelpers {
       names: lights.map((light, i) => {
         const { values } = fieldsOf(light).store;
         return {
-          text: lightName(texts, values.name || numberedName(i, texts), values),
+          text: lightNameText(texts, values.name || numberedName(i, texts), values),
           center: marks[i]!.handles[0]!.at,
           gap: GAP,
           part: LIGHT_NAME,

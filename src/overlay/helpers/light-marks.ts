@@ -2,8 +2,8 @@
 // halved. From placed lights to a display list, with the places of the handles. CSS pixels of the layer.
 import type { LightValues } from '../../light/light-state.js';
 import { add, scale, type Vec3 } from '../../math/vector.js';
-import { coreColor, cssColor } from '../drawing/contrast.js';
-import { arrow, arrowHead, type Disc, type Primitive, type Stroke } from '../drawing/display-list.js';
+import { coreColor, cssRgb } from '../drawing/contrast.js';
+import { arrow, arrowHead, type Disc, type DrawnItem, type Stroke } from '../drawing/display-list.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import {
   acrossAxis,
@@ -16,10 +16,10 @@ import {
 } from './placed-light.js';
 
 /** The part of a light that a handle moves. */
-export type Part = 'place' | 'axis' | 'aperture';
+export type HandlePart = 'place' | 'axis' | 'aperture';
 
 export interface Handle {
-  readonly part: Part;
+  readonly part: HandlePart;
   /** Where it is drawn: inside the layer. */
   readonly at: Point;
   /** Where it is in the scene. */
@@ -30,7 +30,7 @@ export interface Handle {
 
 export interface LightMarks {
   readonly placed: PlacedLight;
-  readonly list: readonly Primitive[];
+  readonly list: readonly DrawnItem[];
   readonly handles: readonly Handle[];
 }
 
@@ -63,11 +63,11 @@ export function lightMarks(
   const { place, spot, shines, halfDistance } = placed;
   const own = scale(values.diffuse, 1 / FULL);
   const look = {
-    color: cssColor(coreColor(own)),
+    color: cssRgb(coreColor(own)),
     dashed: hidden,
     opacity: values.active ? 1 : DIMMED,
   };
-  const list: Primitive[] = [];
+  const list: DrawnItem[] = [];
   const handles: Handle[] = [];
   const stroke = (lines: Stroke['lines'], width: number, dashed = hidden): void => {
     if (lines.length > 0) list.push({ ...look, kind: 'stroke', lines, width, dashed });
@@ -95,7 +95,7 @@ export function lightMarks(
   }
   const handle = handleAt('place', place, view);
   handles.unshift(handle);
-  const fill = values.active ? cssColor(own) : null;
+  const fill = values.active ? cssRgb(own) : null;
   if (handle.outside) list.push(...pointerTo(handle.at, view, look));
   list.push(disc(handle.at, handle.outside ? RADIUS.outside : RADIUS.place, fill, look));
   return { placed, list, handles };
@@ -112,16 +112,16 @@ const disc = (center: Point, radius: number, fill: string | null, look: Look): D
   ...{ center, radius, fill, width: 2 },
 });
 
-function outlineOf(cone: Cone, spot: PlacedSpot, view: Projection): Stroke['lines'] {
+function outlineOf(cone: ConeDirection, spot: PlacedSpot, view: Projection): Stroke['lines'] {
   const { aperture } = spot;
   const side = coneSide(spot.reach, spot, aperture);
   const sides = [0, Math.PI].map((around) => [cone.place, onCone(cone, aperture, side, around)]);
   return [...sides, rim(cone, spot, aperture)].flatMap((line) => view.line(line));
 }
 
-type Cone = Parameters<typeof onCone>[0];
+type ConeDirection = Parameters<typeof onCone>[0];
 
-const rim = (cone: Cone, spot: PlacedSpot, degrees: number): Vec3[] =>
+const rim = (cone: ConeDirection, spot: PlacedSpot, degrees: number): Vec3[] =>
   circle((around) => onCone(cone, degrees, coneSide(spot.reach, spot, degrees), around));
 
 /** A circle that faces the eye: the outline of a sphere without perspective. */
@@ -133,7 +133,7 @@ function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3
 const circle = (at: (around: number) => Vec3): Vec3[] =>
   Array.from({ length: SEGMENTS + 1 }, (_, i) => at((2 * Math.PI * (i % SEGMENTS)) / SEGMENTS));
 
-function handleAt(part: Part, place: Vec3, view: Projection): Handle {
+function handleAt(part: HandlePart, place: Vec3, view: Projection): Handle {
   const point = view.point(place);
   const shown = point === null ? null : inside(point, view, EDGE);
   if (point !== null && shown !== null && shown.x === point.x && shown.y === point.y)
@@ -158,7 +158,7 @@ function onEdge(place: Vec3, view: Projection): Point {
 }
 
 /** A small arrow head outside the disc, away from the picture's middle. */
-function pointerTo(at: Point, { width, height }: Projection, look: Look): Primitive[] {
+function pointerTo(at: Point, { width, height }: Projection, look: Look): DrawnItem[] {
   const [dx, dy] = [at.x - width / 2, at.y - height / 2];
   const length = Math.hypot(dx, dy);
   if (length === 0) return [];

@@ -5,9 +5,9 @@ import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight } from '../../element/elements.js';
 import type { PhongViewer } from '../../element/elements.js';
-import { historyOf, type Subject, valuesOf } from '../../element/viewer/history.js';
+import { historyOf, type Undoable, valuesOf } from '../../element/viewer/history.js';
 import type { Projection } from '../drawing/projection.js';
-import { lightMarks, type Part } from './light-marks.js';
+import { lightMarks, type HandlePart } from './light-marks.js';
 import { type Anchor, type Change, moved, travelOfTurn } from './moves.js';
 import type { SceneBall } from './placed-light.js';
 
@@ -16,9 +16,9 @@ const STEP = { pixels: 8, degrees: 5 } as const;
 
 interface Move {
   readonly light: PhongLight;
-  readonly part: Part;
+  readonly part: HandlePart;
   readonly byKeys: boolean;
-  readonly subject: Subject<ReadonlyMap<string, unknown>>;
+  readonly subject: Undoable<ReadonlyMap<string, unknown>>;
   readonly before: ReadonlyMap<string, unknown>;
   anchor: Anchor;
   along: boolean;
@@ -64,7 +64,7 @@ export class LightMove {
   }
 
   /** False if another move is in progress, or there is nothing to move. */
-  start(light: PhongLight, part: Part, byKeys: boolean): boolean {
+  start(light: PhongLight, part: HandlePart, byKeys: boolean): boolean {
     if (this.#move !== null) return false;
     const anchor = this.#anchor(light, part);
     if (anchor === null) return false;
@@ -140,7 +140,7 @@ export class LightMove {
   }
 
   /** The light by its current values. What is drawn may be older, because keys can be faster than frames. */
-  #anchor(light: PhongLight, part: Part): Anchor | null {
+  #anchor(light: PhongLight, part: HandlePart): Anchor | null {
     const [view, scene] = [this.#view, this.#scene];
     if (view === null || scene === null) return null;
     const values = { ...fieldsOf(light).store.values };

@@ -4,7 +4,7 @@ import { LIMITS, type LightValues } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Point, Projection, Ray } from '../drawing/projection.js';
-import type { Handle, Part } from './light-marks.js';
+import type { Handle, HandlePart } from './light-marks.js';
 import {
   acrossAxis,
   coneSide,
@@ -16,7 +16,7 @@ import {
 
 /** The start of a move. */
 export interface Anchor {
-  readonly part: Part;
+  readonly part: HandlePart;
   readonly values: Readonly<LightValues>;
   readonly placed: PlacedLight;
   readonly handle: Handle;
@@ -25,7 +25,7 @@ export interface Anchor {
   readonly scene: SceneBall;
 }
 
-export interface Travel {
+export interface HandleMove {
   readonly dx: number;
   readonly dy: number;
   /** Toward the eye and away from it, by `dy`, instead of in the plane of the view. */
@@ -37,7 +37,7 @@ export interface Travel {
 export type Change = Partial<Pick<LightValues, 'position' | 'axis' | 'aperture'>>;
 
 /** The light's values after the move. No change where the travel would give no finite value. */
-export function moved(anchor: Anchor, view: Projection, travel: Travel): Change {
+export function moved(anchor: Anchor, view: Projection, travel: HandleMove): Change {
   const { part, values, placed, scene } = anchor;
   const inCamera = values.space === 'camera';
   const turned = (v: Vec3): Vec3 => (inCamera ? view.turnToCamera(v) : v);
@@ -81,7 +81,11 @@ const DISTANCES = { least: 1e-3, most: 1e3 } as const;
 /** Share of the orbit's radius at which a pixel's worth is measured for places beside or behind the eye. */
 const LEAST_DEPTH = 0.1;
 
-function placeAfter({ placed, handle, scene, view: start }: Anchor, view: Projection, travel: Travel): Vec3 {
+function placeAfter(
+  { placed, handle, scene, view: start }: Anchor,
+  view: Projection,
+  travel: HandleMove,
+): Vec3 {
   const { dx, dy } = travel;
   const { place } = placed;
   const depth = start.depthOf(place);
@@ -102,7 +106,7 @@ function placeAfter({ placed, handle, scene, view: start }: Anchor, view: Projec
 }
 
 /** Unit vector in world space, from the ball's centre to the handle, which stays on the ball. */
-function directionAfter(anchor: Anchor, ball: SceneBall, view: Projection, travel: Travel): Vec3 {
+function directionAfter(anchor: Anchor, ball: SceneBall, view: Projection, travel: HandleMove): Vec3 {
   const { handle, view: start } = anchor;
   const offset = subtract(handle.place, ball.center);
   const from = length(offset) > 0 ? normalize(offset) : start.basis.back;
@@ -175,7 +179,7 @@ const WIDEST = 179;
 function apertureAfter(
   { placed, handle, values, view: start }: Anchor,
   view: Projection,
-  travel: Travel,
+  travel: HandleMove,
 ): number {
   const { place, spot } = placed;
   const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), WIDEST);

@@ -4,7 +4,7 @@ import type { Mesh, Object3D } from 'three';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import type { Helper } from '../../element/fields/viewer-fields.js';
 import type { Vec3 } from '../../math/vector.js';
-import type { Primitive } from '../drawing/display-list.js';
+import type { DrawnItem } from '../drawing/display-list.js';
 import type { Projection } from '../drawing/projection.js';
 import { type Drawing, type Name, NO_DRAWING } from './labels.js';
 import { Occlusion } from './occlusion.js';
@@ -76,7 +76,7 @@ export class SceneHelpers {
         return occlusion.isSeen(key);
       },
     };
-    const list: Primitive[] = [];
+    const list: DrawnItem[] = [];
     const names: Name[] = [];
     if (helpers.includes('grid')) list.push(...gridMarks(view, scene, hiding));
     if (helpers.includes('bounds')) list.push(...boundsMarks(meshes, view));

@@ -5,7 +5,7 @@ import { normalMatrix } from '../../material/normal-matrix.js';
 import { PhongMaterial } from '../../material/phong-material.js';
 import { niceCeil } from '../../math/round-number.js';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
-import { arrowHead, type Primitive, type Stroke } from '../drawing/display-list.js';
+import { arrowHead, type DrawnItem, type Stroke } from '../drawing/display-list.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import type { Name } from './labels.js';
 import type { SceneBall } from './placed-light.js';
@@ -40,9 +40,9 @@ export function axesMarks(
   view: Projection,
   { center, radius }: SceneBall,
   hiding: Hiding,
-): { list: Primitive[]; names: Name[] } {
+): { list: DrawnItem[]; names: Name[] } {
   const reach = length(center) + AXIS * radius;
-  const list: Primitive[] = [];
+  const list: DrawnItem[] = [];
   const names: Name[] = [];
   for (const [i, name] of (['x', 'y', 'z'] as const).entries()) {
     const tip: Vec3 = [i === 0 ? reach : 0, i === 1 ? reach : 0, i === 2 ? reach : 0];
@@ -78,7 +78,7 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
  * Lines of the plane y = 0 under the scene, at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are
  * left out.
  */
-export function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): Primitive[] {
+export function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): DrawnItem[] {
   const step = niceCeil(radius / 4);
   const lowX = Math.floor((center[0] - GRID * radius) / step);
   const highX = Math.ceil((center[0] + GRID * radius) / step);
@@ -129,7 +129,7 @@ function pieces(
 }
 
 /** The box of each mesh along its own axes. Edges at its back are dashed. */
-export function boundsMarks(meshes: readonly Mesh[], view: Projection): Primitive[] {
+export function boundsMarks(meshes: readonly Mesh[], view: Projection): DrawnItem[] {
   const front: (readonly Point[])[] = [];
   const back: (readonly Point[])[] = [];
   for (const mesh of meshes.slice(0, MOST_BOXES)) boxEdges(mesh, view, front, back);
@@ -210,7 +210,7 @@ export function normalMarks(
   view: Projection,
   { center, radius }: SceneBall,
   hiding: Hiding,
-): Primitive[] {
+): DrawnItem[] {
   const drawn = meshes.filter(
     ({ geometry }) => geometry.hasAttribute('normal') && geometry.hasAttribute('position'),
   );

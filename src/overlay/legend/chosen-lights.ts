@@ -32,7 +32,7 @@ export const chosenLights = (host: ExtraHost): Readonly<LightValues>[] =>
   chosenIndices(host).map((i) => host.viewport.picture.lighting.lights.values[i]!);
 
 /** The line under a legend's title; empty where no light has a part in the view. */
-export function lightsText(host: ExtraHost): string {
+export function chosenLightsText(host: ExtraHost): string {
   const { values, viewport, children, viewer } = host;
   const entry = viewEntry(values.view);
   if (entry.lights === 'none') return '';

@@ -5,10 +5,10 @@ import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView } from '../../material/view/picture-view.js';
 import { viewEntry } from '../../material/view/view-table.js';
-import { chosenLights, lightsText, unknownLightText } from './chosen-lights.js';
+import { chosenLights, chosenLightsText, unknownLightText } from './chosen-lights.js';
 import { LegendBox } from './legend-box.js';
 import styles from './legend.css?inline';
-import { type Bar, barsOf, titleOf } from './view-scale.js';
+import { type Bar, barsOf, viewTitle } from './view-scale.js';
 
 export const create = (host: ExtraHost): Extra => new ViewExtra(host);
 
@@ -73,8 +73,8 @@ class ViewExtra implements Extra {
       this.#scale = { key, bars: barsOf(view, texts) };
     this.#legend.show({
       label: phrase(texts, 'Legend'),
-      title: phrase(texts, titleOf(view, reflection === 'blinn-phong')),
-      lights: lightsText(host),
+      title: phrase(texts, viewTitle(view, reflection === 'blinn-phong')),
+      lights: chosenLightsText(host),
       bars: this.#scale.bars,
     });
   }

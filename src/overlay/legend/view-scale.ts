@@ -18,7 +18,7 @@ const BLACK: Vec3 = [0, 0, 0];
 const UNIT_MARKS = ['0', '0.5', '1'].map((text, i) => ({ at: i / 2, text }));
 
 /** The title of a view's legend: a key of `texts`. */
-export function titleOf(view: View, blinn: boolean): ViewerText {
+export function viewTitle(view: View, blinn: boolean): ViewerText {
   const { blinnTitle, title }: LegendTitle = VIEW_TABLE[view];
   return (blinn ? blinnTitle : undefined) ?? title;
 }

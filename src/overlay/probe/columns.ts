@@ -3,7 +3,7 @@
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { isBlack } from '../../math/color.js';
 import { add } from '../../math/vector.js';
-import { type Sum, type SumRow, numberText, termText } from './sum.js';
+import { type Sum, type SumRow, shortNumber, termText } from './sum.js';
 
 const TERMS = ['ambient', 'diffuse', 'specular'] as const;
 
@@ -44,14 +44,14 @@ export function cellText(
   if (column === 'sum') return termText(row.total, digits, texts);
   if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
   // 1 for most lights.
-  return Number.isNaN(row[column]) ? '' : numberText(row[column], row[column] === 1 ? 0 : 2, texts);
+  return Number.isNaN(row[column]) ? '' : shortNumber(row[column], row[column] === 1 ? 0 : 2, texts);
 }
 
 /** A number that a stacked table leaves out. */
 export const isIdle = (row: SumRow, column: Column): boolean =>
   column === 'ambient' ? isBlack(row.ambient) : (column === 'att' || column === 'decay') && row[column] === 1;
 
-export const titleOf = (column: Column, texts: ViewerTexts | null): string =>
+export const columnTitle = (column: Column, texts: ViewerTexts | null): string =>
   column === '…' ? column : phrase(texts, column);
 
 /** The first one is left out first. */

@@ -2,10 +2,10 @@
 // display list.
 import { type Vec3, add, scale } from '../../math/vector.js';
 import type { PlacedName } from '../../element/viewer/extra.js';
-import { coreColor, cssColor } from '../drawing/contrast.js';
-import { arrow, type Primitive } from '../drawing/display-list.js';
+import { coreColor, cssRgb } from '../drawing/contrast.js';
+import { arrow, type DrawnItem } from '../drawing/display-list.js';
 import {
-  type Box,
+  type Rect,
   boxAround,
   boxesAlong,
   type LabelWish,
@@ -40,7 +40,7 @@ interface Labelled {
 }
 
 /** The mark alone. `dashed`: hidden, or on no surface. */
-export const markOf = (at: Point, dashed: boolean): Primitive[] => [
+export const markOf = (at: Point, dashed: boolean): DrawnItem[] => [
   { kind: 'disc', center: at, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
 ];
 
@@ -48,9 +48,9 @@ export interface Surroundings {
   /** A triangle around the point, if any. */
   readonly outline: readonly Vec3[];
   /** Labels stay inside. */
-  readonly room: Box;
+  readonly room: Rect;
   /** By the box, and by the names of lights and axes. */
-  readonly boxes: readonly Box[];
+  readonly boxes: readonly Rect[];
   readonly names: readonly PlacedName[];
   readonly fontSize: number;
 }
@@ -62,10 +62,10 @@ export function drawingOf(
   at: Point,
   { vectors, arcs }: Figure,
   { outline, room, boxes, names, fontSize }: Surroundings,
-): Primitive[] {
+): DrawnItem[] {
   const unit = arrowLength(projection) / projection.pixelsPerUnit(projection.depthOf(p));
   const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
-  const list: Primitive[] = [];
+  const list: DrawnItem[] = [];
   const label = labelsOf(fontSize);
   const labels: Labelled[] = [label('V', at, MARK + 4)];
   const avoided = [boxAround(at, MARK)];
@@ -87,7 +87,7 @@ export function drawingOf(
   for (const { name, of, direction, color, dashed } of vectors) {
     const tip = placeOf(direction);
     if (tip === null) continue;
-    const css = cssColor(coreColor(color ?? WHITE));
+    const css = cssRgb(coreColor(color ?? WHITE));
     avoided.push(...boxesAlong([at, tip], LINE_HALF));
     if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK)
       list.push(...arrow([at, tip], { color: css, width: 2.5, dashed }));
@@ -113,11 +113,11 @@ export function drawingOf(
 }
 
 /** An arrow's name here would be read together with the other one. */
-const isBeside = ({ x, y }: Point, { left, right, top, bottom }: Box, fontSize: number): boolean =>
+const isBeside = ({ x, y }: Point, { left, right, top, bottom }: Rect, fontSize: number): boolean =>
   Math.hypot(Math.max(left - x, x - right, 0), Math.max(top - y, y - bottom, 0)) < BESIDE * fontSize;
 
 /** The tip of V, which points at the eye. */
-const dot = (center: Point): Primitive => ({
+const dot = (center: Point): DrawnItem => ({
   kind: 'disc',
   center,
   radius: 1,

@@ -10,7 +10,7 @@ import { radians } from '../../math/angle.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import { add, dot, map, normalize, scale, subtract } from '../../math/vector.js';
 import type { Term } from '../../light/light-state.js';
-import { degreesOf, degreesText, numberText } from './sum.js';
+import { degreesOf, degreesText, shortNumber } from './sum.js';
 import { decimals, rounded } from './words.js';
 
 /** What somebody who makes a usual mistake gets. `text` states only where the number comes from, so it is true. */
@@ -73,7 +73,7 @@ export function equationsOf(
             .filter((term) => isLit(fragment, options.lights[i]!, term))
             .map((term) => product(fragment, share, options.lights[i]!, term, channel as 0, options, texts)),
     );
-    return [...products, sumOf(products, own[channel]!, fragment.color[channel]!, options.linear, texts)];
+    return [...products, sumEquation(products, own[channel]!, fragment.color[channel]!, options.linear, texts)];
   });
   return parts[0]!.flatMap((first, i) => {
     const each = parts.map((equations) => equations[i]!);
@@ -163,7 +163,7 @@ function product(
     return cosine < 0 ? list : list.slice(1);
   };
   const clamped = (cosine: number) => (digits: number) => {
-    const text = numberText(cosine, digits, texts);
+    const text = shortNumber(cosine, digits, texts);
     return cosine < 0 ? `max(${text}, 0)` : text;
   };
   if (term === 'diffuse')
@@ -173,7 +173,7 @@ function product(
     });
   if (term === 'specular') {
     const n = fragment.shininess < LEAST_EXPONENT ? 0 : fragment.shininess;
-    const exponent = numberText(n, Number.isInteger(n) ? 0 : 2, texts);
+    const exponent = shortNumber(n, Number.isInteger(n) ? 0 : 2, texts);
     const [symbol, other] = halfway ? ['N · H', 'R · V'] : ['R · V', 'N · H'];
     const { N, V } = fragment;
     const otherCosine = halfway ? dot(subtract(scale(N, 2 * NoL), L), V) : dot(N, normalize(add(L, V)));
@@ -188,7 +188,7 @@ function product(
       symbol: `max(${symbol}, 0)^n`,
       given: `max(${symbol}, 0)^${exponent}`,
       value: isBehind ? 0 : power(RoV),
-      text: (digits) => (isBehind ? numberText(0, 0, texts) : `${clamped(RoV)(digits)}^${exponent}`),
+      text: (digits) => (isBehind ? shortNumber(0, 0, texts) : `${clamped(RoV)(digits)}^${exponent}`),
       wrongs: isBehind
         ? [
             {
@@ -226,7 +226,7 @@ function product(
   const shown = factors.filter(({ symbol }) => symbol !== '');
   const numberOf = (factor: Factor, digits: number): string =>
     factor.text?.(digits) ??
-    numberText(factor.value, factor.value === 0 || factor.value === 1 ? 0 : digits, texts);
+    shortNumber(factor.value, factor.value === 0 || factor.value === 1 ? 0 : digits, texts);
   // As many decimals as make the product of the rounded numbers round to the result.
   const isTrue = (digits: number): boolean =>
     Math.abs(
@@ -238,7 +238,7 @@ function product(
             : rounded(x, digits)),
         1,
       ) - value,
-    ) < 0.005 && numberText(value, 2, null) !== '';
+    ) < 0.005 && shortNumber(value, 2, null) !== '';
   const digits = decimals(2, isTrue);
   return {
     ...{ term, light: share.light, name: share.name, channel: null, value, wrongs },
@@ -260,7 +260,7 @@ function factsOf(
   texts: ViewerTexts | null,
 ): string {
   const number = (x: number): string =>
-    numberText(
+    shortNumber(
       x,
       decimals(0, (digits) => Math.abs(rounded(x, digits) - x) <= 0.0005 * x),
       texts,
@@ -283,7 +283,7 @@ function factsOf(
   return facts.join(', ');
 }
 
-function sumOf(
+function sumEquation(
   parts: readonly Equation[],
   own: number,
   value: number,
@@ -320,7 +320,7 @@ function sumOf(
 /** Two decimals, or up to four where these would be zeros. */
 const resultText = (value: number, texts: ViewerTexts | null): string => {
   const isShown = (digits: number): boolean => digits === 4 || Math.abs(value) >= 0.5 * 10 ** (1 - digits);
-  return numberText(value, value === 0 || value === 1 ? 0 : decimals(2, isShown), texts);
+  return shortNumber(value, value === 0 || value === 1 ? 0 : decimals(2, isShown), texts);
 };
 
 /** A verdict on what was typed. */
@@ -357,7 +357,7 @@ export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerT
   }
   const scaled = [255, 255 * 255, 100].map((full): Wrong => ({
     ...{ mistake: 'scale', value: value * full },
-    text: phrase(texts, 'Here 1 is full, not {number}.', { number: numberText(full, 0, texts) }),
+    text: phrase(texts, 'Here 1 is full, not {number}.', { number: shortNumber(full, 0, texts) }),
   }));
   const found = [...wrongs, ...(value === 0 ? [] : scaled)].filter(
     (wrong) => isNear(wrong.value) && !isCoarse(wrong.value),

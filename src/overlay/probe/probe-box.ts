@@ -5,7 +5,7 @@ import { html, noChange, nothing, render, type TemplateResult } from 'lit';
 import { create } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
-import type { Box } from '../drawing/label-layout.js';
+import type { Rect } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
 import type { AnswerDetail } from '../../element/events.js';
@@ -87,7 +87,7 @@ export class ProbeBox {
   }
 
   /** Shows this, and gives what the box covers of the layer. Forces a layout, of this box alone. */
-  show(state: BoxState): Box {
+  show(state: BoxState): Rect {
     this.#keepAwayFrom(state.at);
     this.#fit(state);
     const { left, top } = this.#room.box;

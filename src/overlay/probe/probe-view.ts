@@ -7,7 +7,7 @@ import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
-import type { Primitive } from '../drawing/display-list.js';
+import type { DrawnItem } from '../drawing/display-list.js';
 import { whole } from '../drawing/label-layout.js';
 import { type Point, Projection, type Sight } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
@@ -17,7 +17,7 @@ import { equationsOf } from './equations.js';
 import { figureOf, trianglePlaces } from './figure.js';
 import { type BoxContent, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
-import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
+import { byShare, type Sum, type SumRow, probeSum } from './sum.js';
 import { fragmentText } from './words.js';
 
 /** What the probe shows. */
@@ -165,7 +165,7 @@ export class ProbeView {
   }
 
   #sumOf(fragment: FragmentExplanation): Sum {
-    return sumOf(fragment, this.#host.values.colorInterpolation === 'linear');
+    return probeSum(fragment, this.#host.values.colorInterpolation === 'linear');
   }
 
   #show(): void {
@@ -236,7 +236,7 @@ export class ProbeView {
     at: Point,
     projection: Projection,
     space: Pick<Surroundings, 'room' | 'boxes' | 'names'>,
-  ): Primitive[] {
+  ): DrawnItem[] {
     const sum = this.#sumOf(fragment);
     const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
     const figure = figureOf(fragment, sum, this.#rowOf(sum), look, this.#texts);

@@ -10,7 +10,7 @@ import type { Vec3 } from '../../math/vector.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import { listen, type ProbeInputHost } from './probe-input.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
-import { HIDDEN, NOTHING, OUTSIDE } from './words.js';
+import { HIDDEN, NO_SURFACE, OUTSIDE } from './words.js';
 
 /**
  * Another surface hides a pinned point if it is nearer to the eye by more than this share of the distance. Nearer by
@@ -192,7 +192,7 @@ class Probe implements Extra, ProbeInputHost {
     if (this.#pin === null && this.#free !== null) {
       const shown = await this.#at(this.#free);
       if (shown.fragment !== null || shown.message !== '') return shown;
-      if (this.#view.hasFocus) return { ...shown, message: phrase(this.#host.viewer.texts, NOTHING) };
+      if (this.#view.hasFocus) return { ...shown, message: phrase(this.#host.viewer.texts, NO_SURFACE) };
     }
     const point = this.#pin ?? this.#declared;
     return point === null ? null : this.#ofPoint(point);
@@ -222,7 +222,7 @@ class Probe implements Extra, ProbeInputHost {
     if (at === null || !isInside(at, projection)) return { ...without(OUTSIDE), at: null };
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
-    if (fragment === null && message === '') return viewer.loaded ? without(NOTHING) : null;
+    if (fragment === null && message === '') return viewer.loaded ? without(NO_SURFACE) : null;
     const isHidden =
       fragment !== null && projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point);
     if (isHidden) return without(HIDDEN);

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
 import { localNumber } from '../../element/page/local-number.js';
-import { addedRow, cellText, isIdle, type TableShape, titleOf } from './columns.js';
+import { addedRow, cellText, isIdle, type TableShape, columnTitle } from './columns.js';
 import { byShare, shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
@@ -56,7 +56,7 @@ export class SumTable {
             dir="ltr"
             class=${isIdle(row, column) ? 'idle' : nothing}
             data-column=${column}
-            data-title=${titleOf(column, texts)}
+            data-title=${columnTitle(column, texts)}
             .textContent=${cellText(row, column, shape, texts)}
           ></td>`,
       );
@@ -76,7 +76,7 @@ export class SumTable {
       <thead class=${shape.stacked ? 'reader' : nothing} role="rowgroup">
         <tr role="row">
           <th role="columnheader" scope="col">${phrase(texts, 'light')}</th>
-          ${columns.map((column) => html`<th role="columnheader" scope="col">${titleOf(column, texts)}</th>`)}
+          ${columns.map((column) => html`<th role="columnheader" scope="col">${columnTitle(column, texts)}</th>`)}
         </tr>
       </thead>
       <tbody role="rowgroup">

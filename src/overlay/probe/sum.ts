@@ -43,7 +43,7 @@ export interface Sum {
 }
 
 /** `linear`: the viewer shades in linear light, so terms and sum are decoded and the sum is encoded last. */
-export function sumOf(fragment: FragmentExplanation, linear: boolean): Sum {
+export function probeSum(fragment: FragmentExplanation, linear: boolean): Sum {
   const { shares, unlit, emissive, sum, color } = fragment;
   const hasNormal = length(fragment.N) > 0;
   const rows = unlit ? [] : shares.filter((share) => share !== null).map((share) => rowOf(share, hasNormal));
@@ -98,7 +98,7 @@ const brightness = ([r, g, b]: Vec3): number => r + g + b;
 const codes = (color: Vec3): Vec3 => map(color, (x) => 255 * x);
 
 /** In the language of the texts, with a typographic minus; zero has no sign. */
-export function numberText(value: number, digits: number, texts: ViewerTexts | null): string {
+export function shortNumber(value: number, digits: number, texts: ViewerTexts | null): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   // Larger numbers, from extreme lights, would not fit with all digits.
   const text = Math.abs(value) < 1e6 ? value.toFixed(digits) : value.toExponential(1);
@@ -108,7 +108,7 @@ export function numberText(value: number, digits: number, texts: ViewerTexts | n
 /** Three numbers with a space between: a wider one where a comma would run into it. */
 export const tripleText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
   color
-    .map((x) => numberText(x, digits, texts))
+    .map((x) => shortNumber(x, digits, texts))
     .join(digits > 0 && localNumber('.', texts) === ',' ? '\u2002' : ' ');
 
 /** A term that adds nothing is one zero: most are, and the others are easier to find. */
@@ -120,4 +120,4 @@ export const degreesOf = (cosine: number): number =>
   Math.acos(Math.min(Math.max(cosine, -1), 1)) / radians(1);
 
 export const degreesText = (cosine: number, digits: number, texts: ViewerTexts | null): string =>
-  `${numberText(degreesOf(cosine), digits, texts)}°`;
+  `${shortNumber(degreesOf(cosine), digits, texts)}°`;

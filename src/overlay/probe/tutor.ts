@@ -34,7 +34,7 @@ export class Tutor {
         ? [equation.symbols, `= ${equation.numbers}`, `= ${equation.result}`]
         : [equation.given, '='];
       return html`<li>
-        <span class="title" dir="auto">${titleOf(equation, texts)}</span>
+        <span class="title" dir="auto">${equationTitle(equation, texts)}</span>
         ${asks && equation.facts !== '' ? html`<small dir="ltr">${equation.facts}</small>` : nothing}
         ${sides.map((side) => html`${mathOf(side)} `)}
         ${asks && !attempt.shown ? this.#question(equation, attempt, texts) : nothing}
@@ -72,7 +72,7 @@ export class Tutor {
         inputmode="decimal"
         autocomplete="off"
         size="7"
-        aria-label=${titleOf(equation, texts)}
+        aria-label=${equationTitle(equation, texts)}
         .value=${attempt.typed}
         @input=${(event: Event) => (attempt.typed = (event.target as HTMLInputElement).value)}
       /><button type="submit">${phrase(texts, 'Check')}</button>
@@ -101,7 +101,7 @@ export class Tutor {
 
 const plainOf = (equation: string): string => equation;
 
-const titleOf = ({ name, term, channel }: Equation, texts: ViewerTexts | null): string =>
+const equationTitle = ({ name, term, channel }: Equation, texts: ViewerTexts | null): string =>
   [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)]
     .filter((part) => part !== '')
     .join(' · ');

@@ -9,7 +9,7 @@ import {
   byShare,
   degreesOf,
   degreesText,
-  numberText,
+  shortNumber,
   shownAbsence,
   type Sum,
   type SumRow,
@@ -21,7 +21,7 @@ const NAMED = 3;
 
 /** The point, its colour, and the sum of the lights that add most. */
 export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplanation, sum: Sum): string {
-  const [red = '', green = '', blue = ''] = sum.color.map((x) => numberText(x, 0, texts));
+  const [red = '', green = '', blue = ''] = sum.color.map((x) => shortNumber(x, 0, texts));
   const parts = [
     phrase(texts, 'Point {point}.', { point: placeText(texts, fragment) }),
     phrase(texts, 'Colour: red {red}, green {green}, blue {blue}.', { red, green, blue }),
@@ -42,7 +42,7 @@ export const FILTERED =
   'The picture averages the texture here; these numbers read it at one point, so they can differ.';
 export const HIDDEN = 'Another surface hides the point.';
 export const OUTSIDE = 'The point is outside the picture.';
-export const NOTHING = 'No surface there.';
+export const NO_SURFACE = 'No surface there.';
 
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
   const values = {
@@ -88,13 +88,13 @@ function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, 
   if (exponent > 0 && cosine <= 0)
     return phrase(texts, '{cosines} = {cosine} is not above 0: no highlight.', {
       cosines,
-      cosine: numberText(cosine, 3, texts),
+      cosine: shortNumber(cosine, 3, texts),
     });
   return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
     cosines,
     ...lobeWords(texts, cosine, shininess),
     exponent: localNumber(String(Number(exponent.toPrecision(3))), texts),
-    power: numberText(cosine ** exponent, 3, texts),
+    power: shortNumber(cosine ** exponent, 3, texts),
   });
 }
 
@@ -117,12 +117,12 @@ type CosineWords = Readonly<Record<'angle' | 'cosine', string>>;
 
 /** A cosine with this many decimals, and its angle with as many as it takes to have that cosine. */
 function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number): CosineWords {
-  const text = numberText(cosine, digits, null);
+  const text = shortNumber(cosine, digits, null);
   const hasCosine = (n: number): boolean =>
-    numberText(cosDegrees(rounded(degreesOf(cosine), n)), digits, null) === text;
+    shortNumber(cosDegrees(rounded(degreesOf(cosine), n)), digits, null) === text;
   return {
     angle: degreesText(cosine, decimals(0, hasCosine), texts),
-    cosine: numberText(cosine, digits, texts),
+    cosine: shortNumber(cosine, digits, texts),
   };
 }
 

@@ -7,14 +7,14 @@ export interface Size {
 }
 
 /** A part of the atlas, in pixels from its bottom left corner. */
-export interface Place extends Size {
+export interface AtlasPlace extends Size {
   readonly x: number;
   readonly y: number;
 }
 
 export interface AtlasLayout extends Size {
   /** Places of the first pictures: as many as fit, at least one. */
-  readonly places: readonly Place[];
+  readonly places: readonly AtlasPlace[];
 }
 
 export interface AtlasLimit {
@@ -41,7 +41,7 @@ export function layOutAtlas(sizes: readonly Size[], limit: AtlasLimit): AtlasLay
 }
 
 function layOutRows(sizes: readonly Size[], rowWidth: number, limit: AtlasLimit): AtlasLayout {
-  const places: Place[] = [];
+  const places: AtlasPlace[] = [];
   let x = 0;
   let y = 0;
   let right = 0;

@@ -3,7 +3,7 @@
 // its own. Reasons and figures: src/decisions/one-context.md.
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
-import { type AtlasLayout, layOutAtlas, type Place, type Size } from './atlas.js';
+import { type AtlasLayout, layOutAtlas, type AtlasPlace, type Size } from './atlas.js';
 import { NoWebGL2Error, SAFE_SIDE } from './context.js';
 import { newTarget } from './capture-target.js';
 import { SharedContext } from './shared-context.js';
@@ -51,9 +51,9 @@ class Stage {
     },
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
-  readonly #places = new Map<StageClient, Place>();
+  readonly #places = new Map<StageClient, AtlasPlace>();
   /** Pictures in the atlas that have not been copied yet. */
-  readonly #drawn = new Map<StageClient, Place>();
+  readonly #drawn = new Map<StageClient, AtlasPlace>();
   #wastefulFrames = 0;
   #inFrame = false;
   #viewersDrawn = 0;
@@ -241,7 +241,7 @@ class Stage {
    * Where `client` draws. The first picture of a frame starts an atlas and reserves places for all that are out of
    * date.
    */
-  #placeOf(client: StageClient, renderer: WebGLRenderer): Place {
+  #placeOf(client: StageClient, renderer: WebGLRenderer): AtlasPlace {
     const reserved = this.#places.get(client);
     this.#places.delete(client); // a second drawing needs a cleared place
     if (reserved?.width === client.width && reserved.height === client.height) return reserved;
@@ -335,7 +335,7 @@ function clear(renderer: WebGLRenderer): void {
 /** Draws one part of the canvas and leaves the others alone. */
 function drawInto(
   renderer: WebGLRenderer,
-  { x, y, width, height }: Place,
+  { x, y, width, height }: AtlasPlace,
   render: (renderer: WebGLRenderer) => void,
 ): void {
   const whole = renderer.domElement.width === width && renderer.domElement.height === height;

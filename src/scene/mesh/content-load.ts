@@ -2,7 +2,7 @@
 // it.
 import { sameValue } from '../../fields/field-store.js';
 import { fileName } from '../../model/file-name.js';
-import { type Content, NOTHING } from '../../model/model.js';
+import { type Content, NO_CONTENT } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 import {
   acquireGeometry,
@@ -89,7 +89,7 @@ export class ContentLoad<Owner extends ContentOwner> {
     try {
       // Before the shape is built.
       if (geometry !== null) claim.add(this.#owner.needsOf(geometry, segments));
-      const content = geometry === null ? NOTHING : shapeContent(shapeKey(geometry, segments));
+      const content = geometry === null ? NO_CONTENT : shapeContent(shapeKey(geometry, segments));
       if (content instanceof Promise) this.#await(null, claim, () => content);
       else this.#owner.arrived(content, claim, null, false);
     } catch (error) {

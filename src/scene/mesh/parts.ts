@@ -10,7 +10,7 @@ import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
 import type { Claim } from '../../model/budget.js';
-import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
+import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
 import { flatNeedsOf, shapeContent } from './content-load.js';
 import type { MeshState, MeshValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
@@ -44,7 +44,7 @@ export interface ShownContent {
 }
 
 export const EMPTY: ShownContent = {
-  content: NOTHING,
+  content: NO_CONTENT,
   auto: null,
   level: FIXED,
   claim: null,
@@ -179,7 +179,7 @@ export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null 
  * Where a mesh was last put. Values are replaced when they change, so those that are the same need not be written
  * again.
  */
-export class Placement {
+export class WrittenTransform {
   #position: Vec3 | null = null;
   #rotation: Vec3 | null = null;
   #scale: Vec3 | null = null;

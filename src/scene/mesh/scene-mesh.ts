@@ -18,7 +18,7 @@ import {
   geometriesOf,
   partsOf,
   type Part,
-  Placement,
+  WrittenTransform,
   rootOf,
   setGeometries,
   showLevel,
@@ -67,7 +67,7 @@ export class SceneMesh implements Animated, ContentOwner {
   #notRestyled = false;
   /** Materials of a model that is about to come. */
   readonly #held: PhongMaterial[] = [];
-  readonly #placement = new Placement();
+  readonly #placement = new WrittenTransform();
   /** As last written to the scene; null for not yet. */
   #shading: Shading | null = null;
   /** What the geometries were made for; null for not known. */

@@ -9,7 +9,7 @@ import { copyPart, fromBelow } from './picture-copy.js';
 import type { Captured } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
-import { release, seize, sumOf, take } from './turns.js';
+import { release, seize, sharedSum, take } from './turns.js';
 
 // In one chunk with it: two that share most of their code would leave that in the first file.
 export { captureSamples } from './sampled-capture.js';
@@ -188,7 +188,7 @@ export class ConvergingPicture {
       this.#picture = pictureTarget(width, height);
     }
     const tiles = tilesOf({ width, height }, MOST_SUMMED);
-    const sum = sumOf(renderer);
+    const sum = sharedSum(renderer);
     if (!sum.begin(tiles[0]!)) return null;
     const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, this.#pace, this.#goOn);
     return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };

@@ -65,7 +65,7 @@ export function release(one: Waiting): void {
 }
 
 /** The buffers of whose turn it is. A restored context has another renderer. */
-export function sumOf(renderer: WebGLRenderer): SampleSum {
+export function sharedSum(renderer: WebGLRenderer): SampleSum {
   clearTimeout(freeing);
   if (shared?.renderer !== renderer) {
     shared?.sum.dispose();

@@ -33,7 +33,7 @@ export interface TriangleHit {
 }
 
 /** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
-type Row = readonly [number, number, number, number];
+type MatrixRow = readonly [number, number, number, number];
 
 /** Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in drawing order. */
 export function forEachHit(
@@ -46,7 +46,7 @@ export function forEachHit(
   const { index } = geometry;
   const position = geometry.getAttribute('position');
   const [rowX, rowY, rowDepth] = rowsOf(ray, matrixWorld);
-  const along = (row: Row, i: number): number =>
+  const along = (row: MatrixRow, i: number): number =>
     row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
   // As three.js does: a mirroring matrix swaps front and back.
   const mirrored = matrixWorld.determinant() < 0;
@@ -105,9 +105,12 @@ const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: n
  * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is
  * subtracted first, so that accuracy does not depend on the distance from the world's origin.
  */
-function rowsOf({ frame, slopeX, slopeY }: ViewRay, { elements }: Matrix4): readonly [Row, Row, Row] {
+function rowsOf(
+  { frame, slopeX, slopeY }: ViewRay,
+  { elements }: Matrix4,
+): readonly [MatrixRow, MatrixRow, MatrixRow] {
   const m = writeModelViewProjection({ frame, slopeX: 1, slopeY: 1 }, elements, new Float64Array(12));
-  const row = (at: number, slope: number): Row => {
+  const row = (at: number, slope: number): MatrixRow => {
     const of = (i: number): number => m[at + i]! - slope * m[8 + i]!;
     return [of(0), of(1), of(2), of(3)];
   };
@@ -115,7 +118,7 @@ function rowsOf({ frame, slopeX, slopeY }: ViewRay, { elements }: Matrix4): read
 }
 
 /** False only if the function is above 0, or below, in the whole box; NaN counts as 0. */
-function hasZero(row: Row, boxes: BoxList, at: number): boolean {
+function hasZero(row: MatrixRow, boxes: BoxList, at: number): boolean {
   const x = row[0] * boxes[at]!;
   const y = row[1] * boxes[at + 1]!;
   const z = row[2] * boxes[at + 2]!;

@@ -17,7 +17,7 @@ import { NoWebGL2Error } from '../gpu/stage.js';
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
 
 /** Channels, 0–1, at u, v after the texture's transform. */
-export function sample(texels: Texels, map: Sampler, u: number, v: number): Vec4 {
+export function sampleTexture(texels: Texels, map: Sampler, u: number, v: number): Vec4 {
   const x = u * texels.width;
   const y = (map.flipY ? 1 - v : v) * texels.height;
   const column = (i: number): number => wrap(i, texels.width, map.wrapS);
@@ -51,18 +51,18 @@ function wrap(i: number, size: number, wrapping: Wrapping): number {
 }
 
 /** A texture at the hit, through its own coordinates and transform. */
-export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: Place): Vec4 {
-  return sample(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
+export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: TrianglePoint): Vec4 {
+  return sampleTexture(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
 }
 
 /** Corners and weights of a triangle's point. */
-type Place = Pick<TriangleHit, 'corners' | 'weights'>;
+type TrianglePoint = Pick<TriangleHit, 'corners' | 'weights'>;
 
 /** u, v after the texture's transform. */
 function coordinatesAt(
   { channel, matrix }: Texture,
   geometry: BufferGeometry,
-  place: Place,
+  place: TrianglePoint,
 ): [number, number] {
   const [u = 0, v = 0] = interpolated(geometry, channel === 0 ? 'uv' : `uv${String(channel)}`, place);
   const m = matrix.elements;
@@ -106,7 +106,11 @@ export function isMinified(
 }
 
 /** A vertex attribute at the hit; empty if the geometry lacks it. */
-export function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: Place): number[] {
+export function interpolated(
+  geometry: BufferGeometry,
+  name: string,
+  { corners, weights }: TrianglePoint,
+): number[] {
   if (!geometry.hasAttribute(name)) return [];
   const attribute = geometry.getAttribute(name);
   return Array.from({ length: attribute.itemSize }, (_, c) =>
