@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { pixelOffset } from '../../src/math/pixel-offsets.js';
-import { shifted } from '../../src/scene/samples/pixel-offsets.js';
+import { shifted } from '../../src/scene/samples/tiles.js';
 import { tilesOf } from '../../src/scene/samples/tiles.js';
 
 describe('the offsets of samples', () => {

@@ -73,7 +73,10 @@ export function equationsOf(
             .filter((term) => isLit(fragment, options.lights[i]!, term))
             .map((term) => product(fragment, share, options.lights[i]!, term, channel as 0, options, texts)),
     );
-    return [...products, sumEquation(products, own[channel]!, fragment.color[channel]!, options.linear, texts)];
+    return [
+      ...products,
+      sumEquation(products, own[channel]!, fragment.color[channel]!, options.linear, texts),
+    ];
   });
   return parts[0]!.flatMap((first, i) => {
     const each = parts.map((equations) => equations[i]!);

@@ -3,7 +3,7 @@
 import type { WebGLRenderer } from 'three';
 import type { Region } from '../gpu/stage.js';
 import type { Picture } from '../picture.js';
-import { shifted } from './pixel-offsets.js';
+import { shifted } from './tiles.js';
 import type { SampleSum } from './sample-sum.js';
 
 const BATCH_MS = 8;

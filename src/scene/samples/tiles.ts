@@ -1,4 +1,5 @@
-// Divides a picture whose samples are too many pixels for one sum.
+// Divides a picture whose samples are too many pixels for one sum, and shifts parts by a sample's place in the pixel.
+import { pixelOffset } from '../../math/pixel-offsets.js';
 import type { Size } from '../gpu/atlas.js';
 import type { Region } from '../gpu/stage.js';
 
@@ -12,4 +13,10 @@ export function tilesOf({ width, height }: Size, area: number, side = Infinity):
       tiles.push({ x, y, width: Math.min(tileWidth, width - x), height: Math.min(tileHeight, height - y) });
   }
   return tiles;
+}
+
+/** A part of a picture as sample `index` sees it. */
+export function shifted(part: Region, index: number): Region {
+  const { x, y } = pixelOffset(index);
+  return { ...part, x: part.x + x, y: part.y + y };
 }
