@@ -238,6 +238,10 @@ const UNMET = {
   software: new Set([
     `${sphere(1)}, first frames`, // 1.22
     `${sphere(4)}, first frames`, // 1.20
+    firstModelSubject('GLB of 1 MB'), // 1.28
+    firstModelSubject('Draco'), // 1.18
+    firstModelSubject('.gltf with .bin'), // 1.49
+    firstModelSubject('PLY of 0.8 M triangles'), // 2.2
     '20 turning viewers, frame rate to one viewer’s', // 0.37
     'bytes, standalone', // 1.19
   ]),

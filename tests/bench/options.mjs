@@ -17,7 +17,7 @@ Measures the built package in Chromium and writes tests/bench/results/STACK.json
   --minutes N         stops after the subject that reaches N minutes, with what it has
   --browser PATH      another Chromium
   --flags "A B"       its flags, separated by spaces (default: software rendering)
-  --stack NAME        name of the result (default software): software, h200-vulkan, h200-opengl
+  --stack NAME        name of the result (default software), such as h100-vulkan
   --size WxH          pixels of a picture (default: 480x360 in software, 1920x1080 on a GPU;
                       whole pictures, whose error is measured: 400x300)
   --out FILE          result file
