@@ -24,7 +24,9 @@ for (const forcedColors of ['none', 'active'] as const)
     mount,
   }) => {
     await page.emulateMedia({ forcedColors });
-    await mount(`<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}</main>`, { css });
+    await mount(`<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}</main>`, {
+      css,
+    });
     await expect(page.getByRole('spinbutton', { name: 'aperture' })).toHaveCount(2);
     await expect(page.getByRole('group', { name: 'terms of the sum' })).toHaveCount(2);
     expect((await axeOn(page).analyze()).violations).toEqual([]);

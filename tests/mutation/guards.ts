@@ -166,8 +166,13 @@ export const GUARDS: readonly Guard[] = [
       linkedUrl: (uri, model) => new URL(uri, model),
     }),
   ),
-  guard<typeof sampling>('textures are interpolated', 'scene/snapshot/sample', 'sample', ({ sampleTexture }) => ({
-    sampleTexture: (texels, map, u, v) =>
-      sampleTexture(texels, map, (Math.floor(u * texels.width) + 0.5) / texels.width, v),
-  })),
+  guard<typeof sampling>(
+    'textures are interpolated',
+    'scene/snapshot/sample',
+    'sample',
+    ({ sampleTexture }) => ({
+      sampleTexture: (texels, map, u, v) =>
+        sampleTexture(texels, map, (Math.floor(u * texels.width) + 0.5) / texels.width, v),
+    }),
+  ),
 ];

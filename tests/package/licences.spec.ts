@@ -56,7 +56,7 @@ test('every bundle that contains code of others begins with a notice that names 
       'phong-viewer.classic.js',
       [/three\.js authors/, /Google LLC/, /George Michael Brower/, /Draco Authors/],
     ],
-    [chunk('chunks', 'panel'), [/George Michael Brower/]],
+    [chunk('chunks', 'panel-rows'), [/George Michael Brower/]],
     [chunk('chunks', 'read-gltf'), [/three\.js authors/]],
     [chunk('chunks', 'teapot'), [/three\.js authors/]],
     [chunk('chunks', 'meshopt'), [/Arseny Kapoulkine/]],

@@ -73,10 +73,7 @@ export function equationsOf(
             .filter((term) => isLit(fragment, options.lights[i]!, term))
             .map((term) => product(fragment, share, options.lights[i]!, term, channel as 0, options, texts)),
     );
-    return [
-      ...products,
-      sumEquation(products, own[channel]!, fragment.color[channel]!, options.linear, texts),
-    ];
+    return [...products, sumLine(products, own[channel]!, fragment.color[channel]!, options.linear, texts)];
   });
   return parts[0]!.flatMap((first, i) => {
     const each = parts.map((equations) => equations[i]!);
@@ -286,7 +283,7 @@ function factsOf(
   return facts.join(', ');
 }
 
-function sumEquation(
+function sumLine(
   parts: readonly Equation[],
   own: number,
   value: number,

@@ -9,7 +9,7 @@ import { copyPart, fromBelow } from './picture-copy.js';
 import type { Captured } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
-import { release, seize, sharedSum, take } from './turns.js';
+import { queue, release, seize, sharedSum, take } from './turns.js';
 
 // In one chunk with it: two that share most of their code would leave that in the first file.
 export { captureSamples } from './sampled-capture.js';
@@ -79,7 +79,10 @@ export class ConvergingPicture {
   /** Call in an animation frame without a change. True: call again in the next one. */
   step(): boolean {
     if (!this.pending) return false;
-    if (this.#stillFrames === 0) this.#stood = performance.now();
+    if (this.#stillFrames === 0) {
+      this.#stood = performance.now();
+      queue(this);
+    }
     this.#stillFrames += 1;
     if (this.#stillFrames <= (this.#dragged ? STILL_FRAMES : 1)) return true;
     if (!take(this)) return false; // its turn comes with an animation frame

@@ -21,9 +21,14 @@ const KEPT_MS = 1000;
 let freeing = 0;
 let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null = null;
 
+/** It will take its turn soon: whoever comes before it is known then. */
+export function queue(one: Waiting): void {
+  if (active !== one) waiting.add(one);
+}
+
 /** Whether it is this one's turn. If not, it is woken once it may be. */
 export function take(one: Waiting): boolean {
-  if (active !== one) waiting.add(one);
+  queue(one);
   const next = nextWaiting();
   if (active?.inView === false && next?.inView === true) {
     const interrupted = active;

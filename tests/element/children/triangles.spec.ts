@@ -35,7 +35,7 @@ test('shows the meshes that fit in, says of each other one that it is too large,
   await viewer.evaluate((element: PhongViewer) => element.meshes[0]!.remove());
   await viewer.locator('[part=retry]').dispatchEvent('click');
   await expect(viewer.locator('[part=notice]')).toBeHidden();
-  expect(await shown(viewer)).toEqual(['b', 'c', 'd']);
+  await expect.poll(() => shown(viewer), 'a frame sorts them').toEqual(['b', 'c', 'd']);
   // As flat copies they leave no room for a fourth one, which keeps its shading.
   await viewer.evaluate((element: PhongViewer) => {
     const mesh = document.createElement('phong-mesh');

@@ -93,7 +93,17 @@ for (const path of sitePages) {
   const pictured = PICTURED.has(path);
   const looks = pictured ? ', looks as before' : '';
   // The others are made of the same parts.
-  const often = ['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'lesson/de/', 'playground/'].includes(path);
+  const often = [
+    '',
+    'api/',
+    'article/',
+    'explain/',
+    'guide/',
+    'guide/see/',
+    'lesson/',
+    'lesson/de/',
+    'playground/',
+  ].includes(path);
 
   test(`${often ? '' : '@release '}the ${name} fits a phone, passes axe${looks}, and has a head, a link to the package and no broken link`, async ({
     page,
