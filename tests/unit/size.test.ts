@@ -16,7 +16,7 @@ const linesOf = (folder: string, ends: RegExp): number =>
     }, 0);
 
 it.each([
-  ['src', /\.ts$/, 37_870],
+  ['src', /\.ts$/, 37_940],
   ['shaders', /\.glsl$/, 798],
   ['tests', /\.(ts|tsx|mjs|js|py)$/, 59_260],
 ])('%s has no more lines than it needs', (folder, ends, most) => {

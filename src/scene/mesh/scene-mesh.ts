@@ -1,44 +1,19 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
 // the next one is there and can be shown.
-import type { Mesh, Object3D } from 'three';
-import { type Animated, type Animations, MeshAnimation } from './animation.js';
-import type { ShadingStyle } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
-import type { Claim, Need } from '../../model/budget.js';
-import { ModelError, type Content, type ContentPart } from '../../model/model.js';
+import type { Claim } from '../../model/budget.js';
 import { isOutOfMemory } from '../../model/limits.js';
-import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { MeshState, ShapeValues } from './mesh-fields.js';
-import {
-  appearanceOf,
-  dress,
-  EMPTY,
-  followPose,
-  freeShown,
-  geometriesOf,
-  partsOf,
-  type Part,
-  WrittenTransform,
-  rootOf,
-  setGeometries,
-  showLevel,
-  type ShownContent,
-} from './parts.js';
-import type { Appearance, SharedMaterials } from './shared-materials.js';
+import { type Content, ModelError } from '../../model/model.js';
 import { modelCode } from '../../model/request-model.js';
-import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
-import { effectiveSegments, type GeometryName, type LoadedShape } from './shapes/shapes.js';
+import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
+import type { MeshState } from './mesh-fields.js';
+import type { ShownContent } from './parts.js';
+import { FIXED } from './shapes/shared-shapes.js';
+import { effectiveSegments } from './shapes/shapes.js';
+import { type ShownHost, ShownMesh } from './shown-mesh.js';
 
 /** The picture that shows a mesh. */
-export interface MeshHost extends LoadHost<SceneMesh> {
-  readonly materials: SharedMaterials;
-  readonly animations: Animations;
-  /** The mesh looks different: draw again. */
-  changed(): void;
-  /** The mesh's geometry or place is different: measure again. */
-  reshaped(): void;
-  /** The mesh, which is this one, was put elsewhere; its world matrix still says where it was. */
-  moved(mesh: Mesh): void;
+export interface MeshHost extends LoadHost<SceneMesh>, ShownHost {
   /**
    * The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content
    * before is kept.
@@ -51,76 +26,24 @@ export interface MeshHost extends LoadHost<SceneMesh> {
 /** Models with fewer parts get their materials at once. */
 const MANY_PARTS = 256;
 
-type Shading = ShadingStyle['shading'];
-
-export class SceneMesh implements Animated, ContentOwner {
-  readonly #state: MeshState;
+export class SceneMesh extends ShownMesh implements ContentOwner {
   readonly #host: MeshHost;
   readonly #load: ContentLoad<SceneMesh>;
-  #parent: Object3D | null = null;
-  #shown = EMPTY;
-  /** Shown before the present content, which has not been drawn yet. */
-  #before: ShownContent | null = null;
-  /** There was no memory for flat normals. Until another shading is wanted, the mesh keeps the one it has. */
-  #notFlat = false;
-  /** There was no memory for a material: one of the parts does not look as its values say. */
-  #notRestyled = false;
   /** Materials of a model that is about to come. */
   readonly #held: PhongMaterial[] = [];
-  readonly #placement = new WrittenTransform();
-  /** As last written to the scene; null for not yet. */
-  #shading: Shading | null = null;
-  /** What the geometries were made for; null for not known. */
-  #effective: Shading | null = null;
-  #reflection: ShadingStyle['reflection'] | null = null;
 
   constructor(state: MeshState, host: MeshHost) {
-    this.#state = state;
+    super(state, host);
     this.#host = host;
     this.#load = new ContentLoad<SceneMesh>(this, host);
   }
 
-  get wantsFlat(): boolean {
-    return this.#wantedShading === 'flat';
-  }
-
-  needsOf(geometry: GeometryName, segments: ShapeValues['segments']): readonly Need[] {
-    const isFixed = segments === 'auto' && this.isFixed;
-    return shapeNeeds(isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments), this.wantsFlat);
-  }
-
-  /** The shape that has automatic segments; null where it shows anything else. */
-  get auto(): LoadedShape | null {
-    return this.#shown.auto;
-  }
-
   /** The segments of the shape that is shown; null for a model or nothing. */
   get segments(): number | null {
-    const { geometry, segments } = this.#values;
+    const { geometry, segments } = this.values;
     if (this.complete !== 'shape' || geometry === null) return null;
     const drawn = this.auto === null || this.level === FIXED ? undefined : this.level;
     return effectiveSegments(geometry, segments === 'auto' ? drawn : segments);
-  }
-
-  /** Its number of segments is part of the picture. */
-  get isFixed(): boolean {
-    return this.#ownShading !== 'phong';
-  }
-
-  /** The segments of {@link auto}, or `FIXED`. */
-  get level(): number {
-    return this.#shown.level;
-  }
-
-  /** Shows another level of {@link auto}. Where there is no memory for it the level stays. */
-  set level(level: number) {
-    const { auto } = this;
-    if (auto === null) return;
-    try {
-      this.#shown = showLevel(this.#shown, auto, level, this.#effective === 'flat');
-    } catch (error) {
-      if (!isOutOfMemory(error)) throw error;
-    }
   }
 
   /** Makes the materials. Thousands take long, so each slice makes a few. They are held until the content has come. */
@@ -128,11 +51,11 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#letGo();
     if (parts.length < MANY_PARTS) return;
     const { Slices } = await modelCode();
-    const { shading = null, reflection = null } = this.#values;
+    const { shading = null, reflection = null } = this.values;
     const slices = new Slices(signal);
     await slices.pause(); // the last task of the reader
     await slices.map(parts, (part) => {
-      const appearance = this.#appearanceOf(part, { shading, reflection });
+      const appearance = this.appearanceOf(part, { shading, reflection });
       this.#held.push(this.#host.materials.acquire(appearance));
     });
     await slices.pause();
@@ -145,7 +68,7 @@ export class SceneMesh implements Animated, ContentOwner {
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
     let next: ShownContent;
     try {
-      next = this.#prepared(content, claim, url);
+      next = this.prepared(content, claim, url);
     } catch (error) {
       content.dispose();
       claim.release();
@@ -154,81 +77,43 @@ export class SceneMesh implements Animated, ContentOwner {
     } finally {
       this.#letGo();
     }
-    this.#show(next);
+    this.show(next);
     if (!late) return;
-    this.#place();
-    this.restyle();
-    this.#host.ended(this, url, null);
-  }
-
-  /** The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while nothing is shown. */
-  get root(): Object3D | null {
-    return this.#shown.root;
-  }
-
-  /** Shows it below `parent`, whose world matrix is the identity. */
-  attach(parent: Object3D): void {
-    this.#parent = parent;
-    if (this.root !== null) parent.add(this.root);
-  }
-
-  get #values(): MeshState['values'] {
-    return this.#state.values;
+    this.settle();
+    this.ended(url, null);
   }
 
   /** Its `src` is a file of the user's own, not an address. */
   get isOwnFile(): boolean {
-    return typeof this.#values.src !== 'string';
+    return typeof this.values.src !== 'string';
   }
 
   /** Its values name something to show. */
   get wanted(): boolean {
-    return this.#values.src !== '' || this.#values.geometry !== null;
+    return this.values.src !== '' || this.values.geometry !== null;
   }
 
   /** The code of its shape is being fetched. */
   get awaitsShape(): boolean {
-    return this.#load.pending && this.#values.src === '';
+    return this.#load.pending && this.values.src === '';
   }
 
   /** What it shows now is what its values name: a model, a shape, or (null) something else, as after a failure. */
   get complete(): 'model' | 'shape' | null {
-    if (this.root === null || !this.#load.has(this.#values)) return null;
-    return this.#shown.url === null ? 'shape' : 'model';
-  }
-
-  /** What the model is shown without, by the names in it. */
-  get missing(): readonly string[] {
-    return this.#shown.content.missing ?? [];
-  }
-
-  /** The three.js meshes that show it, each with its material. */
-  get parts(): readonly Readonly<Part>[] {
-    return this.#shown.parts;
+    if (this.root === null || !this.#load.has(this.values)) return null;
+    return this.url === null ? 'shape' : 'model';
   }
 
   /** Updates the scene to the values. Cheap if nothing has changed. */
   update(): void {
-    this.#load.request(this.#values);
-    const { animation, parts } = this.#shown;
-    if (animation?.update(this.#values) === true) followPose(parts);
-    this.#place();
-    this.restyle();
-  }
-
-  get plays(): boolean {
-    return this.#shown.animation?.plays ?? false;
-  }
-
-  advance(seconds: number): void {
-    this.#shown.animation?.advance(seconds);
-    if (seconds > 0) followPose(this.parts);
+    this.#load.request(this.values);
+    this.settle();
   }
 
   /** After a failure, the next {@link update} requests the same again. */
   retry(): void {
     this.#load.retry();
-    this.#forgetNotFlat();
+    this.forgetNotFlat();
   }
 
   /** Cancels a load in progress. The next {@link update} requests it again. */
@@ -236,114 +121,28 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#load.suspend();
   }
 
-  /** The present content has been drawn. */
-  drawn(): void {
-    if (this.#before !== null) freeShown(this.#before, this.#host.materials);
-    this.#before = null;
-  }
-
   /** The present content could not be drawn: goes back to what was shown before. */
   revert(error: unknown): void {
-    const failed = this.#shown;
-    this.#replace(this.#before ?? EMPTY);
-    this.#pose();
-    this.#before = null;
-    freeShown(failed, this.#host.materials);
-    this.#effective = null;
-    this.#place();
-    this.restyle();
-    this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable(error));
+    this.#load.fail(this.goBack(), isOutOfMemory(error) ? error : undrawable(error));
   }
 
-  /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
-  restyle(): void {
-    const { reflection = null } = this.#values;
-    const shading = this.#reshade();
-    const restyled = shading !== this.#shading || reflection !== this.#reflection;
-    this.#shading = shading;
-    this.#reflection = reflection;
-    let failure: unknown = null;
-    let exchanged = false;
-    for (const part of this.#shown.parts) {
-      const appearance = this.#appearanceOf(part.source, { shading, reflection });
-      try {
-        if (dress(part, appearance, this.#host.materials, restyled)) exchanged = true;
-      } catch (error) {
-        failure = error;
-      }
-    }
-    if (failure !== null) this.#host.ended(this, this.#shown.url, failure);
-    else if (exchanged && this.#notRestyled) this.#host.dropped(this);
-    if (failure !== null || exchanged) this.#notRestyled = failure !== null;
-    this.#host.changed();
+  protected ended(url: URL | null, error: unknown): void {
+    this.#host.ended(this, url, error);
   }
 
-  /**
-   * Gives the parts the geometries that their shading needs. Returns the shading for their materials; null for the
-   * picture's.
-   */
-  #reshade(): Shading | null {
-    const { shading = null } = this.#values;
-    const wanted = this.#wantedShading;
-    if (wanted === 'flat' && this.#notFlat) return this.#effective;
-    if (wanted !== this.#effective) {
-      try {
-        this.#regroup(wanted === 'flat');
-        const was = this.#effective;
-        this.#effective = wanted;
-        // A shape that was too large as it was shaded before may fit in now.
-        if (was !== null && this.#load.failed && this.#values.src === '') this.#again();
-        this.#pose(); // a flat copy may be of an earlier pose
-      } catch (error) {
-        if (this.#effective !== 'flat') this.#shown.claim?.dropFlat();
-        this.#notFlat = true;
-        this.#host.ended(this, this.#shown.url, error);
-        return this.#effective;
-      }
-    }
-    this.#forgetNotFlat();
-    return shading;
+  protected dropped(): void {
+    this.#host.dropped(this);
   }
 
-  #again(): void {
+  protected keepsLast(): boolean {
+    return this.#host.shown(this);
+  }
+
+  /** A shape that was too large as it was shaded before may fit in now. */
+  protected reshaded(): void {
+    if (!this.#load.failed || this.values.src !== '') return;
     this.#load.retry();
-    this.#load.request(this.#values);
-  }
-
-  /** Shows the geometries with or without separate triangles. Throws if there is no room or no memory for them. */
-  #regroup(flat: boolean): void {
-    const { auto, claim } = this.#shown;
-    const needs = auto === null ? null : this.needsOf(auto, 'auto');
-    if (auto !== null && needs !== null) {
-      claim?.add(needs);
-      // Before a flat copy is made of a finer level.
-      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, auto, FIXED, false);
-      this.#host.reshaped(); // another level may be needed
-    }
-    const { content, parts } = this.#shown;
-    setGeometries(parts, geometriesOf(content, flat, needs === null ? claim : null));
-    if (needs !== null) claim?.keep(needs);
-    else if (!flat) claim?.dropFlat();
-  }
-
-  /** Brings what is shown into its present pose. */
-  #pose(): void {
-    const { animation, parts } = this.#shown;
-    animation?.pose();
-    if (animation !== null) followPose(parts);
-  }
-
-  #forgetNotFlat(): void {
-    if (this.#notFlat) this.#host.dropped(this);
-    this.#notFlat = false;
-  }
-
-  get #ownShading(): Shading {
-    return this.#values.shading ?? this.#host.materials.style.shading;
-  }
-
-  get #wantedShading(): Shading {
-    return this.#host.materials.geometryShading(this.#values.shading ?? null);
+    this.#load.request(this.values);
   }
 
   /** Ends any load and frees everything. */
@@ -351,71 +150,7 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#load.drop();
     this.#letGo();
     this.#host.removed(this);
-    this.#parent = null;
-    const before = this.#shown;
-    this.#replace(EMPTY);
-    freeShown(before, this.#host.materials);
-    this.drawn();
-  }
-
-  /** In the style that its values, not the picture, say. */
-  #appearanceOf(source: ContentPart, style: Pick<Appearance, 'shading' | 'reflection'>): Appearance {
-    return appearanceOf(this.#state, source, style);
-  }
-
-  #place(): void {
-    const { name = '' } = this.#values;
-    const [part] = this.parts;
-    const { root } = this;
-    if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
-    const { known } = this.#placement;
-    if (!this.#placement.put(root, this.#values)) return;
-    if (known && part?.mesh === root) this.#host.moved(part.mesh);
-    else this.#host.reshaped();
-  }
-
-  /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
-  #prepared(content: Content, claim: Claim, url: URL | null): ShownContent {
-    const { motion } = content;
-    const { shading = null, reflection = null } = this.#values;
-    const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
-    const { geometry, segments } = this.#values;
-    const isAuto = url === null && geometry !== null && segments === 'auto';
-    // Shapes are called as their geometry is. The values may already name another one. Its code came with its content.
-    const auto = isAuto && content.parts[0]?.name === geometry ? (geometry as LoadedShape) : null;
-    const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
-    const geometries = geometriesOf(content, this.wantsFlat, auto === null ? claim : null);
-    const parts = partsOf(content, geometries, this.#host.materials, (source) =>
-      this.#appearanceOf(source, { shading, reflection }),
-    );
-    const root = rootOf(parts, motion !== null);
-    return { content, auto, level, claim, parts, root, url, animation };
-  }
-
-  /** Replaces what is shown. Call {@link #place} and {@link restyle} next. */
-  #show(next: ShownContent): void {
-    this.#effective = this.#wantedShading;
-    this.#shading = this.#values.shading ?? null;
-    this.#reflection = this.#values.reflection ?? null;
-    const before = this.#shown;
-    this.#replace(next);
-    this.#forgetNotFlat();
-    const kept = next.root !== null && this.#host.shown(this);
-    if (kept && this.#before === null) {
-      this.#before = before;
-    } else {
-      freeShown(before, this.#host.materials); // it was never drawn, or nothing goes back to it
-      if (!kept) this.drawn();
-    }
-  }
-
-  #replace(next: ShownContent): void {
-    this.root?.removeFromParent();
-    this.#shown = next;
-    if (next.root !== null) this.#parent?.add(next.root);
-    this.#placement.forget(); // the new root has no place yet
-    if (next.animation === null) this.#host.animations.delete(this);
-    else this.#host.animations.add(this);
+    this.clear();
   }
 }
 
