@@ -62,10 +62,11 @@ export function release(one: Waiting): void {
   if (active === one) active = null;
   if (active !== null) return;
   const next = nextWaiting();
+  clearTimeout(freeing);
   if (next !== undefined) next.wake();
   else
     freeing = window.setTimeout(() => {
-      shared?.sum.free();
+      if (active === null) shared?.sum.free();
     }, KEPT_MS);
 }
 

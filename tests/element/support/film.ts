@@ -13,10 +13,20 @@ export interface Frame {
   readonly outlines: number;
 }
 
-/** Reads the viewer's canvas after each animation frame, until `stop`. The first frame is the one that is shown now. */
-export async function film(viewer: Locator): Promise<{ stop(): Promise<readonly Frame[]> }> {
-  const filmed = await viewer.evaluateHandle((element: PhongViewer) => {
+/**
+ * Reads the viewer's canvas after each animation frame, until `stop`. The first frame is the one that is shown now, or
+ * the one that shows a turn to `theta`.
+ */
+export async function film(
+  viewer: Locator,
+  theta: number | null = null,
+): Promise<{ stop(): Promise<readonly Frame[]> }> {
+  const filmed = await viewer.evaluateHandle(async (element: PhongViewer, azimuth) => {
     const frames: Frame[] = [];
+    if (azimuth !== null) {
+      element.theta = azimuth;
+      await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
+    }
     const copy = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;
     let first: Uint8ClampedArray | null = null;
     let running = true;
@@ -56,7 +66,7 @@ export async function film(viewer: Locator): Promise<{ stop(): Promise<readonly 
     read();
     requestAnimationFrame(next);
     return { frames, stop: () => (running = false) };
-  });
+  }, theta);
   return {
     stop: () =>
       filmed.evaluate(({ frames, stop }) => {
