@@ -28,8 +28,6 @@ export class Batches {
   #inTime = 0;
   #isFirst = true;
   #fence: WebGLSync | null = null;
-  /** Browsers call timers of timers no sooner than after 4 ms: a message stands between them. */
-  readonly #channel = new MessageChannel();
   #timer = 0;
   #start = 0;
   /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
@@ -40,9 +38,6 @@ export class Batches {
     this.#gl = gl;
     this.#size = size;
     this.#next = next;
-    this.#channel.port1.onmessage = () => {
-      if (this.#fence !== null) this.#look();
-    };
   }
 
   /** Samples of the next batch. */
@@ -99,7 +94,10 @@ export class Batches {
         const isLate = elapsed >= BATCH_MS;
         if ((signalled || isLate) && elapsed < 2 * BATCH_MS) this.#quick ??= !isLate;
         if (signalled) this.#next?.();
-        else this.#channel.port2.postMessage(null);
+        else
+          inNextTask(() => {
+            if (this.#fence !== null) this.#look();
+          });
       },
       performance.now() - this.#start < BATCH_MS ? LOOK_MS : LATE_LOOK_MS,
     );
@@ -120,6 +118,19 @@ export class Batches {
     const gl = this.#gl;
     return this.#fence !== null && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED;
   }
+}
+
+/**
+ * Browsers call timers of timers no sooner than after 4 ms: a message stands between them. An open port is never
+ * collected. `Slices.pause` does the same; a file for both would be a request of its own.
+ */
+function inNextTask(work: () => void): void {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => {
+    port1.close();
+    work();
+  };
+  port2.postMessage(null);
 }
 
 /** Adds a batch of the frame that `picture` has made to `sum`, which is that of `tile` and gets so many `samples`. */

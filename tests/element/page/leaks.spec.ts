@@ -38,6 +38,26 @@ test('viewers that come and go leave nothing behind', async ({ page, mount }) =>
   expect(objects).toMatchObject({ viewers: 1, scenes: 1 });
 });
 
+test('a picture that converges again and again leaves nothing behind', async ({ page, mount }) => {
+  const viewer = await mount(
+    '<phong-viewer geometry="box" antialias="full" samples="16"><phong-light></phong-light></phong-viewer>',
+    size,
+  );
+  const turn = (times: number): Promise<void> =>
+    viewer.evaluate(async (element: PhongViewer, count) => {
+      for (let i = 0; i < count; i++) {
+        element.theta += 1;
+        await element.ready;
+      }
+    }, times);
+  const ledger = await Ledger.of(page);
+  // Past the frames after which a specialised program comes.
+  await turn(30);
+  const before = await ledger.read();
+  await turn(20);
+  expect((await ledger.read()).objects).toEqual(before.objects);
+});
+
 test('removing the last viewer closes the context and removes every listener and observer', async ({
   page,
   mount,

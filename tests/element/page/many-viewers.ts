@@ -122,6 +122,7 @@ const PROTOTYPES = {
   materials: above(`${drawn}.material`),
   geometries: above(`${drawn}.geometry`),
   canvases: 'HTMLCanvasElement.prototype',
+  ports: 'MessagePort.prototype',
 } as const;
 
 /** Adds `count` viewers of these kinds after the first, lets them draw, uses them and removes them. */
