@@ -39,6 +39,10 @@ export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Pixels of the page, as of pointer events, for each CSS pixel of an element: CSS zoom. Not all browsers say it. */
+export const zoomOf = (element: Element): number =>
+  (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+
 /**
  * From now on templates of `element` are created in its own document, which may be that of an iframe or a popup, and
  * not the script's.

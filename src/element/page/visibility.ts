@@ -2,6 +2,7 @@
 // follows the observers of the document that it is in; nothing polls.
 import type { ReactiveController } from 'lit';
 import type { Signal } from '../../fields/signal.js';
+import { zoomOf } from '../dom.js';
 import { type PageObservers, pageOf, type Watcher } from './page-observers.js';
 
 export interface ElementView {
@@ -193,7 +194,7 @@ export class Visibility implements ReactiveController, Watcher {
 
   #measure(width: number, height: number): void {
     // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS pixel.
-    const zoom = (this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    const zoom = zoomOf(this.#element);
     const ratio = Math.min((this.#page?.view.devicePixelRatio ?? 1) * zoom, this.#maxRatio);
     // A low limit leaves one pixel at least.
     const pixels = (length: number): number =>

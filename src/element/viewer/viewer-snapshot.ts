@@ -5,11 +5,10 @@ import type { LightState, LightValues } from '../../light/light-state.js';
 import type { Size } from '../../scene/gpu/atlas.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { zoomOf } from '../dom.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import type { PhongLight } from '../elements.js';
+import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 import { numberedName } from '../phong-light.js';
-import type { PhongMesh } from '../elements.js';
-import type { PhongViewer } from '../elements.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './children.js';
 import { elementOf } from './element-mesh.js';
@@ -44,9 +43,8 @@ export function viewerSnapshot(
   size: { readonly width: number; readonly height: number },
 ): ViewerSnapshot {
   const { holder, picture, still } = viewport;
-  // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own. Not all browsers have this
-  // property.
-  const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+  // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own.
+  const zoom = zoomOf(holder);
   return {
     // The triangles of the picture that is shown.
     scene:

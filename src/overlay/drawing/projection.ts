@@ -1,6 +1,7 @@
 // Projects points of the scene to the layer over the picture, and back. In float64, from the orbit's own basis, as the
 // picture is drawn. World space to CSS pixels of the layer, from its top left corner.
 import { basisOf, type Basis, type Pose } from '../../camera/orbit.js';
+import type { Viewport } from '../../scene/viewport.js';
 import { radians } from '../../math/angle.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 
@@ -29,6 +30,14 @@ export interface Ray {
   /** Unit length. */
   readonly direction: Vec3;
 }
+
+/** Onto a layer of this size, of what `viewport` shows now. A file has an aspect of its own. */
+export const projectionOf = (
+  { picture: { orbit, fit }, width, height }: Viewport,
+  size: Pick<Sight, 'width' | 'height'>,
+  // None before the first layout.
+  aspect = width > 0 && height > 0 ? width / height : size.width / size.height,
+): Projection => new Projection({ pose: orbit.pose, fov: fit.fov, ...size, aspect });
 
 /**
  * Points nearer to the eye than this share of the orbit's radius count as behind it: their place on the layer would
@@ -92,6 +101,13 @@ export class Projection {
   point(place: Vec3): Point | null {
     const [x, y, z] = this.toCamera(place);
     return -z >= this.#near ? this.#onLayer(x, y, -z) : null;
+  }
+
+  /** The same, null outside the layer. */
+  pointInside(place: Vec3): Point | null {
+    const point = this.point(place);
+    const within = (at: number, size: number): boolean => at >= 0 && at < size;
+    return point !== null && within(point.x, this.width) && within(point.y, this.height) ? point : null;
   }
 
   /** The world place on the layer's point at this depth in front of the eye. */

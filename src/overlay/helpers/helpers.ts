@@ -6,7 +6,7 @@ import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { whole } from '../drawing/label-layout.js';
-import { Projection } from '../drawing/projection.js';
+import { type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import styles from './helpers.css?inline';
@@ -74,7 +74,7 @@ class Helpers implements Extra {
     const context = canvas.getContext('2d');
     if (options.helpers !== true || context === null) return;
     const { scale, ...size } = fileSize(canvas, this.#host.size().height);
-    const view = this.#projection(size);
+    const view = projectionOf(this.#host.viewport, size, size.width / size.height);
     const scene = ballOf(this.#host);
     const { helpers } = this.#host.values;
     const objects = this.#objects.drawingAt(view, scene, helpers);
@@ -110,17 +110,9 @@ class Helpers implements Extra {
       this.#seen = seen;
       this.#scene = ballOf(this.#host);
       this.#svg.over(size);
-      this.#view = this.#projection(size, width > 0 && height > 0 ? width / height : undefined);
+      this.#view = projectionOf(this.#host.viewport, size);
     }
     return this.#view;
-  }
-
-  #projection(
-    { width, height }: { readonly width: number; readonly height: number },
-    aspect = width / height,
-  ): Projection {
-    const { orbit, fit } = this.#host.viewport.picture;
-    return new Projection({ pose: orbit.pose, fov: fit.fov, width, height, aspect });
   }
 }
 

@@ -2,6 +2,7 @@
 // keys move the cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS
 // pixels of the layer.
 import { SLOP } from '../../camera/kept-drag.js';
+import { zoomOf } from '../../element/dom.js';
 import { ARROWS } from '../arrow-keys.js';
 import type { Point } from '../drawing/projection.js';
 
@@ -45,8 +46,8 @@ export function listen(
     listener: (event: HTMLElementEventMap[K]) => void,
   ): void => target.addEventListener(type, listener, { signal });
   const placeOf = ({ offsetX, offsetY }: MouseEvent): Point => {
-    // Inside CSS zoom, pointer events use the page's pixels. Not all browsers have this property.
-    const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    // Inside CSS zoom, pointer events use the page's pixels.
+    const zoom = zoomOf(surface);
     return { x: offsetX / zoom, y: offsetY / zoom };
   };
 

@@ -9,7 +9,7 @@ import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';
 import { whole } from '../drawing/label-layout.js';
-import { type Point, Projection, type Sight } from '../drawing/projection.js';
+import { type Point, type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import { drawingOf, markOf, type Surroundings } from './drawing.js';
@@ -97,16 +97,13 @@ export class ProbeView {
   }
 
   get projection(): Projection {
-    const { width, height } = this.#host.viewport;
-    // None before the first layout.
-    const aspect = width > 0 && height > 0 ? { aspect: width / height } : {};
-    return this.#projectionTo({ ...this.size, ...aspect });
+    return projectionOf(this.#host.viewport, this.size);
   }
 
   /** Draws the arrows of a fragment into the file of a picture that was captured in this task. */
   drawerOf(picture: HTMLCanvasElement): (fragment: FragmentExplanation) => void {
     const { scale, ...size } = fileSize(picture, this.#host.size().height);
-    const projection = this.#projectionTo(size);
+    const projection = projectionOf(this.#host.viewport, size, size.width / size.height);
     const names = this.#host.names.placed;
     return (fragment) => {
       const at = projection.point(fragment.p);
@@ -157,11 +154,6 @@ export class ProbeView {
 
   get #focus(): Element | null {
     return this.#host.viewer.shadowRoot?.activeElement ?? null;
-  }
-
-  #projectionTo(size: Pick<Sight, 'width' | 'height' | 'aspect'>): Projection {
-    const { orbit, fit } = this.#host.viewport.picture;
-    return new Projection({ pose: orbit.pose, fov: fit.fov, ...size });
   }
 
   #sumOf(fragment: FragmentExplanation): Sum {

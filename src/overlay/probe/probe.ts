@@ -1,5 +1,6 @@
 // The probe: the point that a viewer explains. It is the place under the mouse or the cross-hair, or a pinned point in
 // the scene. At most one explanation runs at a time, one a frame, and none while nothing changes.
+import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
@@ -7,7 +8,7 @@ import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
-import { inside, type Point, type Projection } from '../drawing/projection.js';
+import { inside, type Point } from '../drawing/projection.js';
 import { listen, type ProbeInputHost } from './probe-input.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './words.js';
@@ -128,9 +129,9 @@ class Probe implements Extra, ProbeInputHost {
     else viewerPins.set(this.#host.viewer, p);
   }
 
-  /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. Not all browsers have this property. */
+  /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. */
   get #zoom(): number {
-    return (this.#host.tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    return zoomOf(this.#host.tree.layer);
   }
 
   /** The user chose another point. */
@@ -214,12 +215,12 @@ class Probe implements Extra, ProbeInputHost {
     // As shadeAt does: an `auto` camera may not have followed the scene yet.
     viewport.picture.settle();
     const { projection } = this.#view;
-    const at = projection.point(point);
+    const at = projection.pointInside(point);
     const without = (text: keyof ViewerTexts): ProbedPoint => ({
       ...{ at, fragment: null, pinned: true },
       message: phrase(viewer.texts, text),
     });
-    if (at === null || !isInside(at, projection)) return { ...without(OUTSIDE), at: null };
+    if (at === null) return without(OUTSIDE);
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
     if (fragment === null && message === '') return viewer.loaded ? without(NO_SURFACE) : null;
@@ -238,6 +239,3 @@ class Probe implements Extra, ProbeInputHost {
     this.#host.viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
   }
 }
-
-const isInside = ({ x, y }: Point, { width, height }: Projection): boolean =>
-  x >= 0 && x < width && y >= 0 && y < height;

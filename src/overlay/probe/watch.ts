@@ -1,11 +1,11 @@
 // Reports the point of `probe-at` where no probe shows it.
+import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
-import { Projection } from '../drawing/projection.js';
+import { projectionOf } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {
   const { viewer, values } = host;
-  const { orbit, fit } = host.viewport.picture;
   let [isGone, isBusy, again] = [false, false, false];
   const update = (): void => {
     const { probeAt } = values;
@@ -15,8 +15,10 @@ export function create(host: ExtraHost): Extra {
     void viewer.explain(probeAt).then((fragment) => {
       isBusy = false;
       if (isGone) return;
-      const place = new Projection({ pose: orbit.pose, fov: fit.fov, ...host.size() }).point(probeAt);
-      const detail: ProbeDetail = { fragment, x: place?.x ?? null, y: place?.y ?? null, pinned: true };
+      const at = fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
+      const zoom = zoomOf(host.tree.layer);
+      const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
+      const detail: ProbeDetail = { fragment, x, y, pinned: true };
       viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
       if (again) update();
     });

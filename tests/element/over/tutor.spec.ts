@@ -2,6 +2,7 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
+import type { PhongViewerEventMap } from '../../../src/index.js';
 import { assign, type PhongViewer } from '../support/viewer.js';
 
 /** A floor below a lamp at 60 degrees, 2 away; its half covered by a box, seen from above. */
@@ -107,4 +108,31 @@ test('`probe-change` comes without `probe` where `probe-at` is set', async ({ mo
   );
   expect(red).toBeCloseTo(100 / 255, 6);
   await expect(box(viewer)).toHaveCount(0);
+});
+
+test('`probe-change` says the same place with and without `probe`, inside CSS zoom, and none where no picture is', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene(''), { css: 'phong-viewer { zoom: 2 }' });
+  const places = await viewer.evaluate(async (element: PhongViewer) => {
+    const next = (change: object): Promise<unknown> =>
+      new Promise((resolve) => {
+        const listen = ({ detail: { fragment, x, y } }: PhongViewerEventMap['probe-change']): void => {
+          if (fragment !== null) resolve([x, y].map((place) => Math.round(place!)));
+        };
+        element.addEventListener('probe-change', listen, { once: true });
+        Object.assign(element, change);
+      });
+    const without = await next({ kd: [100, 100, 100] });
+    const probed = await next({ probe: true });
+    element.probe = false;
+    element.style.display = 'none';
+    const gone = new Promise((resolve) =>
+      element.addEventListener('probe-change', ({ detail }) => resolve(detail), { once: true }),
+    );
+    element.kd = [90, 90, 90];
+    return { without, probed, gone: await gone };
+  });
+  expect(places.without).toEqual(places.probed);
+  expect(places.gone).toEqual({ fragment: null, x: null, y: null, pinned: true });
 });
