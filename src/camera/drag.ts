@@ -4,8 +4,7 @@
 // nothing.
 
 import { cosDegrees, sinDegrees, wrapDegrees } from '../math/angle.js';
-import { basisOf, clampLength } from './orbit.js';
-import type { Pose } from './orbit.js';
+import { basisOf, clampLength, type Pose } from './orbit.js';
 
 /** The picture under the pointer. */
 export interface PictureFrame {

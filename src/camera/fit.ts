@@ -5,8 +5,7 @@
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
 import type { RadiusLimits } from './drag.js';
-import { basisOf, LARGEST_LENGTH, newBasis } from './orbit.js';
-import type { Pose } from './orbit.js';
+import { basisOf, LARGEST_LENGTH, newBasis, type Pose } from './orbit.js';
 
 /** A sphere that contains every vertex of the scene. `null` stands for an empty scene. */
 export interface Bounds {

@@ -2,8 +2,7 @@
 // and is now. Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS
 // pixels; travel is measured along the picture's own axes.
 
-import { pinch, shift, turn } from './drag.js';
-import type { RadiusLimits, PictureFrame } from './drag.js';
+import { type PictureFrame, pinch, type RadiusLimits, shift, turn } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
 /** The picture's box, and the directions of its axes on the page. */

@@ -2,8 +2,7 @@
 // DOM: it turns events into numbers for the pure functions and notifies the host. Each event is handled synchronously;
 // no frame is requested and nothing is drawn. CSS pixels.
 
-import { PointerGesture } from './gesture.js';
-import type { GestureHost } from './gesture.js';
+import { type GestureHost, PointerGesture } from './gesture.js';
 import { keepDrag, SLOP } from './kept-drag.js';
 import type { Pose } from './orbit.js';
 import { keyPose, keyStep, wheelZoom } from './step.js';

@@ -1,8 +1,7 @@
 // What one wheel event or one key does to the camera. Pure functions to degrees and zoom factors; no event is kept.
 
 import type { Pose } from './orbit.js';
-import { turnBy, zoomBy } from './drag.js';
-import type { RadiusLimits } from './drag.js';
+import { type RadiusLimits, turnBy, zoomBy } from './drag.js';
 
 /** The fields of a wheel event that are used. */
 interface WheelTurn {

@@ -5,12 +5,12 @@ import { numberedName, type PhongLight } from '../element/phong-light.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { historyOf, valuesOf } from '../element/viewer/history.js';
 import { isSpot, kindOf } from '../light/light-features.js';
-import { LIGHT_SPACES, type LightValues } from '../light/light-state.js';
+import { KINDS, LIGHT_SPACES, type LightValues } from '../light/light-state.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
 import type { ChildEditor } from './child-editor.js';
 import { ChildFolder } from './child-folders.js';
 import { label } from './label.js';
-import { KindChange, LIGHT_KINDS } from './light-values.js';
+import { KindChange } from './light-values.js';
 import {
   color,
   edited,
@@ -46,7 +46,7 @@ const kind: Row<unknown, PhongLight> = {
     const change = new KindChange();
     const row = oneOf(
       'kind',
-      LIGHT_KINDS,
+      KINDS,
       'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.',
     );
     const value = edited(

@@ -1,11 +1,8 @@
 // Values that the panel writes to lights: those of a new light, and those that make a light directional, a point or a
 // spot.
 import { isSpot, kindOf } from '../light/light-features.js';
-import { type LightKind } from '../light/light-state.js';
-import type { LightValues } from '../light/light-state.js';
+import { type LightKind, type LightValues } from '../light/light-state.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
-
-export const LIGHT_KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
 
 export interface ConeValues {
   readonly aperture: number;

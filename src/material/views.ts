@@ -1,10 +1,9 @@
 // The names of the views, and what lighting and materials know of one. What they show is in view/, which is fetched
 // with the first one.
 import type { IUniform } from 'three';
-import type { LightValues } from '../light/light-state.js';
+import type { LightValues, Term } from '../light/light-state.js';
 import type { PackedLights, PackSpace } from '../light/pack-lights.js';
 import type { Variant } from './program/variant.js';
-import type { Term } from '../light/light-state.js';
 
 /**
  * `shaded`: the equation. `ambient`, `diffuse`, `specular`: one term's sum. `normals`: (N + 1)/2 per channel in world

@@ -86,7 +86,7 @@ export class AutoFit {
     this.#refit();
   }
 
-  /** A mesh has moved, from its world matrix to its own. Inside the bounds at both places it leaves them as they are. */
+  /** A mesh has moved; its world matrix is where it was. Inside the bounds at both places it leaves them as they are. */
   moved(mesh: Mesh): void {
     if (this.#staysInside(mesh)) this.#changed();
     else this.reshaped();

@@ -22,8 +22,13 @@ interface Placed {
   readonly matrix: readonly number[];
 }
 
+interface WorldSphere {
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
 /** World sphere that holds all of a mesh. */
-const sphereOf = ({ extremes: { center, radius }, matrix }: Placed): { center: Vec3; radius: number } => ({
+const sphereOf = ({ extremes: { center, radius }, matrix }: Placed): WorldSphere => ({
   center: transformed(matrix, ...center),
   radius: radius * stretch(matrix),
 });
@@ -45,9 +50,8 @@ export function measure(root: Object3D): Extent {
       if (place > high[axis]) high[axis] = place;
     }
   };
-  /** `share` of its sphere is inside the box. */
-  const inside = (mesh: Placed, share: number): boolean => {
-    const { center, radius } = sphereOf(mesh);
+  /** `share` of a sphere is inside the box. */
+  const inside = ({ center, radius }: WorldSphere, share: number): boolean => {
     const r = share * radius;
     for (const i of [0, 1, 2] as const) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
     return true;
@@ -64,7 +68,8 @@ export function measure(root: Object3D): Extent {
   }
   for (const mesh of turned) {
     const { points } = mesh.extremes;
-    if (!inside(mesh, 1 - SAME)) extend(placesOf(points, points.length, mesh.matrix), points.length);
+    if (!inside(sphereOf(mesh), 1 - SAME))
+      extend(placesOf(points, points.length, mesh.matrix), points.length);
   }
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   const center: Vec3 = [middle(0), middle(1), middle(2)];
@@ -74,9 +79,10 @@ export function measure(root: Object3D): Extent {
     radiusAbout: (point) => farthestFrom(point, meshes),
     holds(geometry, matrix, farthest) {
       const extremes = extremesOf(geometry);
-      if (extremes === null || !inside({ extremes, matrix }, 1 + SAME)) return false;
+      if (extremes === null) return false;
       const sphere = sphereOf({ extremes, matrix });
-      return distance(center, ...sphere.center) + sphere.radius < (1 - SAME) * farthest;
+      const fromCenter = distance(center, ...sphere.center) + sphere.radius;
+      return inside(sphere, 1 + SAME) && fromCenter < (1 - SAME) * farthest;
     },
   };
 }

@@ -1,6 +1,6 @@
 // What one viewer shows: scene, lights and camera. `make` computes a frame of it and `draw` draws that, for the page, for
 // files and for samples alike.
-import { Scene, type WebGLRenderer, type Mesh, type Object3D, type ShaderMaterial, Texture } from 'three';
+import { Scene, type Mesh, type WebGLRenderer, type Object3D, type ShaderMaterial, Texture } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
@@ -78,11 +78,6 @@ export class Picture {
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
   reshaped(): void {
     this.fit.reshaped();
-  }
-
-  /** A mesh of the scene has moved, and its world matrix is not up to date. */
-  moved(mesh: Mesh): void {
-    this.fit.moved(mesh);
   }
 
   /** Measures the whole scene again, vertices included, and fits `auto` to it. */

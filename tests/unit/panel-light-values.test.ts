@@ -2,9 +2,9 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { KindChange, LIGHT_KINDS } from '../../src/gui/light-values.js';
+import { KindChange } from '../../src/gui/light-values.js';
 import { kindOf } from '../../src/light/light-features.js';
-import { LightState, type LightValues } from '../../src/light/light-state.js';
+import { KINDS, type LightKind, LightState, type LightValues } from '../../src/light/light-state.js';
 import type { Vec3 } from '../../src/math/vector.js';
 
 const coordinate = fc.double({ min: -1e15, max: 1e15, noNaN: true });
@@ -19,19 +19,14 @@ const anyLight: fc.Arbitrary<Partial<LightValues>> = fc.record(
   { requiredKeys: [] },
 );
 
-function choose(
-  light: LightState,
-  change: KindChange,
-  kind: (typeof LIGHT_KINDS)[number],
-  target: Vec3,
-): void {
+function choose(light: LightState, change: KindChange, kind: LightKind, target: Vec3): void {
   light.assign(change.writesFor(light.values, kind, light.given('axis'), target));
 }
 
 describe('KindChange', () => {
   it('turns any light into the chosen kind at the same place', () => {
     fc.assert(
-      fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), place, (values, kinds, target) => {
+      fc.property(anyLight, fc.array(fc.constantFrom(...KINDS)), place, (values, kinds, target) => {
         const light = new LightState(values);
         const choice = new KindChange();
         const before = light.values.position.slice(0, 3);
@@ -46,7 +41,7 @@ describe('KindChange', () => {
 
   it('restores the cone of a spot after other kinds in between', () => {
     fc.assert(
-      fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), (values, kinds) => {
+      fc.property(anyLight, fc.array(fc.constantFrom(...KINDS)), (values, kinds) => {
         const light = new LightState(values);
         fc.pre(kindOf(light.values) === 'spot');
         const before = { ...light.values };

@@ -9,8 +9,7 @@ import { VIEWER_TEXTS } from '../support/texts.js';
 import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
-import { LIGHT_KINDS } from '../../src/gui/light-values.js';
-import { TERMS } from '../../src/light/light-state.js';
+import { KINDS, TERMS } from '../../src/light/light-state.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.ts'))
@@ -21,7 +20,7 @@ const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
 const composed = new Set<string>([
   ...TERMS.map((term) => `${term} term`),
   ...HELPERS.map((helper) => `show ${helper}`),
-  ...LIGHT_KINDS.map((kind) => `{name}: ${kind} light, position {position}, diffuse {diffuse}`),
+  ...KINDS.map((kind) => `{name}: ${kind} light, position {position}, diffuse {diffuse}`),
 ]);
 
 describe('the list of texts', () => {

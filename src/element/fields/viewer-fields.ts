@@ -1,8 +1,7 @@
 // The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
 // defaults in HTML's units.
-import { LIGHT_FIELDS, LIMITS } from '../../light/light-state.js';
+import { LIGHT_FIELDS, LIMITS, type Term, TERMS } from '../../light/light-state.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/material-values.js';
-import { type Term, TERMS } from '../../light/light-state.js';
 import { type View, VIEWS } from '../../material/views.js';
 import type { Fields } from '../../fields/field-store.js';
 import {

@@ -8,10 +8,7 @@ import type { CompareValues } from '../fields/compare-fields.js';
 import type { ControlValues } from '../fields/control-fields.js';
 import type { ViewerTexts } from '../fields/texts.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
-import type { PhongCompare, PhongControl } from '../elements.js';
-import type { PhongLight } from '../elements.js';
-import type { PhongMesh } from '../elements.js';
-import type { PhongViewer } from '../elements.js';
+import type { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 
 /** Class, values, properties without an attribute, and events of each element. */
 export interface Elements {

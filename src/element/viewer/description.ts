@@ -1,8 +1,7 @@
 // Camera, lights and meshes in words, for people who do not see the picture. Plain functions from values to text;
 // degrees and scene units.
 import { kindOf } from '../../light/light-features.js';
-import { type LightKind } from '../../light/light-state.js';
-import type { LightValues } from '../../light/light-state.js';
+import { type LightKind, type LightValues } from '../../light/light-state.js';
 import { fileName } from '../../model/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { ViewerText } from '../fields/text-list.js';

@@ -3,9 +3,7 @@
 import { sameValue } from '../../fields/field-store.js';
 import { registryOf } from '../child-registry.js';
 import { fieldsOf, viewerCameras } from '../internals.js';
-import type { PhongLight } from '../elements.js';
-import type { PhongMesh } from '../elements.js';
-import type { PhongViewer } from '../elements.js';
+import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 import type { CameraPlacement } from './camera.js';
 
 /** Something whose state can be read and put back. */

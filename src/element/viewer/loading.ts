@@ -124,7 +124,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   moved(mesh: Mesh): void {
-    this.#context.picture.moved(mesh);
+    this.#context.picture.fit.moved(mesh);
   }
 
   shown(mesh: SceneMesh): boolean {

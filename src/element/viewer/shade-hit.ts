@@ -1,6 +1,5 @@
 // Shades one hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners, interpolated.
-import type { LightValues } from '../../light/light-state.js';
-import type { Term } from '../../light/light-state.js';
+import type { LightValues, Term } from '../../light/light-state.js';
 import { add, scale, subtract, type Vec3, type Vec4 } from '../../math/vector.js';
 import type { shade as Shade, Shaded, sumOf as SumOf, Surface } from '../../reference/index.js';
 import type { Corner } from '../../scene/snapshot/corners.js';

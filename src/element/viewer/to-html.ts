@@ -4,8 +4,7 @@ import { fileName } from '../../model/file-name.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
 import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';
-import type { PhongCompare } from '../elements.js';
-import type { PhongViewer } from '../elements.js';
+import type { PhongCompare, PhongViewer } from '../elements.js';
 
 /** The page's own attributes that are kept. */
 const KEPT = ['id', 'class', 'style'];

@@ -144,8 +144,7 @@ export class ConvergingPicture {
 
   /** Between two animation frames: draws the next batch. The next frame shows it. */
   readonly #goOn = (): void => {
-    const { batches, sum } = this.#run!;
-    if (batches.ended && sum.count < this.#wanted) this.#aside(this.#drawMore);
+    if (this.#run!.sum.count < this.#wanted) this.#aside(this.#drawMore);
   };
 
   /** False: there is no context, and the samples drawn so far are forgotten. */
