@@ -1,5 +1,4 @@
 // A viewer's picture, and what shadeAt explains of it. Runs inside the page. Positions are device pixels from the top left.
-import { zoomOf } from '../element/dom.js';
 import type { PhongViewer } from '../index.js';
 
 /** What shadeAt gives for a point of a surface. */
@@ -29,7 +28,7 @@ export function explainer(viewer: PhongViewer, width: number, height: number): E
   if (!surface) throw new Error('the viewer cannot be drawn here');
   // shadeAt takes CSS pixels of the picture before any transform; inside CSS zoom, those of pointer events.
   const style = getComputedStyle(surface);
-  const zoom = zoomOf(surface);
+  const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   const cssX = (parseFloat(style.width) * zoom) / width;
   const cssY = (parseFloat(style.height) * zoom) / height;
   return (x, y) => viewer.shadeAt(x * cssX, y * cssY, { exact: true });
