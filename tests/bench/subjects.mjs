@@ -20,6 +20,7 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @typedef {object} StartSubject from navigation to the first picture, and the heap then
  * @property {'start'} kind
  * @property {Readonly<Record<string, string>>} pages by side
+ * @property {boolean} [pageSays] the page itself says when its pictures are there
  *
  * @typedef {object} ModelSubject from navigation to the first picture of a model file, next to other viewers
  * @property {'model'} kind
@@ -48,6 +49,15 @@ const PAIR = ['element', 'three'];
 const frames = (scene, sides = PAIR) => ({ kind: 'frames', scene, sides });
 /** @param {string} scene @param {readonly SideName[]} [sides] @returns {ScriptSubject} */
 const script = (scene, sides = PAIR) => ({ kind: 'script', scene, sides });
+
+/** @param {string} scene @returns {StartSubject} */
+const startBoxes = (scene) => ({
+  kind: 'start',
+  pages: {
+    element: `start-boxes-element.html?scene=${scene}`,
+    three: `start-boxes-three.html?scene=${scene}`,
+  },
+});
 
 /** Whole pictures by the end of their subject's name: the scene, and whether it has a round shape to compare with. */
 export const PICTURES = /** @type {const} */ ({
@@ -123,9 +133,12 @@ export const SUBJECTS = {
     kind: 'start',
     pages: { standalone: 'start-standalone.html', bundled: 'start-element.html', three: 'start-three.html' },
   },
-  'start, 2,000 boxes': {
+  'start, 2,000 boxes': startBoxes('boxes:3'),
+  'start, 10,000 boxes': startBoxes('ten-thousand:3'),
+  'start, 64 viewers': {
     kind: 'start',
-    pages: { element: 'start-boxes-element.html', three: 'start-boxes-three.html' },
+    pages: { element: 'start-viewers-element.html', three: 'start-viewers-three.html' },
+    pageSays: true,
   },
   ...Object.fromEntries(
     Object.entries(FIRST_MODELS).map(([model, file]) => [

@@ -14,13 +14,13 @@ const REST_MS = 500;
  * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StartSubject} subject @param {number} launch
  * @param {Pick<import('./frames.mjs').Options, 'rounds' | 'add'>} options
  */
-export async function measureStart(lab, { pages }, launch, { rounds, add }) {
+export async function measureStart(lab, { pages, pageSays = false }, launch, { rounds, add }) {
   const sides = Object.keys(pages);
   for (let round = 0; round < rounds; round++) {
     /** @type {Record<string, Awaited<ReturnType<typeof startOf>>>} */
     const starts = {};
     for (const side of (launch + round) % 2 === 0 ? sides : [...sides].reverse())
-      starts[side] = await startOf(lab, pages[side] ?? '');
+      starts[side] = await startOf(lab, pages[side] ?? '', pageSays);
     /** @param {(start: Awaited<ReturnType<typeof startOf>>) => number} figure */
     const bySide = (figure) =>
       Object.fromEntries(
@@ -48,12 +48,12 @@ export async function measureStart(lab, { pages }, launch, { rounds, add }) {
   }
 }
 
-/** @param {import('../browser.mjs').Lab} lab @param {string} path */
-async function startOf(lab, path) {
+/** @param {import('../browser.mjs').Lab} lab @param {string} path @param {boolean} pageSays */
+async function startOf(lab, path, pageSays) {
   const browser = await lab.launch();
   await startGpuProcess(browser);
   const page = await browser.newPage({ viewport: SIZE });
-  await page.addInitScript(watchFirstPicture);
+  if (!pageSays) await page.addInitScript(watchFirstPicture);
   const before = await busySeconds(browser);
   await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
   await page.waitForFunction(() => window.firstPicture !== undefined, undefined, {

@@ -1,8 +1,8 @@
-// A bundled page with the element and 2,000 boxes.
+// A bundled page with the element and a scene of boxes: start-boxes-element.html?scene=boxes:3.
 import 'phong-viewer';
 import { FOV, sceneOf } from './scenes.js';
 
-const scene = sceneOf('boxes:3');
+const scene = sceneOf(new URLSearchParams(location.search).get('scene')!);
 const viewer = document.createElement('phong-viewer');
 Object.assign(viewer, { alt: 'Boxes', theta: 0, phi: 90, target: [0, 0, 0], radius: scene.radius, fov: FOV });
 viewer.append(

@@ -1,9 +1,9 @@
-// A plain three.js page with 2,000 boxes of one material.
+// A plain three.js page with the same boxes, of one material.
 import { BoxGeometry, Mesh, MeshPhongMaterial, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { FOV, ORIGIN, sceneOf } from './scenes.js';
 import { threeLight } from './three-side.js';
 
-const bench = sceneOf('boxes:3');
+const bench = sceneOf(new URLSearchParams(location.search).get('scene')!);
 const holder = document.getElementById('holder')!;
 const renderer = new WebGLRenderer({ antialias: true, alpha: true });
 renderer.setPixelRatio(devicePixelRatio);
