@@ -12,9 +12,11 @@ const MODEL_STEPS = 2 ** 27;
 export class Polygons {
   readonly #lists: CornerLists;
   /** Position, texture coordinates and normal of each corner; of a fan, the first and the last corner only. */
-  readonly #v: number[] = [];
-  readonly #t: number[] = [];
-  readonly #n: number[] = [];
+  readonly #v = new Int32Array(EAR_LIMIT + 1);
+  readonly #t = new Int32Array(EAR_LIMIT + 1);
+  readonly #n = new Int32Array(EAR_LIMIT + 1);
+  /** Corners in these lists. */
+  #count = 0;
   #isFan = false;
   #begun = false;
   #steps = 0;
@@ -27,7 +29,7 @@ export class Polygons {
 
   /** @param color number of its colour among those of faces. */
   begin(group = UNSTATED, color = NONE): void {
-    this.#v.length = this.#t.length = this.#n.length = 0;
+    this.#count = 0;
     this.#isFan = this.#begun = false;
     this.#group = group;
     this.#color = color;
@@ -35,10 +37,16 @@ export class Polygons {
 
   /** @throws ModelError `too-large` for too many triangles. */
   add(vertex: number, uv = NONE, normal = NONE): void {
-    this.#v.push(vertex);
-    this.#t.push(uv);
-    this.#n.push(normal);
-    if (this.#isFan || this.#v.length > EAR_LIMIT) this.#fan();
+    this.#v[this.#count] = vertex;
+    this.#t[this.#count] = uv;
+    this.#n[this.#count] = normal;
+    this.#count += 1;
+    if (!this.#isFan && this.#count <= EAR_LIMIT) return;
+    this.#fan();
+    this.#isFan = true;
+    // The next triangle needs the first and the last corner.
+    for (const list of [this.#v, this.#t, this.#n]) list[1] = list[this.#count - 1]!;
+    this.#count = 2;
   }
 
   /** Steps of cutting ears so far. */
@@ -48,24 +56,18 @@ export class Polygons {
 
   /** Points and lines have no triangles. With a vertex that has not come yet it is a fan. */
   end(): void {
-    const count = this.#v.length;
+    const count = this.#count;
     if (this.#isFan || count < 3) return;
-    if (count > 3 && this.#steps < MODEL_STEPS && !this.#isConvex(this.#v)) {
-      this.#cutEars(flattened(this.#lists.places.array, this.#v), count);
+    if (count > 3 && this.#steps < MODEL_STEPS && !this.#isConvex(count)) {
+      this.#cutEars(flattened(this.#lists.places.array, this.#v.subarray(0, count)), count);
     } else {
       this.#fan();
     }
   }
 
-  /** Adds the fan of the corners so far, and keeps the two that the next triangle needs. */
+  /** Adds the fan of the corners so far. */
   #fan(): void {
-    const last = this.#v.length - 1;
-    for (let i = 2; i <= last; i += 1) this.#emit(0, i - 1, i);
-    this.#isFan = true;
-    for (const list of [this.#v, this.#t, this.#n]) {
-      list[1] = list[last] ?? NONE;
-      list.length = 2;
-    }
+    for (let i = 2; i < this.#count; i += 1) this.#emit(0, i - 1, i);
   }
 
   #emit(a: number, b: number, c: number): void {
@@ -80,13 +82,13 @@ export class Polygons {
   }
 
   #corner(i: number): void {
-    this.#lists.pushCorner(this.#v[i] ?? 0, this.#t[i], this.#n[i]);
+    this.#lists.pushCorner(this.#v[i]!, this.#t[i], this.#n[i]);
   }
 
   /** Whether every corner turns the same way. Also true if a vertex is missing: nothing is better than a fan then. */
-  #isConvex(vertices: readonly number[]): boolean {
+  #isConvex(size: number): boolean {
     const { array, count } = this.#lists.places;
-    const size = vertices.length;
+    const vertices = this.#v;
     let [nx, ny, nz] = [0, 0, 0];
     for (let i = 0; i < size; i += 1) {
       const a = vertices[i] ?? 0;
@@ -127,7 +129,7 @@ export class Polygons {
 const turned: FaceVector = { x: 0, y: 0, z: 0 };
 
 /** x y of each corner in the plane of the coordinate axes that the polygon faces most, counter-clockwise. */
-function flattened(positions: Float32Array, vertices: readonly number[]): Float64Array {
+function flattened(positions: Float32Array, vertices: Int32Array): Float64Array {
   const count = vertices.length;
   const at = (i: number, axis: number): number => positions[3 * (vertices[i] ?? 0) + axis] ?? NaN;
   // Newell's normal: twice the areas of the projections.
