@@ -14,7 +14,7 @@ import { listed } from './listed.js';
 import { asUtf8 } from './text/utf-16.js';
 import { type Content, ModelError } from './model.js';
 import type { CrossOrigin, FileRequest } from './request-file.js';
-import { findExtremePoints } from './extreme-points.js';
+import { measureInSlices } from './geometry-size.js';
 import { Slices } from './slices.js';
 
 export { Slices };
@@ -196,6 +196,5 @@ function parsed(uri: string, base: URL): URL | null {
  */
 async function measureModel({ parts }: Content, signal: AbortSignal): Promise<void> {
   const slices = new Slices(signal);
-  for (const geometry of new Set(parts.map((part) => part.geometry)))
-    await findExtremePoints(geometry, slices);
+  for (const geometry of new Set(parts.map((part) => part.geometry))) await measureInSlices(geometry, slices);
 }

@@ -1,6 +1,6 @@
 // Lets several meshes show one model in poses of their own. Each has a copy of what moves; everything else is shared.
 import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
-import { shareExtremePoints } from './extreme-points.js';
+import { shareSize } from './geometry-size.js';
 import type { Content } from './model.js';
 
 /** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included. */
@@ -58,7 +58,7 @@ class Vertices {
     for (const [name, attribute] of Object.entries(source.attributes)) copy.setAttribute(name, attribute);
     for (const [name, attribute] of movingAttributes(source)) copy.setAttribute(name, attribute.clone());
     copy.setIndex(source.index);
-    shareExtremePoints(source, copy);
+    shareSize(source, copy);
     this.follow();
   }
 

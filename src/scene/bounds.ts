@@ -1,8 +1,8 @@
-// The size of a scene: the centre of its box and its farthest vertex, in world space and float64, from the extreme
-// points of its geometries: after the first time a moved mesh costs no pass over vertices.
+// The size of a scene: the centre of its box and its farthest vertex, in world space and float64. A mesh that is not
+// turned is measured by its geometry's box.
 import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
 import type { Vec3 } from '../math/vector.js';
-import { type ExtremePoints, extremePointsOf, forgetExtremePoints } from '../model/extreme-points.js';
+import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
 
 /** Centre of a scene's box, and its farthest vertex from any point; `empty` where it shows nothing. */
 export interface Extent {
@@ -18,7 +18,7 @@ const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0
 
 /** A measured mesh under its present matrix. */
 interface Placed {
-  readonly extremes: ExtremePoints;
+  readonly size: GeometrySize;
   readonly matrix: readonly number[];
 }
 
@@ -28,10 +28,13 @@ interface WorldSphere {
 }
 
 /** World sphere that holds all of a mesh. */
-const sphereOf = ({ extremes: { center, radius }, matrix }: Placed): WorldSphere => ({
+const sphereOf = ({ size: { center, radius }, matrix }: Placed): WorldSphere => ({
   center: transformed(matrix, ...center),
   radius: radius * stretch(matrix),
 });
+
+type Triple = [number, number, number];
+const AXES = [0, 1, 2] as const;
 
 /** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
 const SAME = 1e-9;
@@ -40,37 +43,19 @@ const SAME = 1e-9;
 export function measure(root: Object3D): Extent {
   const meshes = placedMeshes(root);
   if (meshes.length === 0) return NO_EXTENT;
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  const extend = (places: Float64Array, count: number): void => {
-    for (let i = 0; i < count; i++) {
-      const place = places[i]!;
-      const axis = (i % 3) as 0 | 1 | 2;
-      if (place < low[axis]) low[axis] = place;
-      if (place > high[axis]) high[axis] = place;
-    }
-  };
+  const low: Triple = [Infinity, Infinity, Infinity];
+  const high: Triple = [-Infinity, -Infinity, -Infinity];
   /** `share` of a sphere is inside the box. */
   const inside = ({ center, radius }: WorldSphere, share: number): boolean => {
     const r = share * radius;
-    for (const i of [0, 1, 2] as const) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
+    for (const i of AXES) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
     return true;
   };
-  // Boxes, and one point of each turned mesh, first: then most of these are found to lie inside by their spheres.
-  const turned: Placed[] = [];
-  for (const mesh of meshes) {
-    const { extremes, matrix } = mesh;
-    if (!isTurned(matrix)) extend(placesOf(extremes.box, 6, matrix), 6);
-    else {
-      turned.push(mesh);
-      extend(placesOf(extremes.points, 3, matrix), 3);
-    }
-  }
-  for (const mesh of turned) {
-    const { points } = mesh.extremes;
-    if (!inside(sphereOf(mesh), 1 - SAME))
-      extend(placesOf(points, points.length, mesh.matrix), points.length);
-  }
+  // Boxes first: then most turned meshes are found to lie inside by their spheres.
+  for (const { size, matrix } of meshes) if (!isTurned(matrix)) extend(low, high, size.box, matrix);
+  for (const mesh of meshes)
+    if (isTurned(mesh.matrix) && !inside(sphereOf(mesh), 1 - SAME))
+      extend(low, high, mesh.size.vertices(), mesh.matrix);
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   const center: Vec3 = [middle(0), middle(1), middle(2)];
   return {
@@ -78,9 +63,9 @@ export function measure(root: Object3D): Extent {
     center,
     radiusAbout: (point) => farthestFrom(point, meshes),
     holds(geometry, matrix, farthest) {
-      const extremes = extremesOf(geometry);
-      if (extremes === null) return false;
-      const sphere = sphereOf({ extremes, matrix });
+      const size = measuredOf(geometry);
+      if (size === null) return false;
+      const sphere = sphereOf({ size, matrix });
       const fromCenter = distance(center, ...sphere.center) + sphere.radius;
       return inside(sphere, 1 + SAME) && fromCenter < (1 - SAME) * farthest;
     },
@@ -122,9 +107,9 @@ export function boundsOf(object: Object3D, into: Ball): boolean {
   if (geometry === undefined) return false;
   const moving = movingBounds(geometry);
   if (moving !== null) return writeBall(into, moving);
-  const extremes = extremesOf(geometry);
-  if (extremes === null) return false;
-  const { center, radius } = extremes;
+  const size = measuredOf(geometry);
+  if (size === null) return false;
+  const { center, radius } = size;
   into.x = center[0];
   into.y = center[1];
   into.z = center[2];
@@ -149,7 +134,7 @@ export function forgetBounds(root: Object3D): void {
     if (measured.boundingBox !== undefined) measured.boundingBox = null;
     if (measured.boundingSphere !== undefined) measured.boundingSphere = null;
     // A shape's own bounds hold whatever its segments: on a new page, and in viewers that share the geometry.
-    if (geometry === undefined || forgetExtremePoints(geometry)) return;
+    if (geometry === undefined || forgetSize(geometry)) return;
     // three.js culls by the one, lights are culled by the other.
     geometry.boundingSphere = null;
     geometry.boundingBox = null;
@@ -161,9 +146,8 @@ function placedMeshes(root: Object3D): Placed[] {
   root.traverseVisible((object) => {
     // By its mark, not its class: another copy of three.js may have made it.
     const { isMesh, geometry } = object as Partial<Mesh>;
-    const extremes = isMesh === true && geometry !== undefined ? extremesOf(geometry) : null;
-    if (extremes === null) return;
-    placed.push({ extremes, matrix: object.matrixWorld.elements });
+    const size = isMesh === true && geometry !== undefined ? measuredOf(geometry) : null;
+    if (size !== null) placed.push({ size, matrix: object.matrixWorld.elements });
   });
   return placed;
 }
@@ -172,17 +156,32 @@ function placedMeshes(root: Object3D): Placed[] {
 export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
   (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
 
-/** Extreme points are those of the first pose, so that framing keeps still; these are those of the last one. */
+/** A geometry's size is that of the first pose, so that framing keeps still; these are those of the last one. */
 const movingBounds = (geometry: BufferGeometry): Sphere | null =>
   hasMovingVertices(geometry) ? geometry.boundingSphere : null;
 
-const extremesOf = (geometry: BufferGeometry): ExtremePoints | null =>
-  'position' in geometry.attributes ? extremePointsOf(geometry) : null;
+const measuredOf = (geometry: BufferGeometry): GeometrySize | null =>
+  'position' in geometry.attributes ? sizeOf(geometry) : null;
+
+/** Makes a box as large as to hold places, given as x, y, z one after the other, under a matrix. */
+function extend(low: Triple, high: Triple, places: ArrayLike<number>, m: readonly number[]): void {
+  for (const axis of AXES) {
+    const [a, b, c, d] = [m[axis]!, m[axis + 4]!, m[axis + 8]!, m[axis + 12]!];
+    let [least, most] = [low[axis], high[axis]];
+    for (let i = 0; i < places.length; i += 3) {
+      const at = a * places[i]! + b * places[i + 1]! + c * places[i + 2]! + d;
+      if (at < least) least = at;
+      if (at > most) most = at;
+    }
+    low[axis] = least;
+    high[axis] = most;
+  }
+}
 
 function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
   let farthest = 0;
   for (const mesh of meshes) {
-    const { extremes, matrix } = mesh;
+    const { size, matrix } = mesh;
     const { center, radius } = sphereOf(mesh);
     const away = distance(point, ...center);
     const reach = away + radius;
@@ -191,29 +190,16 @@ function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
       farthest = reach;
       continue;
     }
-    const { length } = extremes.points;
-    const places = placesOf(extremes.points, length, matrix);
-    for (let i = 0; i < length; i += 3)
-      farthest = Math.max(farthest, distance(point, places[i]!, places[i + 1]!, places[i + 2]!));
+    const vertices = size.vertices();
+    for (let i = 0; i < vertices.length; i += 3) {
+      const place = transformed(matrix, vertices[i]!, vertices[i + 1]!, vertices[i + 2]!);
+      farthest = Math.max(farthest, distance(point, ...place));
+    }
   }
   return farthest;
 }
 
-let scratch = new Float64Array(0);
-
-/** The first `count` coordinates of points, in world space; overwritten by the next call. */
-function placesOf(points: ArrayLike<number>, count: number, m: readonly number[]): Float64Array {
-  if (scratch.length < count) scratch = new Float64Array(count);
-  for (let i = 0; i < count; i += 3) {
-    const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
-    scratch[i] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]!;
-    scratch[i + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]!;
-    scratch[i + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]!;
-  }
-  return scratch;
-}
-
-const transformed = (m: readonly number[], x: number, y: number, z: number): [number, number, number] => [
+const transformed = (m: readonly number[], x: number, y: number, z: number): Triple => [
   m[0]! * x + m[4]! * y + m[8]! * z + m[12]!,
   m[1]! * x + m[5]! * y + m[9]! * z + m[13]!,
   m[2]! * x + m[6]! * y + m[10]! * z + m[14]!,

@@ -1,4 +1,4 @@
-// How large is a scene, by its geometries' extreme points? Held against a pass over all vertices.
+// How large is a scene? Held against three.js's own places of all vertices.
 
 import {
   BufferAttribute,
@@ -18,6 +18,9 @@ import { createGeometry, GEOMETRIES, roundOf } from '../../src/scene/mesh/shapes
 import { Random } from '../stress/random.js';
 
 type Triple = [number, number, number];
+
+/** Of positions in float32, relative. */
+const ROUNDING = 1e-6;
 
 /** Centre of the box of all vertices, and the farthest of them from a point. */
 function exact(root: Group): { center: Triple; radiusAbout(point: readonly number[]): number } {
@@ -82,33 +85,25 @@ describe('the measure of a scene', () => {
   });
 
   for (const name of GEOMETRIES) {
-    it(`finds centre and radius of a ${name} within 1 %, however it is turned and stretched`, async () => {
+    it(`finds centre and radius of a ${name} exactly, however it is turned and stretched`, async () => {
       const geometry = await createGeometry(name, undefined);
       const random = new Random(name.length);
-      for (let i = 0; i < 25; i++) {
-        const scene = sceneOf(place(new Mesh(geometry), random));
+      const still = new Mesh(geometry);
+      still.scale.set(3, 1, 2);
+      still.position.set(0.1, 5, -7);
+      for (const mesh of [still, ...Array.from({ length: 25 }, () => place(new Mesh(geometry), random))]) {
+        const scene = sceneOf(mesh);
         const [{ center, radiusAbout }, truth] = [measure(scene), exact(scene)];
         const radius = truth.radiusAbout(truth.center);
-        expect(new Vector3(...center).distanceTo(new Vector3(...truth.center))).toBeLessThan(0.01 * radius);
-        expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(0.01);
+        // Its box is that of the round shape, which a few triangles do not reach.
+        const error = mesh === still ? 2e-4 : ROUNDING;
+        expect(new Vector3(...center).distanceTo(new Vector3(...truth.center))).toBeLessThan(error * radius);
+        expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(error);
         const beside = [truth.center[0] + radius, truth.center[1], truth.center[2] - 3 * radius] as const;
-        expect(Math.abs(radiusAbout(beside) / truth.radiusAbout(beside) - 1)).toBeLessThan(0.01);
+        expect(Math.abs(radiusAbout(beside) / truth.radiusAbout(beside) - 1)).toBeLessThan(error);
       }
     });
   }
-
-  it('is exact for shapes that are not turned, and for shapes of few vertices', async () => {
-    const random = new Random(7);
-    const sphere = new Mesh(await createGeometry('sphere', undefined));
-    sphere.scale.set(3, 1, 2);
-    sphere.position.set(0.1, 5, -7);
-    for (const mesh of [sphere, place(new Mesh(await createGeometry('box', undefined)), random)]) {
-      const scene = sceneOf(mesh);
-      const [{ center, radiusAbout }, truth] = [measure(scene), exact(scene)];
-      for (const i of [0, 1, 2] as const) expect(center[i]).toBeCloseTo(truth.center[i], 12);
-      expect(radiusAbout(center)).toBeCloseTo(truth.radiusAbout(truth.center), 12);
-    }
-  });
 
   it('covers several meshes together', async () => {
     const shapes: BufferGeometry[] = [];
@@ -118,8 +113,8 @@ describe('the measure of a scene', () => {
     const scene = sceneOf(...meshes);
     const [{ center, radiusAbout }, truth] = [measure(scene), exact(scene)];
     const radius = truth.radiusAbout(truth.center);
-    expect(new Vector3(...center).distanceTo(new Vector3(...truth.center))).toBeLessThan(0.01 * radius);
-    expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(0.01);
+    expect(new Vector3(...center).distanceTo(new Vector3(...truth.center))).toBeLessThan(2e-4 * radius);
+    expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(2e-4);
   });
 
   it('leaves out what is hidden, and is empty where nothing is shown', async () => {

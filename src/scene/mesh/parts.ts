@@ -7,7 +7,7 @@ import type { PhongMaterial } from '../../material/phong-material.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
-import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
+import { shareSize, sizeOf } from '../../model/geometry-size.js';
 import type { MeshAnimation } from './animation.js';
 import type { Claim } from '../../model/budget.js';
 import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
@@ -61,10 +61,10 @@ export const EMPTY: ShownContent = {
 export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
   if (flat) claim?.add(flatNeedsOf(content));
   return content.parts.map(({ geometry }) => {
-    extremePointsOf(geometry);
+    sizeOf(geometry);
     if (!flat) return geometry;
     const copy = flatGeometry(geometry);
-    shareExtremePoints(geometry, copy);
+    shareSize(geometry, copy);
     return copy;
   });
 }

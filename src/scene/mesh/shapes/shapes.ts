@@ -1,7 +1,7 @@
 // The geometries of named shapes. Every shape is centred on the origin, in its mesh's own units.
 import { Box3, BoxGeometry, type BufferGeometry, PlaneGeometry, Sphere, Vector3 } from 'three';
 import type { Vec3 } from '../../../math/vector.js';
-import { declareExtremePoints, ExtremePoints } from '../../../model/extreme-points.js';
+import { declareSize, type GeometrySize, type Vertices } from '../../../model/geometry-size.js';
 import { lazyCode } from '../../../model/lazy-code.js';
 import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
 import { circle, gridGeometry, put } from './grid-geometry.js';
@@ -272,16 +272,18 @@ export function createGeometry(
 function bounded(name: GeometryName, geometry: BufferGeometry, out: number): BufferGeometry {
   const { half, radius } = SHAPES[name].round!;
   const [x, y, z] = half;
-  let extremes = roundExtremes.get(name);
-  if (extremes === undefined) {
+  let size = roundSizes.get(name);
+  if (size === undefined) {
+    const { create, segments } = SHAPES[name];
+    let vertices: Vertices | undefined;
     // Its code is here, so this is no promise.
-    const vertices = (): Float32Array =>
-      (SHAPES[name].create(SHAPES[name].segments, 0, false) as BufferGeometry).getAttribute('position')
-        .array as Float32Array;
-    extremes = new ExtremePoints(vertices, [-x, -y, -z, x, y, z], [0, 0, 0], radius);
-    roundExtremes.set(name, extremes);
+    const made = (): Vertices =>
+      (create(segments, 0, false) as BufferGeometry).getAttribute('position').array as Float32Array;
+    const box = [-x, -y, -z, x, y, z] as const;
+    size = { box, center: [0, 0, 0], radius, vertices: () => (vertices ??= made()) };
+    roundSizes.set(name, size);
   }
-  declareExtremePoints(geometry, extremes);
+  declareSize(geometry, size);
   // Lights and faces are culled by what is drawn.
   const corner = new Vector3(x + out, y + out, z + out);
   geometry.boundingBox = new Box3(corner.clone().negate(), corner);
@@ -289,4 +291,4 @@ function bounded(name: GeometryName, geometry: BufferGeometry, out: number): Buf
   return geometry;
 }
 
-const roundExtremes = new Map<GeometryName, ExtremePoints>();
+const roundSizes = new Map<GeometryName, GeometrySize>();

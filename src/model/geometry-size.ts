@@ -1,0 +1,152 @@
+// How large a geometry is: the box around its vertices, and the sphere around the box's centre. Turned meshes are
+// measured by all vertices.
+import {
+  Box3,
+  BufferAttribute,
+  type BufferGeometry,
+  type InterleavedBufferAttribute,
+  Sphere,
+  StaticDrawUsage,
+  Vector3,
+} from 'three';
+import type { Vec3 } from '../math/vector.js';
+import type { Slices } from './slices.js';
+
+/** x, y, z of each vertex, one after the other. */
+export type Vertices = Float32Array | Float64Array;
+
+type Box = readonly [minX: number, minY: number, minZ: number, maxX: number, maxY: number, maxZ: number];
+
+export interface GeometrySize {
+  /** The box around all vertices. */
+  readonly box: Box;
+  /** Centre of the box. */
+  readonly center: Vec3;
+  /** Reaches the vertex farthest from `center`. */
+  readonly radius: number;
+  /** Only those that are numbers. */
+  readonly vertices: () => Vertices;
+}
+
+const known = new WeakMap<BufferGeometry, GeometrySize | null>();
+
+/** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetSize}. */
+export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
+  const search = measuring(geometry);
+  for (;;) {
+    const { done, value } = search.next();
+    if (done === true) return value;
+  }
+}
+
+/** Measures the geometry in slices. */
+export async function measureInSlices(geometry: BufferGeometry, slices: Slices): Promise<void> {
+  const search = measuring(geometry);
+  while (search.next().done === false) if (slices.due) await slices.pause();
+}
+
+interface Declared {
+  readonly size: GeometrySize;
+  /** The version of the vertices that it was declared for. */
+  readonly version: number;
+}
+
+const declared = new WeakMap<BufferGeometry, Declared>();
+
+/** Replaces the measured size of a geometry, until its vertices are written to. */
+export function declareSize(geometry: BufferGeometry, size: GeometrySize): void {
+  declared.set(geometry, { size, version: versionOf(geometry) });
+}
+
+function declaredOf(geometry: BufferGeometry): GeometrySize | undefined {
+  const found = declared.get(geometry);
+  return found?.version === versionOf(geometry) ? found.size : undefined;
+}
+
+const versionOf = (geometry: BufferGeometry): number =>
+  (geometry.getAttribute('position') as Partial<BufferAttribute>).version ?? 0;
+
+/** `copy` has the vertices of `geometry`: it is not read for itself. */
+export function shareSize(geometry: BufferGeometry, copy: BufferGeometry): void {
+  known.set(copy, sizeOf(geometry));
+  const size = declaredOf(geometry);
+  if (size !== undefined) declareSize(copy, size);
+}
+
+/** The vertices may have changed. Whether they have not, because the declared size still holds. */
+export function forgetSize(geometry: BufferGeometry): boolean {
+  known.delete(geometry);
+  return declaredOf(geometry) !== undefined;
+}
+
+/** A computation in steps of about a millisecond. */
+type Search<T> = Generator<undefined, T, undefined>;
+
+/** Numbers of vertices between two steps. */
+const PIECE = 3 * 2 ** 18;
+
+function* measuring(geometry: BufferGeometry): Search<GeometrySize | null> {
+  let found = known.get(geometry);
+  if (found === undefined) known.set(geometry, (found = declaredOf(geometry) ?? (yield* measured(geometry))));
+  return found;
+}
+
+function* measured(geometry: BufferGeometry): Search<GeometrySize | null> {
+  const position = geometry.getAttribute('position');
+  const plain =
+    position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
+  // Most geometries have only finite numbers, and are read without a copy. Animations write to theirs, and are framed
+  // by the first pose.
+  const isStill = plain && position.usage === StaticDrawUsage;
+  const found = isStill ? yield* sizeAround(position.array as Float32Array) : null;
+  if (found === null || !Number.isFinite(found.radius)) return yield* sizeAround(finiteVertices(position));
+  // three.js would find the same numbers for its own culling, in a pass over all vertices for each.
+  if (geometry.morphAttributes['position'] === undefined) {
+    const [minX, minY, minZ, maxX, maxY, maxZ] = found.box;
+    geometry.boundingBox ??= new Box3(new Vector3(minX, minY, minZ), new Vector3(maxX, maxY, maxZ));
+    geometry.boundingSphere ??= new Sphere(new Vector3(...found.center), found.radius);
+  }
+  return found;
+}
+
+function* sizeAround(vertices: Vertices): Search<GeometrySize | null> {
+  let [minX, minY, minZ, maxX, maxY, maxZ] = NOTHING;
+  for (let i = 0; i < vertices.length; i += 3) {
+    if (i % PIECE === 0) yield;
+    const [x, y, z] = [vertices[i]!, vertices[i + 1]!, vertices[i + 2]!];
+    if (x < minX) minX = x;
+    if (x > maxX) maxX = x;
+    if (y < minY) minY = y;
+    if (y > maxY) maxY = y;
+    if (z < minZ) minZ = z;
+    if (z > maxZ) maxZ = z;
+  }
+  if (!(minX <= maxX)) return null;
+  const center: Vec3 = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2];
+  let farthest = 0;
+  for (let i = 0; i < vertices.length; i += 3) {
+    if (i % PIECE === 0) yield;
+    const dx = vertices[i]! - center[0];
+    const dy = vertices[i + 1]! - center[1];
+    const dz = vertices[i + 2]! - center[2];
+    farthest = Math.max(farthest, dx * dx + dy * dy + dz * dz);
+  }
+  const box: Box = [minX, minY, minZ, maxX, maxY, maxZ];
+  return { box, center, radius: Math.sqrt(farthest), vertices: () => vertices };
+}
+
+const NOTHING: Box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+
+/** The vertices that are numbers. */
+function finiteVertices(position: BufferAttribute | InterleavedBufferAttribute): Vertices {
+  const vertices = new Float64Array(3 * position.count);
+  let end = 0;
+  for (let i = 0; i < position.count; i++) {
+    const [x, y, z] = [position.getX(i), position.getY(i), position.getZ(i)];
+    if (!Number.isFinite(x + y + z)) continue;
+    vertices[end++] = x;
+    vertices[end++] = y;
+    vertices[end++] = z;
+  }
+  return vertices.subarray(0, end);
+}
