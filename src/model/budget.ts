@@ -44,9 +44,9 @@ const KEYS = /* @__PURE__ */ (() => Object.keys(LIMITS) as (keyof Claims)[])();
 export const NO_CLAIMS = /* @__PURE__ */ (() =>
   Object.fromEntries(KEYS.map((key) => [key, 0])) as unknown as Amounts)();
 
-export function plus(a: Amounts, b: Claims, times = 1): Amounts {
+export function plus(a: Amounts, b: Claims): Amounts {
   const sum = { ...a };
-  for (const key of KEYS) sum[key] += (b[key] ?? 0) * times;
+  for (const key of KEYS) sum[key] += b[key] ?? 0;
   return sum;
 }
 
@@ -139,7 +139,7 @@ interface Use {
 /** What all meshes of one viewer hold. */
 export class Budget {
   #limit = TRIANGLE_LIMIT;
-  #total = NO_CLAIMS;
+  readonly #total = { ...NO_CLAIMS };
   readonly #uses = new Map<Need['key'], Use>();
   readonly #claims = new Map<object, Set<Claim>>();
 
@@ -167,20 +167,33 @@ export class Budget {
    * finer ones take what is left.
    */
   get used(): number {
-    return trianglesIn(this.#total);
+    return Math.ceil(this.#total.values / VALUES_PER_TRIANGLE);
   }
 
   claim(owner: object): Claim {
     return new Claim(this, owner);
   }
 
-  /** For claims: {@link hold} within the limits. @throws ModelError `too-large`. */
+  /**
+   * For claims: {@link hold} within the limits. Other claims of the same owner do not count. @throws ModelError
+   * `too-large`; all is as before then.
+   */
   take(claim: Claim, needs: readonly Need[]): void {
-    const { values, ...others } = this.#totalWith(claim.owner, needs);
-    requireAtMost(trianglesIn({ values }), this.#limit, 'triangles', SUBJECT);
-    // Triangles have been counted, in place of their values.
-    requireWithin({ ...others, values: Math.min(values, limits.VALUE_LIMIT) }, SUBJECT);
+    const before = [...(this.#claims.get(claim.owner) ?? [])].map(
+      (own) => [own, [...own.needs.values()]] as const,
+    );
+    for (const [own] of before) this.hold(own, []);
     this.hold(claim, needs);
+    try {
+      requireAtMost(this.used, this.#limit, 'triangles', SUBJECT);
+      // Triangles have been counted, in place of their values.
+      requireWithin({ ...this.#total, values: Math.min(this.#total.values, limits.VALUE_LIMIT) }, SUBJECT);
+    } catch (error) {
+      this.hold(claim, []);
+      for (const [own, held] of before) this.hold(own, held);
+      throw error;
+    }
+    for (const [own, held] of before) if (own !== claim) this.hold(own, held);
   }
 
   /** For claims: `claim` holds these and nothing else. */
@@ -197,42 +210,22 @@ export class Budget {
 
   #change(key: Need['key'], edit: (holders: Set<Claim>) => void, claims?: Claims): void {
     const use = this.#uses.get(key) ?? { claims: claims ?? NO_CLAIMS, holders: new Set() };
-    const before = heldBy(use, use.holders.size);
+    this.#count(use, -1);
     edit(use.holders);
     use.claims = claims ?? use.claims;
-    this.#total = plus(plus(this.#total, before, -1), heldBy(use, use.holders.size));
+    this.#count(use, 1);
     if (use.holders.size > 0) this.#uses.set(key, use);
     else this.#uses.delete(key);
   }
 
-  /** All that is held if this owner held these needs and nothing else. */
-  #totalWith(owner: object, needs: readonly Need[]): Amounts {
-    let total = this.#total;
-    const left = new Map<Need['key'], number>(); // holders without this owner
-    for (const claim of this.#claims.get(owner) ?? [])
-      for (const key of claim.needs.keys()) {
-        const use = this.#uses.get(key)!;
-        const count = left.get(key) ?? use.holders.size;
-        total = plus(plus(total, heldBy(use, count), -1), heldBy(use, count - 1));
-        left.set(key, count - 1);
-      }
-    for (const need of new Map(needs.map((each) => [each.key, each])).values()) {
-      const use = this.#uses.get(need.key);
-      const count = left.get(need.key) ?? use?.holders.size ?? 0;
-      if (use !== undefined) total = plus(total, heldBy(use, count), -1);
-      total = plus(total, heldBy(need, count + 1));
-    }
-    return total;
+  /** Draws count for each holder, everything else once. */
+  #count({ claims, holders: { size } }: Use, sign: 1 | -1): void {
+    for (const key of KEYS)
+      this.#total[key] += sign * (claims[key] ?? 0) * (key === 'parts' ? size : Math.min(size, 1));
   }
 }
 
 const SUBJECT = 'With this the viewer would hold';
-
-/** Draws count for each holder, everything else once. */
-const heldBy = ({ claims }: Pick<Use, 'claims'>, holders: number): Claims =>
-  holders === 0 ? NO_CLAIMS : { ...claims, parts: (claims.parts ?? 0) * holders };
-
-const trianglesIn = ({ values }: Pick<Amounts, 'values'>): number => Math.ceil(values / VALUES_PER_TRIANGLE);
 
 /** What a number of triangles holds, weighed by memory. */
 export const claimsOf = (triangles: number, parts = 0): Claims => ({
