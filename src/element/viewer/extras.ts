@@ -18,6 +18,13 @@ interface Kind {
   readonly load: () => Promise<{ readonly create: (host: ExtraHost) => Extra }>;
 }
 
+/** Belong to the first picture: it would show another camera. */
+const LINKED: Kind = {
+  wanted: ({ cameraGroup }, viewer) =>
+    cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+  load: lazyCode(() => import('./camera-group.js'), 'linked cameras'),
+};
+
 const KINDS: readonly Kind[] = [
   {
     wanted: ({ helpers }) => helpers.length > 0,
@@ -35,11 +42,7 @@ const KINDS: readonly Kind[] = [
     wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
     load: lazyCode(() => import('../../overlay/probe/watch.js'), 'the probe'),
   },
-  {
-    wanted: ({ cameraGroup }, viewer) =>
-      cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
-    load: lazyCode(() => import('./camera-group.js'), 'linked cameras'),
-  },
+  LINKED,
 ];
 
 export class ViewerExtras implements ReactiveController {
@@ -63,6 +66,9 @@ export class ViewerExtras implements ReactiveController {
     this.#camera = camera;
     this.#children = children;
     this.#visibility = visibility;
+    const { awaited } = signals;
+    signals.awaited = () =>
+      awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
     signals.drawn.listen(() => {
       for (const extra of this.#extras.values()) extra?.update();
     });
@@ -119,6 +125,7 @@ export class ViewerExtras implements ReactiveController {
     this.#fetching.add(fetched);
     void fetched.then(() => {
       this.#fetching.delete(fetched);
+      this.#context.viewport.animate(); // the first picture may have waited for it
       this.#context.signals.ended.emit();
     });
   }

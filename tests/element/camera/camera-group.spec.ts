@@ -34,6 +34,27 @@ test('the first viewer of a group keeps its camera, and the others take it', asy
   expect(await expectOnePose(page)).toMatchObject({ theta: 10, phi: 70, radius: 5 });
 });
 
+test('the first picture is the group’s, however late its code comes, and is drawn once', async ({
+  page,
+  mount,
+}) => {
+  let send = (): void => undefined;
+  const sent = new Promise<void>((resolve) => (send = resolve));
+  await page.route(/\/camera-group-/, async (route) => {
+    await sent;
+    return route.continue();
+  });
+  await mount(pair('theta="10"', 'theta="80"'), { ...size, waitForReady: false });
+  const frames = (): Promise<number[]> =>
+    page.evaluate(() => [...document.querySelectorAll('phong-viewer')].map(({ stats }) => stats.frames));
+  for (let i = 0; i < 3; i++) await nextFrame(page);
+  expect(await frames()).toEqual([0, 0]);
+  send();
+  await allReady(page);
+  expect(await frames()).toEqual([1, 1]);
+  await expectOnePose(page);
+});
+
 test('a drag, a wheel turn, keys and a property move all viewers, with one event each', async ({
   page,
   mount,
