@@ -94,7 +94,8 @@ export function installDeeds(): void {
     }
   }
   /** The coordinate, limited to its domain. */
-  const inside = (x: number): number => Math.min(Math.max(x, -1e15), 1e15);
+  /** In digits that `toHTML()` keeps. */
+  const inside = (x: number): number => Number(Math.min(Math.max(x, -1e15), 1e15).toPrecision(8));
   type Deed = (viewer: PhongViewer, step: Step) => void | Promise<void>;
   const DEEDS: Readonly<Record<string, Deed>> = {
     ...window.walkTrees.deeds,

@@ -81,7 +81,10 @@ export function installWatch(): void {
     if (program !== null) current.set(self, nameOf(program as object));
   });
   for (const name of ['drawElements', 'drawArrays'])
-    wrap(gl, name, (self) => drawnBy.add(current.get(self) ?? ''));
+    wrap(gl, name, (self) => {
+      drawnBy.add(current.get(self) ?? '');
+      queueMicrotask(copyLone);
+    });
   const note = (what: string): void => {
     if (happened.length < 8) happened.push(what);
   };
@@ -136,12 +139,20 @@ export function installWatch(): void {
   const listen = (type: string, heard: (viewer: PhongViewer, event: Event) => void): void => {
     addEventListener(type, (event) => heard(event.target as PhongViewer, event), true); // capturing, because the events do not bubble
   };
-  listen('render', (viewer) => {
+  const copy = (viewer: PhongViewer): void => {
     seenBy.set(viewer, takeDrawn());
-    note('render');
     const canvas = canvasOf(viewer);
     if (canvas === null || viewers().length > 1) return;
     copies.set(viewer, copied(canvas, canvas.width, canvas.height));
+  };
+  /** A viewer that is alone from now on is drawn on another canvas, without an event: its picture is the same. */
+  function copyLone(): void {
+    const [viewer] = viewers();
+    if (drawnBy.size > 0 && viewer !== undefined && viewers().length === 1) copy(viewer);
+  }
+  listen('render', (viewer) => {
+    copy(viewer);
+    note('render');
   });
   listen('camera-change', (viewer, event) => {
     const { source } = (event as CustomEvent<{ source: string }>).detail;
