@@ -35,15 +35,14 @@ export default texts;
     writeFileSync(join(target, `${name}.js`), `export default ${json};\n`);
     writeFileSync(join(target, `${name}.d.ts`), module);
   }
-  // The table itself is not in the package.
-  const folder = join(outputFolder('dist'), 'types/element/fields');
-  mkdirSync(folder, { recursive: true });
+  // The table itself is not in the package: its keys take the place of its type.
+  const types = join(outputFolder('dist'), 'types/element/fields/text-list.d.ts');
   const keys = Object.keys(table).map((key) => JSON.stringify(key));
-  const type = `export type ViewerText = Exclude<${keys.join(' | ')}, ViewerErrorCode>;`;
-  writeFileSync(
-    join(folder, 'text-list.d.ts'),
-    `import type { ViewerErrorCode } from '../events.js';\n${type}\n`,
-  );
+  const declared = readFileSync(types, 'utf8')
+    .replace(/^import type texts .*\n/m, '')
+    .replace(/^type Sections = [^;]*;\n/m, '')
+    .replace(/\{\s*\[S in keyof Sections\][^}]*\}\[keyof Sections\]/, keys.join(' | '));
+  writeFileSync(types, declared);
   const page = fileURLToPath(new URL('../src/TEXTS.md', import.meta.url));
   const list = Object.entries(sections).map(
     ([heading, texts]) =>

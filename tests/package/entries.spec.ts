@@ -3,7 +3,7 @@
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
@@ -87,6 +87,24 @@ test.describe('the packed package', () => {
     };
     const address = source.url.replace(/^git\+|\.git$/g, '');
     expect([homepage, bugs]).toEqual([`${address}#readme`, `${address}/issues`]);
+  });
+
+  test('has in each file of types what other files import from it', () => {
+    const folder = join(dist, 'types');
+    const missing = readdirSync(folder, { recursive: true, encoding: 'utf8' })
+      .filter((name) => name.endsWith('.d.ts'))
+      .flatMap((name) => {
+        const text = readFileSync(join(folder, name), 'utf8');
+        const imports = text.matchAll(/^(?:im|ex)port (?:type )?\{([^}]*)\} from '(\.[^']*)\.js';/gm);
+        return [...imports].flatMap(([, names = '', from = '']) => {
+          const source = readFileSync(join(folder, dirname(name), `${from}.d.ts`), 'utf8');
+          const wanted = names.split(',').map((one) => one.replace(/^\s*type |\s+as .*$/g, '').trim());
+          return wanted.filter(
+            (one) => one !== '' && !new RegExp(`^export .*\\b${one}\\b`, 'm').test(source),
+          );
+        });
+      });
+    expect(missing).toEqual([]);
   });
 
   test('contains no source map above 1 MB', () => {

@@ -69,7 +69,14 @@ const uses: readonly Use[] = [
   { what: 'the panel', use: set({ gui: true }), chunks: ['panel', 'panel-rows', 'round-number'] },
   {
     what: 'a control',
-    use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-control'))),
+    use: (viewer) =>
+      viewer.evaluate((element) => {
+        element.insertAdjacentHTML(
+          'afterend',
+          '<phong-control for="turned" attribute="theta"></phong-control>',
+        );
+        element.id = 'turned';
+      }),
     chunks: ['control'],
   },
   {
