@@ -4,7 +4,7 @@
 
 import { CODES, full, PLAIN, pictureValue, RMSE, SSAA, ssaa, TAA, taa, WITHIN } from './pictures.mjs';
 import { FIRST_MODELS } from './models.mjs';
-import { ratioOf, ratioOverSubjects, valueOf } from './results.mjs';
+import { ratioOf, ratioOverSubjects, rowOf, valueOf } from './results.mjs';
 import { spread } from './statistics.mjs';
 import {
   firstModelSubject,
@@ -295,14 +295,11 @@ function figureOf(aim, result) {
   const { subject, subjects, measure, side, figure = 'ratio' } = aim;
   if (aim.against !== undefined) return worstRatio(aim, result);
   if (subjects !== undefined) return ratioOverSubjects(result, subjects, measure);
-  const { measures } = result;
-  /** @param {string} name */
-  const find = (name) => measures.find((one) => one.subject === subject && one.measure === name);
-  const row = find(measure);
+  const row = rowOf(result, subject, measure);
   if (row === undefined) return undefined;
   if (figure === 'ratio') return ratioOf(row, side);
   if (figure === 'value') return valueOf(row, side);
-  const usual = find('usual frame');
+  const usual = rowOf(result, subject, 'usual frame');
   if (usual === undefined) return undefined;
   const [longest, plain] = [valueOf(row, side), valueOf(usual, side).median];
   return {

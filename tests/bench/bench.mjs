@@ -6,6 +6,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { launchOptions } from '../support/built-pages.mjs';
 import { refuse } from '../support/command-line.mjs';
 import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
@@ -18,7 +19,7 @@ import { missedLimits } from './aims.mjs';
 import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
 import { Progress } from './progress.mjs';
-import { addSamples, ratioOf, valueOf } from './results.mjs';
+import { addSamples, ratioOf, rowOf, valueOf } from './results.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -50,7 +51,7 @@ async function main(options) {
     console.log('Building the package and the pages …');
     await buildPages(folder);
   }
-  const lab = new Lab(folder, await launchOptions(options));
+  const lab = new Lab(folder, await launchOptions(options.browser, options.flags));
   await lab.open();
   const machine = await lab.machine();
   console.log(
@@ -215,7 +216,7 @@ function summary(result, name) {
 
 /** Error and time of each picture. @param {import('./results.mjs').BenchResult} result @param {string} subject */
 function pictureSummary(result, subject) {
-  const errors = result.measures.find((row) => row.subject === subject && row.measure === RMSE.triangles);
+  const errors = rowOf(result, subject, RMSE.triangles);
   return Object.keys(errors?.samples ?? {})
     .map((side) => {
       const time = pictureTime(result, subject, side);
@@ -248,20 +249,6 @@ function write(file, result) {
   if (file === '') return;
   mkdirSync(dirname(file), { recursive: true });
   writeFileSync(file, `${JSON.stringify(result, null, 1)}\n`);
-}
-
-/**
- * The named browser with the named flags, or this machine's own with software rendering.
- * @param {import('./options.mjs').Options} options @returns {Promise<import('playwright-core').LaunchOptions>}
- */
-async function launchOptions({ browser, flags }) {
-  const common = ['--no-sandbox', '--disable-background-networking'];
-  if (browser !== '' && flags.length > 0) return { executablePath: browser, args: [...common, ...flags] };
-  const { ensureBrowser, softwareGl } = await import('../../.ci/browser.mjs');
-  return {
-    executablePath: browser === '' ? await ensureBrowser() : browser,
-    args: flags.length > 0 ? [...common, ...flags] : softwareGl,
-  };
 }
 
 await main(readOptions());

@@ -5,7 +5,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { launchOptions } from '../stress/launch-options.mjs';
+import { launchOptions } from '../support/built-pages.mjs';
 import { glslMutants } from './glsl-mutants.mjs';
 import { drawn } from './sample.mjs';
 
