@@ -20,6 +20,7 @@ import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
 import { Progress } from './progress.mjs';
 import { addSamples, ratioOf, rowOf, valueOf } from './results.mjs';
+import { median } from './statistics.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -187,16 +188,11 @@ function summary(result, name) {
   if (SUBJECTS[name]?.kind === 'picture') return pictureSummary(result, name);
   const front = result.fronts.find(({ subject }) => subject === name);
   if (front !== undefined) {
-    const base = valueOf({
-      ...front,
-      measure: '',
-      unit: '',
-      samples: { base: front.ms[front.base] ?? [] },
-    }).median;
+    const base = median(front.ms[front.base] ?? []);
     return front.variants
       .map((label, i) => {
-        const { median } = valueOf({ ...front, measure: '', unit: '', samples: { one: front.ms[i] ?? [] } });
-        return `${label} ${(median / base).toFixed(2)} (error ${front.errors[i]?.max.toPrecision(2) ?? '?'})`;
+        const ratio = median(front.ms[i] ?? []) / base;
+        return `${label} ${ratio.toFixed(2)} (error ${front.errors[i]?.max.toPrecision(2) ?? '?'})`;
       })
       .join(', ');
   }

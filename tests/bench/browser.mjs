@@ -133,6 +133,19 @@ export const gpuProcess = async (browser) =>
   hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null;
 
 /**
+ * Milliseconds that frames take: the GPU's own, or where a CPU draws the CPU time of the GPU process.
+ * @param {string} renderer @param {number | null} gpu see {@link gpuProcess}
+ * @param {() => Promise<number>} time by the GPU's timer @param {() => Promise<number>} draw by the clock
+ */
+export async function frameTime(renderer, gpu, time, draw) {
+  if (!isSoftware(renderer)) return time();
+  if (gpu === null) return draw();
+  const before = cpuSeconds(gpu);
+  await draw();
+  return (cpuSeconds(gpu) - before) * 1000;
+}
+
+/**
  * Reads the CPU time of a page's main thread so far, in milliseconds, from the browser's own counters.
  * @param {Page} page @returns {Promise<() => Promise<number>>}
  */

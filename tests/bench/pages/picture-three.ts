@@ -14,8 +14,9 @@ import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { SSAARenderPass } from 'three/addons/postprocessing/SSAARenderPass.js';
 import { TAARenderPass } from 'three/addons/postprocessing/TAARenderPass.js';
 import { CODES, MULTISAMPLED, SSAA, ssaa, TAA, TAA_PASS } from '../pictures.mjs';
+import { sceneOnPage } from '../../support/caster/drawn-scene.js';
 import type { Viewer } from './element-side.js';
-import { lightsOf, shownMeshes } from './cast-scene.js';
+import { shownMeshes } from './cast-scene.js';
 import { equationMaterial } from './equation-material.js';
 import { antialiasAll, showViewers, WARM } from './picture-element.js';
 import type { Cell, OpenPicture } from './picture.js';
@@ -69,9 +70,10 @@ function cameraOf({ camera: { eye, target, up, radius }, fov }: Viewer, aspect: 
 
 function sceneOf(viewer: Viewer, decodes: boolean): Scene {
   const scene = new Scene();
+  const { lights } = sceneOnPage(viewer);
   for (const shown of shownMeshes(viewer)) {
     const place = { eye: viewer.camera.eye, matrix: shown.matrixWorld };
-    const material = equationMaterial(shown.material, lightsOf(viewer), place, decodes);
+    const material = equationMaterial(shown.material, lights, place, decodes);
     const mesh = new Mesh(shown.geometry.clone(), material);
     mesh.matrixAutoUpdate = false;
     mesh.matrix.copy(shown.matrixWorld);
