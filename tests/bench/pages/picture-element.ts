@@ -5,7 +5,7 @@ import { castSceneOf } from './cast-scene.js';
 import { drawUntilReady, type Viewer } from './element-side.js';
 import type { OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
-import { finish, pause, rendererName } from './timing.js';
+import { finish, pause } from './timing.js';
 
 /** Frames and rest until specialised programs are used: 20 frames, then a compilation in the background. */
 const SETTLING = { frames: 30, betweenMs: 4, restMs: 400 } as const;
@@ -88,8 +88,6 @@ export const openElement =
 
     return {
       methods: { element: { steps: 1 } },
-      renderer: rendererName(gl),
-      samples: gl.getParameter(gl.SAMPLES) as number,
       scenes: (round) =>
         viewers.map((viewer) =>
           castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null),

@@ -21,7 +21,7 @@ import { equationMaterial } from './equation-material.js';
 import { antialiasAll, showViewers, WARM } from './picture-element.js';
 import type { Cell, OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
-import { finish, pause, rendererName } from './timing.js';
+import { finish, pause } from './timing.js';
 
 /** What accumulates averages linear light, as three.js's pages do, or the equation's own codes. */
 type Averages = 'light' | 'codes';
@@ -94,13 +94,10 @@ const open =
     const all = await canvases(holder, scene, cell, multisamples);
     /** The picture that the canvases show. */
     let last = { method: '', step: 0 };
-    const { gl } = all[0]!;
     const drawAll = ({ draw }: Way, k: number): void => all.forEach((canvas) => draw(canvas, k));
     const finishAll = (): void => all.forEach((canvas) => finish(canvas.gl));
     return {
       methods: Object.fromEntries(Object.entries(ways).map(([name, { steps }]) => [name, { steps }])),
-      renderer: rendererName(gl),
-      samples: gl.getParameter(gl.SAMPLES) as number,
       scenes: () => [], // those of the element
       async time(method) {
         const way = ways[method]!;
