@@ -5,6 +5,7 @@
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { launchOptions } from '../support/built-pages.mjs';
 import { refuse } from '../support/command-line.mjs';
@@ -126,17 +127,12 @@ function sizeOf({ scene }, { machine, size }) {
 
 /** @param {Promise<void>} work @param {number} patience milliseconds */
 async function withPatience(work, patience) {
-  /** @type {NodeJS.Timeout | undefined} */
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`took longer than ${patience / 1000} s`)), patience);
+  const late = setTimeout(patience, undefined, { ref: false }).then(() => {
+    throw new Error(`took longer than ${patience / 1000} s`);
   });
-  work.catch(() => {}); // it may fail once it is too late
-  try {
-    await Promise.race([work, late]);
-  } finally {
-    clearTimeout(timer);
-  }
+  // Either may fail once it is too late.
+  for (const one of [work, late]) one.catch(() => {});
+  await Promise.race([work, late]);
 }
 
 /** One launch of a subject. `size`: of pictures, if asked for. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result @param {readonly [number, number] | null} size */
