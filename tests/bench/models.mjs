@@ -3,9 +3,9 @@
 // work (triangles, textures, parts, materials, several files). Knows no viewer.
 
 import { cpSync, mkdirSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { PNG } from 'pngjs';
 import { glbFile } from './glb.mjs';
 
 /** Name of each model, and its file in the folder that `writeModels` fills. */
@@ -334,6 +334,8 @@ function noisePng(size, seed) {
 
 /** A square RGB picture. @param {number} size @param {(x: number, y: number) => number[]} colorAt row by row */
 function png(size, colorAt) {
+  // Only now: measuring built pages needs the names of models, and no package.
+  const { PNG } = /** @type {typeof import('pngjs')} */ (createRequire(import.meta.url)('pngjs'));
   const picture = new PNG({ width: size, height: size });
   for (let y = 0; y < size; y++)
     for (let x = 0; x < size; x++) picture.data.set([...colorAt(x, y), 255], 4 * (y * size + x));
