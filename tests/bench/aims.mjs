@@ -4,7 +4,7 @@
 
 import { CODES, full, PLAIN, pictureValue, RMSE, SSAA, ssaa, TAA, taa, WITHIN } from './pictures.mjs';
 import { FIRST_MODELS } from './models.mjs';
-import { ratioOf, ratioOverSubjects, valueOf } from './results.mjs';
+import { ratioOf, ratioOverSubjects, rowOf, valueOf } from './results.mjs';
 import { spread } from './statistics.mjs';
 import {
   firstModelSubject,
@@ -58,31 +58,30 @@ const PICTURE_AIMS = /** @type {const} */ ({
 function pictureAims() {
   const ofOne = Object.entries(PICTURE_AIMS).flatMap(([picture, aims]) => {
     const subject = pictureSubject(/** @type {keyof typeof PICTURES} */ (picture));
-    /** @param {string} label @param {string} measure @param {number} samples @param {number} most @returns {Aim} */
-    const aim = (label, measure, samples, most) => ({
-      ...{ label: `${picture}, ${label}, ${samples} samples`, subject, measure, side: full(samples) },
-      ...{ figure: 'value', most: both(most), least: measure === WITHIN },
-    });
+    /** @param {string} label @param {string} measure @param {number} samples @param {number} most */
+    const ofSamples = (label, measure, samples, most) =>
+      aim(`${picture}, ${label}, ${samples} samples`, subject, measure, both(most), {
+        ...VALUE,
+        side: full(samples),
+        least: measure === WITHIN,
+      });
     return [
-      aim('RMSE', RMSE.triangles, 64, aims[64]),
-      aim('RMSE', RMSE.triangles, 256, aims[256]),
-      ...('round' in aims ? [aim('RMSE to the round shape', RMSE.round, 64, aims.round)] : []),
-      aim('% of pixels within one code', WITHIN, 64, aims.within),
+      ofSamples('RMSE', RMSE.triangles, 64, aims[64]),
+      ofSamples('RMSE', RMSE.triangles, 256, aims[256]),
+      ...('round' in aims ? [ofSamples('RMSE to the round shape', RMSE.round, 64, aims.round)] : []),
+      ofSamples('% of pixels within one code', WITHIN, 64, aims.within),
     ];
   });
   const subjects = Object.keys(PICTURES).map((picture) =>
     pictureSubject(/** @type {keyof typeof PICTURES} */ (picture)),
   );
-  /** @param {string} label @param {string} side @param {readonly string[]} passes @returns {Aim} */
-  const against = (label, side, passes) => ({
-    ...{
-      label: `RMSE to three.js’s best pass, worst picture: ${label}`,
-      subject: subjects[0] ?? '',
+  /** @param {string} label @param {string} side @param {readonly string[]} passes */
+  const against = (label, side, passes) =>
+    aim(`RMSE to three.js’s best pass, worst picture: ${label}`, subjects[0] ?? '', RMSE.triangles, both(1), {
       subjects,
-    },
-    ...{ measure: RMSE.triangles, side, most: both(1) },
-    against: passes.flatMap((pass) => [pass, pass + CODES]),
-  });
+      side,
+      against: passes.flatMap((pass) => [pass, pass + CODES]),
+    });
   return [
     ...ofOne,
     against('first one', PLAIN, [ssaa(1), taa(0)]),
@@ -91,133 +90,86 @@ function pictureAims() {
   ];
 }
 
+/**
+ * @param {string} label @param {string} subject @param {string} measure @param {Aim['most']} most @param {Partial<Aim>} [more]
+ * @returns {Aim}
+ */
+const aim = (label, subject, measure, most, more = {}) => ({ label, subject, measure, most, ...more });
+
+/** An aim whose label names subject and measure. @param {string} subject @param {string} measure @param {Aim['most']} most @param {Partial<Aim>} [more] */
+const named = (subject, measure, most, more) => aim(`${subject}, ${measure}`, subject, measure, most, more);
+
+const SCRIPT = 'script per frame';
+const FIRST_PICTURE = 'first picture';
+/** The figure itself, not a ratio. */
+const VALUE = /** @type {const} */ ({ figure: 'value' });
+
 /** @type {readonly Aim[]} */
 export const AIMS = [
   ...SPHERE_LIGHTS.flatMap((count, i) => [
-    {
-      label: `${sphere(count)}, first frames`,
-      subject: sphere(count),
-      measure: 'first frames',
-      most: { gpu: FIRST.gpu[i] ?? NaN, software: FIRST.software[i] ?? NaN },
-    },
-    {
-      label: `${sphere(count)}, settled`,
-      subject: sphere(count),
-      measure: 'settled',
-      most: { gpu: SETTLED.gpu[i] ?? NaN, software: SETTLED.software[i] ?? NaN },
-    },
+    named(sphere(count), 'first frames', { gpu: FIRST.gpu[i] ?? NaN, software: FIRST.software[i] ?? NaN }),
+    named(sphere(count), 'settled', { gpu: SETTLED.gpu[i] ?? NaN, software: SETTLED.software[i] ?? NaN }),
   ]),
-  ...[...SPHERE_LIGHTS.filter((count) => count >= 8).map(sphere), 'sphere, 1,024 lights'].map(
-    (subject) =>
-      /** @type {const} */ ({
-        label: `${subject}, longest frame over usual`,
-        subject,
-        measure: 'longest frame',
-        figure: 'over usual',
-        most: TAKE_OVER_MS,
-      }),
+  ...[...SPHERE_LIGHTS.filter((count) => count >= 8).map(sphere), 'sphere, 1,024 lights'].map((subject) =>
+    aim(`${subject}, longest frame over usual`, subject, 'longest frame', TAKE_OVER_MS, {
+      figure: 'over usual',
+    }),
   ),
-  {
-    label: '64 spheres, 8 lights, settled',
-    subject: '64 spheres, 8 lights',
-    measure: 'settled',
-    most: both(0.75),
-  },
-  {
-    label: 'lights that come and go',
-    subject: 'lights that come and go',
-    measure: 'settled',
-    most: both(1.1),
-  },
-  { label: 'core to element, settled', subject: 'core, 8 lights', measure: 'settled', most: both(1.05) },
+  named('64 spheres, 8 lights', 'settled', both(0.75)),
+  aim('lights that come and go', 'lights that come and go', 'settled', both(1.1)),
+  aim('core to element, settled', 'core, 8 lights', 'settled', both(1.05)),
   ...FRAMED_LIGHTS.flatMap((count) =>
-    FRAMED_SHAPES.map((shape) => ({
-      label: `${framedSubject(shape, count)}, to 64 segments, settled`,
-      subject: framedSubject(shape, count),
-      measure: 'settled',
-      most: { gpu: count === 8 ? 1.04 : shape === 'teapot' ? 1.15 : 1.1 },
-    })),
+    FRAMED_SHAPES.map((shape) => {
+      const subject = framedSubject(shape, count);
+      const most = count === 8 ? 1.04 : shape === 'teapot' ? 1.15 : 1.1;
+      return aim(`${subject}, to 64 segments, settled`, subject, 'settled', { gpu: most });
+    }),
   ),
-  ...[8, 32].flatMap((count) =>
-    ['first frames', 'settled'].map((measure) => ({
-      label: `${sphere(count)}, shininess 128, ${measure}`,
-      subject: `${sphere(count)}, shininess 128`,
-      measure,
-      most: { gpu: measure === 'settled' ? 0.95 : 1 },
-    })),
+  ...[8, 32].flatMap((count) => [
+    named(`${sphere(count)}, shininess 128`, 'first frames', { gpu: 1 }),
+    named(`${sphere(count)}, shininess 128`, 'settled', { gpu: 0.95 }),
+  ]),
+  ...['sphere', 'teapot'].map((shape) => {
+    const label = `64 samples of a ${shape}, ms from the change`;
+    const more = { ...VALUE, side: 'full, 64 samples' };
+    return aim(label, `still ${shape}`, 'change to picture', { gpu: 75 }, more);
+  }),
+  ...Object.keys(FIRST_MODELS).map((model) => {
+    const subject = firstModelSubject(model);
+    return aim(subject, subject, FIRST_PICTURE, both(/PLY|STL|images/.test(model) ? 1.5 : 1.15));
+  }),
+  aim(
+    'moving one of 10,000 boxes to three.js, script',
+    'script, moving one of 10,000 boxes',
+    SCRIPT,
+    both(2.8),
   ),
-  ...['sphere', 'teapot'].map((shape) => ({
-    label: `64 samples of a ${shape}, ms from the change`,
-    subject: `still ${shape}`,
-    measure: 'change to picture',
-    side: 'full, 64 samples',
-    figure: /** @type {const} */ ('value'),
-    most: { gpu: 75 },
-  })),
-  ...Object.keys(FIRST_MODELS).map((model) => ({
-    label: firstModelSubject(model),
-    subject: firstModelSubject(model),
-    measure: 'first picture',
-    most: both(/PLY|STL|images/.test(model) ? 1.5 : 1.15),
-  })),
-  {
-    label: 'moving one of 10,000 boxes to three.js, script',
-    subject: 'script, moving one of 10,000 boxes',
-    measure: 'script per frame',
-    most: both(2.8),
-  },
-  ...[
-    { subject: 'start, 2,000 boxes', most: both(1.5) },
-    { subject: 'start, 10,000 boxes', most: both(4) },
-    { subject: 'start, 64 viewers', most: both(1.2) },
-  ].map((aim) => ({ ...aim, label: aim.subject, measure: 'first picture' })),
-  {
-    label: 'connecting 5,000 lights, ms',
-    subject: 'connecting 5,000 lights',
-    measure: 'time',
-    figure: 'value',
-    most: both(1000),
-  },
-  {
-    label: 'toggling one of 5,000 lights, µs',
-    subject: 'script, toggling one of 5,000 lights',
-    measure: 'script per frame',
-    figure: 'value',
-    most: both(2000),
-  },
-  {
-    label: 'moving a mesh beside 1 M triangles, µs',
-    subject: 'script, mesh moved beside 1 M triangles',
-    measure: 'script per frame',
-    figure: 'value',
-    most: both(1000),
-  },
-  {
-    label: '20 turning viewers, frame rate to one viewer’s',
-    subject: '20 turning viewers',
-    measure: 'frame rate',
-    most: both(0.7),
+  aim('start, 2,000 boxes', 'start, 2,000 boxes', FIRST_PICTURE, both(1.5)),
+  aim('start, 10,000 boxes', 'start, 10,000 boxes', FIRST_PICTURE, both(4)),
+  aim('start, 64 viewers', 'start, 64 viewers', FIRST_PICTURE, both(1.2)),
+  aim('connecting 5,000 lights, ms', 'connecting 5,000 lights', 'time', both(1000), VALUE),
+  aim('toggling one of 5,000 lights, µs', 'script, toggling one of 5,000 lights', SCRIPT, both(2000), VALUE),
+  aim(
+    'moving a mesh beside 1 M triangles, µs',
+    'script, mesh moved beside 1 M triangles',
+    SCRIPT,
+    both(1000),
+    VALUE,
+  ),
+  aim('20 turning viewers, frame rate to one viewer’s', '20 turning viewers', 'frame rate', both(0.7), {
     least: true,
-  },
-  {
-    label: 'start, standalone',
-    subject: 'start',
-    measure: 'first picture',
-    side: 'standalone',
-    most: both(1.1),
-  },
-  { label: 'start, bundled', subject: 'start', measure: 'first picture', side: 'bundled', most: both(1.2) },
-  { label: 'heap, standalone', subject: 'start', measure: 'heap', side: 'standalone', most: both(1.15) },
-  { label: 'heap, bundled', subject: 'start', measure: 'heap', side: 'bundled', most: both(1.35) },
-  ...NETWORKS.map((network) => ({
-    label: `first picture of a model to the better of two viewers’, ${network}`,
-    subject: modelSubjects(network)[0] ?? '',
-    subjects: modelSubjects(network),
-    measure: 'first picture',
-    most: both(0.6),
-  })),
+  }),
+  aim('start, standalone', 'start', FIRST_PICTURE, both(1.1), { side: 'standalone' }),
+  aim('start, bundled', 'start', FIRST_PICTURE, both(1.2), { side: 'bundled' }),
+  aim('heap, standalone', 'start', 'heap', both(1.15), { side: 'standalone' }),
+  aim('heap, bundled', 'start', 'heap', both(1.35), { side: 'bundled' }),
+  ...NETWORKS.map((network) => {
+    const subjects = modelSubjects(network);
+    const label = `first picture of a model to the better of two viewers’, ${network}`;
+    return aim(label, subjects[0] ?? '', FIRST_PICTURE, both(0.6), { subjects });
+  }),
   ...pictureAims(),
-  { label: 'bytes, standalone', subject: 'bytes', measure: 'brotli', side: 'standalone', most: both(0.8) },
+  aim('bytes, standalone', 'bytes', 'brotli', both(0.8), { side: 'standalone' }),
 ];
 
 /** Labels of what is an aim on a kind of stack, not a limit: it was not reached when it was measured last. */
@@ -299,14 +251,11 @@ function figureOf(aim, result) {
   const { subject, subjects, measure, side, figure = 'ratio' } = aim;
   if (aim.against !== undefined) return worstRatio(aim, result);
   if (subjects !== undefined) return ratioOverSubjects(result, subjects, measure);
-  const { measures } = result;
-  /** @param {string} name */
-  const find = (name) => measures.find((one) => one.subject === subject && one.measure === name);
-  const row = find(measure);
+  const row = rowOf(result, subject, measure);
   if (row === undefined) return undefined;
   if (figure === 'ratio') return ratioOf(row, side);
   if (figure === 'value') return valueOf(row, side);
-  const usual = find('usual frame');
+  const usual = rowOf(result, subject, 'usual frame');
   if (usual === undefined) return undefined;
   const [longest, plain] = [valueOf(row, side), valueOf(usual, side).median];
   return {

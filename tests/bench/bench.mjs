@@ -5,7 +5,9 @@
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
+import { launchOptions } from '../support/built-pages.mjs';
 import { refuse } from '../support/command-line.mjs';
 import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
@@ -18,7 +20,8 @@ import { missedLimits } from './aims.mjs';
 import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
 import { Progress } from './progress.mjs';
-import { addSamples, ratioOf, valueOf } from './results.mjs';
+import { addSamples, ratioOf, rowOf, valueOf } from './results.mjs';
+import { median } from './statistics.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -50,7 +53,7 @@ async function main(options) {
     console.log('Building the package and the pages …');
     await buildPages(folder);
   }
-  const lab = new Lab(folder, await launchOptions(options));
+  const lab = new Lab(folder, await launchOptions(options.browser, options.flags));
   await lab.open();
   const machine = await lab.machine();
   console.log(
@@ -124,17 +127,12 @@ function sizeOf({ scene }, { machine, size }) {
 
 /** @param {Promise<void>} work @param {number} patience milliseconds */
 async function withPatience(work, patience) {
-  /** @type {NodeJS.Timeout | undefined} */
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`took longer than ${patience / 1000} s`)), patience);
+  const late = setTimeout(patience, undefined, { ref: false }).then(() => {
+    throw new Error(`took longer than ${patience / 1000} s`);
   });
-  work.catch(() => {}); // it may fail once it is too late
-  try {
-    await Promise.race([work, late]);
-  } finally {
-    clearTimeout(timer);
-  }
+  // Either may fail once it is too late.
+  for (const one of [work, late]) one.catch(() => {});
+  await Promise.race([work, late]);
 }
 
 /** One launch of a subject. `size`: of pictures, if asked for. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result @param {readonly [number, number] | null} size */
@@ -186,16 +184,11 @@ function summary(result, name) {
   if (SUBJECTS[name]?.kind === 'picture') return pictureSummary(result, name);
   const front = result.fronts.find(({ subject }) => subject === name);
   if (front !== undefined) {
-    const base = valueOf({
-      ...front,
-      measure: '',
-      unit: '',
-      samples: { base: front.ms[front.base] ?? [] },
-    }).median;
+    const base = median(front.ms[front.base] ?? []);
     return front.variants
       .map((label, i) => {
-        const { median } = valueOf({ ...front, measure: '', unit: '', samples: { one: front.ms[i] ?? [] } });
-        return `${label} ${(median / base).toFixed(2)} (error ${front.errors[i]?.max.toPrecision(2) ?? '?'})`;
+        const ratio = median(front.ms[i] ?? []) / base;
+        return `${label} ${ratio.toFixed(2)} (error ${front.errors[i]?.max.toPrecision(2) ?? '?'})`;
       })
       .join(', ');
   }
@@ -215,7 +208,7 @@ function summary(result, name) {
 
 /** Error and time of each picture. @param {import('./results.mjs').BenchResult} result @param {string} subject */
 function pictureSummary(result, subject) {
-  const errors = result.measures.find((row) => row.subject === subject && row.measure === RMSE.triangles);
+  const errors = rowOf(result, subject, RMSE.triangles);
   return Object.keys(errors?.samples ?? {})
     .map((side) => {
       const time = pictureTime(result, subject, side);
@@ -248,20 +241,6 @@ function write(file, result) {
   if (file === '') return;
   mkdirSync(dirname(file), { recursive: true });
   writeFileSync(file, `${JSON.stringify(result, null, 1)}\n`);
-}
-
-/**
- * The named browser with the named flags, or this machine's own with software rendering.
- * @param {import('./options.mjs').Options} options @returns {Promise<import('playwright-core').LaunchOptions>}
- */
-async function launchOptions({ browser, flags }) {
-  const common = ['--no-sandbox', '--disable-background-networking'];
-  if (browser !== '' && flags.length > 0) return { executablePath: browser, args: [...common, ...flags] };
-  const { ensureBrowser, softwareGl } = await import('../../.ci/browser.mjs');
-  return {
-    executablePath: browser === '' ? await ensureBrowser() : browser,
-    args: flags.length > 0 ? [...common, ...flags] : softwareGl,
-  };
 }
 
 await main(readOptions());

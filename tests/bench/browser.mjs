@@ -2,11 +2,9 @@
 // Fresh launches of one Chromium on the built pages, and the CPU time that its processes use: steady where wall time is not,
 // because it leaves out waiting for other programs. Knows no subject.
 
-import { readFile } from 'node:fs/promises';
 import { readdirSync, readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { extname, join, normalize } from 'node:path';
 import { cpus, release } from 'node:os';
+import { serveFolder } from '../support/built-pages.mjs';
 import { builtFrom } from './build.mjs';
 
 /** @typedef {import('playwright-core').Browser} Browser @typedef {import('playwright-core').Page} Page */
@@ -14,22 +12,18 @@ import { builtFrom } from './build.mjs';
 /** No launch finds programs that an earlier one compiled. */
 const FLAGS = ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'];
 
-/** @type {Record<string, string>} */
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm' };
-
 /** A CPU draws: a GPU's timer says nothing there. @param {string} renderer the driver's name for itself */
 export const isSoftware = (renderer) => /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
 
 export class Lab {
   /** @type {import('playwright-core').LaunchOptions} */
   #options;
-  /** @type {import('node:http').Server} */
-  #server;
+  /** @type {Awaited<ReturnType<typeof serveFolder>> | undefined} */
+  #site;
   /** @type {Browser | null} */
   #browser = null;
   /** Folder of built pages. */
   folder;
-  origin = '';
   /** Whether files that are kept in brotli too are sent so, as over a network. */
   compresses = false;
 
@@ -37,26 +31,14 @@ export class Lab {
   constructor(folder, options) {
     this.folder = folder;
     this.#options = options;
-    this.#server = createServer((request, response) => {
-      const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
-      const type = { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' };
-      const plain = () =>
-        readFile(join(folder, path)).then(
-          (file) => response.writeHead(200, type).end(file),
-          () => response.writeHead(404).end(),
-        );
-      if (!this.compresses) return void plain();
-      readFile(join(folder, `${path}.br`)).then(
-        (file) => response.writeHead(200, { ...type, 'content-encoding': 'br' }).end(file),
-        plain,
-      );
-    });
   }
 
   async open() {
-    await new Promise((resolve) => this.#server.listen(0, '127.0.0.1', () => resolve(undefined)));
-    const { port } = /** @type {import('node:net').AddressInfo} */ (this.#server.address());
-    this.origin = `http://localhost:${port}`;
+    this.#site = await serveFolder(this.folder, () => this.compresses);
+  }
+
+  get origin() {
+    return this.#site?.origin ?? '';
   }
 
   /** A fresh browser; the one before is closed. @returns {Promise<Browser>} */
@@ -70,8 +52,7 @@ export class Lab {
 
   async close() {
     await this.#browser?.close();
-    this.#server.closeAllConnections();
-    this.#server.close();
+    this.#site?.close();
   }
 
   /** Where a result was measured. */
@@ -150,6 +131,19 @@ export async function processesOf(browser, type) {
 /** The GPU process; null where CPU time is unknown. @param {Browser} browser */
 export const gpuProcess = async (browser) =>
   hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null;
+
+/**
+ * Milliseconds that frames take: the GPU's own, or where a CPU draws the CPU time of the GPU process.
+ * @param {string} renderer @param {number | null} gpu see {@link gpuProcess}
+ * @param {() => Promise<number>} time by the GPU's timer @param {() => Promise<number>} draw by the clock
+ */
+export async function frameTime(renderer, gpu, time, draw) {
+  if (!isSoftware(renderer)) return time();
+  if (gpu === null) return draw();
+  const before = cpuSeconds(gpu);
+  await draw();
+  return (cpuSeconds(gpu) - before) * 1000;
+}
 
 /**
  * Reads the CPU time of a page's main thread so far, in milliseconds, from the browser's own counters.

@@ -7,7 +7,7 @@ import { parseHTML } from 'linkedom';
 import { AIMS, stackKind, TAKE_OVER_MS } from './aims.mjs';
 import { panelMarks, panelPoints, panelScales } from './picture-chart.mjs';
 import { SERIES } from './pictures.mjs';
-import { ratioOf, valueOf } from './results.mjs';
+import { ratioOf, rowOf, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
 import { SPHERE_LIGHTS } from './subjects.mjs';
 
@@ -34,7 +34,7 @@ export function chartsOf(result) {
 function sphereChart(result) {
   /** @param {string} measure @returns {Point[]} */
   const points = (measure) =>
-    perLight(result, SPHERE_LIGHTS, sphereName, measure, (row) => ratioOf(row)?.median, measure);
+    perLight(result, SPHERE_LIGHTS, measure, (row) => ratioOf(row)?.median, measure);
   /** @param {string} measure @returns {Point[]} */
   const aims = (measure) =>
     SPHERE_LIGHTS.flatMap((count) => {
@@ -61,7 +61,6 @@ function longestChart(result) {
     perLight(
       result,
       [...SPHERE_LIGHTS, 1024],
-      sphereName,
       'longest frame',
       (row) => (side in row.samples ? valueOf(row, side).median : undefined),
       series,
@@ -222,13 +221,13 @@ function svgOf(options, series = []) {
 
 /**
  * One figure for each number of lights that was measured.
- * @param {BenchResult} result @param {readonly number[]} counts @param {(count: number) => string} name @param {string} measure
+ * @param {BenchResult} result @param {readonly number[]} counts @param {string} measure
  * @param {(row: import('./results.mjs').Measure) => number | undefined} figure @param {string} series
  * @returns {Point[]}
  */
-function perLight({ measures }, counts, name, measure, figure, series) {
+function perLight(result, counts, measure, figure, series) {
   return counts.flatMap((x) => {
-    const row = measures.find((one) => one.subject === name(x) && one.measure === measure);
+    const row = rowOf(result, sphereName(x), measure);
     const y = row && figure(row);
     return y === undefined ? [] : [{ x, y, series }];
   });

@@ -3,9 +3,9 @@
 // work (triangles, textures, parts, materials, several files). Knows no viewer.
 
 import { cpSync, mkdirSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { crc32, deflateSync } from 'node:zlib';
 import { glbFile } from './glb.mjs';
 
 /** Name of each model, and its file in the folder that `writeModels` fills. */
@@ -334,26 +334,10 @@ function noisePng(size, seed) {
 
 /** A square RGB picture. @param {number} size @param {(x: number, y: number) => number[]} colorAt row by row */
 function png(size, colorAt) {
-  const rows = Buffer.alloc(size * (3 * size + 1));
+  // Only now: measuring built pages needs the names of models, and no package.
+  const { PNG } = /** @type {typeof import('pngjs')} */ (createRequire(import.meta.url)('pngjs'));
+  const picture = new PNG({ width: size, height: size });
   for (let y = 0; y < size; y++)
-    for (let x = 0; x < size; x++) rows.set(colorAt(x, y), y * (3 * size + 1) + 1 + 3 * x);
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(size, 0);
-  header.writeUInt32BE(size, 4);
-  header.set([8, 2], 8); // 8 bits, RGB
-  return Buffer.concat([
-    Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
-    pngChunk('IHDR', header),
-    pngChunk('IDAT', deflateSync(rows)),
-    pngChunk('IEND', Buffer.alloc(0)),
-  ]);
-}
-
-/** @param {string} type @param {Buffer} data */
-function pngChunk(type, data) {
-  const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
-  const [length, check] = [Buffer.alloc(4), Buffer.alloc(4)];
-  length.writeUInt32BE(data.length);
-  check.writeUInt32BE(crc32(body));
-  return Buffer.concat([length, body, check]);
+    for (let x = 0; x < size; x++) picture.data.set([...colorAt(x, y), 255], 4 * (y * size + x));
+  return PNG.sync.write(picture, { colorType: 2, filterType: 0, deflateLevel: 6, deflateStrategy: 0 });
 }

@@ -38,22 +38,8 @@ export function panelMarks(points, facets) {
 
 /** Scales that all panels share. @param {readonly PanelPoint[]} points @param {readonly string[]} colors */
 export const panelScales = (points, colors) => ({
-  x: {
-    type: /** @type {const} */ ('log'),
-    label: null,
-    grid: true,
-    domain: rangeOf(points, 'time'),
-    ticks: 4,
-    tickFormat: short,
-  },
-  y: {
-    type: /** @type {const} */ ('log'),
-    label: null,
-    grid: true,
-    domain: rangeOf(points, 'error'),
-    ticks: 4,
-    tickFormat: short,
-  },
+  x: scaleOf(points, 'time'),
+  y: scaleOf(points, 'error'),
   color: { domain: SERIES.map(({ series }) => series), range: [...colors] },
 });
 
@@ -77,10 +63,12 @@ export function panelSvg(points, picture, colors) {
   return svg.outerHTML;
 }
 
-/** Least and most, widened so that no dot is cut. @param {readonly PanelPoint[]} points @param {'time' | 'error'} key */
-function rangeOf(points, key) {
+/** From the least to the most, widened so that no dot is cut. @param {readonly PanelPoint[]} points @param {'time' | 'error'} key */
+function scaleOf(points, key) {
   const values = points.map((point) => point[key]);
-  return [Math.min(...values) / 1.2, Math.max(...values) * 1.2];
+  const type = /** @type {const} */ ('log');
+  const domain = [Math.min(...values) / 1.2, Math.max(...values) * 1.2];
+  return { type, label: null, grid: true, domain, ticks: 4, tickFormat: short };
 }
 
 /** @param {number} x */

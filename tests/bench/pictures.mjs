@@ -1,7 +1,7 @@
 // @ts-check
 // The figures of whole pictures: names of measures and sides in results, and what report, charts and the site read from them.
 
-import { ratioOf, valueOf } from './results.mjs';
+import { ratioOf, rowOf, valueOf } from './results.mjs';
 
 /** What a picture is compared with, as measures. `triangles`: those that it draws itself. */
 export const RMSE = /** @type {const} */ ({ triangles: 'RMSE', round: 'RMSE to the round shape' });
@@ -36,12 +36,6 @@ export const SERIES = [
 ];
 
 /** @typedef {{ time: number, error: number, series: string, codes: boolean }} PicturePoint */
-
-/**
- * A subject's measure. @param {import('./results.mjs').BenchResult} result @param {string} subject @param {string} measure
- */
-const rowOf = ({ measures }, subject, measure) =>
-  measures.find((row) => row.subject === subject && row.measure === measure);
 
 /** Median of a side; undefined where it was not measured. @param {import('./results.mjs').BenchResult} result @param {string} subject @param {string} measure @param {string} side */
 export function pictureValue(result, subject, measure, side) {

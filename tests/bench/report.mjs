@@ -5,6 +5,7 @@ import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readCommandLine } from '../support/command-line.mjs';
+import { escaped, table, writePart } from '../support/markdown.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
 import { chartsOf } from './charts.mjs';
 import { MODELS } from './models.mjs';
@@ -21,8 +22,7 @@ import {
   taa,
   WITHIN,
 } from './pictures.mjs';
-import { writeSentence } from './readme.mjs';
-import { ratioOf, ratioOverSubjects, ratioToBest, readResults, valueOf } from './results.mjs';
+import { ratioOf, ratioOverSubjects, ratioToBest, readResults, rowOf, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
 import { modelSubject, modelSubjects, NETWORKS, PICTURES, pictureSubject, SUBJECTS } from './subjects.mjs';
 
@@ -129,12 +129,9 @@ function framesTables(results) {
   return results.map((result) => {
     const names = Object.keys(SUBJECTS).filter((name) => SUBJECTS[name]?.kind === 'frames');
     const rows = names.flatMap((subject) => {
-      /** @param {string} measure */
-      const row = (measure) =>
-        result.measures.find((one) => one.subject === subject && one.measure === measure);
-      if (row('settled') === undefined) return [];
-      const cells = ['first frames', 'settled'].map((measure) => both(row(measure)));
-      return [[subject, ...cells, both(row('longest frame'), false)]];
+      if (rowOf(result, subject, 'settled') === undefined) return [];
+      const cells = ['first frames', 'settled'].map((measure) => both(rowOf(result, subject, measure)));
+      return [[subject, ...cells, both(rowOf(result, subject, 'longest frame'), false)]];
     });
     const head = ['ms, base', 'first frames', 'settled', 'longest frame'];
     return `**${result.stack}**, ${result.size.join(' × ')} pixels${stackKind(result) === 'software' ? ' (fewer above 32 lights)' : ''}\n\n${table(head, rows)}`;
@@ -169,12 +166,9 @@ function modelTables(results) {
   return results.flatMap((result) => {
     const rows = Object.keys(MODELS).map((model) => [
       model,
-      ...columns.map(([title, network]) => {
-        const subject = modelSubject(model, network);
-        return besideBest(
-          result.measures.find((one) => one.subject === subject && one.measure === measureOf(title)),
-        );
-      }),
+      ...columns.map(([title, network]) =>
+        besideBest(rowOf(result, modelSubject(model, network), measureOf(title))),
+      ),
     ]);
     if (rows.every((cells) => cells.slice(1).every((cell) => cell === '–'))) return [];
     const medians = columns.map(([title, network]) => {
@@ -208,8 +202,8 @@ function otherTable(results) {
   );
   const rows = [...keys].map(([label, { subject, measure, side }]) => [
     label,
-    ...results.map(({ measures }) => {
-      const row = measures.find((one) => one.subject === subject && one.measure === measure);
+    ...results.map((result) => {
+      const row = rowOf(result, subject, measure);
       return row === undefined || !(side in row.samples) ? '–' : spreadText(valueOf(row, side), digits);
     }),
   ]);
@@ -315,12 +309,20 @@ const spreadText = ({ median: middle, low, high, count }, text = digits) =>
 /** Three significant digits, never an exponent. @param {number} x */
 const digits = (x) => (Math.abs(x) >= 100 ? x.toFixed(0) : String(Number(x.toPrecision(x >= 1 ? 3 : 2))));
 
-/** @param {readonly string[]} head @param {readonly (readonly string[])[]} rows */
-const table = (head, rows) =>
-  [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.map(escaped).join(' | ')} |`).join('\n');
-
-/** @param {string} text */
-const escaped = (text) => text.replaceAll('|', '\\|').replaceAll('<', '&lt;');
+/**
+ * About speed: frames of the sphere next to three.js, on the GPU that does worst. With the README's marks.
+ * @param {readonly BenchResult[]} results
+ */
+function readmeSentence(results) {
+  const ratios = results
+    .filter((result) => stackKind(result) === 'gpu')
+    .map((result) => rowOf(result, 'sphere, 8 lights', 'settled'))
+    .flatMap((row) => (row && ratioOf(row)?.median) ?? []);
+  return `<!-- bench: written by npm run bench:report -->
+Speed: nothing runs while nothing changes, and with eight lights a frame takes ${Math.max(...ratios).toFixed(2)} of the time of three.js's MeshPhongMaterial
+on a GPU once the lights have kept their kinds for 20 frames ([report](tests/bench/REPORT.md)).
+<!-- /bench -->`;
+}
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
@@ -332,5 +334,5 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   for (const [file, svg] of charts) writeFileSync(join(folder, 'charts', file), `${svg}\n`);
   writeFileSync(join(folder, 'REPORT.md'), report);
   console.log(`REPORT.md and ${charts.size} charts from ${results.length} results`);
-  if (folder === here) writeSentence(results);
+  if (folder === here) writePart(readmeSentence(results));
 }

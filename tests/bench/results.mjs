@@ -39,7 +39,7 @@ import { median, pairedRatios, spread } from './statistics.mjs';
  * @param {Readonly<Record<string, number>>} values by side, the base last
  */
 export function addSamples(result, subject, measure, unit, values) {
-  let row = result.measures.find((one) => one.subject === subject && one.measure === measure);
+  let row = rowOf(result, subject, measure);
   if (row === undefined) {
     row = { subject, measure, unit, samples: {} };
     result.measures.push(row);
@@ -47,6 +47,13 @@ export function addSamples(result, subject, measure, unit, values) {
   for (const [side, value] of Object.entries(values))
     (row.samples[side] ??= []).push(Number(value.toPrecision(4)));
 }
+
+/**
+ * A subject's measure; undefined where it was not measured.
+ * @param {BenchResult} result @param {string} subject @param {string} measure
+ */
+export const rowOf = ({ measures }, subject, measure) =>
+  measures.find((row) => row.subject === subject && row.measure === measure);
 
 /** Median and quartiles of one side. @param {Measure} measure @param {string} [side] default: the first */
 export const valueOf = ({ samples }, side = Object.keys(samples)[0] ?? '') => spread(samples[side] ?? []);

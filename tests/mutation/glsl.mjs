@@ -4,8 +4,9 @@
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
-import { launchOptions } from '../stress/launch-options.mjs';
+import { launchOptions } from '../support/built-pages.mjs';
 import { glslMutants } from './glsl-mutants.mjs';
 import { drawn } from './sample.mjs';
 
@@ -100,9 +101,7 @@ async function openPage(address) {
     close: () => browser.close(),
     /** Null where the page did not survive. @param {Mutant} mutant */
     async run({ from, to }) {
-      /** @type {NodeJS.Timeout | undefined} */
-      let timer;
-      const late = new Promise((resolve) => (timer = setTimeout(() => resolve(null), LONGEST_MS)));
+      const late = setTimeout(LONGEST_MS, null, { ref: false });
       const tried = page
         .evaluate(
           ([edit, extent]) => window.tryMutant(edit, extent),
@@ -110,7 +109,6 @@ async function openPage(address) {
         )
         .catch(() => null);
       const outcome = /** @type {Omit<Result, 'name'> | null} */ (await Promise.race([tried, late]));
-      clearTimeout(timer);
       if (outcome === null) await browser.close();
       return outcome;
     },

@@ -44,29 +44,15 @@ const withLights =
   });
 
 export const GUARDS: readonly Guard[] = [
-  guard<typeof equation>(
-    'a cone cuts off everything outside',
-    'reference/equation',
-    'equation-limits',
-    withLights({ aperture: 180 }),
-  ),
-  guard<typeof equation>(
-    'a spot decays away from its axis',
-    'reference/equation',
-    'equation-limits',
-    withLights({ cutoff: 0 }),
-  ),
-  guard<typeof equation>(
-    'a lamp fades with distance',
-    'reference/equation',
-    'equation-limits',
-    withLights({ attenuation: [1, 0, 0] }),
-  ),
-  guard<typeof equation>(
-    'an inactive light adds nothing',
-    'reference/equation',
-    'equation-limits',
-    withLights({ active: true }),
+  ...(
+    [
+      ['a cone cuts off everything outside', { aperture: 180 }],
+      ['a spot decays away from its axis', { cutoff: 0 }],
+      ['a lamp fades with distance', { attenuation: [1, 0, 0] }],
+      ['an inactive light adds nothing', { active: true }],
+    ] as const
+  ).map(([behaviour, change]) =>
+    guard<typeof equation>(behaviour, 'reference/equation', 'equation-limits', withLights(change)),
   ),
   guard<typeof color>('colours above 1 keep their power branch', 'math/color', 'color', ({ srgbDecode }) => ({
     srgbDecode: (x) => srgbDecode(Math.min(x, 1)),

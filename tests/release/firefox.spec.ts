@@ -1,20 +1,30 @@
-// Does the GLSL keep its contract in a second browser on a second GL, and do pictures follow float64? Firefox with
-// Mesa's software renderer, under Xvfb. For elements, camera, panel and models see browsers.spec.ts.
+// What only Firefox tells, with Mesa's software renderer under Xvfb: does the GLSL keep its contract on a second GL, do
+// pictures follow float64, does the next use fetch a chunk that could not be fetched (Firefox remembers failed modules by
+// their address), and does a page opened from disk work? For elements, camera, panel and models see browsers.spec.ts.
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { expect, test } from '@playwright/test';
+import type { Page } from 'puppeteer-core';
 import { startFirefox } from '../../.ci/firefox.mjs';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+import type { PhongViewer } from '../../src/index.js';
 import type { Report } from '../glsl/page/page.js';
-import { decodePng } from '../support/picture.js';
+import { decodePng, type Picture } from '../support/picture.js';
 import { startSite, testMounts, type Site } from '../support/site.js';
 import { compareWithReference } from '../visual/against-reference.js';
 import { randomScene, sceneMarkup } from '../visual/random-scene.js';
 
 const SIZE = { width: 160, height: 120 };
 const SCENES = 60;
-let site: Site | undefined;
-let firefox: Awaited<ReturnType<typeof startFirefox>> | undefined;
+const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
+const css = `phong-viewer { display: block; width: ${SIZE.width}px; height: ${SIZE.height}px }`;
+let site: Site;
+let firefox: Awaited<ReturnType<typeof startFirefox>>;
 
 // One worker, and so one Firefox and one screen.
-test.describe.configure({ mode: 'serial' });
+test.describe.configure({ mode: 'default', timeout: 300_000 });
 
 test.beforeAll(async () => {
   test.setTimeout(300_000);
@@ -23,14 +33,34 @@ test.beforeAll(async () => {
 });
 
 test.afterAll(async () => {
-  await firefox?.close();
-  await site?.close();
+  await firefox.close();
+  await site.close();
 });
+
+/** A page, and what it prints from now on. */
+async function openTab() {
+  const page = await firefox.browser.newPage();
+  const said: string[] = [];
+  page.on('console', (message) => said.push(message.text()));
+  page.on('pageerror', (error) => said.push(String(error)));
+  return { page, said };
+}
+
+/** What this `toBlob` of the page's first viewer holds. */
+async function pictureOf(page: Page, size: { width: number; height: number }): Promise<Picture> {
+  const base64 = await page.evaluate(async (options) => {
+    await customElements.whenDefined('phong-viewer');
+    const viewer = document.querySelector<PhongViewer>('phong-viewer')!;
+    await viewer.ready;
+    const bytes = new Uint8Array(await (await viewer.toBlob(options)).arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  }, size);
+  return decodePng(Buffer.from(base64, 'base64'));
+}
 
 test('@release keeps the contract in Firefox, on its driver and on the worst lawful ones', async () => {
   test.setTimeout(1_800_000);
-  if (firefox === undefined || site === undefined) throw new Error('Firefox did not start');
-  const page = await firefox.browser.newPage();
+  const { page } = await openTab();
   const seed = Math.floor(Math.random() * 2 ** 31);
   for (const driver of ['shipped', 'up', 'down', 'either']) {
     await page.goto(`${site.origin}/harness/index.html?driver=${driver}&cases=1e6&seed=${seed}`);
@@ -43,28 +73,90 @@ test('@release keeps the contract in Firefox, on its driver and on the worst law
 
 test('@release draws the equation in Firefox within one code of float64', async () => {
   test.setTimeout(900_000);
-  if (firefox === undefined || site === undefined) throw new Error('Firefox did not start');
-  const page = await firefox.browser.newPage();
-  const said: string[] = [];
-  page.on('console', (message) => said.push(message.text()));
-  page.on('pageerror', (error) => said.push(String(error)));
-  const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
-  const css = `phong-viewer { display: block; width: ${SIZE.width}px; height: ${SIZE.height}px }`;
+  const { page, said } = await openTab();
   for (let seed = 1; seed <= SCENES; seed++) {
     const scene = randomScene(seed, seed % 3 === 0 ? 'box' : 'plane');
     await page.goto(site.page(sceneMarkup(scene), { head, css }));
-    const base64 = await page.evaluate(async ({ width, height }) => {
-      await customElements.whenDefined('phong-viewer');
-      const viewer = document.querySelector('phong-viewer') as HTMLElement & {
-        ready: Promise<void>;
-        toBlob(options: object): Promise<Blob>;
-      };
-      await viewer.ready;
-      const bytes = new Uint8Array(await (await viewer.toBlob({ width, height })).arrayBuffer());
-      return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
-    }, SIZE);
-    const errors = compareWithReference(decodePng(Buffer.from(base64, 'base64')), scene);
+    const errors = compareWithReference(await pictureOf(page, SIZE), scene);
     expect.soft(errors.max, `seed ${seed}, ${errors.at}`).toBeLessThanOrEqual(1);
   }
   expect(said).toEqual([]);
+});
+
+test('@release a later use fetches what could not be fetched in Firefox', async () => {
+  const { page } = await openTab();
+  let broken = true;
+  await page.setRequestInterception(true);
+  page.on('request', (request) => {
+    void (broken && /chunks\//.test(request.url()) ? request.abort() : request.continue());
+  });
+  await page.goto(site.page('<phong-viewer geometry="box"></phong-viewer>', { head, css }));
+  const use = (): Promise<readonly string[]> =>
+    page.evaluate(async () => {
+      await customElements.whenDefined('phong-viewer');
+      const viewer = document.querySelector('phong-viewer') as PhongViewer;
+      await viewer.ready;
+      const outcome = [
+        await viewer.toBlob({ width: 8, height: 8 }).then(() => 'blob', String),
+        await viewer.shadeAt(80, 60).then(() => 'explanation', String),
+      ];
+      viewer.geometry = 'torus';
+      await viewer.ready;
+      outcome.push(viewer.loaded ? 'torus' : 'no torus');
+      const said = new Promise<string>((resolve) => {
+        viewer.addEventListener('error', ({ detail }) => resolve(detail.message), { once: true });
+        viewer.addEventListener('load', () => resolve('bunny'), { once: true });
+      });
+      viewer.src = '/assets/models/bunny.glb';
+      outcome.push(await said);
+      viewer.src = '';
+      viewer.geometry = 'box';
+      return outcome;
+    });
+  for (let time = 0; time < 2; time++) {
+    expect(await use()).toEqual([
+      expect.stringContaining('could not be fetched'),
+      expect.stringContaining('could not be fetched'),
+      'no torus',
+      expect.stringContaining('could not be fetched'),
+    ]);
+  }
+  broken = false;
+  // The parts that read a model are fetched one after another: none of them is remembered as missing.
+  expect(await use()).toEqual(['blob', 'explanation', 'torus', 'bunny']);
+});
+
+const MODEL = fileURLToPath(new URL('../fixtures/models/textured.glb', import.meta.url));
+const HANDOUT = `<!doctype html>
+<title>Handout</title>
+<script src="phong-viewer.classic.js"></script>
+<phong-viewer alt="A teapot" geometry="teapot" ka="255" gui>
+  <phong-light ambient="200 100 50" diffuse="0" specular="0"></phong-light>
+</phong-viewer>
+<phong-viewer alt="A file" src="textured.glb"></phong-viewer>
+`;
+
+test('@release a page opened from disk shows picture and panel in Firefox', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-disk-'));
+  cpSync(join(outputFolder('dist'), 'phong-viewer.classic.js'), join(folder, 'phong-viewer.classic.js'));
+  cpSync(MODEL, join(folder, 'textured.glb'));
+  writeFileSync(join(folder, 'handout.html'), HANDOUT);
+  try {
+    const { page, said } = await openTab();
+    await page.goto(pathToFileURL(join(folder, 'handout.html')).href);
+    const { data } = await pictureOf(page, { width: 60, height: 40 });
+    const middle = 4 * (20 * 60 + 30);
+    expect([...data.slice(middle, middle + 4)]).toEqual([200, 100, 50, 255]);
+    const [text, notice] = await page.evaluate(async () => {
+      const [shape, file] = document.querySelectorAll<PhongViewer>('phong-viewer');
+      await file!.ready;
+      return [shape!.shadowRoot!.textContent, file!.shadowRoot!.querySelector('[part=notice]')?.textContent];
+    });
+    expect(text).toContain('Controls');
+    expect(notice).toContain('python3 -m http.server');
+    // The browser's own words about the model.
+    expect(said.filter((line) => !/Same Origin Policy .*textured\.glb/.test(line))).toEqual([]);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
 });

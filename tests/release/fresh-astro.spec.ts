@@ -2,10 +2,10 @@
 // without and with hydration. Installs from the registry, so it is slow: @release.
 
 import { join } from 'node:path';
+import type { Page } from '@playwright/test';
 import type { PhongLight, PhongViewer } from '../../src/index.js';
-import { startSite, type Site } from '../support/site.js';
-import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import { freshProject, type FreshProject } from './fresh-project.js';
+import { expect, pixelAt, pixels, test } from '../support/test.js';
+import { expectHeard, useFreshProject } from './fresh-project.js';
 
 const config = `
 import react from '@astrojs/react';
@@ -46,7 +46,7 @@ export default function Watched() {
     <>
       <PhongViewer
         id="hydrated" geometry="sphere" ka={255} orbit={false}
-        onCameraChange={({ detail }) => setMoved(detail.source)}
+        onCameraChange={({ detail, target }) => setMoved(detail.source + ' to ' + target.theta)}
       >
         <PhongLight ambient={[0, 0, 255]} active={false} />
         <PhongLight ambient={[200, 100, 50]} diffuse={0} specular={0} />
@@ -58,33 +58,20 @@ export default function Watched() {
 `;
 
 test.describe('the packed tarball in a fresh Astro project @release', () => {
-  test.describe.configure({ mode: 'serial', timeout: 400_000 });
-  let project: FreshProject | undefined;
-  let site: Site | undefined;
-
-  test.beforeAll(async () => {
-    test.setTimeout(400_000);
-    // Astro 6 and later need Node 22.
-    const astro = ['astro@^5', '@astrojs/react@^4', 'react', 'react-dom'];
-    project = freshProject(['three', ...astro]);
-    project.write('astro.config.mjs', config);
-    project.write('src/pages/index.astro', page.trimStart());
-    project.write('src/watched.jsx', watched);
-    project.run('npx astro build');
-    // Astro's own islands start from inline scripts.
-    site = await startSite({ '/': join(project.folder, 'dist') }, '');
+  // Astro 6 and later need Node 22.
+  const astro = ['astro@^5', '@astrojs/react@^4', 'react', 'react-dom'];
+  const project = useFreshProject(['three', ...astro], ({ write, run }) => {
+    write('astro.config.mjs', config);
+    write('src/pages/index.astro', page.trimStart());
+    write('src/watched.jsx', watched);
+    run('npx astro build');
   });
-
-  test.afterAll(async () => {
-    await site?.close();
-    project?.remove();
-  });
+  // Astro's own islands start from inline scripts.
+  const open = (page: Page) => project().open(page, join(project().folder, 'dist'), '');
 
   for (const id of ['markup', 'still', 'hydrated']) {
     test(`#${id} shows arrays and false as they were written`, async ({ page }) => {
-      await page.goto(`${site!.origin}/`);
-      await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
-      await allReady(page);
+      await open(page);
       const viewer = page.locator(`#${id}`);
       const found = await viewer.evaluate(({ orbit, gui, lights }: PhongViewer) => [
         ...[orbit, gui],
@@ -96,9 +83,7 @@ test.describe('the packed tarball in a fresh Astro project @release', () => {
   }
 
   test('dispatches events on hydrated markup', async ({ page }) => {
-    await page.goto(`${site!.origin}/`);
-    await expect(page.locator('astro-island:not([ssr])')).toHaveCount(1);
-    await page.locator('#hydrated').evaluate((viewer: PhongViewer) => (viewer.theta = 50));
-    await expect(page.locator('output')).toHaveText('script');
+    await open(page);
+    await expectHeard(page, page.locator('#hydrated'));
   });
 });

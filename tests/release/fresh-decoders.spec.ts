@@ -5,16 +5,15 @@ import { cpSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { startSite } from '../support/site.js';
 import { expect, test } from '../support/test.js';
 import type { PhongViewer } from '../element/support/viewer.js';
-import { freshProject, type FreshProject } from './fresh-project.js';
+import { useFreshProject } from './fresh-project.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-const head = '<head><link rel="icon" href="data:,"></head>';
 const body =
   '<script type="module" src="./main.js"></script>' +
   '<phong-viewer alt="A bunny" src="bunny.glb"></phong-viewer><phong-viewer alt="A picture" src="ktx2.glb"></phong-viewer>';
+const index = `<!doctype html><html lang="en"><head><link rel="icon" href="data:,"></head><body>${body}</body></html>`;
 
 interface Shown {
   readonly loaded: readonly boolean[];
@@ -23,9 +22,8 @@ interface Shown {
   readonly wasm: boolean;
 }
 
-/** Whether the models are shown, and where they were unpacked. */
-async function show(page: Page, address: string): Promise<Shown> {
-  await page.goto(address);
+/** What the page shows, and where it was unpacked. */
+async function shown(page: Page): Promise<Shown> {
   const loaded = await page.evaluate(async () => {
     await customElements.whenDefined('phong-viewer');
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
@@ -37,54 +35,44 @@ async function show(page: Page, address: string): Promise<Shown> {
 }
 
 test.describe('the decoders of the packed tarball @release', () => {
-  test.describe.configure({ mode: 'serial', timeout: 300_000 });
-  let project: FreshProject;
-
-  test.beforeAll(() => {
-    test.setTimeout(300_000);
-    project = freshProject(['three', 'vite', 'rollup@^4', '@rollup/plugin-node-resolve@^16', 'webpack@^5', 'webpack-cli@^6']); // prettier-ignore
-    project.write('main.js', "import 'phong-viewer';\n");
-    mkdirSync(join(project.folder, 'public'));
-    for (const path of ['demo/assets/models/bunny.glb', 'tests/fixtures/models/ktx2.glb'])
-      cpSync(join(repository, path), join(project.folder, 'public', path.replace(/.*\//, '')));
-  });
-
-  test.afterAll(() => project.remove());
+  const project = useFreshProject(
+    ['three', 'vite', 'rollup@^4', '@rollup/plugin-node-resolve@^16', 'webpack@^5', 'webpack-cli@^6'],
+    ({ folder, write }) => {
+      write('main.js', "import 'phong-viewer';\n");
+      mkdirSync(join(folder, 'public'));
+      for (const path of ['demo/assets/models/bunny.glb', 'tests/fixtures/models/ktx2.glb'])
+        cpSync(join(repository, path), join(folder, 'public', path.replace(/.*\//, '')));
+    },
+  );
 
   test('run in workers that Vite built', async ({ page }) => {
-    const site = await startSite({ '/': project.build(body) }, '');
-    const shown = await show(page, `${site.origin}/`);
-    await site.close();
-    expect(shown).toEqual({ loaded: [true, true], workers: 2, wasm: true });
+    await project().open(page, project().build(body), '');
+    expect(await shown(page)).toEqual({ loaded: [true, true], workers: 2, wasm: true });
   });
 
   test("run in Vite's development server", async ({ page, consoleGuard }) => {
-    project.write('index.html', `<!doctype html><html lang="en">${head}<body>${body}</body></html>`);
+    project().write('index.html', index);
     // Vite's own command prints the address in colours.
-    project.write(
+    project().write(
       'serve.js',
       "import { createServer } from 'vite'; const server = await createServer({ server: { port: 0 } }); await server.listen(); console.log(`http://localhost:${server.httpServer.address().port}`);",
     );
     consoleGuard.allow(/Lit is in dev mode/);
     consoleGuard.allow(/\[vite\]/);
-    const server = await project.serve('../serve.js', []);
-    const shown = await show(page, `${server.origin}/`);
-    server.stop();
-    expect(shown).toEqual({ loaded: [true, true], workers: 2, wasm: true });
+    await page.goto(await project().serve('../serve.js', []));
+    expect(await shown(page)).toEqual({ loaded: [true, true], workers: 2, wasm: true });
   });
 
   test('run in workers that webpack built', async ({ page, consoleGuard }) => {
     consoleGuard.allow(/Lit is in dev mode/);
-    project.write(
+    project().write(
       'webpack.config.js',
       "export default { mode: 'development', devtool: false, entry: './main.js', performance: { hints: false }, output: { path: import.meta.dirname + '/public', filename: 'main.js' } };",
     );
-    project.run('npx webpack');
-    project.write('public/index.html', `<!doctype html><html lang="en">${head}<body>${body}</body></html>`);
-    const site = await startSite({ '/': join(project.folder, 'public') }, '');
-    const shown = await show(page, `${site.origin}/`);
-    await site.close();
-    expect(shown).toEqual({ loaded: [true, true], workers: 2, wasm: true });
+    project().run('npx webpack');
+    project().write('public/index.html', index);
+    await project().open(page, join(project().folder, 'public'), '');
+    expect(await shown(page)).toEqual({ loaded: [true, true], workers: 2, wasm: true });
   });
 
   test('run on the main thread where Rollup left the workers out, but for KTX2', async ({
@@ -92,14 +80,12 @@ test.describe('the decoders of the packed tarball @release', () => {
     consoleGuard,
   }) => {
     consoleGuard.allow(/404/);
-    project.run(
+    project().run(
       'npx rollup main.js --dir rolled --format es --plugin node-resolve --silent && cp public/*.glb rolled/',
     );
-    project.write('rolled/index.html', `<!doctype html><html lang="en">${head}<body>${body}</body></html>`);
-    const site = await startSite({ '/': join(project.folder, 'rolled') }, '');
-    const shown = await show(page, `${site.origin}/`);
-    await site.close();
+    project().write('rolled/index.html', index);
+    await project().open(page, join(project().folder, 'rolled'), '');
     // The transcoder's WebAssembly is left out too.
-    expect(shown).toEqual({ loaded: [true, false], workers: 0, wasm: false });
+    expect(await shown(page)).toEqual({ loaded: [true, false], workers: 0, wasm: false });
   });
 });

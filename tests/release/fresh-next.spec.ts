@@ -3,8 +3,7 @@
 // @release.
 
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import type { PhongViewer } from '../../src/index.js';
-import { freshProject, type FreshProject, type FreshServer } from './fresh-project.js';
+import { expectHeard, useFreshProject } from './fresh-project.js';
 
 const layout = `
 export default function Layout({ children }: { children: React.ReactNode }) {
@@ -61,48 +60,32 @@ export function Watched({ children }: { readonly children: ReactNode }) {
 `;
 
 test.describe('the packed tarball in a fresh Next project @release', () => {
-  test.describe.configure({ mode: 'serial', timeout: 400_000 });
-  let project: FreshProject | undefined;
-  let server: FreshServer | undefined;
-
-  test.beforeAll(async () => {
-    test.setTimeout(400_000);
-    const types = ['typescript', '@types/react', '@types/node'];
-    project = freshProject(['three', '@types/three', 'next@^16', 'react', 'react-dom', ...types]);
+  let origin = '';
+  const types = ['typescript', '@types/react', '@types/node'];
+  useFreshProject(['three', '@types/three', 'next@^16', 'react', 'react-dom', ...types], async (project) => {
     project.write('app/layout.tsx', layout);
     project.write('app/page.tsx', page);
     project.write('app/watched.tsx', watched);
     project.run('npx next build');
-    server = await project.serve('next/dist/bin/next', ['start', '--port', '0']);
-  });
-
-  test.afterAll(() => {
-    server?.stop();
-    project?.remove();
+    origin = await project.serve('next/dist/bin/next', ['start', '--port', '0']);
   });
 
   test('sends every value as text', async ({ request }) => {
-    const markup = await (await request.get(server!.origin)).text();
+    const markup = await (await request.get(origin)).text();
     expect(markup).toContain('<phong-light name="off" active="false" diffuse="0 0 255" ambient="0 0 255">');
     expect(markup).toContain('<phong-mesh geometry="box" scale="1 2 1">');
     expect(markup).toContain(' orbit="false"');
   });
 
   test('draws what a server component says, and dispatches events on hydrated markup', async ({ page }) => {
-    await page.goto(server!.origin);
+    await page.goto(origin);
     await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     const picture = await pixels(page.locator('#still'), { width: 60, height: 40 });
     expect(pixelAt(picture, 30, 20)).toEqual([200, 100, 50, 255]);
 
     const watched = page.locator('#watched.picture');
-    const look = (theta: number) => watched.evaluate((viewer: PhongViewer, to) => (viewer.theta = to), theta);
-    // Hydration has ended once an event arrives.
-    let theta = 30;
-    await expect(async () => {
-      await look(++theta);
-      await expect(page.locator('output')).toHaveText(`script to ${String(theta)}`, { timeout: 500 });
-    }).toPass();
+    await expectHeard(page, watched);
     await page.getByText('turn').click();
     await expect(page.locator('output')).toHaveText('script to 25');
     await expect(watched).toHaveAttribute('theta', '25');

@@ -42,6 +42,6 @@ test('phong-viewer/playwright judges a page in fresh projects of both module kin
     }
   } finally {
     await site.close();
-    project.remove();
+    await project.remove();
   }
 });

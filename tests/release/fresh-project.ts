@@ -6,7 +6,11 @@ import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, write
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Locator, Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import type { PhongViewer } from '../../src/index.js';
+import { startSite, strictPolicy } from '../support/site.js';
+import { allReady, expect, test } from '../support/test.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -17,22 +21,53 @@ export interface FreshProject {
   run(command: string): string;
   /** The same without blocking this process. */
   runBeside(command: string): Promise<string>;
-  /** Starts a server by a script of an installed package, and waits until it prints its address. */
-  serve(script: string, args: readonly string[]): Promise<FreshServer>;
+  /**
+   * Starts a server by a script of an installed package, until the project is removed. Gives the address that it prints,
+   * such as `http://localhost:40123`.
+   */
+  serve(script: string, args: readonly string[]): Promise<string>;
   /** Builds a page with this body by Vite. Returns the output folder. */
   build(body: string): string;
-  remove(): void;
+  /** Opens the index page of a folder under this policy, and waits until its viewers are drawn. */
+  open(page: Page, folder: string, policy?: string): Promise<void>;
+  remove(): Promise<void>;
 }
 
-export interface FreshServer {
-  /** Such as `http://localhost:40123`, no slash at the end. */
-  readonly origin: string;
-  stop(): void;
+/**
+ * For the tests of the describe block it is called in, which then run in order: makes the project before the first and
+ * removes it after the last.
+ */
+export function useFreshProject(
+  packages: readonly string[],
+  prepare: (project: FreshProject) => unknown = () => undefined,
+): () => FreshProject {
+  let project: FreshProject | undefined;
+  test.describe.configure({ mode: 'serial', timeout: TIMEOUT });
+  test.beforeAll(async () => {
+    test.setTimeout(TIMEOUT);
+    project = freshProject(packages);
+    await prepare(project);
+  });
+  test.afterAll(() => project?.remove());
+  return () => project!;
+}
+
+/** Installing a framework and building a page with it takes minutes. */
+const TIMEOUT = 400_000;
+
+/** Turns a viewer until the page, which may still be hydrated, writes that it heard the event. */
+export async function expectHeard(page: Page, viewer: Locator): Promise<void> {
+  let theta = 40;
+  await expect(async () => {
+    await viewer.evaluate((element: PhongViewer, to) => (element.theta = to), ++theta);
+    await expect(page.locator('output')).toHaveText(`script to ${String(theta)}`, { timeout: 500 });
+  }).toPass();
 }
 
 /** @param packages names of this repository's devDependencies, or `name@range`. */
 export function freshProject(packages: readonly string[]): FreshProject {
   const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-fresh-'));
+  const ends: (() => unknown)[] = [];
   const project: FreshProject = {
     folder,
     write(path, text) {
@@ -41,7 +76,11 @@ export function freshProject(packages: readonly string[]): FreshProject {
     },
     run: (command) => run(command, folder),
     runBeside: (command) => runBeside(command, folder),
-    serve: (script, args) => serve(join(folder, 'node_modules', script), args, folder),
+    serve(script, args) {
+      const { origin, stop } = serve(join(folder, 'node_modules', script), args, folder);
+      ends.push(stop);
+      return origin;
+    },
     build(body) {
       const head = '<meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">';
       project.write(
@@ -51,7 +90,17 @@ export function freshProject(packages: readonly string[]): FreshProject {
       project.run('npx vite build --base ./ --logLevel warn');
       return join(folder, 'dist');
     },
-    remove: () => rmSync(folder, { recursive: true, force: true }),
+    async open(page, root, policy = strictPolicy) {
+      const site = await startSite({ '/': root }, policy);
+      ends.push(() => site.close());
+      await page.goto(`${site.origin}/`);
+      await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+      await allReady(page);
+    },
+    async remove() {
+      for (const end of ends) await end();
+      rmSync(folder, { recursive: true, force: true });
+    },
   };
   project.write('package.json', JSON.stringify({ name: 'fresh', private: true, type: 'module' }));
   const wanted = [pack(folder), ...packages.map(versioned)].map((name) => JSON.stringify(name));
@@ -119,19 +168,20 @@ function versioned(name: string): string {
 /** Frameworks report on their use unless these variables forbid it. */
 const env = { ...process.env, NEXT_TELEMETRY_DISABLED: '1', ASTRO_TELEMETRY_DISABLED: '1' };
 
-function serve(script: string, args: readonly string[], cwd: string): Promise<FreshServer> {
+function serve(script: string, args: readonly string[], cwd: string) {
   const server = spawn(process.execPath, [script, ...args], { cwd, env, stdio: 'pipe' });
   let said = '';
-  return new Promise((resolve, reject) => {
+  const origin = new Promise<string>((resolve, reject) => {
     const hear = (chunk: Buffer): void => {
       said += chunk.toString();
       const [, port] = /http:\/\/(?:localhost|127\.0\.0\.1|0\.0\.0\.0|\[::\]):(\d+)/.exec(said) ?? [];
-      if (port !== undefined) resolve({ origin: `http://localhost:${port}`, stop: () => server.kill() });
+      if (port !== undefined) resolve(`http://localhost:${port}`);
     };
     server.stdout.on('data', hear);
     server.stderr.on('data', hear);
     server.on('exit', () => reject(new Error(`The server has ended:\n${said}`)));
   });
+  return { origin, stop: () => server.kill() };
 }
 
 function run(command: string, cwd: string): string {

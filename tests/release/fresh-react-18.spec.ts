@@ -2,9 +2,8 @@
 // Installs from the registry, so it is slow: @release.
 
 import type { PhongLight, PhongViewer } from '../../src/index.js';
-import { startSite } from '../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import { freshProject, strictOptions } from './fresh-project.js';
+import { expectHeard, freshProject, strictOptions } from './fresh-project.js';
 
 const app = `
 import { createElement as h, useRef, useState } from 'react';
@@ -75,20 +74,13 @@ test('the React components work with React 18, in types, on a server and hydrate
   expect(markup).toContain(' class="picture" geometry="sphere" ka="255" orbit="false"');
 
   const body = `<div id="root">${markup}</div><script type="module" src="./client.js"></script>`;
-  const site = await startSite({ '/': project.build(body) });
-  await page.goto(`${site.origin}/`);
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  await project.open(page, project.build(body));
   const viewer = page.locator('phong-viewer.picture');
-  let theta = 40;
-  await expect(async () => {
-    await viewer.evaluate((element: PhongViewer, to) => (element.theta = to), ++theta);
-    await expect(page.locator('output')).toHaveText(`script to ${String(theta)}`, { timeout: 500 });
-  }).toPass();
+  await expectHeard(page, viewer);
   await allReady(page);
   expect(pixelAt(await pixels(viewer, { width: 60, height: 40 }), 30, 20)).toEqual([200, 100, 50, 255]);
   await page.getByText('darken').click();
   const second = () => viewer.evaluate(({ lights: [, light] }: PhongViewer) => (light as PhongLight).ambient);
   await expect.poll(second).toEqual([1, 2, 3]);
-  await site.close();
-  project.remove();
+  await project.remove();
 });

@@ -2,9 +2,8 @@
 // elements and components, and a list of lights that follows state. Installs from the registry, so it is slow:
 // @release.
 
-import { startSite } from '../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import { freshProject, readmeSample, strictOptions, type FreshProject } from './fresh-project.js';
+import { readmeSample, strictOptions, useFreshProject } from './fresh-project.js';
 
 const app = `
 import { StrictMode, useRef, useState } from 'react';
@@ -125,35 +124,24 @@ export const unknown = [
 `;
 
 test.describe('the packed tarball in a fresh React project @release', () => {
-  test.describe.configure({ mode: 'serial', timeout: 300_000 });
-  let project: FreshProject;
-
-  test.beforeAll(() => {
-    test.setTimeout(300_000);
-    const react = ['react@^19', 'react-dom@^19', '@types/react', '@types/react-dom@^19'];
-    project = freshProject(['three', '@types/three', 'typescript', 'vite', ...react]);
-    project.write('app.tsx', app);
-    project.write('refusals.tsx', refusals);
-    project.write('components.tsx', components);
-    project.write('readme.jsx', readmeSample('React, Next'));
+  const react = ['react@^19', 'react-dom@^19', '@types/react', '@types/react-dom@^19'];
+  const project = useFreshProject(['three', '@types/three', 'typescript', 'vite', ...react], ({ write }) => {
+    write('app.tsx', app);
+    write('refusals.tsx', refusals);
+    write('components.tsx', components);
+    write('readme.jsx', readmeSample('React, Next'));
     const compilerOptions = { ...strictOptions, jsx: 'react-jsx', allowJs: true, checkJs: true };
-    project.write(
-      'tsconfig.json',
-      JSON.stringify({ compilerOptions, files: ['app.tsx', 'refusals.tsx', 'components.tsx', 'readme.jsx'] }),
-    );
+    const files = ['app.tsx', 'refusals.tsx', 'components.tsx', 'readme.jsx'];
+    write('tsconfig.json', JSON.stringify({ compilerOptions, files }));
   });
 
-  test.afterAll(() => project.remove());
-
   test('accepts valid JSX props and rejects invalid ones', () => {
-    project.run('npx tsc -p .');
+    project().run('npx tsc -p .');
   });
 
   test('draws, follows state and dispatches events', async ({ page }) => {
-    const site = await startSite({
-      '/': project.build('<div id="root"></div><script type="module" src="./app.tsx"></script>'),
-    });
-    await page.goto(`${site.origin}/`);
+    const body = '<div id="root"></div><script type="module" src="./app.tsx"></script>';
+    await project().open(page, project().build(body));
     const viewer = page.locator('phong-viewer');
     const middle = async (): Promise<readonly number[]> => {
       await allReady(page);
@@ -175,6 +163,5 @@ test.describe('the packed tarball in a fresh React project @release', () => {
     await page.mouse.move(x + 170, y + 100);
     await page.mouse.up();
     await expect(page.locator('output')).toHaveText('pointer 36');
-    await site.close();
   });
 });

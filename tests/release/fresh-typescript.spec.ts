@@ -5,14 +5,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { PNG } from 'pngjs';
 import { startSite } from '../support/site.js';
-import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import {
-  freshProject,
-  readmeSample,
-  readmeScripts,
-  strictOptions,
-  type FreshProject,
-} from './fresh-project.js';
+import { expect, pixelAt, pixels, test } from '../support/test.js';
+import { readmeSample, readmeScripts, strictOptions, useFreshProject } from './fresh-project.js';
 
 const scripts = (folder: string): string =>
   readdirSync(join(folder, 'assets'))
@@ -93,15 +87,7 @@ export function refused(light: PhongLight, mesh: PhongMesh, viewer: PhongViewer)
 `;
 
 test.describe('the packed tarball in a fresh TypeScript project @release', () => {
-  test.describe.configure({ mode: 'serial', timeout: 300_000 });
-  let project: FreshProject;
-
-  test.beforeAll(() => {
-    test.setTimeout(300_000);
-    project = freshProject(['three', '@types/three', 'typescript', 'vite']);
-  });
-
-  test.afterAll(() => project.remove());
+  const project = useFreshProject(['three', '@types/three', 'typescript', 'vite']);
 
   /** Type-checks these files as a bundler and as Node resolve them. */
   function compile(...files: readonly string[]): void {
@@ -110,13 +96,13 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
       ['node16', 'node16'],
     ]) {
       const compilerOptions = { ...strictOptions, moduleResolution, module };
-      project.write('tsconfig.json', JSON.stringify({ compilerOptions, files }));
-      project.run('npx tsc -p .');
+      project().write('tsconfig.json', JSON.stringify({ compilerOptions, files }));
+      project().run('npx tsc -p .');
     }
   }
 
   test('has types that a strict project accepts, with bundler and Node resolution', () => {
-    project.write(
+    project().write(
       'entries.ts',
       `import * as elements from 'phong-viewer';
       import * as core from 'phong-viewer/core';
@@ -125,7 +111,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
       export const entries: readonly object[] = [elements, core, reference, standalone];
       `,
     );
-    project.write(
+    project().write(
       'typed.ts',
       `import 'phong-viewer';
       const viewer = document.querySelector('phong-viewer')!;
@@ -151,7 +137,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
   });
 
   test('types properties by what they accept and by what they return', () => {
-    project.write('properties.ts', PROPERTIES);
+    project().write('properties.ts', PROPERTIES);
     compile('properties.ts');
   });
 
@@ -159,53 +145,44 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     const scripts = readmeScripts();
     expect(scripts.length).toBeGreaterThan(0);
     const files = scripts.map((code, i) => {
-      project.write(`readme-${i}.ts`, `${code}\nexport {};\n`);
+      project().write(`readme-${i}.ts`, `${code}\nexport {};\n`);
       return `readme-${i}.ts`;
     });
     compile(...files);
   });
 
   test('draws in a page that Vite built', async ({ page }) => {
-    project.write('main.ts', "import 'phong-viewer';\n");
-    const site = await startSite({
-      '/': project.build(
-        '<script type="module" src="./main.ts"></script>' +
-          '<phong-viewer alt="A sphere" geometry="sphere" kd="255" phi="90" theta="0">' +
-          '<phong-light position="0 0 1 0" diffuse="255 128 0" specular="0"></phong-light></phong-viewer>',
-      ),
-    });
-    await page.goto(`${site.origin}/`);
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
-    await allReady(page);
+    project().write('main.ts', "import 'phong-viewer';\n");
+    const folder = project().build(
+      '<script type="module" src="./main.ts"></script>' +
+        '<phong-viewer alt="A sphere" geometry="sphere" kd="255" phi="90" theta="0">' +
+        '<phong-light position="0 0 1 0" diffuse="255 128 0" specular="0"></phong-light></phong-viewer>',
+    );
+    await project().open(page, folder);
     const picture = await pixels(page.locator('phong-viewer'), { width: 64, height: 64 });
     const [r, g, b, a] = pixelAt(picture, 32, 32);
     expect([r, b, a]).toEqual([255, 0, 255]);
     expect(Math.abs(g - 128)).toBeLessThanOrEqual(1);
-    await site.close();
   });
 
   test('draws in a page that Vite built from the standalone file, lazy parts included', async ({ page }) => {
-    project.write('standalone.ts', "import 'phong-viewer/standalone';\n");
-    const folder = project.build(
+    project().write('standalone.ts', "import 'phong-viewer/standalone';\n");
+    const folder = project().build(
       '<script type="module" src="./standalone.ts"></script>' +
         '<phong-viewer alt="A torus" geometry="torus" gui><phong-light name="sun"></phong-light></phong-viewer>',
     );
-    const site = await startSite({ '/': folder });
-    await page.goto(`${site.origin}/`);
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
-    await allReady(page);
+    await project().open(page, folder);
     const viewer = page.locator('phong-viewer');
     const { data } = await pixels(viewer, { width: 64, height: 64 });
     expect(data.some((code, i) => i % 4 === 3 && code === 255)).toBe(true);
     await expect(viewer.getByText('sun').first()).toBeAttached();
     // three.js itself would have stamped its version there, so the bundle contains only the standalone file's copy.
     expect(await page.evaluate(() => '__THREE__' in window)).toBe(false);
-    await site.close();
   });
 
   test('draws with plain three.js as the README says, without elements and without Lit', async ({ page }) => {
-    project.write('core.js', readmeSample('With plain three.js'));
-    const folder = project.build(
+    project().write('core.js', readmeSample('With plain three.js'));
+    const folder = project().build(
       '<canvas width="300" height="200"></canvas><script type="module" src="./core.js"></script>',
     );
     const site = await startSite({ '/': folder });
@@ -220,11 +197,11 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
   });
 
   test('bundles only the parts of core that are used', () => {
-    project.write(
+    project().write(
       'light.js',
       "import { LightState } from 'phong-viewer/core';\nconsole.log(new LightState({ cutoff: 2 }).values);\n",
     );
-    const code = scripts(project.build('<script type="module" src="./light.js"></script>'));
+    const code = scripts(project().build('<script type="module" src="./light.js"></script>'));
     expect(code).not.toMatch(/customElements|litHtmlVersions|WebGLRenderer/);
     // Measured: 20.1 kB, minified.
     expect(code.length).toBeLessThan(20_500);
@@ -233,10 +210,10 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
   test('imports without effect or error in Node', () => {
     const code =
       "for (const e of ['', '/core', '/reference']) await import('phong-viewer' + e); console.log('done')";
-    expect(project.run(`node --input-type=module -e ${JSON.stringify(code)}`)).toBe('done\n');
+    expect(project().run(`node --input-type=module -e ${JSON.stringify(code)}`)).toBe('done\n');
     for (const name of ['custom-elements', 'web-types', 'vscode.html-custom-data']) {
       const read = `import d from 'phong-viewer/${name}.json' with { type: 'json' }; console.log(typeof d)`;
-      expect(project.run(`node --no-warnings --input-type=module -e ${JSON.stringify(read)}`)).toBe(
+      expect(project().run(`node --no-warnings --input-type=module -e ${JSON.stringify(read)}`)).toBe(
         'object\n',
       );
     }

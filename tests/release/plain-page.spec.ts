@@ -5,23 +5,17 @@ import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 import { startSite, testMounts } from '../support/site.js';
 import { allReady, expect, pixels, test } from '../support/test.js';
-import { freshProject, type FreshProject } from './fresh-project.js';
+import { useFreshProject } from './fresh-project.js';
 
 test.describe('a copy of dist/ @release', () => {
-  let project: FreshProject;
-
-  test.beforeAll(() => {
-    test.setTimeout(300_000);
-    project = freshProject([]);
-    const installed = join(project.folder, 'node_modules/phong-viewer/dist');
-    cpSync(installed, join(project.folder, 'site/vendor/viewer'), { recursive: true });
-    cpSync(join(testMounts['/assets/']!, 'models/bunny.glb'), join(project.folder, 'site/bunny.glb'));
+  const project = useFreshProject([], ({ folder }) => {
+    const installed = join(folder, 'node_modules/phong-viewer/dist');
+    cpSync(installed, join(folder, 'site/vendor/viewer'), { recursive: true });
+    cpSync(join(testMounts['/assets/']!, 'models/bunny.glb'), join(folder, 'site/bunny.glb'));
   });
 
-  test.afterAll(() => project.remove());
-
   test('shows the bunny and the panel, and fetches nothing from other hosts', async ({ page }) => {
-    const site = await startSite({ '/some/where/': join(project.folder, 'site') });
+    const site = await startSite({ '/some/where/': join(project().folder, 'site') });
     const asked: string[] = [];
     page.on('request', (request) => asked.push(request.url()));
     await page.goto(

@@ -2,24 +2,16 @@
 // and publint about the packed tarball. Both come from the registry, so it is slow: @release.
 
 import { test } from '@playwright/test';
-import { freshProject, type FreshProject } from './fresh-project.js';
+import { useFreshProject } from './fresh-project.js';
 
 test.describe('the packed tarball @release', () => {
-  test.describe.configure({ mode: 'serial', timeout: 300_000 });
-  let project: FreshProject | undefined;
-
-  test.beforeAll(() => {
-    test.setTimeout(300_000);
-    project = freshProject(['@arethetypeswrong/cli@^0.18', 'publint@^0.3']);
-  });
-
-  test.afterAll(() => project?.remove());
+  const project = useFreshProject(['@arethetypeswrong/cli@^0.18', 'publint@^0.3']);
 
   test('has no wrong types, except that require() gets ES modules', () => {
-    project!.run('npx attw phong-viewer-*.tgz --ignore-rules cjs-resolves-to-esm');
+    project().run('npx attw phong-viewer-*.tgz --ignore-rules cjs-resolves-to-esm');
   });
 
   test('has a manifest that publint finds nothing to say about', () => {
-    project!.run('npx publint run phong-viewer-*.tgz --strict');
+    project().run('npx publint run phong-viewer-*.tgz --strict');
   });
 });

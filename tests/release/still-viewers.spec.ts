@@ -33,6 +33,11 @@ const countFloats = (page: Page): Promise<unknown> =>
     Object.assign(prototype, { texImage2D: count, deleteTexture: forget });
   });
 
+const samplesOf = (page: Page): Promise<readonly number[]> =>
+  page.evaluate(() =>
+    [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.samples),
+  );
+
 test('@release fifty viewers converge, each of them once, and then nothing runs', async ({ page, mount }) => {
   test.setTimeout(300_000);
   await countEverything(page);
@@ -44,11 +49,7 @@ test('@release fifty viewers converge, each of them once, and then nothing runs'
       `<phong-viewer alt="" antialias="full" samples="16" geometry="${kinds[i % 5]!}"><phong-light></phong-light></phong-viewer>`,
   );
   await mount(markup.join(''), { width: 64, height: 48, css: 'phong-viewer { float: left }' });
-  const samples = (): Promise<readonly number[]> =>
-    page.evaluate(() =>
-      [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.samples),
-    );
-  expect(await samples()).toEqual(markup.map(() => 16));
+  expect(await samplesOf(page)).toEqual(markup.map(() => 16));
   await page.waitForTimeout(KEPT_MS);
   expect(await spentIn(page, 1000)).toEqual(NOTHING);
   const before = await countsOf(page);
@@ -118,15 +119,7 @@ test('@release of fifty viewers those that are scrolled away stop, and those tha
   await page.evaluate(() => {
     scrollTo(0, 0);
   });
-  await expect
-    .poll(
-      () =>
-        page.evaluate(() =>
-          [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.samples),
-        ),
-      { timeout: 60_000 },
-    )
-    .toEqual(Array.from({ length: 50 }, () => 16));
+  await expect.poll(() => samplesOf(page), { timeout: 60_000 }).toEqual(Array.from({ length: 50 }, () => 16));
   await nextFrame(page);
   expect(await spentIn(page, 500)).toEqual(NOTHING);
 });

@@ -6,9 +6,8 @@ import { cpSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { PhongViewer } from '../../src/index.js';
-import { startSite } from '../support/site.js';
-import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import { freshProject, strictOptions, type FreshProject } from './fresh-project.js';
+import { expect, pixelAt, pixels, test } from '../support/test.js';
+import { strictOptions, useFreshProject } from './fresh-project.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const { peerDependencies } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
@@ -52,32 +51,22 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
   const minor = /^~?0\.(\d+)/.exec(version)?.[1];
   const typescript = minor !== undefined ? 'typescript@~5.9' : 'typescript';
   test.describe(`with three.js ${version}, which is allowed, the packed tarball @release`, () => {
-    test.describe.configure({ mode: 'serial', timeout: 300_000 });
-    let project: FreshProject | undefined;
-
-    test.beforeAll(() => {
-      test.setTimeout(300_000);
-      project = freshProject([`three@${version}`, `@types/three@${version}`, typescript, 'vite']);
-      cpSync(
-        join(repository, 'tests/fixtures/models/textured.glb'),
-        join(project.folder, 'public/model.glb'),
-      );
-      project.write('main.ts', main);
-    });
-
-    test.afterAll(() => project?.remove());
+    const project = useFreshProject(
+      [`three@${version}`, `@types/three@${version}`, typescript, 'vite'],
+      ({ folder, write }) => {
+        cpSync(join(repository, 'tests/fixtures/models/textured.glb'), join(folder, 'public/model.glb'));
+        write('main.ts', main);
+      },
+    );
 
     test('has types that a strict project accepts', () => {
       const compilerOptions = { ...strictOptions, lib: ['ES2022', 'DOM', 'DOM.Iterable'] };
-      project!.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['main.ts'] }));
-      project!.run('npx tsc -p .');
+      project().write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['main.ts'] }));
+      project().run('npx tsc -p .');
     });
 
     test('draws the equation, models and objects of the page', async ({ page }) => {
-      const site = await startSite({ '/': project!.build(body) });
-      await page.goto(`${site.origin}/`);
-      await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
-      await allReady(page);
+      await project().open(page, project().build(body));
       const revision = await page.evaluate(() => Reflect.get(window, 'revision') as string);
       if (minor !== undefined) expect(revision).toBe(minor);
 
@@ -108,7 +97,6 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
       }
       const own = await pixels(page.locator('#own'), { width: 300, height: 150 });
       expect(pixelAt(own, 150, 75)).toEqual([0x33, 0x66, 0xcc, 255]);
-      await site.close();
     });
   });
 }

@@ -6,7 +6,7 @@ import type { Field } from '../../src/fields/field.js';
 import { parseText } from '../../src/element/fields/attribute-text.js';
 import { add, scale, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, ORIGIN, type StressCase } from './case.js';
-import { BOTH, type Category } from './category.js';
+import { categories } from './category.js';
 import { BOUNDS } from './contract.js';
 import { anyLight, colors, direction, place, seen, shortNormal, stressCase, surface } from './fragments.js';
 import { float32, type Random } from './random.js';
@@ -144,47 +144,36 @@ function anything(random: Random): StressCase {
   return stressCase(fragment, worn as SurfaceValues, [lightWith(values as Partial<LightValues>)]);
 }
 
-export const degenerateCategories: readonly Category[] = [
+export const degenerateCategories = categories([
   {
     id: 'light-at-fragment',
     title: 'a light at the fragment, or within 1e-15 of it',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: atFragment,
   },
   {
     id: 'direction-zero',
     title: 'a directional light of zero length',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: directionless,
   },
   {
     id: 'direction-length',
     title: 'directional lights of any length from 5e-324 to 1e15',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: directionOfAnyLength,
   },
   {
     id: 'opposite',
     title: 'light and eye exactly opposite each other',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: opposite,
   },
   {
     id: 'normals',
     title: 'zero, cancelling, denormal, tiny and huge normals',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: normals,
   },
   {
     id: 'anything',
     title: 'NaN, infinities, −0, 1e999 and denormals written into attributes and properties',
     bound: BOUNDS.shininess1e6,
-    variants: BOTH,
     make: anything,
   },
-];
+]);

@@ -3,8 +3,7 @@ import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 import { normalMatrix } from '../../src/material/normal-matrix.js';
 import { cross, dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import type { StressCase } from './case.js';
-import { BOTH, type Category } from './category.js';
-import { BOUNDS } from './contract.js';
+import { categories } from './category.js';
 import { anyLight, colors, seen, stressCase, surface } from './fragments.js';
 import { float32, type Random } from './random.js';
 
@@ -69,26 +68,20 @@ function sheared(random: Random): StressCase {
   return onMesh(random, uneven().multiply(uneven()));
 }
 
-export const meshCategories: readonly Category[] = [
+export const meshCategories = categories([
   {
     id: 'mesh-scale',
     title: 'meshes turned, mirrored and scaled, to 1e±12',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: placed,
   },
   {
     id: 'mesh-flat',
     title: 'meshes flattened along an axis',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: flattened,
   },
   {
     id: 'mesh-shear',
     title: 'meshes sheared by others that they are in',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: sheared,
   },
-];
+]);

@@ -3,7 +3,7 @@ import { LARGEST_MILD_POWER } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { add, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, type StressCase, type Variant } from './case.js';
-import { BOTH, type Category, LINEAR } from './category.js';
+import { categories, LINEAR } from './category.js';
 import { BOUNDS } from './contract.js';
 import {
   anyLight,
@@ -112,19 +112,16 @@ function bright(random: Random): StressCase {
   return { ...stress, lights };
 }
 
-export const ordinaryCategories: readonly Category[] = [
+export const ordinaryCategories = categories([
   {
     id: 'generic',
     title: 'any few lights on any surface',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: generic,
   },
   {
     id: 'linear',
     title: 'the same in linear light',
     // The curve is 12.92 times as steep at black as the line, and so are errors there.
-    bound: BOUNDS.generic,
     variants: LINEAR,
     make: generic,
   },
@@ -132,7 +129,6 @@ export const ordinaryCategories: readonly Category[] = [
     id: 'shininess-0-1',
     title: 'shininess from 0 to 1, exponents below 1e-6 included',
     bound: BOUNDS.smallExponent,
-    variants: BOTH,
     make: (random, variant) =>
       highlight(random, random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]), variant),
   },
@@ -140,84 +136,54 @@ export const ordinaryCategories: readonly Category[] = [
     id: 'shininess-1e3',
     title: 'shininess from 1 to 1,000, in and around the highlight',
     bound: BOUNDS.mildPower,
-    variants: BOTH,
     make: (random, variant) => highlight(random, random.magnitude(1, 1e3), variant),
   },
-  {
-    id: 'shininess-1e4',
-    title: 'shininess to 1e4, in and around the highlight',
-    bound: BOUNDS.shininess1e4,
-    variants: BOTH,
-    make: (random, variant) => highlight(random, random.magnitude(1e3, 1e4), variant),
-  },
-  {
-    id: 'shininess-1e5',
-    title: 'shininess to 1e5, in and around the highlight',
-    bound: BOUNDS.shininess1e5,
-    variants: BOTH,
-    make: (random, variant) => highlight(random, random.magnitude(1e4, 1e5), variant),
-  },
-  {
-    id: 'shininess-1e6',
-    title: 'shininess to 1e6, in and around the highlight',
-    bound: BOUNDS.shininess1e6,
-    variants: BOTH,
-    make: (random, variant) => highlight(random, random.magnitude(1e5, 1e6), variant),
-  },
+  ...(['1e4', '1e5', '1e6'] as const).map((most) => ({
+    id: `shininess-${most}`,
+    title: `shininess to ${most}, in and around the highlight`,
+    bound: BOUNDS[`shininess${most}`],
+    make: (random: Random, variant: Variant) =>
+      highlight(random, random.magnitude(Number(most) / 10, Number(most)), variant),
+  })),
   {
     id: 'mild-powers',
     title: 'shininess to 200 and cutoff to 64 at once, in and around the highlight, near the axis',
     bound: BOUNDS.mildPower,
-    variants: BOTH,
     make: mildPowers,
   },
   {
     id: 'grazing',
     title: 'light that grazes the surface',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: grazing,
   },
   {
     id: 'behind',
     title: 'fragments turned away from the light, and behind a spot',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: behind,
   },
   {
     id: 'scene-scale',
     title: 'scenes from 1e-6 to 1e8 of the usual size',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: (random) => scaled(generic(random), random.magnitude(1e-6, 1e8)),
   },
   {
     id: 'scene-offset',
     title: 'scenes 1e4, 1e6 and 1e8 away from the origin',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: (random) => moved(random, generic(random), random.pick([1e4, 1e6, 1e8])),
   },
   {
     id: 'near',
     title: 'lights at a fiftieth of the distances that coordinates span',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: near,
   },
   {
     id: 'attenuation',
     title: 'attenuation 0 0 0, huge, and at any distance',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: attenuated,
   },
   {
     id: 'bright',
     title: 'lights up to 1e6 of 255',
-    bound: BOUNDS.generic,
-    variants: BOTH,
     make: bright,
   },
-];
+]);

@@ -3,7 +3,7 @@ import type { LightValues } from '../../src/light/light-state.js';
 import { radians } from '../../src/math/angle.js';
 import { add, scale, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, type StressCase } from './case.js';
-import { BOTH, type Category, PHONG } from './category.js';
+import { BOTH, categories, PHONG } from './category.js';
 import { BOUNDS } from './contract.js';
 import { chordAngle, colors, place, seen, spotOver, stressCase, surface, white, WHITE } from './fragments.js';
 import type { Random } from './random.js';
@@ -95,82 +95,69 @@ function axisOfAnyLength(random: Random): StressCase {
   return stressCase(fragment, white(8), [{ ...light, axis: scale(light.axis, size) }]);
 }
 
-export const spotCategories: readonly Category[] = [
-  {
-    id: 'cutoff-0-1',
-    title: 'cutoff from 0 to 1, exponents below 1e-6 included',
-    bound: BOUNDS.smallExponent,
-    variants: [PHONG],
-    make: (random) => {
-      const cutoff = random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]);
-      // From where the contract begins, 1e-3 rad from straight behind: there the base is all but gone.
-      const back = Math.PI - random.magnitude(1e-3, 0.1);
-      return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]), {
-        cutoff,
-      });
+export const spotCategories = categories(
+  [
+    {
+      id: 'cutoff-0-1',
+      title: 'cutoff from 0 to 1, exponents below 1e-6 included',
+      bound: BOUNDS.smallExponent,
+      make: (random) => {
+        const cutoff = random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]);
+        // From where the contract begins, 1e-3 rad from straight behind: there the base is all but gone.
+        const back = Math.PI - random.magnitude(1e-3, 0.1);
+        return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]), {
+          cutoff,
+        });
+      },
     },
-  },
-  {
-    id: 'cutoff-1e4',
-    title: 'cutoff to 1e4, near the axis',
-    bound: BOUNDS.cutoff1e4,
-    variants: [PHONG],
-    make: (random) => nearAxis(random, 1, 1e4),
-  },
-  {
-    id: 'cutoff-1e6',
-    title: 'cutoff to 1e6, near the axis',
-    bound: BOUNDS.cutoff1e6,
-    variants: [PHONG],
-    make: (random) => nearAxis(random, 1e4, 1e6),
-  },
-  {
-    id: 'antipode',
-    title: 'fragments straight behind a spot that shines all round',
-    bound: BOUNDS.generic,
-    variants: [PHONG],
-    make: antipode,
-  },
-  {
-    id: 'aperture-180',
-    title: 'aperture 180, in every direction',
-    bound: BOUNDS.generic,
-    variants: [PHONG],
-    make: open,
-  },
-  {
-    id: 'aperture-0',
-    title: 'aperture 0, on the axis and beside it',
-    bound: BOUNDS.generic,
-    variants: [PHONG],
-    make: widthless,
-  },
-  {
-    id: 'aperture-narrow',
-    title: 'apertures below half a degree',
-    bound: BOUNDS.generic,
-    variants: [PHONG],
-    make: narrow,
-  },
-  {
-    id: 'cone-edge',
-    title: 'the edge of a cone, from 5e-6 rad to either side',
-    bound: BOUNDS.generic,
-    variants: [PHONG],
-    make: edge,
-  },
-  {
-    id: 'axis-zero',
-    title: 'a spot without an axis',
-    bound: BOUNDS.generic,
-    variants: BOTH,
-    make: axisless,
-  },
-  {
-    id: 'axis-length',
-    title: 'axes of any length from 5e-324 to 1e15',
-    bound: BOUNDS.generic,
-    variants: [PHONG],
-    make: axisOfAnyLength,
-  },
-];
+    {
+      id: 'cutoff-1e4',
+      title: 'cutoff to 1e4, near the axis',
+      bound: BOUNDS.cutoff1e4,
+      make: (random) => nearAxis(random, 1, 1e4),
+    },
+    {
+      id: 'cutoff-1e6',
+      title: 'cutoff to 1e6, near the axis',
+      bound: BOUNDS.cutoff1e6,
+      make: (random) => nearAxis(random, 1e4, 1e6),
+    },
+    {
+      id: 'antipode',
+      title: 'fragments straight behind a spot that shines all round',
+      make: antipode,
+    },
+    {
+      id: 'aperture-180',
+      title: 'aperture 180, in every direction',
+      make: open,
+    },
+    {
+      id: 'aperture-0',
+      title: 'aperture 0, on the axis and beside it',
+      make: widthless,
+    },
+    {
+      id: 'aperture-narrow',
+      title: 'apertures below half a degree',
+      make: narrow,
+    },
+    {
+      id: 'cone-edge',
+      title: 'the edge of a cone, from 5e-6 rad to either side',
+      make: edge,
+    },
+    {
+      id: 'axis-zero',
+      title: 'a spot without an axis',
+      variants: BOTH,
+      make: axisless,
+    },
+    {
+      id: 'axis-length',
+      title: 'axes of any length from 5e-324 to 1e15',
+      make: axisOfAnyLength,
+    },
+  ],
+  [PHONG],
+);

@@ -1,8 +1,7 @@
 // Sums of many lights. Fragments share a set of lights, as those of a picture do.
 import type { LightValues } from '../../src/light/light-state.js';
 import type { StressCase } from './case.js';
-import { type Category, PHONG } from './category.js';
-import { BOUNDS } from './contract.js';
+import { categories, type Category, PHONG } from './category.js';
 import { anyLight, colors, seen, stressCase, surface } from './fragments.js';
 import type { Random } from './random.js';
 
@@ -26,11 +25,12 @@ function sum(count: number): Category['make'] {
   };
 }
 
-export const sumCategories: readonly Category[] = [1, 8, 64, 512, 4096].map((count) => ({
-  id: `sum-${String(count)}`,
-  title: count === 1 ? 'one light' : `sums of ${String(count)} lights`,
-  bound: BOUNDS.generic,
-  variants: [PHONG],
-  lights: count,
-  make: sum(count),
-}));
+export const sumCategories = categories(
+  [1, 8, 64, 512, 4096].map((count) => ({
+    id: `sum-${String(count)}`,
+    title: count === 1 ? 'one light' : `sums of ${String(count)} lights`,
+    lights: count,
+    make: sum(count),
+  })),
+  [PHONG],
+);

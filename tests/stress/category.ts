@@ -1,5 +1,6 @@
 // One adversarial category: what it attacks, and the bound that the contract gives it.
 import type { StressCase, Variant } from './case.js';
+import { BOUNDS } from './contract.js';
 import type { Random } from './random.js';
 
 export interface Category {
@@ -16,6 +17,12 @@ export interface Category {
 }
 
 export const PHONG: Variant = { reflection: 'phong', linear: false };
-export const BLINN: Variant = { reflection: 'blinn-phong', linear: false };
+const BLINN: Variant = { reflection: 'blinn-phong', linear: false };
 export const BOTH: readonly Variant[] = [PHONG, BLINN];
 export const LINEAR: readonly Variant[] = BOTH.map(({ reflection }) => ({ reflection, linear: true }));
+
+/** Entries that name no bound have that of ordinary scenes, those that name no programs go through `variants`. */
+export const categories = (
+  entries: readonly (Partial<Category> & Pick<Category, 'id' | 'title' | 'make'>)[],
+  variants: readonly Variant[] = BOTH,
+): readonly Category[] => entries.map((entry) => ({ bound: BOUNDS.generic, variants, ...entry }));

@@ -6,6 +6,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
+import { table, writePart } from '../support/markdown.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const here = join(repository, 'tests/stress');
@@ -14,7 +15,6 @@ npm run stress:report -- [options]: writes REPORT.md and the README's sentence f
   --folder DIR   holds results/ and gets REPORT.md; default tests/stress. Another one leaves the README alone
   --help`;
 const WORST = ['up', 'down', 'either'];
-const MARKERS = ['<!-- contract: written by npm run stress:report -->', '<!-- /contract -->'];
 
 /**
  * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[], measured:
@@ -196,18 +196,10 @@ ${millions(total(stacks, 'cases'))} fragments on ${String(stacks.length)} stacks
 /** The README's sentence, markers included. @param {readonly Stack[]} stacks */
 export function readmeText(stacks) {
   const worst = Math.max(...rowsOf(stacks).map(({ id }) => largest(stacks, id, ['shipped'])));
-  return `${MARKERS[0]}
+  return `<!-- contract: written by npm run stress:report -->
 Accuracy: of ${millions(total(stacks, 'cases'))} measured fragments on ${String(stacks.length)} stacks none is further from the equation in double precision than ${digits(worst)} of an
 8-bit step ([report](tests/stress/REPORT.md)).
-${MARKERS[1]}`;
-}
-
-/** @param {string} readme @param {string} part */
-export function withPart(readme, part) {
-  const [open, close] = MARKERS.map((marker) => readme.indexOf(marker));
-  if (open === undefined || close === undefined || open < 0 || close < open)
-    throw new Error('the README has lost its markers for the contract');
-  return readme.slice(0, open) + part + readme.slice(close + (MARKERS[1]?.length ?? 0));
+<!-- /contract -->`;
 }
 
 /**
@@ -379,12 +371,6 @@ was meant, only finite numbers are promised:
 - *normal*: an interpolated normal shorter than 2^${String(Math.log2(branches.normal))}, but not zero.`;
 }
 
-/** @param {readonly string[]} head @param {readonly (readonly string[])[]} rows */
-function table(head, rows) {
-  const line = (/** @type {readonly string[]} */ cells) => `| ${cells.join(' | ')} |`;
-  return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n');
-}
-
 /** The largest of what was measured, which may be nothing. @param {number} x */
 const measured = (x) => (x === -Infinity ? 'not measured here' : digits(x));
 
@@ -419,8 +405,6 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));
   const report = reportText(stacks, readTessellation(), module.LOOP_MARK);
   writeFileSync(join(values.folder, 'REPORT.md'), report);
-  const readme = join(repository, 'README.md');
-  if (values.folder === here)
-    writeFileSync(readme, withPart(readFileSync(readme, 'utf8'), readmeText(stacks)));
+  if (values.folder === here) writePart(readmeText(stacks));
   console.log(`REPORT.md from ${String(stacks.length)} stacks`);
 }

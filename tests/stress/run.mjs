@@ -7,6 +7,7 @@ import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { launchOptions, serveFolder } from '../support/built-pages.mjs';
 import {
   numberOption,
   Progress,
@@ -15,8 +16,6 @@ import {
   refuse,
   timeText,
 } from '../support/command-line.mjs';
-import { launchOptions } from './launch-options.mjs';
-import { serveFolder } from './serve-folder.mjs';
 
 const DRIVERS = ['shipped', 'up', 'down', 'either'];
 

@@ -1,5 +1,6 @@
 // A front: variants of the light loop as points of run time against error. Draws them on a canvas of its own, and compares each
 // with float64. Knows nothing of how results are shown.
+import { fullScreenProgram } from '../../glsl/float-pass.js';
 import { clockFrames, hasTimer, rendererName, timeFrames } from '../pages/timing.js';
 import { errorOf, type ErrorFigures } from './errors.js';
 import { BEND, type Floor, FLOORS, floorTruth, SURFACE } from './floor.js';
@@ -78,7 +79,7 @@ export function openFront(
 type Drawer = (width: number, height: number) => void;
 
 function drawerOf(gl: WebGL2RenderingContext, { eye, shininess, half }: Floor, variant: Variant): Drawer {
-  const program = linked(gl, fragmentOf(variant));
+  const program = fullScreenProgram(gl, fragmentOf(variant));
   const at = (uniform: string): WebGLUniformLocation | null => gl.getUniformLocation(program, uniform);
   const { ka, kd, ks } = SURFACE;
   gl.useProgram(program);
@@ -97,9 +98,6 @@ function drawerOf(gl: WebGL2RenderingContext, { eye, shininess, half }: Floor, v
   };
 }
 
-const VERTEX = `#version 300 es
-void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
-
 const fragmentOf = ({ glsl, rows }: Variant): string => `#version 300 es
 precision highp float;
 precision highp int;
@@ -114,25 +112,6 @@ void main() {
   vec3 p = vec3(at, ${(-BEND).toExponential()} * dot(at, at));
   outColor = vec4(shadeHere(p, vec3(${(2 * BEND).toExponential()} * at, 1.0)), 1.0);
 }`;
-
-function linked(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
-  const program = gl.createProgram();
-  for (const [type, text] of [
-    [gl.VERTEX_SHADER, VERTEX],
-    [gl.FRAGMENT_SHADER, fragment],
-  ] as const) {
-    const shader = gl.createShader(type)!;
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) !== true)
-      throw new Error(gl.getShaderInfoLog(shader) ?? 'a shader does not compile');
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true)
-    throw new Error(gl.getProgramInfoLog(program) ?? 'a program does not link');
-  return program;
-}
 
 /** A square picture in floats, three channels of 0 to 255 a pixel. */
 function floatsOf(gl: WebGL2RenderingContext, draw: Drawer): Float64Array {

@@ -3,7 +3,7 @@
 // of the take-over by a specialised program, and settled. Also script per frame. The longest frame and the usual frame beside it
 // are wall time; the others are GPU time, in software CPU time of the GPU process.
 
-import { cpuSeconds, gpuProcess, isSoftware, mainThreadTime, openPage } from '../browser.mjs';
+import { frameTime, gpuProcess, mainThreadTime, openPage } from '../browser.mjs';
 import { interleaved } from '../statistics.mjs';
 
 /** Frames before the first sample: the very first ones compile. */
@@ -132,14 +132,14 @@ function assertAlike(opened) {
     );
 }
 
-/** Milliseconds that so many frames take: the GPU's, or CPU time of the GPU process. @param {Opened} one @param {number | null} gpu @param {number} frames */
-async function sample({ page, facts }, gpu, frames) {
-  if (!isSoftware(facts.renderer)) return page.evaluate((n) => window.bench.time(n), frames);
-  if (gpu === null) return page.evaluate((n) => window.bench.draw(n), frames);
-  const before = cpuSeconds(gpu);
-  await page.evaluate((n) => window.bench.draw(n), frames);
-  return (cpuSeconds(gpu) - before) * 1000;
-}
+/** Milliseconds that so many frames take. @param {Opened} one @param {number | null} gpu @param {number} frames */
+const sample = ({ page, facts }, gpu, frames) =>
+  frameTime(
+    facts.renderer,
+    gpu,
+    () => page.evaluate((n) => window.bench.time(n), frames),
+    () => page.evaluate((n) => window.bench.draw(n), frames),
+  );
 
 /**
  * So many frames that a sample is long enough.

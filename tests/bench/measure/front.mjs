@@ -1,7 +1,7 @@
 // @ts-check
 // One launch of a front: run time of every variant, in turns, and its error against float64.
 
-import { cpuSeconds, gpuProcess, isSoftware, openPage } from '../browser.mjs';
+import { frameTime, gpuProcess, openPage } from '../browser.mjs';
 import { interleaved } from '../statistics.mjs';
 import { framesFor } from './frames.mjs';
 
@@ -17,14 +17,15 @@ export async function measureFront(lab, subject, name, { size, rounds }) {
   const { page, check } = await openPage(browser, `${lab.origin}/front.html`, size);
   const facts = await page.evaluate(([n, s]) => window.openFront(n, s), /** @type {const} */ ([name, size]));
   const errors = await page.evaluate(() => window.front.errors());
-  const software = isSoftware(facts.renderer);
   /** @param {number} variant @param {number} frames */
-  const sample = async (variant, frames) => {
+  const sample = (variant, frames) => {
     const call = /** @type {const} */ ([variant, frames]);
-    if (!software) return page.evaluate(([v, n]) => window.front.time(v, n), call);
-    const before = gpu === null ? 0 : cpuSeconds(gpu);
-    const ms = await page.evaluate(([v, n]) => window.front.draw(v, n), call);
-    return gpu === null ? ms : (cpuSeconds(gpu) - before) * 1000;
+    return frameTime(
+      facts.renderer,
+      gpu,
+      () => page.evaluate(([v, n]) => window.front.time(v, n), call),
+      () => page.evaluate(([v, n]) => window.front.draw(v, n), call),
+    );
   };
   /** @type {number[]} */
   const counts = [];

@@ -5,7 +5,7 @@
 import { readFileSync } from 'node:fs';
 import { openPage, processesOf } from '../browser.mjs';
 import { builtFrom } from '../build.mjs';
-import { startGpuProcess } from './start.mjs';
+import { measureInTurns, startGpuProcess } from './start.mjs';
 
 /** The element's size: the page shows nothing else. */
 const SIZE = /** @type {const} */ ([400, 300]);
@@ -37,18 +37,11 @@ const CATEGORIES = [
 export async function measureModel(lab, { file, pages, slow }, launch, { add }) {
   if (builtFrom(lab.folder).versions['model-viewer'] === undefined)
     throw new Error('the other viewers were not installed when the pages were built');
-  const sides = Object.keys(pages);
-  /** @type {Record<string, Load>} */
-  const loads = {};
-  for (const side of launch % 2 === 0 ? sides : [...sides].reverse())
-    loads[side] = await loadOf(lab, `${pages[side]}?model=models/${file}`, slow);
-  for (const [measure, unit, key] of MEASURES) {
-    const values = sides.map((side) => /** @type {const} */ ([side, loads[side]?.[key] ?? NaN]));
-    if (values.every(([, value]) => !Number.isNaN(value))) add(measure, unit, Object.fromEntries(values));
-  }
+  const load = (/** @type {string} */ page) => loadOf(lab, `${page}?model=models/${file}`, slow);
+  await measureInTurns(pages, launch, load, MEASURES, add);
 }
 
-/** @type {readonly (readonly [measure: string, unit: string, key: keyof Load])[]} */
+/** @type {import('./start.mjs').Measures<Load>} */
 const MEASURES = [
   ['first picture', 'ms', 'ms'],
   ['longest task', 'ms', 'task'],

@@ -15,36 +15,38 @@ const REST_MS = 500;
  * @param {Pick<import('./frames.mjs').Options, 'rounds' | 'add'>} options
  */
 export async function measureStart(lab, { pages, pageSays = false }, launch, { rounds, add }) {
+  for (let round = 0; round < rounds; round++)
+    await measureInTurns(pages, launch + round, (path) => startOf(lab, path, pageSays), MEASURES, add);
+}
+
+/** @type {Measures<Awaited<ReturnType<typeof startOf>>>} */
+const MEASURES = [
+  ['first picture', 'ms', 'ms'],
+  ['CPU time to the first picture', 'ms', 'cpuMs'],
+  ['heap', 'KiB', 'heap'],
+];
+
+/**
+ * @template T
+ * @typedef {readonly (readonly [measure: string, unit: string, key: keyof T])[]} Measures
+ */
+
+/**
+ * Loads one page after the other, every other round backwards, and adds each figure that all of them have.
+ * @template {Record<keyof T, number>} T
+ * @param {Readonly<Record<string, string>>} pages by side @param {number} round
+ * @param {(path: string) => Promise<T>} load its figures are NaN where the system does not say
+ * @param {Measures<T>} measures @param {import('./frames.mjs').Options['add']} add
+ */
+export async function measureInTurns(pages, round, load, measures, add) {
   const sides = Object.keys(pages);
-  for (let round = 0; round < rounds; round++) {
-    /** @type {Record<string, Awaited<ReturnType<typeof startOf>>>} */
-    const starts = {};
-    for (const side of (launch + round) % 2 === 0 ? sides : [...sides].reverse())
-      starts[side] = await startOf(lab, pages[side] ?? '', pageSays);
-    /** @param {(start: Awaited<ReturnType<typeof startOf>>) => number} figure */
-    const bySide = (figure) =>
-      Object.fromEntries(
-        sides.map((side) => [
-          side,
-          figure(/** @type {Awaited<ReturnType<typeof startOf>>} */ (starts[side])),
-        ]),
-      );
-    add(
-      'first picture',
-      'ms',
-      bySide(({ ms }) => ms),
-    );
-    if (hasCpuTime())
-      add(
-        'CPU time to the first picture',
-        'ms',
-        bySide(({ cpuMs }) => cpuMs),
-      );
-    add(
-      'heap',
-      'KiB',
-      bySide(({ heap }) => heap),
-    );
+  /** @type {Record<string, T>} */
+  const loads = {};
+  for (const side of round % 2 === 0 ? sides : [...sides].reverse())
+    loads[side] = await load(pages[side] ?? '');
+  for (const [measure, unit, key] of measures) {
+    const values = sides.map((side) => /** @type {const} */ ([side, loads[side]?.[key] ?? NaN]));
+    if (values.every(([, value]) => !Number.isNaN(value))) add(measure, unit, Object.fromEntries(values));
   }
 }
 

@@ -8,16 +8,8 @@ import {
   type Texture,
   type Wrapping,
 } from 'three';
-import { LIGHT_FIELDS, type LightValues, type Vec3 } from 'phong-viewer/core';
-import type {
-  CastMaterial,
-  CastObject,
-  CastScene,
-  CastShape,
-  CastTexture,
-  TrueShape,
-  Wrap,
-} from '../../support/caster/scene.js';
+import { sceneOnPage } from '../../support/caster/drawn-scene.js';
+import type { CastScene, CastTexture, TrueShape, Wrap } from '../../support/caster/scene.js';
 import type { Viewer } from './element-side.js';
 import { pictureOf, type ShownMaterial } from './equation-material.js';
 
@@ -25,21 +17,19 @@ type ShownMesh = Mesh<BufferGeometry, Material & ShownMaterial>;
 
 /** `round`: the shape that the viewer's one mesh stands for, in place of its triangles. */
 export function castSceneOf(viewer: Viewer, round: TrueShape | null): CastScene {
-  const objects: CastObject[] = [];
-  for (const mesh of shownMeshes(viewer))
-    objects.push({
-      shape: round ?? trianglesOf(mesh.geometry),
-      matrix: mesh.matrixWorld.toArray(),
-      material: materialOf(mesh.material),
-    });
-  const { eye, target, up, radius } = viewer.camera;
-  const back = eye.map((x, i) => (x - target[i]!) / radius) as unknown as Vec3;
-  const right: Vec3 = [
-    up[1] * back[2] - up[2] * back[1],
-    up[2] * back[0] - up[0] * back[2],
-    up[0] * back[1] - up[1] * back[0],
-  ];
-  return { camera: { eye, right, up, back, fov: viewer.fov }, lights: lightsOf(viewer), objects };
+  const meshes = shownMeshes(viewer);
+  const { objects, ...scene } = sceneOnPage(viewer);
+  return {
+    ...scene,
+    objects: objects.map(({ shape, material, ...object }, i) => {
+      const { map } = meshes[i]!.material.look;
+      return {
+        ...object,
+        shape: round ?? shape,
+        material: map === null ? material : { ...material, texture: textureOf(map) },
+      };
+    }),
+  };
 }
 
 /** In the order in which they are drawn. */
@@ -50,32 +40,6 @@ export function shownMeshes(viewer: Viewer): ShownMesh[] {
     if (object instanceof Mesh) meshes.push(object as ShownMesh);
   });
   return meshes;
-}
-
-/** The lights' values without their elements. */
-export const lightsOf = (viewer: Viewer): LightValues[] =>
-  viewer.lights.map(
-    (light) =>
-      Object.fromEntries(
-        Object.keys(LIGHT_FIELDS).map((key) => [key, Reflect.get(light, key) as unknown]),
-      ) as unknown as LightValues,
-  );
-
-function trianglesOf({ attributes, index }: BufferGeometry): CastShape {
-  const { position, normal, uv } = attributes;
-  return {
-    kind: 'triangles',
-    positions: position!.array,
-    normals: normal!.array,
-    ...(uv && { uvs: uv.array }),
-    ...(index && { index: index.array }),
-  };
-}
-
-function materialOf({ surface, look }: ShownMaterial): CastMaterial {
-  const { ka, kd, ks, shininess } = surface;
-  const { baseColor, map } = look;
-  return { ka, kd, ks, shininess, baseColor, ...(map && { texture: textureOf(map) }) };
 }
 
 function textureOf(texture: Texture): CastTexture {

@@ -1,12 +1,13 @@
 // `phong-viewer/core`'s material and lights in a plain three.js page.
-import { LinearSRGBColorSpace, MathUtils, Scene } from 'three';
+import { LinearSRGBColorSpace } from 'three';
 import { LightState, PhongLighting, PhongMaterial } from 'phong-viewer/core';
-import { SURFACE, thetaAt } from './scenes.js';
+import { SURFACE } from './scenes.js';
 import type { OpenSide } from './side.js';
-import { threeMeshes, threeRenderer } from './three-side.js';
+import { threePage } from './three-page.js';
+import { threeMeshes, turn } from './three-side.js';
 
 export const openCore: OpenSide = async (holder, bench) => {
-  const { renderer, camera } = threeRenderer(holder);
+  const { renderer, camera, scene } = threePage(holder, 0.05, 100);
   renderer.outputColorSpace = LinearSRGBColorSpace; // the equation's colours are encoded already
   const lighting = new PhongLighting();
   for (const values of bench.lights) lighting.lights.add(new LightState(values));
@@ -14,13 +15,9 @@ export const openCore: OpenSide = async (holder, bench) => {
   material.sides = 'closed'; // as the element has it for a sphere
   const { ka, kd, ks, shininess } = SURFACE;
   material.setSurface({ ka: [ka, ka, ka], kd: [kd, kd, kd], ks: [ks, ks, ks], shininess });
-  const scene = new Scene();
   scene.add(...(await threeMeshes(bench, material)));
   const draw = (i: number): void => {
-    const theta = bench.motion === 'camera' ? MathUtils.degToRad(thetaAt(i)) : 0;
-    camera.position.set(bench.radius * Math.sin(theta), 0, bench.radius * Math.cos(theta));
-    camera.lookAt(0, 0, 0);
-    camera.updateMatrixWorld();
+    turn(camera, bench, i);
     camera.updateMatrixWorld();
     lighting.update(camera);
     renderer.render(scene, camera);

@@ -24,10 +24,10 @@ export type LightElement = HTMLElementTagNameMap['phong-light'];
 export const lightElement = (values: SceneLight): LightElement =>
   Object.assign(document.createElement('phong-light'), values);
 
-/** Runs frames until everything that was requested is drawn. */
-export async function drawUntilReady(viewer: Viewer): Promise<void> {
+/** Runs frames until everything that these viewers were asked for is drawn. */
+export async function drawUntilReady(...viewers: readonly Viewer[]): Promise<void> {
   const state = { ready: false };
-  void viewer.ready.then(() => (state.ready = true));
+  void Promise.all(viewers.map(({ ready }) => ready)).then(() => (state.ready = true));
   while (!state.ready) {
     runFrame();
     await pause(2);

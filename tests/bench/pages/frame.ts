@@ -2,7 +2,7 @@
 import { onlyContext } from './page-hooks.js';
 import { sceneOf } from './scenes.js';
 import type { OpenSide } from './side.js';
-import { clockFrames, finish, hasTimer, pause, rendererName, timeFrames } from './timing.js';
+import { clockFrames, finish, pause, rendererName, timeFrames } from './timing.js';
 
 export type SideName = 'element' | 'fixed' | 'core' | 'three' | 'unlit';
 
@@ -17,7 +17,7 @@ export interface CanvasFacts {
 
 export interface FrameBench {
   /** Opens the scene and draws its first frame. */
-  open(): Promise<{ renderer: string; hasTimer: boolean; canvas: CanvasFacts; lit: number }>;
+  open(): Promise<{ renderer: string; canvas: CanvasFacts; lit: number }>;
   /** Draws frames; milliseconds by the clock, closed by reading a pixel back. */
   draw(frames: number): Promise<number>;
   /** Milliseconds by the GPU's timer. */
@@ -25,7 +25,7 @@ export interface FrameBench {
   /** Draws frames without filling the GPU's queue, which script would have to wait for. */
   script(frames: number): Promise<void>;
   /** Draws until no new program has been used for a while. */
-  settle(): Promise<{ frames: number; longest: number; usual: number }>;
+  settle(): Promise<{ longest: number; usual: number }>;
 }
 
 declare global {
@@ -65,7 +65,6 @@ window.bench = {
     const { antialias = false, alpha = false } = gl.getContextAttributes() ?? {};
     return {
       renderer: rendererName(gl),
-      hasTimer: hasTimer(gl),
       canvas: {
         ...{ antialias, alpha, samples: gl.getParameter(gl.SAMPLES) as number },
         ...{ width: gl.drawingBufferWidth, height: gl.drawingBufferHeight },
@@ -106,7 +105,7 @@ window.bench = {
     }
     Reflect.deleteProperty(gl, 'useProgram');
     const sorted = [...times].sort((a, b) => a - b);
-    return { frames: times.length, longest: sorted.at(-1)!, usual: sorted[sorted.length >> 1]! };
+    return { longest: sorted.at(-1)!, usual: sorted[sorted.length >> 1]! };
   },
 };
 

@@ -1,12 +1,11 @@
 // A whole picture by the element: the plain one, with averaged highlights, or the mean of many samples.
 import { onlyContext, runFrame } from './page-hooks.js';
-import 'phong-viewer';
 import type { TrueShape } from '../../support/caster/scene.js';
 import { castSceneOf } from './cast-scene.js';
-import type { Viewer } from './element-side.js';
+import { drawUntilReady, type Viewer } from './element-side.js';
 import type { OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
-import { finish, pause, rendererName } from './timing.js';
+import { finish, pause } from './timing.js';
 
 /** Frames and rest until specialised programs are used: 20 frames, then a compilation in the background. */
 const SETTLING = { frames: 30, betweenMs: 4, restMs: 400 } as const;
@@ -28,7 +27,7 @@ export async function showViewers(holder: HTMLElement, { viewers }: PictureScene
   const shown = Array.from(holder.querySelectorAll('phong-viewer'));
   for (const viewer of shown)
     Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
-  await drawUntilReady(shown);
+  await drawUntilReady(...shown);
   return shown;
 }
 
@@ -38,16 +37,7 @@ export async function antialiasAll(viewers: readonly Viewer[], { antialias, samp
     viewer.antialias = antialias;
     viewer.samples = samples === 0 ? null : samples;
   }
-  await drawUntilReady(viewers);
-}
-
-async function drawUntilReady(viewers: readonly Viewer[]): Promise<void> {
-  const state = { ready: false };
-  void Promise.all(viewers.map(({ ready }) => ready)).then(() => (state.ready = true));
-  while (!state.ready) {
-    runFrame();
-    await pause(2);
-  }
+  await drawUntilReady(...viewers);
 }
 
 const channel = new MessageChannel();
@@ -98,8 +88,6 @@ export const openElement =
 
     return {
       methods: { element: { steps: 1 } },
-      renderer: rendererName(gl),
-      samples: gl.getParameter(gl.SAMPLES) as number,
       scenes: (round) =>
         viewers.map((viewer) =>
           castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null),

@@ -14,13 +14,14 @@ import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { SSAARenderPass } from 'three/addons/postprocessing/SSAARenderPass.js';
 import { TAARenderPass } from 'three/addons/postprocessing/TAARenderPass.js';
 import { CODES, MULTISAMPLED, SSAA, ssaa, TAA, TAA_PASS } from '../pictures.mjs';
+import { sceneOnPage } from '../../support/caster/drawn-scene.js';
 import type { Viewer } from './element-side.js';
-import { lightsOf, shownMeshes } from './cast-scene.js';
+import { shownMeshes } from './cast-scene.js';
 import { equationMaterial } from './equation-material.js';
 import { antialiasAll, showViewers, WARM } from './picture-element.js';
 import type { Cell, OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
-import { finish, pause, rendererName } from './timing.js';
+import { finish, pause } from './timing.js';
 
 /** What accumulates averages linear light, as three.js's pages do, or the equation's own codes. */
 type Averages = 'light' | 'codes';
@@ -69,9 +70,10 @@ function cameraOf({ camera: { eye, target, up, radius }, fov }: Viewer, aspect: 
 
 function sceneOf(viewer: Viewer, decodes: boolean): Scene {
   const scene = new Scene();
+  const { lights } = sceneOnPage(viewer);
   for (const shown of shownMeshes(viewer)) {
     const place = { eye: viewer.camera.eye, matrix: shown.matrixWorld };
-    const material = equationMaterial(shown.material, lightsOf(viewer), place, decodes);
+    const material = equationMaterial(shown.material, lights, place, decodes);
     const mesh = new Mesh(shown.geometry.clone(), material);
     mesh.matrixAutoUpdate = false;
     mesh.matrix.copy(shown.matrixWorld);
@@ -92,13 +94,10 @@ const open =
     const all = await canvases(holder, scene, cell, multisamples);
     /** The picture that the canvases show. */
     let last = { method: '', step: 0 };
-    const { gl } = all[0]!;
     const drawAll = ({ draw }: Way, k: number): void => all.forEach((canvas) => draw(canvas, k));
     const finishAll = (): void => all.forEach((canvas) => finish(canvas.gl));
     return {
       methods: Object.fromEntries(Object.entries(ways).map(([name, { steps }]) => [name, { steps }])),
-      renderer: rendererName(gl),
-      samples: gl.getParameter(gl.SAMPLES) as number,
       scenes: () => [], // those of the element
       async time(method) {
         const way = ways[method]!;

@@ -12,9 +12,6 @@ export type Methods = Readonly<Record<string, { readonly steps: number }>>;
 
 export interface PictureSide {
   readonly methods: Methods;
-  readonly renderer: string;
-  /** Multisampling of the canvas. */
-  readonly samples: number;
   /** Milliseconds from a change to each of the method's pictures, closed by reading a pixel back. */
   time(method: string): Promise<number[]>;
   /** The codes of a picture: r, g, b of each pixel over black, row by row from the top, viewer by viewer. */
@@ -33,7 +30,7 @@ export interface Cell {
 
 declare global {
   interface Window {
-    openPicture: () => Promise<Pick<PictureSide, 'methods' | 'renderer' | 'samples'> & { cell: Cell }>;
+    openPicture: () => Promise<{ methods: Methods; cell: Cell }>;
     picture: PictureSide;
   }
 }
@@ -61,6 +58,5 @@ window.openPicture = async () => {
   holder.style.gridTemplate = `repeat(${String(rows)}, ${String(cell.height)}px) / repeat(${String(columns)}, ${String(cell.width)}px)`;
   const open = await SIDES[query.get('side') ?? '']!();
   window.picture = await open(holder, scene, cell);
-  const { methods, renderer, samples } = window.picture;
-  return { methods, renderer, samples, cell };
+  return { methods: window.picture.methods, cell };
 };

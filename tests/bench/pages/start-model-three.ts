@@ -7,26 +7,18 @@ import {
   MeshPhongMaterial,
   MeshStandardMaterial,
   type Object3D,
-  PerspectiveCamera,
-  Scene,
   Sphere,
-  WebGLRenderer,
 } from 'three';
 import { DRACOLoader } from 'three/examples/jsm/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/examples/jsm/loaders/PLYLoader.js';
 import { STLLoader } from 'three/examples/jsm/loaders/STLLoader.js';
+import { threePage } from './three-page.js';
 
 const address = new URLSearchParams(location.search).get('model')!;
 const shown = load();
 
-const holder = document.getElementById('holder')!;
-const renderer = new WebGLRenderer({ antialias: true, alpha: true });
-renderer.setPixelRatio(devicePixelRatio);
-renderer.setSize(holder.clientWidth, holder.clientHeight);
-holder.append(renderer.domElement);
-const scene = new Scene();
-const camera = new PerspectiveCamera(45, holder.clientWidth / holder.clientHeight);
+const { renderer, camera, scene } = threePage(document.getElementById('holder')!, 0.1, 2000);
 camera.add(new DirectionalLight(0xffffff, Math.PI));
 scene.add(camera);
 
@@ -43,8 +35,6 @@ camera.position
   .add(center);
 camera.lookAt(center);
 renderer.render(scene, camera);
-// Kept, as by a page that draws again: the heap is read after the first picture.
-Object.assign(window, { scene, camera, renderer });
 
 async function load(): Promise<Object3D> {
   if (address.endsWith('.stl')) return meshOf(await new STLLoader().loadAsync(address));

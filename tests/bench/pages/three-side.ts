@@ -13,17 +13,14 @@ import {
   MeshBasicMaterial,
   MeshPhongMaterial,
   type Object3D,
-  PerspectiveCamera,
+  type PerspectiveCamera,
   PointLight,
-  Scene,
   SphereGeometry,
   SRGBColorSpace,
   SpotLight,
-  WebGLRenderer,
 } from 'three';
 import {
   extraLight,
-  FOV,
   lightAt,
   ORIGIN,
   type Scene as BenchScene,
@@ -33,6 +30,7 @@ import {
   thetaAt,
 } from './scenes.js';
 import type { OpenSide, Side } from './side.js';
+import { threePage } from './three-page.js';
 
 const SHAPES: Readonly<Record<string, () => BufferGeometry>> = {
   sphere: () => new SphereGeometry(0.5, 64, 32),
@@ -59,18 +57,7 @@ function placed<T extends Light>(light: T, [x, y, z]: readonly [number, number, 
 
 const targetOf = (light: Light): Object3D[] => (light instanceof SpotLight ? [light.target] : []);
 
-/** `antialias` and `alpha` as the element's own context. */
-export function threeRenderer(holder: HTMLElement): { renderer: WebGLRenderer; camera: PerspectiveCamera } {
-  const renderer = new WebGLRenderer({ antialias: true, alpha: true });
-  renderer.setSize(holder.clientWidth, holder.clientHeight);
-  holder.append(renderer.domElement);
-  return {
-    renderer,
-    camera: new PerspectiveCamera(FOV, holder.clientWidth / holder.clientHeight, 0.05, 100),
-  };
-}
-
-export function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): MeshPhongMaterial {
+function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): MeshPhongMaterial {
   const { kd, ks } = SURFACE;
   const material = new MeshPhongMaterial({
     color: new Color().setScalar(kd / 255).convertSRGBToLinear(),
@@ -116,10 +103,16 @@ async function loadGeometry(url: string, material: Material): Promise<BufferGeom
   return found.geometry;
 }
 
+/** To where the eye is at this frame. */
+export function turn(camera: PerspectiveCamera, { motion, radius }: BenchScene, frame: number): void {
+  const theta = motion === 'camera' ? MathUtils.degToRad(thetaAt(frame)) : 0;
+  camera.position.set(radius * Math.sin(theta), 0, radius * Math.cos(theta));
+  camera.lookAt(0, 0, 0);
+}
+
 const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promise<Side> => {
-  const { renderer, camera } = threeRenderer(holder);
+  const { renderer, camera, scene } = threePage(holder, 0.05, 100);
   const material = lit ? phongMaterial(bench) : new MeshBasicMaterial();
-  const scene = new Scene();
   const meshes = await threeMeshes(bench, material);
   for (const mesh of meshes) scene.add(mesh);
   const lights = lit ? bench.lights.map(threeLight) : [];
@@ -157,9 +150,7 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
     }
   };
   const draw = (i: number): void => {
-    const theta = bench.motion === 'camera' ? MathUtils.degToRad(thetaAt(i)) : 0;
-    camera.position.set(bench.radius * Math.sin(theta), 0, bench.radius * Math.cos(theta));
-    camera.lookAt(0, 0, 0);
+    turn(camera, bench, i);
     renderer.render(scene, camera);
   };
   draw(0);

@@ -1,6 +1,8 @@
 // Times frames of one context: by the clock, closed by reading a pixel back, or by the GPU's own timer. Milliseconds for all
 // frames together.
 
+export { rendererName } from '../../glsl/float-pass.js';
+
 /** Changes the scene and draws one frame. Asynchronous, because elements gather changes until the task's microtasks. */
 export type Frame = () => Promise<void>;
 
@@ -13,12 +15,6 @@ const timerOf = (gl: WebGL2RenderingContext): TimerQuery | null =>
   gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerQuery | null;
 
 export const hasTimer = (gl: WebGL2RenderingContext): boolean => timerOf(gl) !== null;
-
-/** The driver's name for itself. */
-export function rendererName(gl: WebGL2RenderingContext): string {
-  const info = gl.getExtension('WEBGL_debug_renderer_info');
-  return String(gl.getParameter(info === null ? gl.RENDERER : info.UNMASKED_RENDERER_WEBGL));
-}
 
 export const pause = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
