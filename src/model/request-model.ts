@@ -8,7 +8,8 @@ export const modelCode = /* @__PURE__ */ lazyCode(() => import('./model-content.
 
 /**
  * Requests the code for a model beside its file, not after it: each request that waits for another is a delay that the
- * user sees. The file's name says which format; the content decides what is read.
+ * user sees. The file's name says which format; the content decides what is read. What both chunks import is not
+ * requested here: after a failure Firefox would never fetch it again.
  */
 export function requestCode({ pathname }: URL): void {
   const path = pathname.toLowerCase();
@@ -16,8 +17,6 @@ export function requestCode({ pathname }: URL): void {
     extensions.some((extension) => path.endsWith(`.${extension}`)),
   );
   for (const { code } of [{ code: modelCode }, ...named]) code().catch(() => undefined); // reported when it is used
-  // What both of these import, which would be found 35 ms later. Its failure is theirs.
-  import('./slices.js').catch(() => undefined);
 }
 
 /** Requests that no element has taken yet, by address and credentials. */

@@ -153,7 +153,7 @@ test('@release a page opened from disk shows picture and panel in Firefox', asyn
       return [shape!.shadowRoot!.textContent, file!.shadowRoot!.querySelector('[part=notice]')?.textContent];
     });
     expect(text).toContain('Controls');
-    expect(notice).toContain('python3 -m http.server');
+    expect(notice).toContain('A page opened from disk may not read files');
     // The browser's own words about the model.
     expect(said.filter((line) => !/Same Origin Policy .*textured\.glb/.test(line))).toEqual([]);
   } finally {
