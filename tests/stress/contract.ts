@@ -30,10 +30,10 @@ export const BOUNDS = {
 export const EXACT = { share: 0.9998, upTo: BOUNDS.generic } as const;
 
 /**
- * Of all categories together on the worst lawful drivers: 99.973 to 99.982 % were measured on five stacks and seeds,
- * where real ones have 99.987 to 99.99.
+ * Of all categories together on the worst lawful drivers: 99.952 to 99.982 % were measured on six stacks and seeds, where
+ * real ones have 99.987 to 99.99. The least is llvmpipe's, in Firefox.
  */
-export const WORST_SHARE = 0.9997;
+export const WORST_SHARE = 0.9995;
 
 /**
  * The same of each category alone. The least that was measured: 99.954 %, of 357,921 codes in and around highlights
