@@ -134,7 +134,7 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
         const spot = lit(axis.map(Math.abs)) && (aperture < 180 || cutoff > 0);
         const positional = position[3] === 1;
         facts.push(positional ? (spot ? 'spot' : 'point') : 'directional');
-        if (positional && spot && aperture < 180) facts.push('cone');
+        if (positional && spot && aperture < 180) facts.push(aperture > 90 ? 'wide' : 'narrow');
         if (positional && spot && cutoff > 0) facts.push('decay');
         if (positional && (attenuation[0] > 1 || attenuation[1] > 0 || attenuation[2] > 0)) {
           facts.push('attenuation');
