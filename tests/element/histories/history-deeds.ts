@@ -111,7 +111,11 @@ export function installDeeds(): void {
     remove: (viewer, step) => childOf(viewer, step)?.remove(),
     'to the end': (viewer, step) => viewer.append(childOf(viewer, step) ?? ''),
     'to the front': (viewer, step) => viewer.prepend(childOf(viewer, step) ?? ''),
-    'to another': (viewer, step) => other(step).append(childOf(viewer, step) ?? ''),
+    'to another': (viewer, step) => {
+      const [moved, parent] = [childOf(viewer, step), other(step)];
+      // In unusual trees the other viewer may stand inside the child.
+      if (moved !== undefined && !moved.contains(parent)) parent.append(moved);
+    },
     clone: (viewer, step) => {
       const copy = childOf(viewer, step)?.cloneNode();
       if (copy !== undefined) other(step).append(copy);
