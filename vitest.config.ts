@@ -22,6 +22,7 @@ export default defineConfig({
     passWithNoTests: true,
     maxWorkers: 2,
     testTimeout: 20_000,
+    expect: { poll: { timeout: 10_000 } },
     server: { deps: { inline: [/draco_decoder/, /basis_transcoder/] } },
   },
 });

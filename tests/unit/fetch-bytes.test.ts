@@ -69,7 +69,7 @@ function download(path: string, signal = never): { ended: Promise<unknown>; load
   return { ended, loaded: () => bytes };
 }
 
-const hungUp = (): Promise<unknown> => vi.waitUntil(() => responses[0]?.destroyed, { timeout: 10_000 });
+const hungUp = (): Promise<unknown> => expect.poll(() => responses[0]?.destroyed).toBe(true);
 
 describe('a download', () => {
   it('that is refused has failed with its status, even where the body of the answer breaks off', async () => {
@@ -115,7 +115,7 @@ describe('a download', () => {
   it('closes its connection when the load is aborted', async () => {
     const load = new AbortController();
     const { ended, loaded } = download('/slow', load.signal);
-    await vi.waitUntil(() => loaded() === 4);
+    await expect.poll(loaded).toBe(4);
     load.abort(new Error('enough'));
     expect(await ended).toMatchObject({ message: 'enough' });
     await hungUp();

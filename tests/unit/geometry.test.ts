@@ -243,14 +243,23 @@ describe('sharing', () => {
     fresh.releaseGeometry(key);
   });
 
-  it('gives a lazy shape at once to whoever comes after it has arrived', async () => {
+  it('gives a lazy shape at once after it has arrived, and keeps a level for a second: samples have a finer one', async () => {
     vi.resetModules(); // no shape's code is here
-    const fresh = await import('../../src/scene/mesh/shapes/shared-shapes.js');
+    const { acquireGeometry: take, releaseGeometry: leave } =
+      await import('../../src/scene/mesh/shapes/shared-shapes.js');
     const key: ShapeKey = { name: 'teapot', segments: 16, isLevel: true };
-    const geometry = await fresh.acquireGeometry(key);
-    expect(fresh.acquireGeometry(key)).toBe(geometry);
-    fresh.releaseGeometry(key);
-    fresh.releaseGeometry(key);
+    const geometry = await take(key);
+    const dispose = vi.spyOn(geometry, 'dispose');
+    vi.useFakeTimers();
+    for (const ms of [900, 900]) {
+      leave(key);
+      vi.advanceTimersByTime(ms);
+      expect(take(key)).toBe(geometry);
+    }
+    leave(key);
+    vi.advanceTimersByTime(1000);
+    vi.useRealTimers();
+    expect(dispose).toHaveBeenCalledTimes(1);
   });
 });
 

@@ -234,9 +234,7 @@ describe('textures', () => {
         },
       ),
     ).rejects.toMatchObject({ code: 'bad-model' });
-    await vi.waitFor(() => {
-      expect(close).toHaveBeenCalledTimes(1);
-    });
+    await expect.poll(() => close).toHaveBeenCalledTimes(1);
   });
 });
 

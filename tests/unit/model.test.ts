@@ -179,9 +179,7 @@ describe('textures', () => {
     expect(bitmaps).toHaveLength(1);
     expect(bitmaps[0]?.options).toEqual({ premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
     model.dispose();
-    await vi.waitFor(() => {
-      expect(bitmaps[0]?.close).toHaveBeenCalledTimes(1);
-    });
+    await expect.poll(() => bitmaps[0]?.close).toHaveBeenCalledTimes(1);
   });
 
   it('beside the file are fetched from its folder and below, and nothing else is', async () => {

@@ -82,9 +82,7 @@ function viewerOf() {
 }
 
 const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void> =>
-  vi.waitFor(() => {
-    for (const { mesh } of meshes) expect(mesh.root).not.toBeNull();
-  });
+  expect.poll(() => meshes.filter(({ mesh }) => mesh.root === null)).toEqual([]);
 const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }): BufferGeometry => mesh.parts[0]!.mesh.geometry;
 const positionsOf = (one: { readonly mesh: SceneMesh }): number[] =>
   one.mesh.parts.flatMap(({ mesh }) => [
@@ -109,7 +107,7 @@ describe('meshes with the same source', () => {
     await there(meshes[2]);
     expect([disposed.mock.calls.length, closed]).toEqual([0, 0]);
     meshes[1].mesh.dispose();
-    await vi.waitFor(() => expect(closed).toBe(1));
+    await expect.poll(() => closed).toBe(1);
     expect(disposed).toHaveBeenCalledOnce();
     expect(a.budget.used).toBe(0);
     await there(a.add({ src }));
@@ -179,7 +177,7 @@ describe('meshes with the same source', () => {
   it('all fail with a download, and a retry is one more', async () => {
     const { add, errors } = viewerOf();
     const meshes = [0, 1, 2].map(() => add({ src: '/late.glb' }));
-    await vi.waitFor(() => expect(errors).toEqual(['load-failed', 'load-failed', 'load-failed']));
+    await expect.poll(() => errors).toEqual(['load-failed', 'load-failed', 'load-failed']);
     expect(requests).toHaveLength(1);
     files.set('/late.glb', new Uint8Array(triangleGlb()));
     for (const { mesh } of meshes) {
@@ -209,6 +207,6 @@ describe('meshes with the same source', () => {
     await there(second);
     const third = add({ src: '/bar.gltf' });
     third.mesh.dispose();
-    await vi.waitFor(() => expect(requests[1]!.signal.aborted).toBe(true));
+    await expect.poll(() => requests[1]!.signal.aborted).toBe(true);
   });
 });

@@ -1,4 +1,4 @@
-// How many samples are drawn at once: as many as the GPU finishes in 8 ms, so that input and the page's own frames
+// How many samples are drawn at once: as many as the GPU finishes in 12 ms, so that input and the page's own frames
 // never wait longer for them. One batch is drawn after the other: a small one ends long before the next animation frame.
 import type { WebGLRenderer } from 'three';
 import type { Region } from '../gpu/stage.js';
@@ -6,34 +6,27 @@ import type { Picture } from '../picture.js';
 import { shifted } from './tiles.js';
 import type { SampleSum } from './sample-sum.js';
 
-const BATCH_MS = 8;
+const BATCH_MS = 12;
 
 /** Time from one look at the GPU to the next, and the same once the batch is late. */
 const LOOK_MS = 1;
 const LATE_LOOK_MS = 4;
 
-/**
- * Batches in time, one after the other, until more than the last limit is tried again: a late one may have waited for
- * something else. Where it was too large, one in nine takes up to twice the time.
- */
-const IN_TIME = 8;
-
 export class Batches {
   readonly #gl: WebGL2RenderingContext;
   readonly #next: (() => void) | undefined;
   #size: number;
-  /** Larger batches took too long lately. */
-  #most = Infinity;
-  /** Batches in time since the last late one. */
-  #inTime = 0;
+  /** Samples of the last batch. */
+  #sent = 0;
   #isFirst = true;
   #fence: WebGLSync | null = null;
   #timer = 0;
   #start = 0;
-  /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
-  #quick: boolean | null = null;
+  /** Milliseconds after its start at which the last batch was seen running, and seen finished. */
+  #running = 0;
+  #finished = Infinity;
 
-  /** `size`: samples of the first batch. `next`: a batch has ended within 8 ms; another one may be sent. */
+  /** `size`: samples of the first batch. `next`: a batch has ended; another one may be sent. */
   constructor(gl: WebGL2RenderingContext, size: number, next?: () => void) {
     this.#gl = gl;
     this.#size = size;
@@ -49,11 +42,9 @@ export class Batches {
   get ended(): boolean {
     if (this.#fence === null) return true;
     if (!this.#signalled) return false;
-    const quick = this.#quick ?? (performance.now() - this.#start < BATCH_MS ? true : null);
+    this.#finished = Math.min(this.#finished, performance.now() - this.#start);
     this.cancel();
-    if (quick === true) this.#grow();
-    // Not the first one, which compiles, allocates or wakes the GPU: the next may take a tenth of its time.
-    if (quick === false && this.#size > 1 && !this.#isFirst) this.#limit(this.#size >> 1);
+    this.#fit();
     this.#isFirst = false;
     return true;
   }
@@ -71,8 +62,9 @@ export class Batches {
       draw();
       drawn += 1;
     } while (drawn < wanted && performance.now() - start < BATCH_MS);
-    if (drawn < wanted) this.#limit(drawn);
-    this.#quick = null;
+    this.#sent = drawn;
+    this.#running = 0;
+    this.#finished = Infinity;
     this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     this.#look();
@@ -90,28 +82,27 @@ export class Batches {
     this.#timer = window.setTimeout(
       () => {
         const elapsed = performance.now() - this.#start;
-        const signalled = this.#signalled;
-        const isLate = elapsed >= BATCH_MS;
-        if ((signalled || isLate) && elapsed < 2 * BATCH_MS) this.#quick ??= !isLate;
-        if (signalled) this.#next?.();
-        else
-          inNextTask(() => {
-            if (this.#fence !== null) this.#look();
-          });
+        if (this.#signalled) {
+          this.#finished = elapsed;
+          this.#next?.();
+          return;
+        }
+        this.#running = elapsed;
+        inNextTask(() => {
+          if (this.#fence !== null) this.#look();
+        });
       },
       performance.now() - this.#start < BATCH_MS ? LOOK_MS : LATE_LOOK_MS,
     );
   }
 
-  #grow(): void {
-    this.#inTime += 1;
-    if (this.#inTime >= IN_TIME) this.#most = Infinity;
-    this.#size = Math.min(2 * this.#size, this.#most);
-  }
-
-  #limit(size: number): void {
-    this.#size = this.#most = size;
-    this.#inTime = 0;
+  /** Chooses a size that takes about {@link BATCH_MS}, as far as it is known how long the last one took. */
+  #fit(): void {
+    const size = (ms: number): number => (this.#sent * BATCH_MS) / ms;
+    if (this.#finished < BATCH_MS) this.#size = Math.min(Math.ceil(size(this.#finished)), 2 * this.#size);
+    // Not the first one, which compiles, allocates or wakes the GPU: the next may take a tenth of its time.
+    else if (this.#running > BATCH_MS && !this.#isFirst)
+      this.#size = Math.max(1, this.#size >> 1, Math.floor(size(this.#running)));
   }
 
   get #signalled(): boolean {

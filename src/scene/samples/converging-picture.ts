@@ -25,10 +25,10 @@ export interface Sampled extends Size, Captured {
   animate(): void;
 }
 
-/** Animation frames without a change before the first sample: a slow drag has frames in which nothing moves. */
+/** Animation frames without a change before the first sample of a drag: a slow one has frames in which nothing moves. */
 const STILL_FRAMES = 3;
 
-/** One such frame is enough after a picture with all its samples, or so long after the last standstill began. */
+/** A change is no part of a drag after a picture with all its samples, or so long after the last standstill began. */
 const LONE_MS = 200;
 
 /** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
@@ -84,7 +84,7 @@ export class ConvergingPicture {
       queue(this);
     }
     this.#stillFrames += 1;
-    if (this.#stillFrames <= (this.#dragged ? STILL_FRAMES : 1)) return true;
+    if (this.#dragged && this.#stillFrames <= STILL_FRAMES) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
     this.#aside(this.#draw);

@@ -41,10 +41,14 @@ export const levelKey = <Name extends GeometryName>(
 /** Stands for a shape's own number of segments where a level is expected. */
 export const FIXED = 0;
 
+/** A level stays so long without users: the samples of a still picture use a finer one than the frame before. */
+const KEPT_MS = 1000;
+
 interface Shared {
   /** A promise until its code is here. */
   geometry: PendingGeometry;
   users: number;
+  freeing?: ReturnType<typeof setTimeout>;
 }
 
 const shared = new Map<string, Shared>();
@@ -74,6 +78,7 @@ export function acquireGeometry(key: ShapeKey): PendingGeometry {
     entry = { geometry: createGeometry(key.name, key.segments, key.isLevel), users: 0 };
     add(text, entry);
   }
+  clearTimeout(entry.freeing);
   entry.users += 1;
   return entry.geometry;
 }
@@ -89,23 +94,27 @@ function add(text: string, entry: Shared): void {
   );
 }
 
-/** Ends one use; the last one frees the geometry. More releases than uses do nothing. */
+/** Ends one use; the last one frees the geometry, that of a level a second later. More releases than uses do nothing. */
 export function releaseGeometry(key: ShapeKey): void {
   const text = keyOf(key);
   const entry = shared.get(text);
-  if (entry === undefined) return;
+  if (entry === undefined || entry.users === 0) return;
   entry.users -= 1;
   if (entry.users > 0) return;
-  shared.delete(text);
-  if (entry.geometry instanceof Promise) {
-    // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
-    entry.geometry.then(
-      (geometry) => {
-        geometry.dispose();
-      },
-      () => undefined,
-    );
-  } else {
-    entry.geometry.dispose();
-  }
+  const free = (): void => {
+    if (shared.get(text) === entry) shared.delete(text);
+    if (entry.geometry instanceof Promise) {
+      // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
+      entry.geometry.then(
+        (geometry) => {
+          geometry.dispose();
+        },
+        () => undefined,
+      );
+    } else {
+      entry.geometry.dispose();
+    }
+  };
+  if (key.isLevel) entry.freeing = setTimeout(free, KEPT_MS);
+  else free();
 }
