@@ -163,7 +163,7 @@ async function measure(lab, name, launch, result, size) {
     case 'connect':
       return measureConnect(lab, { ...options, rounds: 1 });
     case 'still':
-      return measureStill(lab, subject, options);
+      return measureStill(lab, subject, { ...options, size: subject.size ?? options.size });
     case 'bytes':
       if (launch === 0) measureBytes(lab, options);
       return;

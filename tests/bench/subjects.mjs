@@ -36,6 +36,7 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @typedef {object} StillSubject from a change to the picture of 64 samples, on a page that draws in its own animation frames
  * @property {'still'} kind
  * @property {string} geometry
+ * @property {readonly [number, number]} [size] pixels; without, those of the stack
  *
  * @typedef {{ kind: 'viewers' } | { kind: 'connect' } | { kind: 'bytes' }} SingleSubject
  * @typedef {{ kind: 'front', front: string }} FrontSubject
@@ -78,6 +79,8 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
 export const FRAMED_LIGHTS = [8, 32];
 export const FRAMED_SHAPES = /** @type {const} */ (['sphere', 'torus', 'teapot']);
+/** Shapes whose 64 samples are timed, each also in a picture of an article's size. */
+export const STILL = /** @type {const} */ (['sphere', 'teapot']);
 /** @param {(typeof FRAMED_SHAPES)[number]} shape @param {number} count */
 export const framedSubject = (shape, count) => `${shape} framed by default, ${lights(count)}`;
 
@@ -166,8 +169,12 @@ export const SUBJECTS = {
       /** @type {PictureSubject} */ ({ kind: 'picture', scene, round }),
     ]),
   ),
-  'still sphere': { kind: 'still', geometry: 'sphere' },
-  'still teapot': { kind: 'still', geometry: 'teapot' },
+  ...Object.fromEntries(
+    STILL.flatMap((geometry) => [
+      [`still ${geometry}`, { kind: 'still', geometry }],
+      [`still ${geometry}, 760 × 420`, { kind: 'still', geometry, size: [760, 420] }],
+    ]),
+  ),
   bytes: { kind: 'bytes' },
   'front, 8 lights': { kind: 'front', front: '8 lights' },
   'front, shininess 1,000': { kind: 'front', front: 'shininess 1000' },
