@@ -245,18 +245,17 @@ describe('sharing', () => {
 
   it('gives a lazy shape at once after it has arrived, and keeps a level for a second: samples have a finer one', async () => {
     vi.resetModules(); // no shape's code is here
-    const { acquireGeometry: take, releaseGeometry: leave } =
-      await import('../../src/scene/mesh/shapes/shared-shapes.js');
+    const fresh = await import('../../src/scene/mesh/shapes/shared-shapes.js');
     const key: ShapeKey = { name: 'teapot', segments: 16, isLevel: true };
-    const geometry = await take(key);
+    const geometry = await fresh.acquireGeometry(key);
     const dispose = vi.spyOn(geometry, 'dispose');
     vi.useFakeTimers();
     for (const ms of [900, 900]) {
-      leave(key);
+      fresh.releaseGeometry(key);
       vi.advanceTimersByTime(ms);
-      expect(take(key)).toBe(geometry);
+      expect(fresh.acquireGeometry(key)).toBe(geometry);
     }
-    leave(key);
+    fresh.releaseGeometry(key);
     vi.advanceTimersByTime(1000);
     vi.useRealTimers();
     expect(dispose).toHaveBeenCalledTimes(1);

@@ -16,8 +16,6 @@ export interface Counts {
   readonly layouts: number;
   /** WebGL contexts created so far. */
   readonly contexts: number;
-  /** Reads of info logs of programs and shaders, which block. */
-  readonly logs: number;
   /** Created and not deleted, over all contexts; also the next six. */
   readonly textures: number;
   readonly buffers: number;
@@ -48,14 +46,11 @@ export type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 
 
 export const NOTHING: Spent = { frames: 0, timers: 0, idleCallbacks: 0, gl: 0, copies: 0, layouts: 0 };
 
-export const spentBetween = (before: Counts, after: Counts): Spent => ({
-  frames: after.frames - before.frames,
-  timers: after.timers - before.timers,
-  idleCallbacks: after.idleCallbacks - before.idleCallbacks,
-  gl: after.gl - before.gl,
-  copies: after.copies - before.copies,
-  layouts: after.layouts - before.layouts,
-});
+export function spentBetween(before: Counts, after: Counts): Spent {
+  const spent: Record<keyof Spent, number> = { ...NOTHING };
+  for (const key of Object.keys(spent) as (keyof Spent)[]) spent[key] = after[key] - before[key];
+  return spent;
+}
 
 /** What the page does within `ms` milliseconds. The wait happens outside the page. */
 export async function spentIn(page: Page, ms: number): Promise<Spent> {
@@ -84,11 +79,9 @@ function wrapEverything(): void {
   wrap(window, 'requestIdleCallback', () => count('idleCallbacks'));
 
   const gl = WebGL2RenderingContext.prototype;
-  // Levels and float buffers are freed some time after their last use.
+  // Levels of detail and float buffers are freed some time after their last use.
   for (const name of Object.getOwnPropertyNames(gl))
     if (!name.startsWith('delete')) wrap(gl, name, () => count('gl'));
-  wrap(gl, 'getProgramInfoLog', () => count('logs'));
-  wrap(gl, 'getShaderInfoLog', () => count('logs'));
   for (const kind of [
     'Texture',
     'Buffer',
@@ -192,7 +185,7 @@ function wrapEverything(): void {
     if (isGlobal(target)) listen(target, type, listener, false);
   });
 
-  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'logs', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
+  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
   const takeCounts = (): Counts => {
     let canvasPixels = 0;
     let sheetPixels = 0;
