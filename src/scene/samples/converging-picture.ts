@@ -50,7 +50,7 @@ export class ConvergingPicture {
   /** When the last standstill began, and whether changes have followed it as those of a drag do. */
   #stood = -Infinity;
   #dragged = false;
-  /** Samples of the first batch: half as many as the last run ended with. */
+  /** Samples of the first batch: as many as the last run ended with. */
   #pace = 1;
   #run: Run | null = null;
   /** Not possible on this GPU, or not with this scene. */
@@ -220,7 +220,7 @@ export class ConvergingPicture {
     run.nextShown = sum.count * SHOWN_AGAIN;
     this.#samples = Math.max(this.#samples, sum.count);
     if (!isLast) return;
-    this.#pace = Math.max(1, batches.size >> 1);
+    this.#pace = batches.size;
     this.pause();
   }
 
