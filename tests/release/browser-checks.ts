@@ -505,7 +505,7 @@ export const CHECKS: readonly Check[] = [
     async holds(tab) {
       const segments = await tab.onViewer(async (viewer) => {
         const counts: number[] = [];
-        for (const radius of [100, 4, 0.501, 'auto'] as const) {
+        for (const radius of [100, 8, 0.501, 'auto'] as const) {
           viewer.radius = radius;
           await viewer.ready;
           // What a frame could not build is drawn in a later one.
@@ -529,7 +529,7 @@ export const CHECKS: readonly Check[] = [
       expect(segments[0], 'from afar').toBe(16);
       for (const count of segments) expect(count % 8, String(segments)).toBe(0);
       expect(segments[1]).toBeLessThan(segments[2]!);
-      expect(segments[3], 'framed').toBeLessThan(segments[2]!);
+      expect(segments[1]).toBeLessThan(segments[3]!);
       expect(Math.abs(auto / (await covered()) - 1), 'covered pixels').toBeLessThan(0.004);
     },
   },

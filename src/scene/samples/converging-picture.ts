@@ -50,7 +50,7 @@ export class ConvergingPicture {
   /** When the last standstill began, and whether changes have followed it as those of a drag do. */
   #stood = -Infinity;
   #dragged = false;
-  /** Samples of the first batch: as many as the last run ended with. */
+  /** Samples of the first batch: as many as the last run of this size ended with. */
   #pace = 1;
   #run: Run | null = null;
   /** Not possible on this GPU, or not with this scene. */
@@ -188,6 +188,7 @@ export class ConvergingPicture {
     if (this.#picture?.width !== width || this.#picture.height !== height) {
       this.#picture?.dispose();
       this.#picture = pictureTarget(width, height);
+      this.#pace = 1;
     }
     const tiles = tilesOf({ width, height }, MOST_SUMMED);
     const sum = sharedSum(renderer);
