@@ -183,7 +183,7 @@ const UNMET = {
     `${sphere(256)}, first frames`, // 1.16
     `${framedSubject('torus', 8)}, to 64 segments, settled`, // 1.08
     `${framedSubject('torus', 32)}, to 64 segments, settled`, // 1.25
-    '64 samples of a sphere, ms from the change', // 100 at 1080p, where the GPU works 61; 83 at 1600 × 900
+    '64 samples of a sphere, ms from the change', // 100 at 1080p, where the GPU works 61; 66 at 1600 × 900
     '64 samples of a teapot, ms from the change', // 83 at 1080p; 66 at 1600 × 900
     'start, 2,000 boxes', // 2.00
     'start, standalone', // 1.23

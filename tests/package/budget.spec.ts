@@ -62,8 +62,8 @@ test('@release a bundled app is not larger than measured, and smaller with the s
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 338.1 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(338_200);
+  // Measured: 338.4 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(338_500);
 });
 
 test("the React components add little to the elements' own code", () => {

@@ -1,5 +1,5 @@
 // How many samples are drawn at once: as many as the GPU finishes in 12 ms, so that input and the page's own frames
-// never wait longer for them. One batch is drawn after the other: a small one ends long before the next animation frame.
+// never wait longer for them. One batch is drawn after the other: a small one ends long before the next frame.
 import type { WebGLRenderer } from 'three';
 import type { Region } from '../gpu/stage.js';
 import type { Picture } from '../picture.js';
@@ -7,6 +7,9 @@ import { shifted } from './tiles.js';
 import type { SampleSum } from './sample-sum.js';
 
 const BATCH_MS = 12;
+
+/** Share of a batch after which the next one may be sent. The page hears of it 2 to 3 ms later: the GPU never idles. */
+const NEAR_END = 3 / 4;
 
 /** Time from one look at the GPU to the next, and the same once the batch is late. */
 const LOOK_MS = 1;
@@ -26,7 +29,7 @@ export class Batches {
   #running = 0;
   #finished = Infinity;
 
-  /** `size`: samples of the first batch. `next`: a batch has ended; another one may be sent. */
+  /** `size`: samples of the first batch. `next`: a batch has nearly ended; another one may be sent. */
   constructor(gl: WebGL2RenderingContext, size: number, next?: () => void) {
     this.#gl = gl;
     this.#size = size;
@@ -38,7 +41,7 @@ export class Batches {
     return this.#size;
   }
 
-  /** Whether the GPU has finished the last batch. Does not wait for it. */
+  /** Whether the GPU has nearly finished the last batch. Does not wait for it. */
   get ended(): boolean {
     if (this.#fence === null) return true;
     if (!this.#signalled) return false;
@@ -55,17 +58,19 @@ export class Batches {
   send(left: number, draw: () => void): void {
     this.cancel();
     const gl = this.#gl;
+    const fence = (): WebGLSync | null => gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     const start = (this.#start = performance.now());
     const wanted = Math.min(this.#size, left);
     let drawn = 0;
     do {
       draw();
       drawn += 1;
+      if (drawn === Math.ceil(NEAR_END * wanted)) this.#fence = fence();
     } while (drawn < wanted && performance.now() - start < BATCH_MS);
     this.#sent = drawn;
     this.#running = 0;
     this.#finished = Infinity;
-    this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.#fence ??= fence();
     gl.flush();
     this.#look();
   }

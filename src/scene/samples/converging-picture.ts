@@ -84,7 +84,8 @@ export class ConvergingPicture {
       queue(this);
     }
     this.#stillFrames += 1;
-    if (this.#dragged && this.#stillFrames <= STILL_FRAMES) return true;
+    // Pictures in view come first.
+    if (this.#stillFrames <= (this.#dragged ? STILL_FRAMES : Number(!this.inView))) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
     this.#aside(this.#draw);

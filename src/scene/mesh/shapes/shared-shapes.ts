@@ -103,17 +103,15 @@ export function releaseGeometry(key: ShapeKey): void {
   if (entry.users > 0) return;
   const free = (): void => {
     if (shared.get(text) === entry) shared.delete(text);
-    if (entry.geometry instanceof Promise) {
-      // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
+    if (!(entry.geometry instanceof Promise)) entry.geometry.dispose();
+    // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
+    else
       entry.geometry.then(
         (geometry) => {
           geometry.dispose();
         },
         () => undefined,
       );
-    } else {
-      entry.geometry.dispose();
-    }
   };
   if (key.isLevel) entry.freeing = setTimeout(free, KEPT_MS);
   else free();
