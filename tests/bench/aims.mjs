@@ -17,6 +17,7 @@ import {
   pictureSubject,
   SPHERE_LIGHTS,
   STILL,
+  stillSubject,
 } from './subjects.mjs';
 
 /**
@@ -130,13 +131,11 @@ export const AIMS = [
     named(`${sphere(count)}, shininess 128`, 'first frames', { gpu: 1 }),
     named(`${sphere(count)}, shininess 128`, 'settled', { gpu: 0.95 }),
   ]),
-  ...STILL.flatMap((shape) =>
-    [shape, `${shape}, 760 × 420`].map((picture) => {
-      const label = `64 samples of a ${picture}, ms from the change`;
-      const more = { ...VALUE, side: 'full, 64 samples' };
-      return aim(label, `still ${picture}`, 'change to picture', { gpu: 75 }, more);
-    }),
-  ),
+  ...Object.keys(STILL).map((picture) => {
+    const label = `64 samples of a ${picture}, ms from the change`;
+    const more = { ...VALUE, side: 'full, 64 samples' };
+    return aim(label, stillSubject(picture), 'change to picture', { gpu: 75 }, more);
+  }),
   ...Object.keys(FIRST_MODELS).map((model) => {
     const subject = firstModelSubject(model);
     return aim(subject, subject, FIRST_PICTURE, both(/PLY|STL|images/.test(model) ? 1.5 : 1.15));

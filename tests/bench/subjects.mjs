@@ -79,8 +79,14 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
 export const FRAMED_LIGHTS = [8, 32];
 export const FRAMED_SHAPES = /** @type {const} */ (['sphere', 'torus', 'teapot']);
-/** Shapes whose 64 samples are timed, each also in a picture of an article's size. */
-export const STILL = /** @type {const} */ (['sphere', 'teapot']);
+/** Pictures whose 64 samples are timed. @type {Readonly<Record<string, Omit<StillSubject, 'kind'>>>} */
+export const STILL = {
+  sphere: { geometry: 'sphere' },
+  'sphere, 760 × 420': { geometry: 'sphere', size: [760, 420] },
+  teapot: { geometry: 'teapot' },
+  'teapot, 760 × 420': { geometry: 'teapot', size: [760, 420] },
+};
+export const stillSubject = (/** @type {string} */ picture) => `still ${picture}`;
 /** @param {(typeof FRAMED_SHAPES)[number]} shape @param {number} count */
 export const framedSubject = (shape, count) => `${shape} framed by default, ${lights(count)}`;
 
@@ -170,10 +176,7 @@ export const SUBJECTS = {
     ]),
   ),
   ...Object.fromEntries(
-    STILL.flatMap((geometry) => [
-      [`still ${geometry}`, { kind: 'still', geometry }],
-      [`still ${geometry}, 760 × 420`, { kind: 'still', geometry, size: [760, 420] }],
-    ]),
+    Object.entries(STILL).map(([picture, still]) => [stillSubject(picture), { kind: 'still', ...still }]),
   ),
   bytes: { kind: 'bytes' },
   'front, 8 lights': { kind: 'front', front: '8 lights' },

@@ -60,7 +60,7 @@ test('a still picture gets its samples, which are no frames, and then nothing ru
   expect(await samplesOf(viewer)).toBe(0);
 });
 
-test('samples begin in the first still frame, and three frames later after a drag', async ({ mount }) => {
+test('samples begin three frames sooner after a lone change than after a drag', async ({ mount }) => {
   const viewer = await mount(viewerOf(full), size);
   /** Frames from the last of so many changes, two frames apart, to its first batch of samples, which ends with a fence. */
   const waited = (changes: number): Promise<number> =>

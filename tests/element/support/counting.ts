@@ -8,7 +8,7 @@ export interface Counts {
   readonly frames: number;
   readonly timers: number;
   readonly idleCallbacks: number;
-  /** Calls of any WebGL 2 function. */
+  /** Calls of WebGL 2 functions other than `delete…`: levels and float buffers are freed a while after their last use. */
   readonly gl: number;
   /** `drawImage` calls on 2D canvases. */
   readonly copies: number;
@@ -79,7 +79,6 @@ function wrapEverything(): void {
   wrap(window, 'requestIdleCallback', () => count('idleCallbacks'));
 
   const gl = WebGL2RenderingContext.prototype;
-  // Levels of detail and float buffers are freed some time after their last use.
   for (const name of Object.getOwnPropertyNames(gl))
     if (!name.startsWith('delete')) wrap(gl, name, () => count('gl'));
   for (const kind of [

@@ -38,9 +38,8 @@ export async function film(
       });
     };
     const read = (): void => {
-      if (!running) return;
       const canvas = element.shadowRoot!.querySelector('canvas');
-      if (canvas === null) return; // it was moved after the page was shown
+      if (!running || canvas === null) return; // null: it was moved after the page was shown
       const { width, height } = canvas;
       Object.assign(copy.canvas, { width, height });
       copy.drawImage(canvas, 0, 0);
