@@ -41,7 +41,7 @@ const SETTLED = {
   software: [0.85, 0.5, 0.3, 0.25, 0.9, 0.9, 0.9],
 };
 /** How much longer than the usual frame the take-over may make one frame, in milliseconds. */
-export const TAKE_OVER_MS = { software: 400, gpu: 50 };
+const TAKE_OVER_MS = { software: 400, gpu: 50 };
 
 /** @param {number} x */
 const both = (x) => ({ software: x, gpu: x });
