@@ -49,13 +49,13 @@ export function glbOf({ positions, normals, indices }) {
 }
 
 /**
- * The container: JSON and one binary chunk.
- * @param {object} json @param {Uint8Array} bin its length a multiple of 4
+ * The container: JSON, or a text in its place, and one binary chunk.
+ * @param {object | string} json @param {Uint8Array} bin
  * @returns {Uint8Array<ArrayBuffer>}
  */
 export function glbFile(json, bin) {
-  const text = new TextEncoder().encode(JSON.stringify(json));
-  const file = new Uint8Array(12 + 8 + padded(text.length) + 8 + bin.length);
+  const text = new TextEncoder().encode(typeof json === 'string' ? json : JSON.stringify(json));
+  const file = new Uint8Array(12 + 8 + padded(text.length) + 8 + padded(bin.length));
   const view = new DataView(file.buffer);
   let at = 0;
   /** @param {number} word */
@@ -67,7 +67,7 @@ export function glbFile(json, bin) {
   file.fill(0x20, at, at + padded(text.length)); // JSON is padded with spaces
   file.set(text, at);
   at += padded(text.length);
-  [bin.length, BINARY_CHUNK].forEach(put);
+  [padded(bin.length), BINARY_CHUNK].forEach(put);
   file.set(bin, at);
   return file;
 }

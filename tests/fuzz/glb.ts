@@ -1,25 +1,14 @@
 // Writes small GLB and PNG files from parts, sound or not: what a document claims need not be in its bytes. Runs in
 // Node.
-import { crc32 } from './crc32.js';
 import { deflateSync } from 'node:zlib';
+import { glbFile } from '../bench/glb.mjs';
+import { crc32 } from './crc32.js';
 
 export type Json = Record<string, unknown>;
 
-const MAGIC = 0x46546c67;
-const CHUNK_JSON = 0x4e4f534a;
-const CHUNK_BIN = 0x004e4942;
-
-/** A GLB of this document and binary chunk; both are padded to whole words. */
-export function glbOf(json: unknown, body: Uint8Array = new Uint8Array()): Buffer {
-  return glbOfText(JSON.stringify(json), body);
-}
-
-/** As {@link glbOf}, for JSON that no object stands for. */
-export function glbOfText(text: string, body: Uint8Array = new Uint8Array()): Buffer {
-  const chunks = [chunk(CHUNK_JSON, Buffer.from(text), 0x20), chunk(CHUNK_BIN, Buffer.from(body), 0)];
-  const size = 12 + chunks.reduce((sum, { length }) => sum + length, 0);
-  return Buffer.concat([words(MAGIC, 2, size), ...chunks]);
-}
+/** A GLB of this document, or of a text in its place, and this binary chunk; both are padded to whole words. */
+export const glbOf = (json: object | string, body: Uint8Array = new Uint8Array()): Buffer =>
+  Buffer.from(glbFile(json, body).buffer);
 
 /** The document and the binary chunk of a sound GLB. */
 export function openGlb(file: Buffer): { json: Json; body: Buffer } {
@@ -61,17 +50,6 @@ export function viewsOf(blobs: readonly Uint8Array[]): {
 }
 
 export const floats = (...values: readonly number[]): Buffer => Buffer.from(Float32Array.from(values).buffer);
-
-function chunk(type: number, bytes: Buffer, filler: number): Buffer {
-  const padding = Buffer.alloc((4 - (bytes.length % 4)) % 4, filler);
-  return Buffer.concat([words(bytes.length + padding.length, type), bytes, padding]);
-}
-
-function words(...values: readonly number[]): Buffer {
-  const buffer = Buffer.alloc(values.length * 4);
-  values.forEach((value, i) => buffer.writeUInt32LE(value, i * 4));
-  return buffer;
-}
 
 function pngChunk(type: string, data: Uint8Array): Buffer {
   const named = Buffer.concat([Buffer.from(type), data]);

@@ -3,7 +3,7 @@
 // loaded.
 import type { Random } from '../stress/random.js';
 import { bar } from '../support/animated-gltf.js';
-import { floats, glbOf, glbOfText, type Json, openGlb, pngWith, viewsOf } from './glb.js';
+import { floats, glbOf, type Json, openGlb, pngWith, viewsOf } from './glb.js';
 
 export interface HostileFile {
   /** Describes what is wrong with it. */
@@ -332,13 +332,13 @@ const CONSTRUCTED: readonly Construct[] = [
   },
   (random) => {
     const [open, times] = [random.pick(['[', '{"a":', '[{},']), whole(random, 1e3, 1e6)];
-    return { what: `JSON that opens ${times} ${open}`, bytes: glbOfText(open.repeat(times)) };
+    return { what: `JSON that opens ${times} ${open}`, bytes: glbOf(open.repeat(times)) };
   },
   (random) => {
     const times = whole(random, 1e3, 1e6);
     return {
       what: `JSON with ${times} values`,
-      bytes: glbOfText(
+      bytes: glbOf(
         JSON.stringify(triangleDocument()).replace(/}$/, `,"extras":[${'{},'.repeat(times)}0]}`),
       ),
     };

@@ -12,7 +12,7 @@ import { modelContent } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
 import { bitmapOf } from './model-files.js';
 import { bar } from '../support/animated-gltf.js';
-import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
+import { floats, glbOf, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {
   channelsGlb,
   deepGlb,
@@ -455,8 +455,8 @@ describe('documents that are wrong', () => {
   });
 
   it('report JSON that is too deep or has millions of values', async () => {
-    expect(await outcome(glbOfText('['.repeat(1e6)))).toMatch(/^too-large/);
-    expect(await outcome(glbOfText(`[${'{},'.repeat(2e6)}0]`))).toMatch(/^too-large: .*values in its JSON/);
+    expect(await outcome(glbOf('['.repeat(1e6)))).toMatch(/^too-large/);
+    expect(await outcome(glbOf(`[${'{},'.repeat(2e6)}0]`))).toMatch(/^too-large: .*values in its JSON/);
   });
 
   it('with keys such as __proto__ change nothing', async () => {
@@ -464,7 +464,7 @@ describe('documents that are wrong', () => {
       /^\{/,
       '{"__proto__":{"scenes":[]},"constructor":0,',
     );
-    expect(await outcome(glbOfText(document, floats(0, 0, 0, 1, 0, 0, 0, 1, 0)))).toBe('1 parts');
+    expect(await outcome(glbOf(document, floats(0, 0, 0, 1, 0, 0, 0, 1, 0)))).toBe('1 parts');
   });
 });
 
