@@ -107,26 +107,16 @@ export class OrbitInput {
     if (this.#gesture.active) this.#gesture.reanchor();
   }
 
-  readonly #lifted = (event: Event): void => {
-    this.#onLift(event as PointerEvent);
-  };
+  readonly #lifted = (event: Event): void => this.#onLift(event as PointerEvent);
 
   readonly #handlers: Readonly<Record<string, (event: Event) => void>> = {
-    pointerdown: (event) => {
-      this.#onPress(event as PointerEvent);
-    },
-    pointermove: (event) => {
-      this.#onMove(event as PointerEvent);
-    },
+    pointerdown: (event) => this.#onPress(event as PointerEvent),
+    pointermove: (event) => this.#onMove(event as PointerEvent),
     pointerup: this.#lifted,
     pointercancel: this.#lifted,
     lostpointercapture: this.#lifted,
-    wheel: (event) => {
-      this.#onWheel(event as WheelEvent);
-    },
-    keydown: (event) => {
-      this.#onKey(event as KeyboardEvent);
-    },
+    wheel: (event) => this.#onWheel(event as WheelEvent),
+    keydown: (event) => this.#onKey(event as KeyboardEvent),
   };
 
   #onPress(event: PointerEvent): void {

@@ -15,9 +15,7 @@ export class ButtonRow extends Controller {
     );
     this.$name.remove();
     this.domElement.setAttribute('role', 'group');
-    label(this.domElement, (say) => {
-      this.domElement.setAttribute('aria-label', say(name));
-    });
+    label(this.domElement, (say) => this.domElement.setAttribute('aria-label', say(name)));
   }
 
   add(text: ViewerText, press: () => void): HTMLButtonElement {

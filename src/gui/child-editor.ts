@@ -25,20 +25,10 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
   /** Buttons in the child's folder. */
   addButtons(gui: GUI, child: E): void {
     const row = new ButtonRow(gui, 'Order and copies');
-    row.addSymbol('↑', 'move up', () => {
-      this.#move(child, -1);
-    });
-    row.addSymbol('↓', 'move down', () => {
-      this.#move(child, 1);
-    });
-    row.add('duplicate', () => {
-      this.add(copyOf(child, this.#children()), (copy) => {
-        child.after(copy);
-      });
-    });
-    row.add('remove', () => {
-      this.#remove(child);
-    });
+    row.addSymbol('↑', 'move up', () => this.#move(child, -1));
+    row.addSymbol('↓', 'move down', () => this.#move(child, 1));
+    row.add('duplicate', () => this.add(copyOf(child, this.#children()), (copy) => child.after(copy)));
+    row.add('remove', () => this.#remove(child));
   }
 
   /** Keys on the child's title. */
@@ -57,9 +47,7 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
 
   /** Adds a child, opens its folder and scrolls to it. */
   add(child: E, insert: (child: E) => void): void {
-    this.#edit(() => {
-      insert(child);
-    });
+    this.#edit(() => insert(child));
     const folder = this.#folders.folderOf(child);
     if (folder === undefined) return;
     folder.open();
@@ -99,9 +87,7 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
   }
 }
 
-const focus = (element: HTMLElement): void => {
-  element.focus({ preventScroll: true });
-};
+const focus = (element: HTMLElement): void => element.focus({ preventScroll: true });
 
 /** HTML nests self-closed tags in one another. Moves the children of an element behind it. */
 function unnest(element: HTMLElement): void {

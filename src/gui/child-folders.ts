@@ -26,9 +26,7 @@ export abstract class ChildFolder<E extends PhongLight | PhongMesh> {
     this.element = element;
     this.viewer = viewer;
     const place = { element, viewer, range, title: () => this.#title };
-    this.folder = new Folder(group, null, place, rows, (gui) => {
-      editor.addButtons(gui, element);
-    });
+    this.folder = new Folder(group, null, place, rows, (gui) => editor.addButtons(gui, element));
     editor.listenToKeys(this.folder, element);
   }
 

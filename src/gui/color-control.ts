@@ -64,9 +64,7 @@ export class ColorControl extends Controller {
       this.#bound.value = this.#mix.recolor(value, colorOf(picker.value));
     });
     this.$widget.append(picker);
-    label(picker, (say) => {
-      picker.setAttribute('aria-label', say('{color} picker', { color: say(name) }));
-    });
+    label(picker, (say) => picker.setAttribute('aria-label', say('{color} picker', { color: say(name) })));
   }
 
   get #text(): string {

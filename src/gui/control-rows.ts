@@ -70,9 +70,9 @@ class StepControl extends Controller {
     const at = this.#place;
     const text = this.#text(this.#bound.value);
     if (this.#output.textContent !== text) this.#output.textContent = text;
-    this.#buttons.forEach((button, i) => {
-      button.setAttribute('aria-disabled', String(at >= 0 && at === (i === 0 ? 0 : this.#values.length - 1)));
-    });
+    this.#buttons.forEach((button, i) =>
+      button.setAttribute('aria-disabled', String(at >= 0 && at === (i === 0 ? 0 : this.#values.length - 1))),
+    );
     return this;
   }
 

@@ -16,11 +16,9 @@ const RESULT_MS = 2000;
 /** Adds the row. `update`: the viewer's values have changed. */
 export function addFiles(gui: GUI, viewer: PhongViewer): { update(): void; dispose(): void } {
   const row = new ButtonRow(gui, 'Files');
-  const open = row.add('open model…', () => {
-    chooseModel((file) => {
-      historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file));
-    });
-  });
+  const open = row.add('open model…', () =>
+    chooseModel((file) => historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file))),
+  );
   row.add('save PNG', () => {
     void savePicture(viewer);
   });
@@ -48,9 +46,7 @@ class CopyButton {
     this.#text.className = 'markup';
     this.#text.rows = 6;
     // As in lil-gui's own fields: keys typed here must not reach the camera.
-    this.#text.addEventListener('keydown', (event) => {
-      event.stopPropagation();
-    });
+    this.#text.addEventListener('keydown', (event) => event.stopPropagation());
   }
 
   dispose(): void {
@@ -66,9 +62,7 @@ class CopyButton {
       // Refused, or missing: pages without TLS have no clipboard.
       this.#text.value = markup;
       this.#row.domElement.after(this.#text);
-      label(this.#text, (say) => {
-        this.#text.setAttribute('aria-label', say("The scene's HTML"));
-      });
+      label(this.#text, (say) => this.#text.setAttribute('aria-label', say("The scene's HTML")));
       this.#text.select();
       this.#text.scrollIntoView({ block: 'nearest' });
       this.#showResult('select and copy below');
@@ -78,9 +72,7 @@ class CopyButton {
   #showResult(what: ViewerText): void {
     clearTimeout(this.#timer);
     this.#show(what);
-    this.#timer = window.setTimeout(() => {
-      this.#show(LABEL);
-    }, RESULT_MS);
+    this.#timer = window.setTimeout(() => this.#show(LABEL), RESULT_MS);
   }
 
   #show(text: ViewerText): void {
@@ -103,9 +95,7 @@ export function chooseModel(chosen: (model: Blob) => void): void {
       .then((model) => {
         if (model !== null) chosen(model);
       })
-      .catch((error: unknown) => {
-        console.warn(`<phong-viewer gui>: ${String(error)}`);
-      });
+      .catch((error: unknown) => console.warn(`<phong-viewer gui>: ${String(error)}`));
   });
   dialog.click();
 }
@@ -122,7 +112,5 @@ async function savePicture(viewer: PhongViewer): Promise<void> {
   link.href = address;
   link.download = 'phong-viewer.png';
   link.click();
-  setTimeout(() => {
-    URL.revokeObjectURL(address);
-  }, KEPT_MS);
+  setTimeout(() => URL.revokeObjectURL(address), KEPT_MS);
 }

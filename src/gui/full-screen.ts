@@ -18,9 +18,7 @@ export class FullScreenButton {
     this.#update();
   }
 
-  readonly #update = (): void => {
-    explain(this.#button, this.#isOn ? 'Leave full screen' : 'Full screen');
-  };
+  readonly #update = (): void => explain(this.#button, this.#isOn ? 'Leave full screen' : 'Full screen');
 
   dispose(): void {
     this.#viewer.removeEventListener('fullscreenchange', this.#update);

@@ -121,9 +121,9 @@ export class LightFolder extends ChildFolder<PhongLight> {
 
   protected override showTitle(title: string): void {
     super.showTitle(title);
-    label(this.#switch, (say) => {
-      this.#switch.setAttribute('aria-label', say('{name} active', { name: title }));
-    });
+    label(this.#switch, (say) =>
+      this.#switch.setAttribute('aria-label', say('{name} active', { name: title })),
+    );
   }
 
   /** Turns the light on and off without opening the folder. */
@@ -131,9 +131,9 @@ export class LightFolder extends ChildFolder<PhongLight> {
     const { element: light, viewer } = this;
     this.#switch.type = 'checkbox';
     this.#switch.className = 'switch';
-    this.#switch.addEventListener('change', () => {
-      historyOf(viewer).edit(valuesOf(light), () => (light.active = this.#switch.checked));
-    });
+    this.#switch.addEventListener('change', () =>
+      historyOf(viewer).edit(valuesOf(light), () => (light.active = this.#switch.checked)),
+    );
     this.folder.gui.$title.after(this.#switch);
   }
 }

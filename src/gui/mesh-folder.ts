@@ -28,13 +28,10 @@ import { linear, logarithmic } from './travel.js';
 
 /** A button that shows a file of the user's instead of the mesh's model or shape. */
 const modelFile: Row<MeshValues['src'], PhongMesh> = {
-  add: (gui, { element: mesh, viewer }) => {
-    new ButtonRow(gui, 'Model').add('choose model file…', () => {
-      chooseModel((file) => {
-        historyOf(viewer).edit(valuesOf(mesh), () => (mesh.src = file));
-      });
-    });
-  },
+  add: (gui, { element: mesh, viewer }) =>
+    new ButtonRow(gui, 'Model').add('choose model file…', () =>
+      chooseModel((file) => historyOf(viewer).edit(valuesOf(mesh), () => (mesh.src = file))),
+    ),
 };
 
 export const SURFACE_ROWS = {
@@ -43,12 +40,12 @@ export const SURFACE_ROWS = {
   ks: color('ks', 1),
   shininess: number('shininess', logarithmic(1, 1e6)),
   // To the defaults; for a model, to the values in its file.
-  resetMaterial: button('reset material', ({ element, viewer }) => {
+  resetMaterial: button('reset material', ({ element, viewer }) =>
     historyOf(viewer).edit(valuesOf(element), () => {
       const binding = fieldsOf(element as PhongMesh);
       for (const key of Object.keys(SURFACE_FIELDS) as (keyof SurfaceValues)[]) binding.set(key, null);
-    });
-  }),
+    }),
+  ),
 } satisfies RowTable<SurfaceValues, PhongMesh | PhongViewer, 'resetMaterial'>;
 
 /** How many segments the shape has; under `auto`: what that gives now. */

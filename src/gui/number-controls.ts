@@ -117,9 +117,7 @@ export class Slider {
     this.#present = travel;
     const { input } = this;
     input.type = 'range';
-    input.addEventListener('pointerdown', () => {
-      this.#dragging = true;
-    });
+    input.addEventListener('pointerdown', () => (this.#dragging = true));
     for (const type of ['pointerup', 'pointercancel', 'lostpointercapture', 'change', 'blur'] as const) {
       input.addEventListener(type, () => {
         this.#dragging = false;

@@ -185,9 +185,7 @@ class Folders implements Content {
     addButton(group, 'add light', () => {
       const light = document.createElement('phong-light');
       Object.assign(light, newLight(viewer.lights.length, this.#range.center, this.#range.reach));
-      editor.add(light, () => {
-        viewer.append(light);
-      });
+      editor.add(light, () => viewer.append(light));
     });
     return folders;
   }
@@ -276,7 +274,5 @@ function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
     if (hasDecided()) observer.disconnect();
   });
   observer.observe(viewer);
-  return () => {
-    observer.disconnect();
-  };
+  return () => observer.disconnect();
 }

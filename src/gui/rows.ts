@@ -126,15 +126,7 @@ export function edited<T>(
   get: () => T,
   set: (value: T) => void,
 ): Bound<T> {
-  const value: Bound<T> = bound(get, (next) => {
-    historyOf(viewer).edit(
-      subject,
-      () => {
-        set(next);
-      },
-      value,
-    );
-  });
+  const value: Bound<T> = bound(get, (next) => historyOf(viewer).edit(subject, () => set(next), value));
   return value;
 }
 
@@ -194,9 +186,7 @@ export const color = (label: ViewerText, usual: number): Row<Vec3, unknown> => (
 });
 
 export const flag = (label: ViewerText): Row<boolean, unknown> => ({
-  add: (gui, _, value) => {
-    nameRow(gui.add(value, 'value'), label);
-  },
+  add: (gui, _, value) => nameRow(gui.add(value, 'value'), label),
 });
 
 /** A flag for each word that the field can list. */
@@ -268,11 +258,7 @@ export const drawnReadout = <T, E>(label: ViewerText, read: (element: E) => stri
 
 /** A button in a row of its own. The press edits what it needs to. */
 export const button = <E>(label: ViewerText, press: (place: RowContext<E>) => void): Row<unknown, E> => ({
-  add: (gui, place) => {
-    addButton(gui, label, () => {
-      press(place);
-    });
-  },
+  add: (gui, place) => addButton(gui, label, () => press(place)),
 });
 
 export const addButton = (gui: GUI, name: ViewerText, press: () => void): FunctionController =>

@@ -22,9 +22,7 @@ export class SelectControl<T extends string | null> extends Controller {
     nameRow(this, name);
     this.#options = options;
     this.#select.setAttribute('aria-labelledby', this.$name.id);
-    this.#select.addEventListener('change', () => {
-      bound.value = this.#values[this.#select.selectedIndex]!;
-    });
+    this.#select.addEventListener('change', () => (bound.value = this.#values[this.#select.selectedIndex]!));
     this.$widget.append(this.#select);
     this.updateDisplay();
   }
@@ -41,8 +39,8 @@ export class SelectControl<T extends string | null> extends Controller {
   #fill(values: readonly T[]): void {
     this.#values = values;
     this.#select.replaceChildren(...values.map(() => document.createElement('option')));
-    label(this.#select, (say) => {
-      values.forEach((value, i) => (this.#select.options[i]!.textContent = this.#options.text(value, say)));
-    });
+    label(this.#select, (say) =>
+      values.forEach((value, i) => (this.#select.options[i]!.textContent = this.#options.text(value, say))),
+    );
   }
 }

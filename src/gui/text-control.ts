@@ -65,9 +65,7 @@ export class TextField {
     input.type = 'text';
     input.autocomplete = 'off';
     input.spellcheck = false;
-    input.addEventListener('focus', () => {
-      input.select();
-    });
+    input.addEventListener('focus', () => input.select());
     input.addEventListener('input', () => {
       this.#typing = true;
       this.#valid = binding.write(input.value);
@@ -75,9 +73,7 @@ export class TextField {
     input.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') input.blur();
     });
-    input.addEventListener('blur', () => {
-      this.settle();
-    });
+    input.addEventListener('blur', () => this.settle());
   }
 
   /** Shows the value, unless the user types. */

@@ -48,9 +48,7 @@ export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: 
   panel.addEventListener('input', ({ target }) => {
     if (isText(target)) typedIn = target;
   });
-  panel.addEventListener('focusout', () => {
-    typedIn = null;
-  });
+  panel.addEventListener('focusout', () => (typedIn = null));
   // A step ends when the pointer or an arrow key is released, and when a field or picker is left.
   for (const type of ['change', 'pointerup', 'pointercancel'] as const) {
     panel.addEventListener(type, () => {
@@ -89,7 +87,5 @@ export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: 
     },
     { signal: outside.signal },
   );
-  return () => {
-    outside.abort();
-  };
+  return () => outside.abort();
 }

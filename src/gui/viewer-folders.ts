@@ -62,9 +62,9 @@ export const VIEWER_ROWS = {
     ),
     fov: number('fov °', linear(1, 170, 1)),
     autoRotate: number('auto-rotate', linear(-90, 90, 1), 'Degrees per second about y'),
-    resetCamera: button<PhongViewer>('reset camera', ({ viewer }) => {
-      historyOf(viewer).edit(cameraOf(viewer), () => viewerCameras.get(viewer)?.reset('panel'));
-    }),
+    resetCamera: button<PhongViewer>('reset camera', ({ viewer }) =>
+      historyOf(viewer).edit(cameraOf(viewer), () => viewerCameras.get(viewer)?.reset('panel')),
+    ),
   }),
   ...inFolder('Shading', {
     shading: oneOf('shading', SHADINGS),

@@ -46,14 +46,10 @@ async function collect(entry: FileSystemEntry, found: Map<string, File>): Promis
 }
 
 const fileOf = (entry: FileSystemFileEntry): Promise<File> =>
-  new Promise((resolve, reject) => {
-    entry.file(resolve, reject);
-  });
+  new Promise((resolve, reject) => entry.file(resolve, reject));
 
 const nextBatch = (reader: FileSystemDirectoryReader): Promise<readonly FileSystemEntry[]> =>
-  new Promise((resolve, reject) => {
-    reader.readEntries(resolve, reject);
-  });
+  new Promise((resolve, reject) => reader.readEntries(resolve, reject));
 
 function modelAmong(files: Files): File | null {
   const models = [...files].filter(([path]) => isModel(path));

@@ -10,9 +10,7 @@ import type { Slices } from './slices.js';
  */
 export async function faceNormals(positions: ArrayLike<number>, slices: Slices): Promise<BufferAttribute> {
   const normals = new Float32Array(positions.length);
-  await slices.over(positions.length / 9, (from, to) => {
-    writeFaceNormals(positions, normals, from, to);
-  });
+  await slices.over(positions.length / 9, (from, to) => writeFaceNormals(positions, normals, from, to));
   return new BufferAttribute(normals, 3);
 }
 

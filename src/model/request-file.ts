@@ -23,9 +23,7 @@ export function requestFile(
   const refusal = refusalOf(url, watch.signal);
   const response = fetch(url, { signal, redirect, credentials });
   response.catch(() => undefined); // the code that awaits it reports the error
-  const stop = (): void => {
-    watch.abort();
-  };
+  const stop = (): void => watch.abort();
   return { response, refusal, stop };
 }
 

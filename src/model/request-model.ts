@@ -45,9 +45,7 @@ export function requestModelFile(
   if (found === undefined) return requestFile(url, 'follow', options);
   early.delete(key);
   const { signal } = options;
-  signal.addEventListener('abort', () => {
-    found.end.abort(signal.reason);
-  });
+  signal.addEventListener('abort', () => found.end.abort(signal.reason));
   return found.request;
 }
 

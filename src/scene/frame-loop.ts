@@ -56,15 +56,11 @@ export class FrameLoop {
     this.#pending = 0;
     this.#latest = null;
     [this.#waiting, this.#running] = [this.#running, this.#waiting];
-    this.#each((picture) => {
-      picture.prepare();
-    });
+    this.#each((picture) => picture.prepare());
     this.#each((picture) => {
       if (picture.advance(now)) this.request(picture);
     });
-    this.#each((picture) => {
-      picture.draw();
-    });
+    this.#each((picture) => picture.draw());
     this.#running.clear();
   };
 
@@ -78,9 +74,7 @@ export class FrameLoop {
       this.cancel(picture);
       this.#running.add(picture);
     }
-    this.#each((picture) => {
-      picture.draw();
-    });
+    this.#each((picture) => picture.draw());
     this.#running.clear();
   }
 

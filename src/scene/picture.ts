@@ -45,9 +45,7 @@ export class Picture {
     this.lighting = new PhongLighting(lights);
     this.materials = new SharedMaterials(this.lighting);
     this.levels = new Levels(this.meshes, this.budget, this.materials);
-    this.fit = new AutoFit(this.#tree, this.orbit, () => {
-      this.invalidate();
-    });
+    this.fit = new AutoFit(this.#tree, this.orbit, () => this.invalidate());
     this.#changed = changed;
     this.#fitted = fitted;
     this.scene.matrixWorldAutoUpdate = false; // `make` updates matrices, before it measures

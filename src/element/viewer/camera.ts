@@ -239,9 +239,7 @@ export class ViewerCamera implements ReactiveController {
         picture.fit.framing = null;
         this.#moved(source);
       },
-      reset: () => {
-        this.reset('key');
-      },
+      reset: () => this.reset('key'),
       held: (dragging) => {
         if (!dragging) this.#startMotion();
       },

@@ -31,8 +31,6 @@ export function takeDrops(viewer: PhongViewer): void {
       .then((model) => {
         if (drop === drops && model !== null) viewer.src = model;
       })
-      .catch((error: unknown) => {
-        console.warn(`<phong-viewer droppable>: ${String(error)}`);
-      });
+      .catch((error: unknown) => console.warn(`<phong-viewer droppable>: ${String(error)}`));
   });
 }

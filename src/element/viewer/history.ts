@@ -64,24 +64,22 @@ export class History {
 
   /** Takes the last step back. False if there is none. */
   undo(): boolean {
-    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) => {
-      subject.restore(after, before);
-    });
+    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) =>
+      subject.restore(after, before),
+    );
   }
 
   /** Repeats the step taken back last. False if there is none. */
   redo(): boolean {
-    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) => {
-      subject.restore(before, after);
-    });
+    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) =>
+      subject.restore(before, after),
+    );
   }
 
   /** Calls `changed` after every step, undo and redo. The returned function stops that. */
   listen(changed: () => void): () => void {
     this.#changed.add(changed);
-    return () => {
-      this.#changed.delete(changed);
-    };
+    return () => this.#changed.delete(changed);
   }
 
   #add(step: Step): void {
@@ -150,9 +148,7 @@ export function cameraOf(viewer: PhongViewer): Undoable<CameraPlacement> {
   return {
     read: () => camera.placement(),
     same: (a, b) => sameParts(a.pose, b.pose) && sameParts(a.framing ?? {}, b.framing ?? {}),
-    restore: (_, to) => {
-      camera.place(to, 'panel');
-    },
+    restore: (_, to) => camera.place(to, 'panel'),
   };
 }
 

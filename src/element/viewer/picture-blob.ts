@@ -40,7 +40,7 @@ export async function pictureBlob(
     throw new RangeError(`toBlob: quality must be from 0 to 1, got ${String(quality)}`);
   }
   if (type.toLowerCase() === 'image/jpeg') fillBehind(picture, 'white');
-  return new Promise((resolve, reject) => {
+  return new Promise((resolve, reject) =>
     picture.toBlob(
       (blob) => {
         if (blob !== null) resolve(blob);
@@ -51,8 +51,8 @@ export async function pictureBlob(
       },
       type,
       quality,
-    );
-  });
+    ),
+  );
 }
 
 /** JPEG has no alpha, and browsers would fill transparent pixels with black. */

@@ -38,8 +38,6 @@ export class Readiness {
 
   #renew(): void {
     this.#resolve?.();
-    this.#promise = new Promise((resolve) => {
-      this.#resolve = resolve;
-    });
+    this.#promise = new Promise((resolve) => (this.#resolve = resolve));
   }
 }

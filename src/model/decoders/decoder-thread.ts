@@ -98,16 +98,12 @@ export class DecoderThread<Job, Result> {
   /** Ends the session after a while, unless it is used again. */
   #rest(): void {
     clearTimeout(this.#idle);
-    this.#idle = setTimeout(() => {
-      this.#close();
-    }, IDLE_MS);
+    this.#idle = setTimeout(() => this.#close(), IDLE_MS);
   }
 
   #close(): void {
     void this.#session?.then(
-      (session) => {
-        session.end();
-      },
+      (session) => session.end(),
       () => undefined,
     );
     this.#session = null;
@@ -116,9 +112,7 @@ export class DecoderThread<Job, Result> {
 
 const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
   decode: (job, signal) => answerOf<Result>(worker, job, signal),
-  end: () => {
-    worker.terminate();
-  },
+  end: () => worker.terminate(),
 });
 
 /** Sends a message and waits for its answer. */

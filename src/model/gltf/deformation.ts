@@ -82,16 +82,10 @@ export class Deformation {
   /** The first pose, in slices. Rejects with an Error if a vertex leaves the domain of coordinates. */
   async load(slices: Slices): Promise<void> {
     const count = this.#position.length / 3;
-    await slices.over(count, (from, to) => {
-      this.#link(from, to);
-    });
-    const deform = (from: number, to: number): void => {
-      this.#deform(from, to);
-    };
+    await slices.over(count, (from, to) => this.#link(from, to));
+    const deform = (from: number, to: number): void => this.#deform(from, to);
     await slices.over(count, deform, 1 + this.#rig.targets.length);
-    await slices.over(count / 3, (from, to) => {
-      this.#writeFaceNormals(from, to);
-    });
+    await slices.over(count / 3, (from, to) => this.#writeFaceNormals(from, to));
     const positions = this.#position;
     await slices.over(positions.length, (from, to) => {
       for (let i = from; i < to; i += 1)
@@ -99,10 +93,7 @@ export class Deformation {
           throw new Error(`a vertex has the coordinate ${String(positions[i])}; ±1e15 is the limit`);
     });
     const index = this.#turnedIndex();
-    if (index !== null)
-      await slices.over(index.length, (from, to) => {
-        this.#turnFaces(index, from, to);
-      });
+    if (index !== null) await slices.over(index.length, (from, to) => this.#turnFaces(index, from, to));
     this.#remember();
   }
 

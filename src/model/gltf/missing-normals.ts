@@ -29,9 +29,8 @@ export async function completeNormals(
   const normals = source.clone();
   const face = new Float64Array(3);
   const vertexOf = (corner: number): number => corners?.[corner] ?? corner;
-  const readFace = (corner: number): void => {
+  const readFace = (corner: number): void =>
     writeFace(face, positions, vertexOf(corner), vertexOf(corner + 1), vertexOf(corner + 2));
-  };
   await slices.over(count, (from, to) => {
     for (let first = from; first < to; first += 3) {
       readFace(first);

@@ -176,9 +176,7 @@ function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Omi
     case 'weights':
       return {
         rest: weights.slice(),
-        set: (value) => {
-          weights.set(value);
-        },
+        set: (value) => weights.set(value),
       };
   }
 }

@@ -49,9 +49,7 @@ export const readObj: ModelReader = async (source) => {
     if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
     materials.nameLeftOut(leftOut);
     const dropped = await leftOut.names(bytes, slices);
-    const closeImages = (): void => {
-      textures.close();
-    };
+    const closeImages = (): void => textures.close();
     return { ...ownedModel(parts, closeImages), dropped };
   } catch (error) {
     textures.close();

@@ -283,21 +283,15 @@ function faceReader({ properties }: PlyElement, file: PlyFile, { ofFaces }: AllC
   const { polygons } = file;
   const row = new RowValues();
   const taker: ListTaker = {
-    item: (value) => {
-      polygons.add(vertexOf(value, file));
-    },
-    end: () => {
-      polygons.end();
-    },
+    item: (value) => polygons.add(vertexOf(value, file)),
+    end: () => polygons.end(),
   };
   const columns = columnsOf(properties, file, {
     list: ({ name }) => (/^vertex_ind(ices|ex)$/.test(name) ? taker : null),
     number: (property) => row.takerOf(property),
   });
   const withColors = row.has('red', 'green', 'blue');
-  const begin = (): void => {
-    polygons.begin(UNSTATED, withColors ? ofFaces.list.length / 3 : NONE);
-  };
+  const begin = (): void => polygons.begin(UNSTATED, withColors ? ofFaces.list.length / 3 : NONE);
   const end = (): void => {
     if (withColors) ofFaces.push(row);
   };
@@ -328,9 +322,7 @@ function stripTaker(file: PlyFile): ListTaker {
       last = vertex;
       length += 1;
     },
-    end: () => {
-      length = 0;
-    },
+    end: () => (length = 0),
   };
 }
 

@@ -140,9 +140,7 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
   const filled = places.array.length === 3 * corners;
   const positions = filled ? places.array : new Float32Array(3 * corners);
   if (!filled) {
-    await slices.over(positions.length, (from, to) => {
-      positions.set(places.array.subarray(from, to), from);
-    });
+    await slices.over(positions.length, (from, to) => positions.set(places.array.subarray(from, to), from));
   }
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', await faceNormals(positions, slices));

@@ -46,9 +46,7 @@ class Stage {
     missing: (error) => {
       for (const client of this.#clients) client.contextMissing(error);
     },
-    retrying: () => {
-      this.#repaintAll();
-    },
+    retrying: () => this.#repaintAll(),
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
   readonly #places = new Map<StageClient, AtlasPlace>();
@@ -220,9 +218,7 @@ class Stage {
           throw new RangeError(`the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`);
         }
         clear(renderer);
-        drawInto(renderer, { x: 0, y: 0, width: part.width, height: part.height }, (r) => {
-          render(r, part);
-        });
+        drawInto(renderer, { x: 0, y: 0, width: part.width, height: part.height }, (r) => render(r, part));
         const top = canvas.height - part.height;
         target.drawImage(canvas, 0, top, part.width, part.height, x, y, part.width, part.height);
       }

@@ -140,9 +140,8 @@ export class ContentLoad<Owner extends ContentOwner> {
   ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const { crossOrigin } = this.#host;
-    const onProgress = (loaded: number, total: number): void => {
+    const onProgress = (loaded: number, total: number): void =>
       this.#host.progress(this.#owner, loaded, total);
-    };
     const name = { url, src, type: type ?? '', crossOrigin };
     const content = await acquireModel(name, { claim, signal, onProgress });
     try {
@@ -203,9 +202,7 @@ export function shapeContent(key: ShapeKey): Content | Promise<Content> {
       known = {
         parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
         motion: null,
-        dispose: () => {
-          releaseGeometry(key);
-        },
+        dispose: () => releaseGeometry(key),
       };
       shapeContents.set(ready, known);
       flatNeeds.set(known, shapeNeeds(key, true));

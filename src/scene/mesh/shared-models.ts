@@ -73,9 +73,7 @@ class SharedModel {
     try {
       const refused = new Promise<never>((_, reject) => {
         this.#waiting.set(user, reject);
-        signal.addEventListener('abort', () => {
-          reject(signal.reason as Error);
-        });
+        signal.addEventListener('abort', () => reject(signal.reason as Error));
       });
       const content = await Promise.race([this.#content, refused]);
       claim.add([{ key: this, claims: this.#claimed, flat: false }]);
@@ -129,9 +127,7 @@ class SharedModel {
     this.#forget();
     this.#loading.abort(); // ends what is still being downloaded
     this.#content.then(
-      (content) => {
-        content.dispose();
-      },
+      (content) => content.dispose(),
       () => undefined,
     );
   }

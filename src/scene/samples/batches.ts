@@ -138,9 +138,5 @@ export function sendBatch(
   renderer: WebGLRenderer,
   picture: Pick<Picture, 'draw'>,
 ): void {
-  batches.send(samples - sum.count, () => {
-    sum.add(() => {
-      picture.draw(renderer, shifted(tile, sum.count));
-    });
-  });
+  batches.send(samples - sum.count, () => sum.add(() => picture.draw(renderer, shifted(tile, sum.count))));
 }

@@ -166,9 +166,7 @@ export class ConvergingPicture {
     else this.#advance(renderer, run, true);
   };
 
-  readonly #drawMore = (renderer: WebGLRenderer): void => {
-    this.#advance(renderer, this.#run!, false);
-  };
+  readonly #drawMore = (renderer: WebGLRenderer): void => this.#advance(renderer, this.#run!, false);
 
   readonly #drawNow = (renderer: WebGLRenderer): void => {
     const run = (this.#run ??= this.#begin(renderer));

@@ -79,9 +79,9 @@ function* drawTile(
 ): Generator<void, HTMLCanvasElement> {
   const plain = (): HTMLCanvasElement => {
     picture.make(size, 1);
-    return stage.capture(tile, (renderer, { x, y, width, height }) => {
-      picture.draw(renderer, { x: tile.x + x, y: tile.y + y, width, height });
-    });
+    return stage.capture(tile, (renderer, { x, y, width, height }) =>
+      picture.draw(renderer, { x: tile.x + x, y: tile.y + y, width, height }),
+    );
   };
   let sum: SampleSum | null = null;
   let batches: Batches | null = null;
@@ -101,12 +101,8 @@ function* drawTile(
       if (!atOnce) yield;
     }
     const { texture } = (into = pictureTarget(tile.width, tile.height));
-    aside(() => {
-      mean.resolve(into!, { ...tile, x: 0, y: 0 });
-    });
-    return stage.capture(tile, (r, part) => {
-      copyPart(r, texture, part, tile.height);
-    });
+    aside(() => mean.resolve(into!, { ...tile, x: 0, y: 0 }));
+    return stage.capture(tile, (r, part) => copyPart(r, texture, part, tile.height));
   } finally {
     batches?.cancel();
     sum?.dispose();

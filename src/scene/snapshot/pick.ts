@@ -161,9 +161,9 @@ function forEachSurface(
   const { index, drawRange } = geometry;
   const count = (index ?? geometry.getAttribute('position')).count;
   const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
-  forEachHit(ray, geometry, matrixWorld, range, (hit) => {
-    visit(hit, baseColorAt(phong.look, geometry, hit, phong.linear));
-  });
+  forEachHit(ray, geometry, matrixWorld, range, (hit) =>
+    visit(hit, baseColorAt(phong.look, geometry, hit, phong.linear)),
+  );
 }
 
 const placeAt = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
@@ -182,9 +182,7 @@ function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): nu
   caster.ray.origin.set(...add(frame.origin, frame.eye));
   caster.ray.direction.set(...direction(frame, ray.slopeX, ray.slopeY)).normalize();
   const hits: Intersection[] = [];
-  asItWas(drawn, (object) => {
-    object.raycast(caster, hits);
-  });
+  asItWas(drawn, (object) => object.raycast(caster, hits));
   let nearest = Infinity;
   for (const { point } of hits) {
     const depth = depthOf(point, frame);

@@ -107,9 +107,7 @@ export function releaseGeometry(key: ShapeKey): void {
     // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
     else
       entry.geometry.then(
-        (geometry) => {
-          geometry.dispose();
-        },
+        (geometry) => geometry.dispose(),
         () => undefined,
       );
   };
