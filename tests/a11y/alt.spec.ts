@@ -21,20 +21,12 @@ async function reported(page: Page): Promise<void> {
   for (let i = 0; i < 4; i++) await nextFrame(page);
 }
 
-test('viewers without an alt are reported once a page', async ({ page, mount, consoleGuard }) => {
-  const warnings = consoleGuard.allow(/has no alt/, 1);
-  await mount(viewer() + viewer() + viewer('alt="A box"'), size);
-  await expect.poll(() => warnings).toEqual([WARNING]);
-  await page.evaluate(() => document.body.append(document.createElement('phong-viewer')));
-  await reported(page);
-});
-
-test('the check of a name is fetched after the first picture, or after two seconds without one', async ({
+test('viewers without an alt are reported once a page, by code fetched after the first picture or two seconds', async ({
   page,
   mount,
   consoleGuard,
 }) => {
-  consoleGuard.allow(/has no alt/, 2);
+  const warnings = consoleGuard.allow(/has no alt/, 2);
   await page.addInitScript(() => {
     addEventListener('render', () => (window.firstPicture ??= performance.now()), true);
   });
@@ -43,11 +35,15 @@ test('the check of a name is fetched after the first picture, or after two secon
       () =>
         performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))?.startTime,
     );
-  await mount(viewer(), size);
-  await expect.poll(startOfCheck).toBeGreaterThan(0);
+  await mount(viewer() + viewer() + viewer('alt="A box"'), size);
+  await expect.poll(() => warnings).toEqual([WARNING]);
   expect(await startOfCheck()).toBeGreaterThan(await page.evaluate(() => window.firstPicture!));
+  await page.evaluate(() => document.body.append(document.createElement('phong-viewer')));
+  await reported(page);
+  expect(warnings).toHaveLength(1);
   await mount(viewer(), { ...size, css: 'phong-viewer { display: none }' });
   await expect.poll(startOfCheck).toBeGreaterThan(2000);
+  await expect.poll(() => warnings).toHaveLength(2);
 });
 
 test('viewers that have a name, need none or are hidden are not reported', async ({

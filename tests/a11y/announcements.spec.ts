@@ -1,6 +1,6 @@
 // What is announced to a screen reader? Only what the user did, once the motion has ended.
 
-import type { Locator, Page } from '@playwright/test';
+import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import { opened } from '../element/panel/panel-rows.js';
 import { assign, drag, type PhongViewer } from '../element/support/viewer.js';
@@ -14,23 +14,6 @@ const scene = (attributes = ''): string =>
 const A_WHILE = 1500;
 
 const region = (viewer: Locator): Locator => viewer.locator('.reader > [aria-live]');
-
-/** Collects the texts of the live region in order. */
-async function announced(page: Page): Promise<() => Promise<string[]>> {
-  const texts = await page
-    .locator('phong-viewer')
-    .first()
-    .evaluateHandle((viewer) => {
-      const list: string[] = [];
-      const reader = viewer.shadowRoot!.querySelector('.reader')!;
-      new MutationObserver(() => {
-        const text = reader.querySelector('[aria-live]')?.textContent ?? '';
-        if (text !== '' && text !== list.at(-1)) list.push(text);
-      }).observe(reader, { subtree: true, childList: true, characterData: true });
-      return list;
-    });
-  return () => texts.evaluate((list) => [...list]);
-}
 
 test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({
   page,
@@ -52,19 +35,24 @@ test('a key, the wheel and a drag are announced politely, with the resulting cam
   await expect(region(viewer)).toHaveCount(1);
 });
 
-test('a motion of many steps is announced once, when it has ended', async ({ page, mount }) => {
+test('a motion of many steps is announced once, when it has ended', async ({ mount }) => {
   const viewer = await mount(scene());
-  const texts = await announced(page);
-  await viewer.evaluate(async (element: PhongViewer) => {
+  const texts = await viewer.evaluateHandle(async (element: PhongViewer) => {
+    const list: string[] = [];
+    const reader = element.shadowRoot!.querySelector('.reader')!;
+    new MutationObserver(() => {
+      const text = reader.querySelector('[aria-live]')?.textContent ?? '';
+      if (text !== '' && text !== list.at(-1)) list.push(text);
+    }).observe(reader, { subtree: true, childList: true, characterData: true });
     const surface = element.shadowRoot!.querySelector('.surface')!;
     for (let i = 0; i < 30; i++) {
       surface.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
       await new Promise(requestAnimationFrame);
     }
+    return list;
   });
-  await expect
-    .poll(texts)
-    .toEqual(['Camera: azimuth 180°, polar angle 70°, distance 4.'.replace('180', '−180')]);
+  const once = ['Camera: azimuth −180°, polar angle 70°, distance 4.'];
+  await expect.poll(() => texts.evaluate((list) => [...list])).toEqual(once);
 });
 
 test('scripts and auto-rotate announce nothing, not even together with user input', async ({

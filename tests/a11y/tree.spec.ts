@@ -1,6 +1,8 @@
-// What does a screen reader find in a viewer? Read from Chromium's accessibility tree, not from attributes.
+// What does a screen reader find in a viewer, and where does Tab stop? Read from Chromium's accessibility tree, not from
+// attributes; rules by axe.
 
 import type { Page } from '@playwright/test';
+import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';
 import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { accessibleNode, accessibleNodes } from './tree.js';
@@ -11,109 +13,143 @@ const spot =
   '<phong-light position="0 3 3 1" axis="0 -1 -1" aperture="20" active="false" space="camera"></phong-light>';
 const viewer = (attributes: string, inner = sun): string =>
   `<phong-viewer geometry="box" ${attributes}>${inner}</phong-viewer>`;
+const fixed = 'orbit="false" zoom="false"';
 
-const roles = async (page: Page): Promise<string[]> => (await accessibleNodes(page)).map(({ role }) => role);
+const application = (page: Page) => accessibleNode(page, 'application');
+const description = async (page: Page): Promise<string> => (await application(page)).description;
 
-test('a viewer is an application with a name, its keys, and a description of camera and lights', async ({
+test('a page of viewers and comparisons breaks no rule of axe', async ({ page, mount, consoleGuard }) => {
+  consoleGuard.allow(/404/);
+  const three = ['Gouraud', 'Phong', 'Flat'].map((alt) => viewer(`alt="${alt}"`)).join('');
+  await mount(
+    `<main><h1>Viewers</h1>${viewer('alt="A box under one light"')}${viewer('')}${viewer('role="img" aria-label="A box"')}
+    ${viewer('alt="A box" gui')}${viewer('alt="Nothing" src="/none.glb"')}
+    ${viewer(`alt="A still" ${fixed}`)}${viewer(`alt="" ${fixed}`)}
+    <phong-compare>${three}</phong-compare><phong-compare layout="side">${three}</phong-compare>
+    <phong-compare direction="vertical" labels="one, two, three">${three}</phong-compare></main>`,
+    { width: 300, height: 200, css: 'phong-compare { display: block; width: 400px; height: 200px }' },
+  );
+  await expect(page.getByRole('separator')).toHaveCount(4);
+  const { violations } = await axeOn(page).analyze();
+  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
+});
+
+test('a viewer is an application with its keys, and a description of camera and lights that follows what scripts change', async ({
   page,
   mount,
 }) => {
-  await mount(viewer('alt="A box" theta="30" phi="70" radius="4.0625"', sun + lamp + spot));
+  const element = await mount(viewer('alt="A box" theta="30" phi="70" radius="4.0625"', sun + lamp + spot));
   await expect
-    .poll(async () => (await accessibleNode(page, 'application')).description)
+    .poll(() => description(page))
     .toBe(
       'Arrow keys rotate. Plus and minus zoom. Home resets the camera. ' +
         'Camera: azimuth 30°, polar angle 70°, distance 4.06. Lights: sun, lamp, light 3 (off).',
     );
-  const { name, properties } = await accessibleNode(page, 'application');
+  const { name, properties } = await application(page);
   expect(name).toBe('A box');
-  expect(properties).toMatchObject({
-    focusable: true,
-    keyshortcuts: 'ArrowLeft ArrowRight ArrowUp ArrowDown Plus - PageUp PageDown Home',
+  const keys = 'ArrowLeft ArrowRight ArrowUp ArrowDown Plus - PageUp PageDown Home';
+  expect(properties).toMatchObject({ focusable: true, keyshortcuts: keys });
+  await element.evaluate((target: PhongViewer) => {
+    target.theta = -90.4;
+    Object.assign(target.lights[0]!, { name: 'moon', active: false });
+    target.lights[1]!.remove();
   });
+  await expect
+    .poll(() => description(page))
+    .toMatch(/ Camera: azimuth −90°, .*, distance 4.06. Lights: moon \(off\), light 2 \(off\)\.$/);
+  await element.evaluate((target: PhongViewer) => {
+    for (let i = 0; i < 40; i++) target.append(document.createElement('phong-light'));
+  });
+  await expect.poll(() => description(page), 'eight of many').toMatch(/Lights: moon .*light 8, \.{4}$/);
+  await element.evaluate((target: PhongViewer) => target.replaceChildren());
+  await expect.poll(() => description(page)).toMatch(/distance 4.06\.$/);
+  expect(await accessibleNodes(page)).toHaveLength(1);
 });
 
-test('only keys that have an effect are listed and described', async ({ page, mount }) => {
-  const element = await mount(viewer('alt="A box" zoom="false"'));
-  const keys = async (): Promise<unknown> =>
-    (await accessibleNode(page, 'application')).properties['keyshortcuts'];
+test('only keys that have an effect are listed and described; without any, a viewer is an image and no Tab stop', async ({
+  page,
+  mount,
+}) => {
+  const element = await mount(`${viewer('alt="A box" zoom="false"')}<a href="#next">Next</a>`);
+  const keys = async (): Promise<unknown> => (await application(page)).properties['keyshortcuts'];
   expect(await keys()).toBe('ArrowLeft ArrowRight ArrowUp ArrowDown Home');
-  expect((await accessibleNode(page, 'application')).description).toMatch(/^Arrow keys rotate. Home resets/);
+  expect(await description(page)).toMatch(/^Arrow keys rotate. Home resets/);
   await assign(element, { orbit: false, zoom: true });
   await expect.poll(keys).toBe('Plus - PageUp PageDown Home');
-  expect((await accessibleNode(page, 'application')).description).toMatch(
-    /^Plus and minus zoom. Home resets/,
-  );
-});
-
-test('a viewer that cannot be moved is an image, and no stop for the Tab key', async ({ page, mount }) => {
-  const element = await mount(`${viewer('alt="A box" orbit="false" zoom="false"')}<a href="#next">Next</a>`);
+  expect(await description(page)).toMatch(/^Plus and minus zoom. Home resets/);
+  await assign(element, { zoom: false });
   await expect
-    .poll(async () => (await accessibleNode(page, 'image')).description)
+    .poll(async () => (await accessibleNodes(page)).find(({ role }) => role === 'image')?.description)
     .toMatch(/^Camera: .* Lights: sun\.$/);
   const { name, properties } = await accessibleNode(page, 'image');
   expect(name).toBe('A box');
   expect(properties).not.toHaveProperty('keyshortcuts');
   await page.keyboard.press('Tab');
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
-  await assign(element, { zoom: true });
-  expect(await roles(page)).toContain('application');
 });
 
-test('the description follows what scripts change', async ({ page, mount }) => {
-  const element = await mount(viewer('alt="A box" radius="4"', sun));
-  const description = async (): Promise<string> => (await accessibleNode(page, 'application')).description;
-  await expect.poll(description).toMatch(/Lights: sun\.$/);
-  await element.evaluate((target: PhongViewer) => {
-    target.theta = -90.4;
-    target.lights[0]!.name = 'moon';
-    target.lights[0]!.active = false;
-    target.append(document.createElement('phong-light'));
-  });
-  await expect
-    .poll(description)
-    .toMatch(/ Camera: azimuth −90°, polar angle 70°, distance 4. Lights: moon \(off\), light 2\.$/);
-  await element.evaluate((target: PhongViewer) => target.replaceChildren());
-  await expect.poll(description).toMatch(/distance 4\.$/);
-  expect(await roles(page)).toEqual(['application']);
-});
-
-test('with many lights the description names eight', async ({ page, mount }) => {
-  await mount(viewer('alt="A box"', '<phong-light></phong-light>'.repeat(40)));
-  await expect
-    .poll(async () => (await accessibleNode(page, 'application')).description)
-    .toMatch(/Lights: light 1, .*light 8, \.{4}$/);
-});
-
-test('a fixed viewer with an empty alt is decoration: nothing of it is read', async ({ page, mount }) => {
-  await mount(
-    `${viewer('alt="" orbit="false" zoom="false"')}${viewer('role="presentation" orbit="false" zoom="false"')}`,
-  );
-  expect(await roles(page)).toEqual([]);
-});
-
-test('everything focusable has a name', async ({ page, mount }) => {
-  await mount(viewer('alt=""'));
-  expect((await accessibleNode(page, 'application')).name).toBe('3D scene');
-});
-
-test('aria-labelledby names the picture by other elements’ text, and aria-label goes before alt', async ({
+test('a fixed viewer that is decoration, or any that its author hides, is not read', async ({
   page,
   mount,
 }) => {
-  const element = await mount(`<h1 id="one">Heading</h1>${viewer('aria-labelledby="one" alt="A box"')}`);
-  const name = async (): Promise<string> => (await accessibleNode(page, 'application')).name;
-  expect(await name()).toBe('Heading');
-  await element.evaluate((target) => {
-    target.removeAttribute('aria-labelledby');
-    target.setAttribute('aria-label', 'Label');
-  });
-  await expect.poll(name).toBe('Label');
-  await element.evaluate((target) => target.removeAttribute('aria-label'));
-  await expect.poll(name).toBe('A box');
+  const attributes = ['alt=""', 'role="presentation"', 'aria-hidden="true"'];
+  await mount(attributes.map((each) => viewer(`${each} ${fixed}`)).join(''));
+  expect(await accessibleNodes(page)).toEqual([]);
 });
 
-test('a viewer hidden by its author stays hidden', async ({ page, mount }) => {
-  await mount(viewer('aria-hidden="true" orbit="false" zoom="false"'));
-  expect(await roles(page)).toEqual([]);
+test('aria-labelledby, aria-label and alt name the picture, in this order; everything focusable has a name', async ({
+  page,
+  mount,
+}) => {
+  const names = 'aria-labelledby="one" aria-label="Label" alt="A box"';
+  const element = await mount(`<h1 id="one">Heading</h1>${viewer(names)}`);
+  const name = async (): Promise<string> => (await application(page)).name;
+  expect(await name()).toBe('Heading');
+  for (const [attribute, next] of [
+    ['aria-labelledby', 'Label'],
+    ['aria-label', 'A box'],
+    ['alt', '3D scene'],
+  ] as const) {
+    await element.evaluate((target, gone) => target.removeAttribute(gone), attribute);
+    await expect.poll(name).toBe(next);
+  }
+  await assign(element, { alt: 'Another box' });
+  await expect.poll(name).toBe('Another box');
+  await mount(viewer('alt=""'));
+  expect(await name()).toBe('3D scene');
+});
+
+test("the author's role, aria-label and tabindex are left as they are", async ({ page, mount }) => {
+  const element = await mount(
+    `${viewer('role="figure" aria-label="Mine" tabindex="-1" alt="Other"')}${viewer('alt="A box" tabindex="-1"')}
+    <a href="#next">Next</a>`,
+  );
+  const facts = await element.evaluate((target) =>
+    ['role', 'aria-label', 'tabindex'].map((name) => target.getAttribute(name)),
+  );
+  expect(facts).toEqual(['figure', 'Mine', '-1']);
+  const plain = page.locator('phong-viewer').last();
+  expect(await plain.evaluate((target) => target.getAttributeNames())).toEqual([
+    'geometry',
+    'alt',
+    'tabindex',
+  ]);
+  await page.keyboard.press('Tab');
+  expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
+});
+
+test('Tab reaches each viewer once, and the focus is visible', async ({ page, mount }) => {
+  const size = { width: 300, height: 200 };
+  const first = await mount(`${viewer('')}${viewer('')}<a href="#next">Next</a>`, size);
+  const before = await first.screenshot();
+  await page.keyboard.press('Tab');
+  await expect(first).toBeFocused();
+  expect(Buffer.compare(await first.screenshot(), before)).not.toBe(0);
+  await page.keyboard.press('Tab');
+  await expect(page.locator('phong-viewer').nth(1)).toBeFocused();
+  await page.keyboard.press('Tab');
+  expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Shift+Tab');
+  await expect(first).toBeFocused();
 });

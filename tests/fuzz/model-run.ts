@@ -127,9 +127,7 @@ export class MemoryWatch {
 
   start(): void {
     this.#base = this.#most = this.#read();
-    this.#timer = setInterval(() => {
-      this.#most = Math.max(this.#most, this.#read());
-    }, 25);
+    this.#timer = setInterval(() => (this.#most = Math.max(this.#most, this.#read())), 25);
   }
 
   /** Largest growth since the start. */

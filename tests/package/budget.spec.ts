@@ -61,14 +61,22 @@ test('@release a bundled app is not larger than measured, and smaller with the s
   expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(128_500);
 });
 
-test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
+test('the script for pages opened from disk and the React components are not larger than measured', () => {
   // Measured: 338.4 kB, of which the Draco decoder is 80 kB.
   expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(338_500);
-});
-
-test("the React components add little to the elements' own code", () => {
   // Measured: 0.64 kB.
   expect(sentSize(['react.js'])).toBeLessThan(1024);
+});
+
+test('a bundled page that imports only the lights from core gets nothing of three.js', async () => {
+  // A bundler can only drop a module that does nothing on import.
+  const code = await bundleOf(`
+    import { LightState } from ${JSON.stringify(join(outputFolder('dist'), 'core.js'))};
+    console.log(new LightState({ cutoff: 2 }).values);
+  `);
+  expect(code).toContain('cutoff');
+  expect(code).not.toMatch(/Box3|Matrix4|WebGLRenderer/);
+  expect(code.length).toBeLessThan(20_000); // measured 18,514: the lights' values and their checks
 });
 
 test('@release the React components with the standalone file bring no second copy of the elements or of three.js', async () => {
@@ -101,15 +109,10 @@ test('core and reference are one file each, and reference does not import three.
   const { csp = '', head = '' } = usages.modules;
   const importMap = head.replace(/<script type="module".*/, '');
   await page.goto(site.page('', { csp, head: importMap }));
-  const names = await page.evaluate(async () => {
-    const name = 'phong-viewer/reference';
-    return Object.keys((await import(name)) as object);
-  });
-  expect(names).toContain('shade');
+  const load = (name: string): Promise<string[]> =>
+    page.evaluate(async (entry) => Object.keys((await import(entry)) as object), name);
+  expect(await load('phong-viewer/reference')).toContain('shade');
   expect(requests.take()).toEqual(['reference.js']);
-  await page.evaluate(async () => {
-    const name = 'phong-viewer/core';
-    await import(name);
-  });
+  await load('phong-viewer/core');
   expect(requests.take()).toEqual(['core.js']);
 });

@@ -9,13 +9,6 @@ import type { PhongViewer } from '../../src/index.js';
 import { allReady, expect, test } from '../support/test.js';
 import { usages } from './requests.js';
 
-interface Part {
-  /** A name, or a pattern for the names of several. */
-  readonly chunk: string;
-  readonly use: Use;
-  readonly sentence: RegExp;
-}
-
 /** A shape, a method (and a pixel), or a model's address. */
 type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
 
@@ -35,31 +28,22 @@ async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
   return viewer.loaded ? null : said.join();
 }
 
-/** In this order on one page: a chunk that an earlier use fetched is not fetched again. */
-const parts: readonly Part[] = [
-  { chunk: 'picture-blob', use: 'toBlob', sentence: /The code of toBlob could not be fetched/ },
-  { chunk: 'shade-at', use: 'shadeAt beside', sentence: /The code of shadeAt could not be fetched/ },
-  { chunk: 'reference', use: 'shadeAt on', sentence: /The code of shadeAt could not be fetched/ },
-  {
-    chunk: 'solids',
-    use: 'torus',
-    sentence: /^load-failed: The code of the solid shapes could not be fetched/,
-  },
-  {
-    chunk: 'model-(content|shared)',
-    use: '/fixtures/models/textured.glb',
-    sentence: /^load-failed: The code of models could not be fetched/,
-  },
-  {
-    chunk: 'read-obj',
-    use: '/fixtures/models/quads.obj',
-    sentence: /^load-failed: The code .*OBJ.* could not be fetched/,
-  },
-  {
-    chunk: 'draco(-worker)?',
-    use: '/assets/models/bunny.glb',
-    sentence: /^load-failed: The Draco decoder.* could not be fetched/,
-  },
+/**
+ * A chunk or a pattern for several, a use of it, and what the failure is said to be. In this order on one page: a chunk
+ * that an earlier use fetched is not fetched again.
+ */
+const parts: readonly (readonly [chunk: string, use: Use, sentence: RegExp])[] = [
+  ['picture-blob', 'toBlob', /The code of toBlob could not be fetched/],
+  ['shade-at', 'shadeAt beside', /The code of shadeAt could not be fetched/],
+  ['reference', 'shadeAt on', /The code of shadeAt could not be fetched/],
+  ['solids', 'torus', /^load-failed: The code of the solid shapes could not be fetched/],
+  [
+    'model-(content|shared)',
+    '/fixtures/models/textured.glb',
+    /^load-failed: The code of models could not be fetched/,
+  ],
+  ['read-obj', '/fixtures/models/quads.obj', /^load-failed: The code .*OBJ.* could not be fetched/],
+  ['draco(-worker)?', '/assets/models/bunny.glb', /^load-failed: The Draco decoder.* could not be fetched/],
 ];
 
 async function open(page: Page, address: string): Promise<void> {
@@ -79,7 +63,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     consoleGuard.allow(/error: Failed to load resource/);
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
-    for (const { chunk, use, sentence } of parts) {
+    for (const [chunk, use, sentence] of parts) {
       const path = new RegExp(`/${chunk}(-[\\w-]{8})?\\.js`);
       await page.route(path, (route) => route.abort());
       for (let time = 0; time < 2; time++) expect(await viewer.evaluate(useIn, use), chunk).toMatch(sentence);
@@ -88,54 +72,40 @@ for (const usage of ['standalone', 'modules'] as const) {
     }
   });
 
-  test(`a panel that could not be fetched is fetched when gui is set again (${usage})`, async ({
+  test(`a panel or legend that could not be fetched is fetched with the next use, and the picture stays (${usage})`, async ({
     page,
     site,
     consoleGuard,
   }) => {
     consoleGuard.allow(/error: Failed to load resource/);
-    consoleGuard.allow(/warning: <phong-viewer>: .*The code of the control panel could not be fetched/, 2);
+    const said = consoleGuard.allow(
+      /warning: <phong-viewer>: .*The code of (the control panel|views) could not/,
+    );
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
-    const show = (): Promise<void> =>
-      viewer.evaluate((element: PhongViewer) => {
-        element.gui = true;
-        return element.ready;
-      });
-    await page.route(/\/panel/, (route) => route.abort());
-    for (let time = 0; time < 2; time++) {
-      const failed = page.waitForEvent('console', (message) => message.text().includes('control panel'));
-      await show();
-      await failed;
+    for (const [chunk, values, shown] of [
+      [/\/panel/, [{ gui: true }, { gui: true }, { gui: true }], '.lil-root'],
+      [/\/legend/, [{ view: 'normals' }, { view: 'decay' }], '.legend:has-text("Decay")'],
+    ] as const) {
+      const show = (given: object): Promise<number> =>
+        viewer.evaluate(async (element: PhongViewer, all) => {
+          Object.assign(element, all);
+          await element.ready;
+          return element.stats.frames;
+        }, given);
+      await page.route(chunk, (route) => route.abort());
+      for (const given of values.slice(0, -1)) {
+        const before = said.length;
+        expect(await show(given)).toBeGreaterThan(0);
+        await expect.poll(() => said.length).toBeGreaterThan(before);
+        await expect(viewer.locator(shown)).toHaveCount(0);
+      }
+      await page.unroute(chunk);
+      await show(values.at(-1)!);
+      await expect(viewer.locator(shown)).toBeVisible();
     }
-    await page.unroute(/\/panel/);
-    await show();
-    await expect(viewer.locator('.lil-gui').first()).toBeVisible();
   });
 }
-
-test('views that could not be fetched leave the shaded picture, and are fetched with the next view', async ({
-  page,
-  site,
-  consoleGuard,
-}) => {
-  consoleGuard.allow(/error: Failed to load resource/);
-  consoleGuard.allow(/warning: <phong-viewer>: The code of views could not be fetched/);
-  await open(page, site.page(scene, usages.standalone));
-  const viewer = page.locator('phong-viewer');
-  const show = (view: PhongViewer['view']): Promise<number> =>
-    viewer.evaluate(async (element: PhongViewer, name) => {
-      element.view = name;
-      await element.ready;
-      return (await element.toBlob({ width: 8, height: 8 })).size;
-    }, view);
-  await page.route(/\/legend/, (route) => route.abort());
-  expect(await show('normals')).toBeGreaterThan(0);
-  await expect(viewer.locator('.legend')).toHaveCount(0);
-  await page.unroute(/\/legend/);
-  await show('decay');
-  await expect(viewer.locator('.legend')).toContainText('Decay');
-});
 
 test('a later attempt of the standalone file uses another address, which every browser requests', async ({
   page,

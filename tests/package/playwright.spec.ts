@@ -97,16 +97,6 @@ test.describe('toShowTheEquation', () => {
     await expect(viewer).toShowTheEquation();
   });
 
-  test('reports how many pixels it has judged', async ({ mount }, info) => {
-    const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
-    await expect(viewer).toShowTheEquation();
-    expect(info.annotations).toHaveLength(1);
-    const [, judged = 0, surface = 0] = /^(\d+) of (\d+) pixels/.exec(info.annotations.at(-1)?.description ?? '')!.map(Number); // prettier-ignore
-    expect(judged).toBeGreaterThan(0.7 * surface);
-    expect(judged).toBeLessThan(surface);
-    expect(surface).toBeGreaterThan(1000);
-  });
-
   for (const antialias of ['edges', 'full'])
     test(`judges enough of every shape as it is by default, with antialias="${antialias}"`, async ({
       mount,
@@ -134,13 +124,8 @@ test.describe('toShowTheEquation', () => {
       ['a pixel to the right', {}, 1],
     ];
     for (const scene of ['sphere', 'torus" antialias="full" samples="16']) {
-      const viewer = await mount(
-        `<phong-viewer geometry="${scene}" shininess="24">${LIGHTS}</phong-viewer>`,
-        {
-          width: 150,
-          height: 100,
-        },
-      );
+      const markup = `<phong-viewer geometry="${scene}" shininess="24">${LIGHTS}</phong-viewer>`;
+      const viewer = await mount(markup, { width: 150, height: 100 });
       for (const [what, attributes, moved] of wrongs) {
         await giveFault(viewer, attributes, moved);
         expect(await refusal(viewer, { share: 0.1, pixels: 2000 }), `${scene}: ${what}`).toMatch(
@@ -150,13 +135,16 @@ test.describe('toShowTheEquation', () => {
     }
   });
 
-  test('judges a sample of 10,000 pixels by default, and every pixel on request', async ({ mount }, info) => {
+  test('judges a sample of 10,000 pixels by default, every pixel on request, and reports how many', async ({
+    mount,
+  }, info) => {
     const viewer = await mount(`<phong-viewer geometry="box" radius="1.3">${LIGHTS}</phong-viewer>`, {
       width: 200,
       height: 130,
     });
     const report = (): string => info.annotations.at(-1)?.description ?? '';
     await expect(viewer).toShowTheEquation();
+    expect(info.annotations).toHaveLength(1);
     expect(parseInt(report(), 10)).toBeGreaterThanOrEqual(10_000);
     expect(parseInt(report(), 10)).toBeLessThan(10_100);
     expect(report()).toMatch(/pixels of surfaces in a sample of \d+ % of the picture \(seed 1\) were judged/);
@@ -165,6 +153,10 @@ test.describe('toShowTheEquation', () => {
     expect(parseInt(report(), 10)).toBeLessThan(200);
     expect(report()).toContain('(seed 2)');
     expect(await refusal(viewer, { pixels: 'all' })).toMatch(/^\d+ of \d+ pixels of surfaces were judged/);
+    await expect(viewer).toShowTheEquation({ pixels: 'all', codes: 2 });
+    const [judged = 0, surface = 0] = report().match(/\d+/g)!.map(Number);
+    expect(judged).toBeGreaterThan(0.7 * surface);
+    expect(judged).toBeLessThan(surface);
   });
 
   test('names what it gets instead of a viewer', async ({ mount, page, site }) => {
@@ -200,20 +192,20 @@ test.describe('toShowTheEquation', () => {
     ]);
   });
 
-  test('refuses a single channel that is two codes off, and names the pixel', async ({ mount }) => {
-    const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
+  test('refuses a single channel that is two codes off, and a hole, and names the pixel', async ({
+    mount,
+  }) => {
+    const markup = `<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`;
+    const viewer = await mount(markup, SIZE);
     await spoil(viewer, 56, 42, 1, -2);
     const message = await refusal(viewer);
     expect(message).toContain('1 of them differ by more than 1 code.');
     expect(message).toMatch(/pixel 56, 42: \d+ \d+ \d+ 255 is drawn, ([\d.]+–[\d.]+ ){3}is the equation's/);
     await expect(viewer).toShowTheEquation({ codes: 2 });
     await expect(viewer).not.toShowTheEquation({ codes: 0 });
-  });
-
-  test('refuses a hole', async ({ mount }) => {
-    const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
-    await spoil(viewer, 56, 42, 3, -1);
-    expect(await refusal(viewer)).toContain('pixel 56, 42');
+    const holed = await mount(markup, SIZE);
+    await spoil(holed, 56, 42, 3, -1);
+    expect(await refusal(holed)).toContain('pixel 56, 42');
   });
 
   test('refuses pictures that it could hardly judge, and values that mean nothing', async ({ mount }) => {
@@ -255,11 +247,8 @@ test.describe('toShowTheEquation', () => {
   test('leaves out textures that are drawn smaller than they are, and translucent surfaces', async ({
     mount,
   }, info) => {
-    const viewer = await mount(
-      `<phong-viewer src="/fixtures/models/textured.glb">${LIGHTS}</phong-viewer>`,
-      SIZE,
-    );
-    await expect(viewer).toShowTheEquation({ share: 0.1 });
+    const textured = `<phong-viewer src="/fixtures/models/textured.glb">${LIGHTS}</phong-viewer>`;
+    await expect(await mount(textured, SIZE)).toShowTheEquation({ share: 0.1 });
     expect(info.annotations.at(-1)?.description).toMatch(/^\d+ of \d+ pixels/);
   });
 });
@@ -280,33 +269,28 @@ test.describe('settled', () => {
     expect(programs).toBe(2);
   });
 
-  test('resolves for viewers that cannot be drawn, and scrolls to those that can', async ({
-    mount,
-    page,
-  }) => {
-    const viewer = await mount('<div></div><phong-viewer geometry="box"></phong-viewer>', {
-      css: 'div { height: 5000px }',
-    });
-    await settled(viewer);
+  test('scrolls to viewers that can be drawn', async ({ mount, page }) => {
+    const css = 'div { height: 5000px }';
+    await settled(await mount('<div></div><phong-viewer geometry="box"></phong-viewer>', { css }));
     expect(await page.evaluate(() => scrollY)).toBeGreaterThan(3000);
   });
 
-  test('rejects while the picture moves, and names the cause', async ({ mount }) => {
-    const viewer = await mount('<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>', SIZE);
-    await expect(settled(viewer, { timeout: 1500 })).rejects.toThrow(
+  test('rejects while the picture moves or a model is loading, and names the cause', async ({
+    mount,
+    page,
+  }) => {
+    const moving = await mount('<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>', SIZE);
+    await expect(settled(moving, { timeout: 1500 })).rejects.toThrow(
       'not settled after 1500 ms: auto-rotate is 20',
     );
-    await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 0));
-    await settled(viewer);
-  });
-
-  test('rejects while a model is loading, and names it as the cause', async ({ mount, page }) => {
+    await moving.evaluate((element: PhongViewer) => (element.autoRotate = 0));
+    await settled(moving);
     await page.route('**/never.glb', () => undefined);
-    const viewer = await mount('<phong-viewer src="/never.glb"></phong-viewer>', {
+    const loading = await mount('<phong-viewer src="/never.glb"></phong-viewer>', {
       ...SIZE,
       waitForReady: false,
     });
-    await expect(settled(viewer, { timeout: 500 })).rejects.toThrow('still loading');
+    await expect(settled(loading, { timeout: 500 })).rejects.toThrow('still loading');
   });
 });
 

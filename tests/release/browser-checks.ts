@@ -221,9 +221,7 @@ export const CHECKS: readonly Check[] = [
     async holds(tab) {
       const size = { width: 200, height: 150 };
       const before = await blobOf(tab, size);
-      await tab.onViewer((viewer) => {
-        viewer.outerHTML = viewer.toHTML();
-      });
+      await tab.onViewer((viewer) => (viewer.outerHTML = viewer.toHTML()));
       await allReady(tab);
       expect(Buffer.compare((await blobOf(tab, size)).data, before.data)).toBe(0);
     },

@@ -198,10 +198,10 @@ function runBeside(command: string, cwd: string): Promise<string> {
   const own = Object.fromEntries(
     Object.entries(env).filter(([name]) => !/^(TEST_|PW_|PLAYWRIGHT_)/.test(name)),
   );
-  return new Promise((resolve, reject) => {
+  return new Promise((resolve, reject) =>
     exec(command, { cwd, env: own, timeout: 240_000 }, (error, stdout, stderr) => {
       if (error === null) resolve(stdout);
       else reject(new Error(`${command}\n${stdout}\n${stderr}`, { cause: error }));
-    });
-  });
+    }),
+  );
 }

@@ -116,9 +116,7 @@ test('@release of fifty viewers those that are scrolled away stop, and those tha
   expect(order.slice(above.length)).toEqual(Array.from({ length: 25 }, (_, i) => 25 + i));
   await nextFrame(page);
   expect(await spentIn(page, 500)).toEqual(NOTHING);
-  await page.evaluate(() => {
-    scrollTo(0, 0);
-  });
+  await page.evaluate(() => scrollTo(0, 0));
   await expect.poll(() => samplesOf(page), { timeout: 60_000 }).toEqual(Array.from({ length: 50 }, () => 16));
   await nextFrame(page);
   expect(await spentIn(page, 500)).toEqual(NOTHING);

@@ -66,9 +66,8 @@ const KEYS = { ArrowRight: '\uE014', Home: '\uE011', '+': '+' } as const;
 
 async function webkitTab(): Promise<Tab> {
   const { version, send, close } = await startWebkit();
-  const act = async (...actions: readonly object[]): Promise<void> => {
+  const act = async (...actions: readonly object[]): Promise<void> =>
     await send('POST', '/actions', { actions });
-  };
   const mouse = (...actions: readonly object[]) =>
     act({ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions });
   const execute = async (call: string, argument: unknown): Promise<unknown> => {

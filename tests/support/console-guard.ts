@@ -29,9 +29,9 @@ export class ConsoleGuard {
     context.on('weberror', (error) => this.#hear(`uncaught: ${String(error.error())}`));
     context.on('page', (page) => page.on('crash', () => this.#hear('crash: the page is gone')));
     await context.addInitScript(() => {
-      addEventListener('securitypolicyviolation', (event) => {
-        console.error(`CSP report: ${event.effectiveDirective} refused ${event.blockedURI}`);
-      });
+      addEventListener('securitypolicyviolation', (event) =>
+        console.error(`CSP report: ${event.effectiveDirective} refused ${event.blockedURI}`),
+      );
     });
   }
 

@@ -36,6 +36,8 @@ const fieldOf = (title: string) => {
   const [tag = '', name] = title.split(' ');
   return Object.entries(tables.fields[tag]!).find(([key]) => tables.attributeOf(key) === name)![1];
 };
+const { elements: tags } = webTypes(elements, { name: 'x', version: '1.0.0' }).contributions.html;
+const data = vsCodeHtmlData(elements).tags;
 
 it('the page of attributes is written from the fields (`npm run manifest` writes it again)', () => {
   const page = readFileSync(new URL('../../src/ATTRIBUTES.md', import.meta.url), 'utf8');
@@ -54,33 +56,27 @@ describe('the custom elements manifest', () => {
     const names = (tag: string) => declared(tag).attributes!.map(({ name }) => name);
     expect(names('phong-light')).toEqual(PhongLight.observedAttributes);
     expect(names('phong-mesh')).toEqual(PhongMesh.observedAttributes);
-    expect(names('phong-viewer')).toEqual(
-      Object.keys(tables.fields['phong-viewer']!).map(tables.attributeOf),
-    );
+    const ofViewer = Object.keys(tables.fields['phong-viewer']!).map(tables.attributeOf);
+    expect(names('phong-viewer')).toEqual(ofViewer);
   });
 
-  it.each(attributes)('describes $title with words, a type and its property', (attribute) => {
-    expect(attribute.description).toMatch(/^\S.{10}/);
-    expect(attribute.type!.text).toMatch(
-      /^(string|boolean|number( \| 'auto')?|'[\w+/-]+'( \| '[\w+/-]+')+)$/,
-    );
-    expect(tables.attributeOf(attribute.fieldName!)).toBe(attribute.name);
-  });
-
-  it.each(attributes)('gives $title the default that its absence has', ({ title, default: text }) => {
-    const { fallback } = fieldOf(title);
-    if (fallback === null) expect(text).toBeUndefined();
-    else if (fallback === false) expect(text).toBe('false');
-    else expect(text).toBe(tables.formatValue(fallback, fieldOf(title)) ?? '');
-  });
-
-  it('spells the choices out', () => {
-    const type = (tag: string, name: string) =>
-      declared(tag).attributes!.find((attribute) => attribute.name === name)!.type!.text;
-    expect(type('phong-light', 'space')).toBe("'world' | 'camera'");
-    expect(type('phong-mesh', 'shading')).toBe("'phong' | 'gouraud' | 'flat'");
-    expect(type('phong-viewer', 'radius')).toBe("number | 'auto'");
-  });
+  it.each(attributes)(
+    'describes $title with words, a type with its choices, its property and the default that its absence has',
+    (attribute) => {
+      const { title, description, default: text } = attribute;
+      expect(description).toMatch(/^\S.{10}/);
+      const type = /^(string|boolean|number( \| 'auto')?|'[\w+/-]+'( \| '[\w+/-]+')+)$/;
+      expect(attribute.type!.text).toMatch(type);
+      expect(tables.attributeOf(attribute.fieldName!)).toBe(attribute.name);
+      const field = fieldOf(title);
+      const words = field.kind === 'number' && field.word !== undefined ? [field.word] : [];
+      for (const word of field.choices ?? words) expect(attribute.type!.text).toContain(`'${word}'`);
+      const { fallback } = field;
+      if (fallback === null) expect(text).toBeUndefined();
+      else if (fallback === false) expect(text).toBe('false');
+      else expect(text).toBe(tables.formatValue(fallback, field) ?? '');
+    },
+  );
 
   it('lists the public members of the viewer, and no internal ones', () => {
     const members = declared('phong-viewer').members!.map(({ name }) => name);
@@ -94,18 +90,13 @@ describe('the custom elements manifest', () => {
 
   it('lists properties without an attribute, once', () => {
     const writable = (tag: string) =>
-      declared(tag).members!.filter(
-        (member) => member.kind === 'field' && !member.readonly && !('attribute' in member),
-      );
+      declared(tag).members!.filter((member) => member.kind === 'field' && !member.readonly && !('attribute' in member)); // prettier-ignore
     expect(writable('phong-viewer')).toMatchObject([
       { name: 'texts', type: { text: 'ViewerTexts | null' } },
       { name: 'maxTriangles', type: { text: 'number' } },
     ]);
     expect(writable('phong-light')).toEqual([]);
-    const { properties } = webTypes(elements, {
-      name: 'x',
-      version: '1.0.0',
-    }).contributions.html.elements.find(({ name }) => name === 'phong-viewer')!.js;
+    const { properties } = tags.find(({ name }) => name === 'phong-viewer')!.js;
     expect(properties.filter(({ name }) => name === 'texts')).toMatchObject([{ type: 'ViewerTexts | null' }]);
   });
 
@@ -122,9 +113,6 @@ describe('the custom elements manifest', () => {
 });
 
 describe("JetBrains' web-types and VS Code's data", () => {
-  const { elements: tags } = webTypes(elements, { name: 'x', version: '1.0.0' }).contributions.html;
-  const data = vsCodeHtmlData(elements).tags;
-
   it('name the same tags and attributes as the manifest', () => {
     const expected = declarations.map((d) => [d.tagName, d.attributes!.map(({ name }) => name)]);
     expect(tags.map((tag) => [tag.name, tag.attributes.map(({ name }) => name)])).toEqual(expected);
@@ -155,23 +143,14 @@ describe('the types of properties and JSX', () => {
       compare: (compare: CompareProperties, key: keyof CompareValues) => (compare[key] = undefined),
       control: (control: ControlProperties, key: keyof ControlValues) => (control[key] = undefined),
     };
-    expect(
-      Object.keys(resets)
-        .map((name) => `phong-${name}`)
-        .sort(),
-    ).toEqual(Object.keys(tables.fields).sort());
+    const tags = Object.keys(resets).map((name) => `phong-${name}`);
+    expect(tags.sort()).toEqual(Object.keys(tables.fields).sort());
   });
 
   it('accept one number where the property accepts it for a list', () => {
-    const typed: Record<SingleNumber, true> = {
-      ambient: true,
-      diffuse: true,
-      specular: true,
-      ka: true,
-      kd: true,
-      ks: true,
-      scale: true,
-      at: true,
+    const typed: Record<SingleNumber, boolean> = {
+      ...{ ambient: true, diffuse: true, specular: true },
+      ...{ ka: true, kd: true, ks: true, scale: true, at: true },
     };
     const found = Object.values(tables.fields)
       .flatMap((fields) => Object.entries(fields))

@@ -4,7 +4,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { Animations } from '../../src/scene/mesh/animation.js';
-import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
+import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
 import { Budget } from '../../src/model/budget.js';
@@ -20,32 +20,21 @@ function setUp(limit: number) {
   const quiet = (): void => undefined;
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
-    ...{
-      crossOrigin: null,
-      mayLoad: true,
-      changed: quiet,
-      reshaped: quiet,
-      moved: quiet,
-      began: quiet,
-      progress: quiet,
-    },
-    ...{ shown: () => false, removed: quiet },
+    ...{ crossOrigin: null, mayLoad: true, shown: () => false, removed: quiet },
+    ...{ changed: quiet, reshaped: quiet, moved: quiet, began: quiet, progress: quiet },
     ended: (mesh, _, error) => error !== null && failed.set(mesh, (error as { code: string }).code),
     dropped: (mesh) => failed.delete(mesh),
   };
   const scene = new Scene();
   const add = (segments: number, shading: 'flat' | 'phong') => {
     const store = new FieldStore(MESH_FIELDS);
-    store.set('geometry', 'sphere');
-    store.set('segments', segments);
-    store.set('shading', shading);
     const mesh = new SceneMesh(store, host);
-    mesh.attach(scene);
-    mesh.update();
-    const set = (values: { segments?: number; shading?: 'flat' | 'phong' }): void => {
-      for (const [key, value] of Object.entries(values)) store.set(key as 'segments', value);
+    const set = (values: Partial<Pick<MeshValues, 'geometry' | 'segments' | 'shading'>>): void => {
+      for (const [key, value] of Object.entries(values)) store.set(key as 'segments', value as number);
       mesh.update();
     };
+    mesh.attach(scene);
+    set({ geometry: 'sphere', segments, shading });
     const geometry = (): BufferGeometry | undefined => mesh.parts[0]?.mesh.geometry;
     return { mesh, set, geometry };
   };
@@ -53,20 +42,15 @@ function setUp(limit: number) {
 }
 
 describe('a mesh', () => {
-  it('shares shape and flat copy with equal meshes, and gives both back', () => {
+  it('shares shape and flat copy with equal meshes, and frees each with its last user', () => {
     const { budget, add } = setUp(20_000);
     const meshes = Array.from({ length: 50 }, () => add(64, 'flat'));
+    const [a, b] = meshes as [(typeof meshes)[0], (typeof meshes)[0]];
     expect(budget.used).toBe(SMOOTH + FLAT);
     expect(new Set(meshes.map(({ geometry }) => geometry())).size).toBe(1);
-    for (const { mesh } of meshes) mesh.dispose();
-    expect(budget.used).toBe(0);
-  });
-
-  it('frees the flat copy with its last user', () => {
-    const { budget, add } = setUp(20_000);
-    const [a, b] = [add(64, 'flat'), add(64, 'flat')];
     const disposed = vi.fn();
     a.geometry()!.addEventListener('dispose', disposed);
+    for (const { mesh } of meshes.slice(2)) mesh.dispose();
     a.set({ shading: 'phong' });
     expect(budget.used).toBe(SMOOTH + FLAT);
     expect(disposed).not.toHaveBeenCalled();
@@ -76,6 +60,8 @@ describe('a mesh', () => {
     b.set({ shading: 'flat' });
     expect(b.geometry()!.index).toBeNull();
     expect(budget.used).toBe(SMOOTH + FLAT);
+    for (const { mesh } of [a, b]) mesh.dispose();
+    expect(budget.used).toBe(0);
   });
 
   it('is not built past the limit, and is shown on request once another one is gone', () => {

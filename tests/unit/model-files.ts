@@ -5,6 +5,9 @@ import { imageSize } from '../../src/model/image-size.js';
 import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
 
+/** A load that nothing aborts. */
+export const OPTIONS: LoadOptions = { signal: new AbortController().signal, crossOrigin: null };
+
 /** In the place of a file: the connection breaks after its first byte. */
 export const BREAKS_OFF = null;
 
@@ -13,13 +16,9 @@ export type FileContent = string | Uint8Array<ArrayBuffer> | null;
 function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream {
   if (content !== BREAKS_OFF)
     return typeof content === 'string' ? new TextEncoder().encode(content) : content;
-  let sent = false;
   return new ReadableStream({
-    pull: (controller) => {
-      if (sent) controller.error(new TypeError('network error'));
-      else controller.enqueue(new Uint8Array(1));
-      sent = true;
-    },
+    start: (controller) => controller.enqueue(new Uint8Array(1)),
+    pull: (controller) => controller.error(new TypeError('network error')),
   });
 }
 
@@ -37,9 +36,9 @@ export function heardWarnings(): readonly string[] {
   return warnings;
 }
 
-/** Loads the first of these files; the others are beside it. */
+/** Loads the first of these files; the others are beside it, but for those that are undefined. */
 export function loadFiles(
-  files: Readonly<Record<string, FileContent>>,
+  files: Readonly<Record<string, FileContent | undefined>>,
   options: Partial<LoadOptions> = {},
 ): Promise<Content> {
   const base = 'https://shop.example/models/';
@@ -50,8 +49,7 @@ export function loadFiles(
       content === undefined ? new Response(null, { status: 404 }) : new Response(bytesOf(content)),
     );
   });
-  const url = new URL(first, base);
-  return modelContent(url, { signal: new AbortController().signal, crossOrigin: null, ...options });
+  return modelContent(new URL(first, base), { ...OPTIONS, ...options });
 }
 
 /** The error that loading these files ends with. */
@@ -63,6 +61,11 @@ export async function failureOf(
   if (result instanceof ModelError) return result;
   throw result instanceof Error ? result : new Error('it loaded');
 }
+
+/** A glTF accessor of a buffer view, by default of floats. */
+export const view = (bufferView: number, type: string, componentType = 5126, count = 3) => ({
+  ...{ bufferView, type, componentType, count },
+});
 
 /** An attribute of a part as plain numbers, rounded to what float32 holds. */
 export const numbersOf = (model: Content, name: string, part = 0): number[] =>

@@ -5,64 +5,50 @@ import { setFileGroup } from '../../src/model/file-group.js';
 import { modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
 import type { BaseLook } from '../../src/material/file-surface.js';
+import { floats, type Json, viewsOf } from '../fuzz/glb.js';
+import { triangleDocument } from '../fuzz/models.js';
 import {
   BREAKS_OFF,
   failureOf,
   type FileContent,
   heardWarnings,
   loadFiles,
+  OPTIONS,
   png,
   pngHeader,
   standInImages,
+  view,
 } from './model-files.js';
 
 const warnings = heardWarnings();
 
-type Json = Record<string, unknown>;
-
 /** A triangle with texture coordinates, its buffer inside; `parts` replace the document's own. */
 function gltf(parts: Json): string {
-  const numbers = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1]);
-  const uri = `data:application/octet-stream;base64,${Buffer.from(numbers.buffer).toString('base64')}`;
-  const primitive = { attributes: { POSITION: 0, TEXCOORD_0: 1 }, material: 0 };
-  return JSON.stringify({
-    asset: { version: '2.0' },
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0 }],
-    meshes: [{ primitives: [primitive] }],
+  const { bufferViews, body } = viewsOf([floats(0, 0, 0, 1, 0, 0, 0, 1, 0), floats(0, 0, 1, 0, 0, 1)]);
+  const uri = `data:application/octet-stream;base64,${body.toString('base64')}`;
+  const document = triangleDocument({
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, material: 0 }] }],
     materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
     textures: [{ source: 0 }],
     images: [{ uri: 'pictures/oak%20wood.png' }],
-    accessors: [
-      { bufferView: 0, type: 'VEC3', count: 3, componentType: 5126 },
-      { bufferView: 1, type: 'VEC2', count: 3, componentType: 5126 },
-    ],
-    bufferViews: [
-      { buffer: 0, byteLength: 36 },
-      { buffer: 0, byteOffset: 36, byteLength: 24 },
-    ],
+    accessors: [view(0, 'VEC3'), view(1, 'VEC2')],
+    bufferViews,
     buffers: [{ byteLength: 60, uri }],
     ...parts,
   });
+  return JSON.stringify(document);
 }
 
 /** A triangle for each image. */
-const obj = (images: readonly string[]): Readonly<Record<string, string>> => ({
-  'a.obj': `mtllib lib/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n${images.map((_, i) => `usemtl m${i}\nf 1/1 2/1 3/1\n`).join('')}`,
-  'lib/a.mtl': images.map((image, i) => `newmtl m${i}\nKd 0.5 0 0\nmap_Kd ${image}\n`).join(''),
-});
+const obj = (images: readonly string[]): Readonly<Record<string, string>> => {
+  const faces = images.map((_, i) => `usemtl m${i}\nf 1/1 2/1 3/1\n`);
+  return {
+    'a.obj': `mtllib lib/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n${faces.join('')}`,
+    'lib/a.mtl': images.map((image, i) => `newmtl m${i}\nKd 0.5 0 0\nmap_Kd ${image}\n`).join(''),
+  };
+};
 
 const mapsOf = ({ parts }: Content): boolean[] => parts.map(({ look }) => look.map !== null);
-
-/** Loads a model whose one image does not come, and gives the warning. */
-async function warningFor(files: Parameters<typeof loadFiles>[0], missing: string): Promise<string> {
-  const before = warnings.length;
-  const model = await loadFiles(files);
-  expect(mapsOf(model)).toEqual([false]);
-  expect(model.missing).toEqual([missing]);
-  expect(warnings).toHaveLength(before + 1);
-  return warnings[before] ?? '';
-}
 
 const broken: readonly (readonly [what: string, content: FileContent | undefined, reason: RegExp])[] = [
   ['the server does not have', undefined, /answered 404 for oak wood\.png/],
@@ -71,25 +57,24 @@ const broken: readonly (readonly [what: string, content: FileContent | undefined
   ['that is no image', 'no picture', /is no PNG, JPEG, WebP or KTX2 image/],
 ];
 
-describe('an image', () => {
-  beforeEach(() => void standInImages());
+beforeEach(() => void standInImages());
 
-  it.each(broken)('that glTF names and %s is left out', async (_, content, reason) => {
-    const image = content === undefined ? {} : { 'pictures/oak wood.png': content };
-    const warning = await warningFor({ 'a.gltf': gltf({}), ...image }, 'pictures/oak wood.png');
-    expect(warning).toMatch(
-      /a\.gltf is shown without 1 of the files that it names: pictures\/oak wood\.png\. /,
+describe.each([
+  ['glTF', { 'a.gltf': gltf({}) }, 'pictures/oak wood.png'],
+  ['MTL', obj(['oak wood.png']), 'lib/oak wood.png'],
+])('an image that %s names', (_format, files, path) => {
+  it.each(broken)('and %s is left out', async (_, content, reason) => {
+    const model = await loadFiles({ ...files, [path]: content });
+    expect(mapsOf(model)).toEqual([false]);
+    expect(model.missing).toEqual([path]);
+    expect(warnings).toEqual([expect.stringMatching(reason)]);
+    expect(warnings[0]).toContain(
+      `${Object.keys(files)[0]!} is shown without 1 of the files that it names: ${path}. `,
     );
-    expect(warning).toMatch(reason);
   });
+});
 
-  it.each(broken)('that MTL names and %s is left out', async (_, content, reason) => {
-    const image = content === undefined ? {} : { 'lib/oak wood.png': content };
-    const warning = await warningFor({ ...obj(['oak wood.png']), ...image }, 'lib/oak wood.png');
-    expect(warning).toMatch(/a\.obj is shown without 1 of the files that it names: lib\/oak wood\.png\. /);
-    expect(warning).toMatch(reason);
-  });
-
+describe('an image', () => {
   it.each([
     ['whose data: URI is broken', { images: [{ uri: 'data:image/png;base64,*' }] }, /images\[0\].*base64/],
     ['whose data: URI holds none', { images: [{ uri: 'data:image/png,x', name: 'oak' }] }, /oak is no PNG/],
@@ -106,28 +91,14 @@ describe('an image', () => {
     expect(warnings).toEqual([expect.stringMatching(reason)]);
   });
 
-  it('that is there stays, and nothing is missing', async () => {
-    const model = await loadFiles({ 'a.gltf': gltf({}), 'pictures/oak wood.png': png() });
-    expect(mapsOf(model)).toEqual([true]);
-    expect(model.missing).toEqual([]);
-    expect(warnings).toEqual([]);
-  });
-
   it('that several textures name is named once', async () => {
-    const textures = [{ source: 0, sampler: 0 }, { source: 0 }, { source: 1 }];
-    const images = [{ uri: 'x.png' }, { uri: 'x.png' }];
-    const samplers = [{ wrapS: 33071 }];
-    const textured = (index: number): Json => ({ pbrMetallicRoughness: { baseColorTexture: { index } } });
-    const primitives = [0, 1, 2].map((material) => ({
-      attributes: { POSITION: 0, TEXCOORD_0: 1 },
-      material,
-    }));
+    const attributes = { POSITION: 0, TEXCOORD_0: 1 };
     const parts = {
-      textures,
-      images,
-      samplers,
-      materials: [0, 1, 2].map(textured),
-      meshes: [{ primitives }],
+      textures: [{ source: 0, sampler: 0 }, { source: 0 }, { source: 1 }],
+      images: [{ uri: 'x.png' }, { uri: 'x.png' }],
+      samplers: [{ wrapS: 33071 }],
+      materials: [0, 1, 2].map((index) => ({ pbrMetallicRoughness: { baseColorTexture: { index } } })),
+      meshes: [{ primitives: [0, 1, 2].map((material) => ({ attributes, material })) }],
     };
     const model = await loadFiles({ 'a.gltf': gltf(parts) });
     expect(mapsOf(model)).toEqual([false, false, false]);
@@ -174,18 +145,12 @@ describe('files from the user’s disk', () => {
     const group = new Map(Object.entries(files).map(([path, content]) => [path, new File([content], path)]));
     const [[path, model] = ['', new File([], '')]] = group;
     setFileGroup(model, { files: group, path, problem: null });
-    const options = { signal: new AbortController().signal, crossOrigin: null };
-    return modelContent(new URL(path, 'file:///'), options, model);
+    return modelContent(new URL(path, 'file:///'), OPTIONS, model);
   }
 
   it('show an OBJ with three of its four images, and name the fourth', async () => {
-    standInImages();
-    const model = await dropped({
-      ...obj(['a.png', 'b.png', 'c.png', 'd.png']),
-      'a.png': png(),
-      'b.png': png(),
-      'd.png': png(),
-    });
+    const files = obj(['a.png', 'b.png', 'c.png', 'd.png']);
+    const model = await dropped({ ...files, 'a.png': png(), 'b.png': png(), 'd.png': png() });
     expect(mapsOf(model)).toEqual([true, true, false, true]);
     expect(model.missing).toEqual(['lib/c.png']);
     expect(warnings).toEqual([
@@ -194,7 +159,6 @@ describe('files from the user’s disk', () => {
   });
 
   it('say once how to bring many images that are missing, and list ten', async () => {
-    standInImages();
     const model = await dropped(obj(Array.from({ length: 14 }, (_, i) => `${i}.png`)));
     expect(model.missing).toHaveLength(14);
     expect(warnings).toHaveLength(1);

@@ -7,8 +7,6 @@ import { cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/mat
 import { addTangents } from '../../src/model/gltf/tangents.js';
 import { Slices } from '../../src/model/slices.js';
 
-const slices = (): Slices => new Slices(new AbortController().signal);
-
 interface Frame {
   readonly T: Vec3;
   /** N × T · w. */
@@ -16,7 +14,7 @@ interface Frame {
 }
 
 async function framesOf(geometry: BufferGeometry): Promise<readonly Frame[]> {
-  await addTangents(geometry, 'uv', slices());
+  await addTangents(geometry, 'uv', new Slices(new AbortController().signal));
   const { array, count } = geometry.getAttribute('tangent');
   const normals = geometry.getAttribute('normal').array;
   return Array.from({ length: count }, (_, i) => {
@@ -30,25 +28,17 @@ const unit = fc
   .tuple(fc.double({ min: 0, max: 6.28, noNaN: true }), fc.double({ min: -0.99, max: 0.99, noNaN: true }))
   .map(([angle, z]): Vec3 => normalize([Math.cos(angle), Math.sin(angle), z / Math.sqrt(1 - z * z)]));
 
+const CORNERS = [[0, 0], [1, 0], [0, 1], [1, 1]] as const; // prettier-ignore
+
 const quad = (N: Vec3, alongU: Vec3, alongV: Vec3): BufferGeometry => {
-  const corners = [
-    [0, 0],
-    [1, 0],
-    [0, 1],
-    [1, 1],
-  ] as const;
-  const geometry = new BufferGeometry();
-  const set = (name: string, items: number, values: readonly number[]): void => {
-    geometry.setAttribute(name, new BufferAttribute(Float32Array.from(values), items));
+  const geometry = new BufferGeometry().setIndex([0, 1, 2, 2, 1, 3]);
+  const set = (name: string, of: (u: number, v: number) => readonly number[]): void => {
+    const values = CORNERS.flatMap(([u, v]) => of(u, v));
+    geometry.setAttribute(name, new BufferAttribute(Float32Array.from(values), values.length / 4));
   };
-  set('position', 3, corners.flatMap(([u, v]) => alongU.map((c, i) => u * c + v * alongV[i]!))); // prettier-ignore
-  set(
-    'normal',
-    3,
-    corners.flatMap(() => N),
-  );
-  set('uv', 2, corners.flat());
-  geometry.setIndex([0, 1, 2, 2, 1, 3]);
+  set('position', (u, v) => alongU.map((c, i) => u * c + v * alongV[i]!));
+  set('normal', () => N);
+  set('uv', (u, v) => [u, v]);
   return geometry;
 };
 

@@ -19,31 +19,13 @@ function distance(a: string, b: string): number {
   return at(a.length, b.length);
 }
 
-const words = ['shading', 'diffuse', 'position', 'scale', 'ka', 'kd', 'src', 'fov', 'radius'];
-
 describe('the nearest word', () => {
-  it.each([
-    ['shadng', 'shading'],
-    ['shdng', 'shading'],
-    ['difuse', 'diffuse'],
-    ['diffues', 'diffuse'],
-    ['idffuse', 'diffuse'],
-    ['postion', 'position'],
-    ['positions', 'position'],
-    ['poistoin', 'position'],
-    ['scael', 'scale'],
-    ['rc', 'src'],
-    ['radii', 'radius'],
-  ])('to %s is %s', (word, wanted) => {
-    expect(nearest(word, words)).toBe(wanted);
+  it('is one of those that are near enough, if any', () => {
+    const words = ['shading', 'diffuse', 'position', 'scale', 'ka', 'kd', 'src', 'fov', 'radius'];
+    expect(nearest('poistoin', words)).toBe('position');
+    expect(nearest('scael', words)).toBe('scale');
+    for (const far of ['', 'light', 'srcset', 'x'.repeat(1e6)]) expect(nearest(far, words)).toBeUndefined();
   });
-
-  it.each(['', 'x', 'sclae2', 'cale2', 'difu', 'light', 'srcset', 'x'.repeat(1e6)])(
-    'to %.20s is none',
-    (word) => {
-      expect(nearest(word, words)).toBeUndefined();
-    },
-  );
 
   it('is the one with fewer edits, whatever the order', () => {
     expect(nearest('ambien', ['ambit', 'ambient'])).toBe('ambient');

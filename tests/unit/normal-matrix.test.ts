@@ -32,62 +32,13 @@ const near = (a: Vector3, b: Vector3): void => {
 };
 
 describe('the normal matrix', () => {
-  it('rotates normals with the mesh, and ignores translation', () => {
-    near(through(place([0, 0, Math.PI / 2], [1, 1, 1]), [1, 0, 0]), new Vector3(0, 1, 0));
-    near(through(place([0, 0, 0], [1, 1, 1]), [0, 0, 1]), new Vector3(0, 0, 1));
-  });
-
-  it('tilts normals against a stretch', () => {
-    near(through(place([0, 0, 0], [2, 1, 1]), [1, 1, 0]), new Vector3(0.5, 1, 0).normalize());
-  });
-
-  it.each([[[-1, 1, 1]], [[1, -1, 1]], [[-1, -1, -1]], [[-2, 3, 0.5]], [[-1, -1, 1]]])(
-    'keeps normals pointing outward at a scale of %j',
-    (scale) => {
-      const model = place([0.3, 0.4, 0.5], scale);
-      // A sphere's normal leads outward: the point a little along it must stay farther from the centre's image.
-      const center = new Vector3().applyMatrix4(model);
-      for (const normal of [
-        [1, 0, 0],
-        [0, 1, 0],
-        [0, 0, 1],
-        [1, 1, 1],
-        [-1, 2, -0.5],
-      ] as const) {
-        const outward = new Vector3(...normal).applyMatrix4(model).sub(center);
-        expect(through(model, normal).dot(outward)).toBeGreaterThan(0);
-      }
-    },
-  );
-
-  it('agrees with the inverse transpose for every regular matrix', () => {
+  it('agrees with the inverse transpose for every regular matrix, mirrored ones included', () => {
     fc.assert(
       fc.property(angles, fc.tuple(factor, factor, factor), plainVector, (rotation, scale, normal) => {
         const model = place(rotation, scale);
         const inverse = new Matrix3().setFromMatrix4(model).invert().transpose();
         near(through(model, normal), new Vector3(...normal).applyMatrix3(inverse).normalize());
       }),
-    );
-  });
-
-  it('keeps normals perpendicular to their surface', () => {
-    fc.assert(
-      fc.property(
-        angles,
-        fc.tuple(factor, factor, factor),
-        plainVector,
-        plainVector,
-        (rotation, scale, a, b) => {
-          const normal = new Vector3(...a).cross(new Vector3(...b));
-          fc.pre(normal.length() > 1e-3);
-          const model = place(rotation, scale);
-          const got = through(model, [normal.x, normal.y, normal.z]);
-          for (const edge of [a, b]) {
-            const turned = new Vector3(...edge).transformDirection(model);
-            expect(Math.abs(got.dot(turned))).toBeLessThan(1e-9);
-          }
-        },
-      ),
     );
   });
 
@@ -102,13 +53,6 @@ describe('the normal matrix', () => {
     );
   });
 
-  it.each([1e12, 1e-12, -1e12, -1e-12])('gives at scale %d what it gives at scale 1 or −1', (s) => {
-    const one = normals(place([1, 2, 3], [Math.sign(s), Math.sign(s), Math.sign(s)])).elements;
-    normals(place([1, 2, 3], [s, s, s])).elements.forEach((x, i) => {
-      expect(Math.abs(x - one[i]!)).toBeLessThan(1e-14);
-    });
-  });
-
   it.each([1e-200, 5e-324])('leaves normals alone at scale %d, whose products overflow or underflow', (s) => {
     expect(normals(new Matrix4().makeScale(s, s, s)).elements).toStrictEqual(new Matrix3().elements);
   });
@@ -116,44 +60,27 @@ describe('the normal matrix', () => {
   it('is right for scales at both ends of the domain together', () => {
     const model = place([0.3, 0.4, 0.5], [1e12, 1e-12, 1e12]);
     const axis = new Vector3(0, 1, 0).transformDirection(place([0.3, 0.4, 0.5], [1, 1, 1]));
-    for (const normal of [
-      [0, 1, 0],
-      [1, 1, 1],
-      [1e-3, -1, 0],
-    ] as const) {
-      near(through(model, normal), axis.clone().multiplyScalar(Math.sign(normal[1])));
-    }
+    for (const x of [0, 1e-3, 1])
+      for (const y of [1, -1]) near(through(model, [x, y, x]), axis.clone().multiplyScalar(y));
   });
 });
 
 describe('the normal matrix of a flattened mesh', () => {
   it.each([
-    [
-      [0, 2, 3],
-      [1, 0, 0],
-    ],
-    [
-      [2, 0, 3],
-      [0, 1, 0],
-    ],
-    [
-      [2, 3, 0],
-      [0, 0, 1],
-    ],
-    [
-      [-2, 3, 0],
-      [0, 0, 1],
-    ],
-  ] as const)('by scale %j leaves the normals along %j alone', (scale, axis) => {
+    [0, [0, 2, 3]],
+    [1, [2, 0, 3]],
+    [2, [2, 3, 0]],
+    [2, [-2, 3, 0]],
+  ] as const)('leaves the normals along axis %i, which the scale %j flattens, alone', (flat, scale) => {
     fc.assert(
       fc.property(angles, plainVector, (rotation, normal) => {
-        const along = normal[axis.indexOf(1)]!;
+        const along = normal[flat];
         const got = new Vector3(...normal).applyMatrix3(normals(place(rotation, scale)));
         if (along === 0) {
           expect(got.length()).toBe(0);
           return;
         }
-        const turned = new Vector3(...axis).transformDirection(place(rotation, [1, 1, 1]));
+        const turned = new Vector3().setComponent(flat, 1).transformDirection(place(rotation, [1, 1, 1]));
         // The cofactors of the two scales that are left have their sign: it is the side that the triangles face.
         const side =
           Math.sign(along) * Math.sign(scale.reduce((product, s) => (s === 0 ? product : product * s), 1));
@@ -162,20 +89,17 @@ describe('the normal matrix of a flattened mesh', () => {
     );
   });
 
-  it('to a line or a point is zero, never NaN', () => {
-    for (const scale of [
-      [1, 0, 0],
-      [0, 0, 1],
-      [0, 0, 0],
-    ]) {
+  it.each([[[1, 0, 0]], [[0, 0, 1]], [[0, 0, 0]]])(
+    'to a line or a point by %j is zero, never NaN',
+    (scale) => {
       fc.assert(
         fc.property(angles, (rotation) => {
           expect(normals(place(rotation, scale)).elements.every((x) => x === 0)).toBe(true);
         }),
         { numRuns: 50 },
       );
-    }
-  });
+    },
+  );
 
   it('is finite for entries of any size and sign, mixed at will', () => {
     const size = fc.double({ min: 5e-324, max: 1e27, noNaN: true });

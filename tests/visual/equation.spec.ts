@@ -25,9 +25,7 @@ async function holds(
   for (let seed = FIRST; seed < FIRST + scenes; seed++) {
     const scene = randomScene(seed, geometry);
     const markup = sceneMarkup(scene, shading);
-    await viewer.evaluate((element, text) => {
-      element.outerHTML = text;
-    }, markup);
+    await viewer.evaluate((element, text) => (element.outerHTML = text), markup);
     const errors = compareWithReference(await pixels(viewer, SIZE), scene);
     compared += errors.compared;
     exact += errors.exact;

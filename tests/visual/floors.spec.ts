@@ -22,9 +22,7 @@ test('shades floors and walls up to 1,000 times as large as the eye is near', as
   let off = 0;
   let compared = 0;
   for (const [i, scene] of scenes.entries()) {
-    await viewer.evaluate((element, text) => {
-      element.outerHTML = text;
-    }, sceneMarkup(scene));
+    await viewer.evaluate((element, text) => (element.outerHTML = text), sceneMarkup(scene));
     const { data, width, height } = await pixels(viewer, SIZE);
     for (const { x, y, hit } of innerPixels(scene, width, height)) {
       const at = 4 * (y * width + x);

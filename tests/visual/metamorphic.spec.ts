@@ -103,9 +103,9 @@ async function forEachLikeness(
 
 test('draws the same bits for equivalent markup with the same numbers', async ({ mount }) => {
   test.setTimeout(1_800_000);
-  await forEachLikeness(mount, EXACT, (law, seed, scene, picture, other) => {
-    expect.soft(compare(picture, other).max, `${law}, seed ${seed}\n${sceneMarkup(scene)}`).toBe(0);
-  });
+  await forEachLikeness(mount, EXACT, (law, seed, scene, picture, other) =>
+    expect.soft(compare(picture, other).max, `${law}, seed ${seed}\n${sceneMarkup(scene)}`).toBe(0),
+  );
 });
 
 test('draws within one code a scene that is moved, rotated, or lit equivalently', async ({ mount }) => {

@@ -38,9 +38,7 @@ test('shades a sphere within one code of its own triangles in float64', async ({
       const mesh = { ...base.meshes[0]!, segments };
       const scene: DeclaredScene = { ...base, meshes: [mesh] };
       const markup = sceneMarkup(scene, shading);
-      await viewer.evaluate((element, text) => {
-        element.outerHTML = text;
-      }, markup);
+      await viewer.evaluate((element, text) => (element.outerHTML = text), markup);
       const errors = compareWithTriangles(await pixels(viewer, SIZE), scene, shading, subpixelBits);
       expect.soft(errors.max, `seed ${seed}, ${errors.at}\n${markup}`).toBeLessThanOrEqual(1);
       for (const [part, more] of [

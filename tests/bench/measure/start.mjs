@@ -130,7 +130,7 @@ function watchFirstPicture() {
     window.firstPicture = performance.now();
     names.forEach((name, i) => Object.assign(prototype, { [name]: originals[i] }));
   };
-  names.forEach((name, i) => {
+  names.forEach((name, i) =>
     Object.assign(prototype, {
       /** @this {WebGL2RenderingContext} @param {unknown[]} args */
       [name](...args) {
@@ -138,6 +138,6 @@ function watchFirstPicture() {
         waiting = true;
         return Reflect.apply(/** @type {(...args: unknown[]) => void} */ (originals[i]), this, args);
       },
-    });
-  });
+    }),
+  );
 }

@@ -10,9 +10,7 @@ window.requestAnimationFrame = (callback) => {
   waiting.set(last, callback);
   return last;
 };
-window.cancelAnimationFrame = (id) => {
-  waiting.delete(id);
-};
+window.cancelAnimationFrame = (id) => waiting.delete(id);
 
 /** Runs one animation frame. Returns how many callbacks it had. */
 export function runFrame(): number {

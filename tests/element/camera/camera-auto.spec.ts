@@ -87,12 +87,12 @@ test.describe('auto-rotate', () => {
     const viewer = await mount(turning);
     const shown = await viewer.evaluate(async (element: PhongViewer) => {
       const places: { time: number; theta: number }[] = [];
-      await new Promise<void>((resolve) => {
+      await new Promise<void>((resolve) =>
         element.addEventListener('render', () => {
           places.push({ time: Number(document.timeline.currentTime), theta: element.camera.theta });
           if (places.length === 10) resolve();
-        });
-      });
+        }),
+      );
       return places;
     });
     const first = shown[1]!;

@@ -130,9 +130,7 @@ test('a member that is not displayed counts, and has the right camera when it co
   await nextFrame(page);
   const { radius } = await expectOnePose(page);
   await drag(page, [100, 100], [33, 17]);
-  await second.evaluate((element: PhongViewer) => {
-    element.hidden = false;
-  });
+  await second.evaluate((element: PhongViewer) => (element.hidden = false));
   await settled(second);
   expect((await expectOnePose(page)).radius).toBe(radius);
   expect((await cameraOf(first)).theta).not.toBe(30);
@@ -260,16 +258,12 @@ test('the next viewer turns the group once the first is out of view, and nothing
     css: `${size.css} [hidden] { display: none !important }`,
   });
   const second = page.locator('phong-viewer').nth(1);
-  await first.evaluate((element: PhongViewer) => {
-    element.hidden = true;
-  });
+  await first.evaluate((element: PhongViewer) => (element.hidden = true));
   await nextFrame(page);
   const heard = await record(second, 'camera-change');
   await expect.poll(async () => (await heard.take()).at(-1)?.detail).toEqual({ source: 'auto' });
   await expectOnePose(page);
-  await first.evaluate((element: PhongViewer) => {
-    element.hidden = false;
-  });
+  await first.evaluate((element: PhongViewer) => (element.hidden = false));
   for (const viewer of [first, second]) await assign(viewer, { autoRotate: 0 });
   await allReady(page);
   await nextFrame(page);

@@ -124,25 +124,6 @@ test.describe('children are found', () => {
     same(await pixels(page.locator('phong-viewer')), wanted);
   });
 
-  test('in shadow trees by a viewer that is defined later', async ({ page, site, mount }) => {
-    const wanted = await pixels(await mount(scene(green, box, red), size));
-    await page.goto(site.page(scene('<div></div>', red), { css: 'phong-viewer { display: block; width: 60px; height: 40px }' })); // prettier-ignore
-    await page.evaluate(
-      async ([inner, outer]) => {
-        const deeper = document.createElement('div');
-        deeper.attachShadow({ mode: 'closed' }).innerHTML = inner;
-        document.querySelector('div')!.attachShadow({ mode: 'closed' }).innerHTML = outer;
-        document.querySelector('div')!.append(deeper);
-        const address = '/dist/phong-viewer.standalone.js';
-        await import(address);
-      },
-      [box, green] as const,
-    );
-    await allReady(page);
-    expect(await names(page.locator('phong-viewer'))).toEqual(['green', 'red', 'box']);
-    same(await pixels(page.locator('phong-viewer')), wanted);
-  });
-
   test('in a viewer outside the document, where they can be added and removed', async ({ page, mount }) => {
     await mount('<main></main>', size);
     const counts = await page.evaluate(() => {

@@ -57,20 +57,6 @@ test.describe('an attribute that does not exist', () => {
     });
     await reported(page, warnings, 1);
   });
-
-  test('is named on an element that comes later', async ({ page, mount, consoleGuard }) => {
-    const viewer = await mount(scene(light('')), size);
-    await nextFrame(page);
-    const warnings = claim(consoleGuard, 1);
-    await viewer.evaluate((element) => {
-      const late = document.createElement('phong-light');
-      element.append(late);
-      late.setAttribute('aperature', '20'); // in the same task
-    });
-    expect(await reported(page, warnings, 1)).toEqual([
-      '<phong-light> has no attribute aperature. Did you mean aperture?',
-    ]);
-  });
 });
 
 test('attributes of HTML, ARIA and frameworks give no warning', async ({ page, mount }) => {
@@ -159,18 +145,6 @@ test.describe('a viewer whose end tag is missing', () => {
     await mount(`<article><phong-viewer geometry="box" /><p>Text   after <b>it</b>.</p></article>`, size);
     expect(await reported(page, warnings, 1)).toEqual([
       `<phong-viewer> contains the text "Text after", which is not shown. ${CURE}`,
-    ]);
-  });
-
-  test('is named if it swallowed an image, but not the elements around it', async ({
-    page,
-    mount,
-    consoleGuard,
-  }) => {
-    const warnings = claim(consoleGuard, 1);
-    await mount(`<div><phong-viewer /><figure><canvas></canvas></figure></div><p>Text</p>`, size);
-    expect(await reported(page, warnings, 1)).toEqual([
-      `<phong-viewer> contains <canvas>, which is not shown. ${CURE}`,
     ]);
   });
 

@@ -266,9 +266,7 @@ test('a move draws each viewer once, except those that the divider hides', async
   const moved = async (): Promise<number[]> => {
     const before = await framesOf(page);
     for (let i = 0; i < 5; i++) {
-      await first.evaluate((element: PhongViewer) => {
-        element.phi += 1;
-      });
+      await first.evaluate((element: PhongViewer) => (element.phi += 1));
       await nextFrame(page);
     }
     return (await framesOf(page)).map((frames, i) => frames - before[i]!);
@@ -293,9 +291,7 @@ test('side by side, each viewer has a share of the width, and rows where that is
     Promise.all([0, 1, 2, 3].map((i) => page.locator('phong-viewer').nth(i).boundingBox()));
   expect(new Set((await boxes()).map((box) => box!.y)).size).toBe(2);
   await page.setViewportSize({ width: 1000, height: 700 });
-  await compare.evaluate((element) => {
-    element.style.width = '800px';
-  });
+  await compare.evaluate((element) => (element.style.width = '800px'));
   expect((await boxes()).map((box) => [box!.y, Math.round(box!.width)])).toEqual(
     Array.from({ length: 4 }, () => [0, 199]),
   );
@@ -312,9 +308,7 @@ test('labels come from `labels`, or from the names of the viewers', async ({ pag
   await assign(page.locator('phong-viewer').first(), { alt: 'Per vertex' });
   await expect.poll(texts).toEqual(['Per vertex', 'Phong']);
   await expect(dividers(compare)).toHaveAccessibleName('Divider between Per vertex and Phong');
-  await compare.evaluate((element) => {
-    element.setAttribute('labels', 'left, right');
-  });
+  await compare.evaluate((element) => element.setAttribute('labels', 'left, right'));
   expect(await texts()).toEqual(['left', 'right']);
   await assign(compare, { labels: ['a list', 'of texts'] });
   expect(await texts()).toEqual(['a list', 'of texts']);
@@ -361,9 +355,7 @@ test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   const first = html.slice(html.indexOf('<phong-viewer'), html.indexOf('</phong-viewer>'));
   const picture = await shownBy(page, `${first}</phong-viewer>`, { width: 40, height: 20 });
   expect(picture.width).toBe(40);
-  await page.evaluate((text) => {
-    document.body.innerHTML = text;
-  }, html);
+  await page.evaluate((text) => (document.body.innerHTML = text), html);
   await expect(page.getByRole('separator')).toHaveAttribute('aria-valuenow', '60');
   await allReady(page);
   expect(await page.locator('phong-compare').evaluate((element: PhongCompare) => element.toHTML())).toBe(

@@ -147,11 +147,13 @@ test('waits for elements that come later, and warns once of ids and attributes t
       'beforeend',
       '<phong-control for="late" attribute="cutoff"></phong-control>',
     );
-    setTimeout(() => {
-      document
-        .querySelector('phong-viewer')!
-        .insertAdjacentHTML('beforeend', '<phong-light id="late" cutoff="3"></phong-light>');
-    }, 100);
+    setTimeout(
+      () =>
+        document
+          .querySelector('phong-viewer')!
+          .insertAdjacentHTML('beforeend', '<phong-light id="late" cutoff="3"></phong-light>'),
+      100,
+    );
   });
   const late = page.locator('phong-control[for=late]');
   await expect(late.locator('.number')).toHaveValue('3');

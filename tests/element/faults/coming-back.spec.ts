@@ -1,7 +1,7 @@
 // Does everything work again after an interruption: viewers that return, loads that were aborted, failures that were
 // fixed?
 import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
-import { nextFrame, record, type PhongMesh, type PhongViewer } from '../support/viewer.js';
+import { nextFrame, type PhongMesh, type PhongViewer } from '../support/viewer.js';
 
 const SMALL = { width: 120, height: 90 };
 
@@ -78,23 +78,6 @@ test('the message of a failure disappears with the failed element', async ({ mou
     mesh.geometry = 'box';
   });
   await expect(notice).toHaveCount(0);
-});
-
-test('the same address is fetched again after a failure, and every failure is reported', async ({
-  mount,
-  consoleGuard,
-}) => {
-  consoleGuard.allow(/404/);
-  const viewer = await mount('<phong-viewer></phong-viewer>');
-  const events = await record(viewer, 'error');
-  for (let time = 1; time <= 2; time++) {
-    await viewer.evaluate((element: PhongViewer) => {
-      element.src = '/nowhere.glb';
-      return element.ready;
-    });
-    await expect.poll(() => events.take()).toHaveLength(1);
-  }
-  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(false);
 });
 
 test('the picture has the pixels that it covers under CSS zoom', async ({ mount }) => {

@@ -48,18 +48,6 @@ for (const count of [1, 2]) {
   });
 }
 
-test('a context is requested again when a viewer connects', async ({ mount, page }) => {
-  await page.addInitScript(() => (window.faults.opening = 'null'));
-  const viewer = await mount(box, SIZE);
-  await expect(viewer.locator('[part=notice]')).toHaveText('this browser gives no WebGL 2 context');
-  await page.evaluate((html) => {
-    window.faults.opening = 'works';
-    document.body.insertAdjacentHTML('beforeend', html);
-  }, box);
-  await expect(page.locator('phong-viewer [part=notice]')).toHaveCount(0);
-  await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBeGreaterThan(0);
-});
-
 test('a context lost at any call before the end of the first picture is reported once and restored', async ({
   mount,
   page,

@@ -59,9 +59,7 @@ function wrapContexts(): void {
     get programs() {
       return [...programs.values()].filter(isOpen).length;
     },
-    lose: () => {
-      contexts.findLast(({ context }) => !isLost.call(context))?.loss?.loseContext();
-    },
+    lose: () => contexts.findLast(({ context }) => !isLost.call(context))?.loss?.loseContext(),
     restore: () => {
       for (const loss of restorable) loss.restoreContext();
       restorable.clear();
@@ -100,11 +98,11 @@ function wrapContexts(): void {
     if (context === null) return null;
     const loss = Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null;
     contexts.push({ context, loss });
-    this.addEventListener('webglcontextlost', (event) => {
+    this.addEventListener('webglcontextlost', (event) =>
       setTimeout(() => {
         if (event.defaultPrevented && loss !== null) restorable.add(loss);
-      });
-    });
+      }),
+    );
     if (faults.opening === 'lost') faults.lose();
     return context;
   } as typeof getContext;

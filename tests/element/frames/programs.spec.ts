@@ -109,17 +109,6 @@ test('scenes with the same needs have the same program, and only further needs a
   }
 });
 
-test('another shape is drawn by the same program', async ({ page, mount }) => {
-  await logGl(page);
-  const viewer = await mount('<phong-viewer geometry="box"><phong-light></phong-light></phong-viewer>', size);
-  for (const [key, value] of Object.entries({ geometry: 'sphere', segments: '12' })) {
-    await glSpent(page);
-    await viewer.evaluate((element, [name, text]) => element.setAttribute(name, text), [key, value] as const);
-    await viewer.evaluate((element: PhongViewer) => element.ready);
-    expect(await glSpent(page), `${key} ${value}`).toMatchObject({ draws: 1, links: 0, compiles: 0 });
-  }
-});
-
 test('ten meshes reached by different lights get a specialised program each', async ({ page, mount }) => {
   await logGl(page);
   // Each lit by one more light than the one before, so that no two share a program.
@@ -135,28 +124,6 @@ test('ten meshes reached by different lights get a specialised program each', as
   expect((await litPrograms(page)).filter(isSpecialised)).toHaveLength(10);
   expect(await viewer.evaluate((element: PhongViewer) => element.stats.lightsSentByMesh)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]); // prettier-ignore
   expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
-});
-
-test('a fragment’s explanation does not depend on the program that drew it', async ({ mount }) => {
-  const viewer = await mount(
-    '<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>',
-    size,
-  );
-  const explain = () =>
-    viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.color ?? null);
-  const before = await explain();
-  expect(before).not.toBeNull();
-  const programs = await viewer.evaluate(async (element: PhongViewer) => {
-    for (let frame = 0; frame < 60; frame++) {
-      element.requestRender();
-      await new Promise((resolve) => {
-        element.addEventListener('render', resolve, { once: true });
-      });
-    }
-    return element.stats.programs;
-  });
-  expect(programs).toBe(2);
-  expect(await explain()).toEqual(before);
 });
 
 test('a picture without lights in the loop gets a specialised program that shows the same', async ({

@@ -40,9 +40,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
       'its place': () => (mesh().position = [0.2, 0.3, 0]),
       'its shape': () => (mesh().geometry = 'cone'),
       'a mesh more': () => mesh().after(mesh().cloneNode()),
-      'a mesh less': () => {
-        mesh().remove();
-      },
+      'a mesh less': () => mesh().remove(),
       'the terms': () => (element.terms = ['ambient', 'specular']),
       'the colour space': () => (element.colorInterpolation = 'linear'),
       'a light': () => (element.lights[0]!.specular = [255, 0, 0]),
@@ -56,9 +54,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
     };
     const same: Record<string, () => void> = {
       'another parent': () => parent.append(document.createElement('section')),
-      removal: () => {
-        element.remove();
-      },
+      removal: () => element.remove(),
     };
     element.view = 'diffuse'; // its code is here from now on
     await element.ready;

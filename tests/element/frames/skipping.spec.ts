@@ -9,8 +9,7 @@ import { expect, pixels, test } from '../../support/test.js';
 import { compareWithReference } from '../../visual/against-reference.js';
 import { sceneMarkup } from '../../visual/random-scene.js';
 import type { CastMesh, DeclaredScene } from '../../visual/ray-cast.js';
-import { moveFor } from './driving.js';
-import { drawnWith, glSpent, isSpecialised, logGl, type GlSpent } from '../support/gl-log.js';
+import { glSpent, logGl, type GlSpent } from '../support/gl-log.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
@@ -195,21 +194,6 @@ test('one to forty lights that change together cost one frame, one upload of the
   }
 });
 
-test('a single moving light uploads only its position, at any index', async ({ page, mount }) => {
-  await logGl(page);
-  const viewer = await mount(sceneMarkup(sceneOf(CROWD)), size);
-  for (const light of [0, 9, 10, 24, 25, 39]) {
-    const bytes = await viewer.evaluate(async (element: PhongViewer, i) => {
-      window.glLog.take();
-      const [x, y, z, w] = element.lights[i]!.position;
-      element.lights[i]!.position = [x + 0.1, y + 0.1, z + 0.1, w];
-      await element.ready;
-      return window.glLog.take().bytes;
-    }, light);
-    expect(bytes, `light ${light}`).toBe(ROW);
-  }
-});
-
 test('the first light with a new kind or feature compiles at most one program, the second none', async ({
   page,
   mount,
@@ -230,58 +214,13 @@ test('the first light with a new kind or feature compiles at most one program, t
     const links: number[] = [];
     for (let i = 0; i < 2; i++) {
       await glSpent(page);
-      await viewer.evaluate((element, html) => {
-        element.insertAdjacentHTML('beforeend', html);
-      }, `<phong-light ${attributes}></phong-light>`);
+      await viewer.evaluate(
+        (element, html) => element.insertAdjacentHTML('beforeend', html),
+        `<phong-light ${attributes}></phong-light>`,
+      );
       await nextFrame(page);
       links.push((await glSpent(page)).links);
     }
     expect([which, ...links]).toEqual([which, which === 'spot with all of it' ? 0 : 1, 0]);
   }
-});
-
-/**
- * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still
- * picture's program has the lights' numbers in its text, that frame goes over to one that reads them.
- */
-async function callsPerFrame(viewer: Locator, move: number): Promise<number> {
-  return viewer.evaluate(async (element: PhongViewer, lights) => {
-    let most = 0;
-    for (let frame = 0; frame < 12; frame++) {
-      window.glLog.take();
-      if (lights === 0) element.requestRender();
-      for (const light of element.lights.slice(0, lights)) {
-        const [x, y, z, w] = light.position;
-        light.position = [x + 0.001, y, z + 0.001, w];
-      }
-      await element.ready;
-      const { calls, draws, links } = window.glLog.take();
-      if (draws !== 1 || links !== 0) throw new Error(`${draws} draws and ${links} links in frame ${frame}`);
-      if (frame > 0) most = Math.max(most, calls);
-    }
-    return most;
-  }, move);
-}
-
-test('lights that move in every frame cost four calls more than a still frame, however many', async ({
-  page,
-  mount,
-}) => {
-  await logGl(page);
-  const viewer = await mount('<phong-viewer></phong-viewer>', size);
-  const figures: Record<string, readonly [still: number, moving: number]> = {};
-  for (const [name, lights] of Object.entries({
-    '1 spot': CROWD.slice(39),
-    '32 of each kind': CROWD.slice(0, 32),
-  })) {
-    await show(viewer, sceneOf(lights));
-    // Lights move first: the program that draws then has no values inlined, and draws still pictures as well.
-    await moveFor(viewer, 60);
-    const moving = await callsPerFrame(viewer, lights.length);
-    const still = await callsPerFrame(viewer, 0);
-    expect((await drawnWith(page)).every(isSpecialised)).toBe(true);
-    figures[name] = [still, moving];
-    expect(moving - still, name).toBeLessThanOrEqual(4);
-  }
-  console.log('WebGL calls in a still frame, and with all lights moving:', JSON.stringify(figures));
 });

@@ -35,9 +35,9 @@ test('a picture keeps its brightness while it converges, changes in outlines onl
     expect(new Set(frames.map(({ samples }) => samples)).size, `${what}: pictures shown`).toBeGreaterThan(2);
     for (const [i, { samples, mean, inside }] of frames.entries()) {
       const which = `${what}, frame ${String(i)} with ${String(samples)} samples`;
-      mean.forEach((code, channel) => {
-        expect(Math.abs(code - plain!.mean[channel]!), which).toBeLessThan(0.5);
-      });
+      mean.forEach((code, channel) =>
+        expect(Math.abs(code - plain!.mean[channel]!), which).toBeLessThan(0.5),
+      );
       expect(inside, which).toBe(0);
     }
   }
@@ -71,9 +71,7 @@ test('whatever happens in the middle, each frame is a whole picture, and it conv
         section.append(element);
       }),
     'another viewer': () =>
-      page.evaluate((markup) => {
-        document.body.insertAdjacentHTML('beforeend', markup);
-      }, viewerOf(16)),
+      page.evaluate((markup) => document.body.insertAdjacentHTML('beforeend', markup), viewerOf(16)),
     'its removal': () => page.evaluate(() => document.querySelector('body > phong-viewer')!.remove()),
     'a hidden page': async () => {
       await hide(true);

@@ -168,9 +168,9 @@ test('pictures in view converge first, from the top, and those far from it wait'
     await new Promise((resolve) => setTimeout(resolve, 100)); // observers report the place
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
     const order: number[] = [];
-    viewers.forEach((viewer, i) => {
-      viewer.addEventListener('render', () => viewer.stats.samples === 16 && order.push(i));
-    });
+    viewers.forEach((viewer, i) =>
+      viewer.addEventListener('render', () => viewer.stats.samples === 16 && order.push(i)),
+    );
     await Promise.all(viewers.map(({ ready }) => ready));
     // Once more, with all the code here.
     order.length = 0;

@@ -221,25 +221,6 @@ test('objects of a page keep their colours, whichever way their materials encode
   await nextFrame(page);
 });
 
-test('a lost context and a new size in the middle leave nothing stuck', async ({ page, mount }) => {
-  const viewer = await mount(viewerOf(full.replace('16', '512')), { ...size, waitForReady: false });
-  await expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
-  await viewer.evaluate(async (element) => {
-    const canvas = element.shadowRoot!.querySelector('canvas')!;
-    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
-    extension.loseContext();
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    extension.restoreContext();
-  });
-  await assign(viewer, { samples: 16 });
-  await expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBe(16);
-  await viewer.evaluate((element) => (element.style.width = '50px'));
-  await nextFrame(page);
-  await converged(viewer);
-  const { width } = await pixels(viewer);
-  expect(width).toBe(50);
-});
-
 test('toBlob({ samples }) is the picture that a viewer of that size converges to', async ({ mount }) => {
   const viewer = await mount(viewerOf(full), { width: 90, height: 70 });
   await converged(viewer);

@@ -91,9 +91,7 @@ export function installWatch(): void {
   for (const name of Object.getOwnPropertyNames(gl)) wrap(gl, name, () => note(name));
   wrap(window, 'requestAnimationFrame', () => note('requestAnimationFrame'));
   let place = '';
-  wrap(gl, 'viewport', (_, [x, y]) => {
-    place = `${String(x)}, ${String(y)}`;
-  });
+  wrap(gl, 'viewport', (_, [x, y]) => (place = `${String(x)}, ${String(y)}`));
   const takeDrawn = (): DrawnBy => {
     const programs = [...drawnBy].sort().join();
     drawnBy = new Set();

@@ -3,7 +3,6 @@
 
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
-import { patch } from '../../support/gltf.js';
 import { compare, expect, pixelAt, pixels, strictPolicy, test } from '../../support/test.js';
 import { assign, type PhongMesh, type PhongViewer, record, settled } from '../support/viewer.js';
 
@@ -181,48 +180,6 @@ test('a file that cannot be shown is named in a message, and the picture stays',
   expect(compare(await pixels(viewer), before).max).toBe(0);
 });
 
-test('a lone OBJ file is shown without the files that it names, with a warning that lists them', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
-  consoleGuard.allow(/warning: quads\.obj is shown without 1 of the files.*quads\.mtl/, 1);
-  const viewer = await mount(viewerOf('terms="diffuse" kd="0 255 0"'), size);
-  await filesIn(page, ['quads.obj']);
-  const outcome = await outcomeOf(viewer, () => setFile(viewer));
-  expect(outcome).toEqual({ type: 'load', detail: { url: 'file:///quads.obj', missing: ['quads.mtl'] } });
-  expectNear(await colorAt(viewer, -0.5, 0), [0, 255, 0]);
-});
-
-test('a glTF file is shown without an image that is missing, from a server and from a data: address', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
-  consoleGuard.allow(/error: Failed to load resource/, 1);
-  consoleGuard.allow(/quad\.gltf is shown without 1 of .*: textures\/four colours\.png\./, 1);
-  consoleGuard.allow(
-    /the data: URI is shown without 1 of .*: images\[0\]\. images\[0\] is no PNG, JPEG, WebP or KTX2 image/,
-    1,
-  );
-  await page.route(/four%20colours/, (route) => route.fulfill({ status: 404 }));
-  const viewer = await mount(viewerOf('kd="0 255 0" ka="0" ks="0"'), size);
-  const load = async (src: string): Promise<unknown> => {
-    const { type, detail } = await outcomeOf(viewer, () => assign(viewer, { src }));
-    expectNear(await colorAt(viewer, 0.2, 0.2), [0, 255, 0]);
-    return [type, detail.missing, await viewer.evaluate((element: PhongViewer) => element.loaded)];
-  };
-  expect(await load(model('beside/quad.gltf'))).toEqual(['load', ['textures/four colours.png'], true]);
-  // The texture is a PNG as far as its header.
-  const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } };
-  const broken = patch({ material, textures: [[[255, 0, 0]]] }).split(',', 2)[1] ?? '';
-  const document = Buffer.from(broken, 'base64')
-    .toString()
-    .replace(/(image\/png;base64,.{48})[^"]*/, '$1');
-  const src = `data:model/gltf+json,${encodeURIComponent(document)}`;
-  expect(await load(src)).toEqual(['load', ['images[0]'], true]);
-});
-
 test('a model compressed by meshopt without WebAssembly gives an error that says how to allow it', async ({
   mount,
   consoleGuard,
@@ -356,9 +313,9 @@ test.describe('a droppable viewer', () => {
     await filesIn(page, ['textured.glb']);
     expect(await dropFiles(viewer)).toEqual({ taken: false });
     await assign(viewer, { droppable: true });
-    await page.evaluate(() => {
-      document.addEventListener('drop', (event) => event.preventDefault(), { capture: true });
-    });
+    await page.evaluate(() =>
+      document.addEventListener('drop', (event) => event.preventDefault(), { capture: true }),
+    );
     await dropFiles(viewer);
     await settled(viewer);
     expect(await viewer.evaluate((element: PhongViewer) => element.src)).toBe('');

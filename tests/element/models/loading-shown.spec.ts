@@ -188,13 +188,11 @@ test('CSS can select viewers that are loading, failed or empty', async ({ page, 
   expect(await statesOf(viewer)).toEqual(['error']);
   await assign(viewer, { src: null });
   await expect.poll(() => statesOf(viewer)).toEqual(['empty']);
-  await viewer.evaluate((element) => {
-    element.append(Object.assign(document.createElement('phong-mesh'), { geometry: 'box' }));
-  });
+  await viewer.evaluate((element) =>
+    element.append(Object.assign(document.createElement('phong-mesh'), { geometry: 'box' })),
+  );
   await expect.poll(() => statesOf(viewer)).toEqual([]);
-  await viewer.evaluate((element) => {
-    element.replaceChildren();
-  });
+  await viewer.evaluate((element) => element.replaceChildren());
   await expect.poll(() => statesOf(viewer)).toEqual(['empty']);
 });
 
@@ -247,9 +245,9 @@ test('the first picture has all shapes that the markup names but those that fail
   expect(await shown()).toEqual({ frames: 0, posters: 1 });
   const drawn = await viewer.evaluateHandle((element: PhongViewer) => {
     const pictures: number[][] = [];
-    element.addEventListener('render', () => {
-      pictures.push([element.stats.frames, element.stats.drawCalls, element.camera.theta]);
-    });
+    element.addEventListener('render', () =>
+      pictures.push([element.stats.frames, element.stats.drawCalls, element.camera.theta]),
+    );
     return pictures;
   });
   send!();

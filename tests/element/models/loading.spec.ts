@@ -35,9 +35,7 @@ test('a model’s file is requested while the code that reads it is still on the
   mount,
 }) => {
   let letGo = (): void => undefined;
-  const free = new Promise<void>((resolve) => {
-    letGo = resolve;
-  });
+  const free = new Promise<void>((resolve) => (letGo = resolve));
   await page.route(/model-content/, async (route) => {
     await free;
     await route.continue();
@@ -108,24 +106,6 @@ test('an author’s own element in the slot error takes the place of the message
   );
   await expect(viewer.locator('b')).toBeVisible();
   await expect(viewer.locator('[part=notice]')).toBeHidden();
-});
-
-test('the poster is shown until the first picture', async ({ page, mount }) => {
-  let release: () => void = () => undefined;
-  const held = new Promise<void>((resolve) => (release = resolve));
-  await page.route('**/bunny.glb', async (route) => {
-    await held;
-    await route.continue();
-  });
-  const viewer = await mount(
-    `<phong-viewer loading="lazy" poster="data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7" src="${bunny}"></phong-viewer>`,
-    { ...size, waitForReady: false },
-  );
-  const poster = viewer.locator('[part=poster]');
-  await expect(poster).toHaveCount(1);
-  release();
-  await settled(viewer);
-  await expect(poster).toHaveCount(0);
 });
 
 test('without a poster the first picture does not move the page', async ({ mount }) => {

@@ -30,9 +30,7 @@ const limitMemory = (page: Page, type: 'Float32Array' | 'Uint8Array', most: numb
   );
 
 const giveMemoryBack = (page: Page): Promise<void> =>
-  page.evaluate(() => {
-    (window as unknown as { giveMemoryBack: () => void }).giveMemoryBack();
-  });
+  page.evaluate(() => (window as unknown as { giveMemoryBack: () => void }).giveMemoryBack());
 
 const shows = (viewer: Locator): Promise<boolean> =>
   viewer.evaluate((element: PhongViewer) => element.loaded);
@@ -176,9 +174,7 @@ for (const earlier of ['phong', 'gouraud'] as const) {
     await limitMemory(page, 'Float32Array', 10_000);
     await assign(viewer, { shading: 'flat' });
     await settled(viewer);
-    await page.locator('phong-mesh').evaluate((mesh: PhongMesh) => {
-      mesh.name = 'still the bunny';
-    });
+    await page.locator('phong-mesh').evaluate((mesh: PhongMesh) => (mesh.name = 'still the bunny'));
     await settled(viewer);
     expect(await events.take()).toMatchObject([{ detail: { code: 'too-large' } }]);
     expect(await ofMesh.take()).toHaveLength(1);

@@ -82,24 +82,6 @@ test('draws no frame of the viewer when the mouse moves', async ({ page, mount }
   expect(await frames()).toBe(before);
 });
 
-test('shows the pinned point again after its viewer was removed or moved', async ({ page, mount }) => {
-  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
-  await expect(box(viewer)).toBeVisible();
-  await viewer.evaluate((element) => {
-    const parent = element.parentNode!;
-    element.remove();
-    parent.append(element);
-  });
-  await expect(box(viewer)).toHaveCount(1);
-  await expect(box(viewer)).toHaveClass(/pinned/);
-  await viewer.evaluate((element) => {
-    const host = document.body.appendChild(document.createElement('div'));
-    host.attachShadow({ mode: 'open' }).append(element);
-  });
-  await expect(page.locator('[part=probe]')).toHaveCount(1);
-  await expect(page.locator('[part=probe]')).toHaveClass(/pinned/);
-});
-
 test('never throws when lights, meshes and the viewer are removed under the mouse', async ({
   page,
   mount,

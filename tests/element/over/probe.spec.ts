@@ -372,9 +372,7 @@ test.describe('the box', () => {
       { width: 240, height: 400 },
     );
     for (const width of [240, 269, 270, 294, 344, 345, 355, 389, 390, 420, 479, 480, 599, 600, 690]) {
-      await viewer.evaluate((element: PhongViewer, px) => {
-        element.style.width = `${px}px`;
-      }, width);
+      await viewer.evaluate((element: PhongViewer, px) => (element.style.width = `${px}px`), width);
       await nextFrame(page);
       await expect(box(viewer).getByRole('table')).toBeVisible();
       const { hidden, right, edge, name } = await box(viewer).evaluate((element) => {
@@ -456,32 +454,6 @@ test.describe('the box', () => {
     await expect(row).toHaveText((await codes(viewer).textContent())!);
   });
 
-  test('says under Gouraud shading that the steps are of the point itself, where the row has other terms', async ({
-    mount,
-  }) => {
-    const viewer = await mount(
-      `<phong-viewer probe geometry="sphere" segments="8" shading="gouraud" theta="30" phi="80" radius="1.8" target="0 0 0">
-         <phong-light name="side" position="1 0.1 -0.9 0" diffuse="255"></phong-light></phong-viewer>`,
-    );
-    // Behind the surface, of which a corner has the light.
-    const diffuse = await viewer.evaluate(async (element: PhongViewer) => {
-      for (let x = 100; x < 500; x += 5) {
-        const fragment = await element.shadeAt(x, 200);
-        const share = fragment?.shares[0];
-        if (!share || share.NoL > -0.02 || share.diffuse[0] < 0.02) continue;
-        element.probeAt = fragment.p;
-        return 255 * share.diffuse[0];
-      }
-      return 0;
-    });
-    expect(diffuse).toBeGreaterThan(1);
-    await expect(box(viewer).locator('.steps')).toHaveText(
-      /^At the point itself, side: N·L = cos [\d.]+° = −[\d.]+ is not above 0, so only ambient\.$/,
-    );
-    await expect(box(viewer).locator('tbody td').nth(1)).toHaveText(new RegExp(`^${diffuse.toFixed(1)} `));
-    await expect(box(viewer).locator('tbody small')).toHaveText('');
-  });
-
   test('says where the picture averages a texture', async ({ mount }) => {
     const columns = Array.from({ length: 64 * 64 }, (_, i): Texel =>
       i % 2 === 0 ? [255, 255, 255] : [0, 0, 0],
@@ -516,24 +488,6 @@ test.describe('the box', () => {
     await expect(box(viewer)).toBeHidden();
     await viewer.scrollIntoViewIfNeeded();
     await expect(codes(viewer)).toHaveText(/^\d/);
-  });
-
-  test('says why a light adds nothing', async ({ page, mount }) => {
-    const viewer = await mount(
-      scene(
-        'probe',
-        `<phong-light name="back" position="0 0 -1 0" ambient="9"></phong-light>
-         <phong-light name="spot" position="0 0 3 1" axis="1 0 0" aperture="10"></phong-light>
-         <phong-light name="none" position="0 0 0 0"></phong-light>`,
-      ),
-    );
-    await page.mouse.click(300, 200);
-    await expect(box(viewer).getByRole('rowheader')).toHaveText([
-      'backbehind the surface',
-      'spotoutside its cone',
-      'noneno direction',
-      'sum',
-    ]);
   });
 });
 

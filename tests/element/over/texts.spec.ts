@@ -127,9 +127,7 @@ test('texts relabels an open panel without changing its state', async ({ page, m
 });
 
 test('texts replaces temporary labels of the panel’s buttons', async ({ page, mount }) => {
-  await page.addInitScript(() => {
-    Object.defineProperty(navigator, 'clipboard', { value: undefined });
-  });
+  await page.addInitScript(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
   const viewer = await mount(scene);
   await assign(viewer, { texts: bracketed });
   await button(viewer, '[copy HTML]').click();

@@ -153,9 +153,9 @@ test('the legend can be styled and hidden, speaks the page’s language, and sta
     css: 'phong-viewer::part(legend) { border-width: 3px } .quiet::part(legend) { display: none }',
   });
   await expect(legendOf(viewer)).toHaveCSS('border-top-width', '3px');
-  await viewer.evaluate((element: PhongViewer) => {
-    element.texts = { Legend: 'Legende', 'N · L': 'N mal L' };
-  });
+  await viewer.evaluate(
+    (element: PhongViewer) => (element.texts = { Legend: 'Legende', 'N · L': 'N mal L' }),
+  );
   await expect(legendOf(viewer)).toContainText('N mal L');
   await expect(legendOf(viewer)).toHaveAttribute('aria-label', 'Legende');
   const inside = async (): Promise<boolean> => {

@@ -3,7 +3,7 @@
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import { allReady, expect, type Mount } from '../../support/test.js';
-import { type Counts, countsOf } from '../support/counting.js';
+import { countsOf } from '../support/counting.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
@@ -60,15 +60,7 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
 /** Counts that must not grow, however many viewers come and go. */
 const GIVEN_BACK = ['textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'listeners', 'observers'] as const; // prettier-ignore
 
-export interface Holdings {
-  readonly counts: Pick<Counts, (typeof GIVEN_BACK)[number]>;
-  /** Objects of each class in the page's heap after a garbage collection. */
-  readonly objects: Readonly<Record<string, number>>;
-  /** Bytes of the page's heap in use. */
-  readonly heap: number;
-}
-
-/** What the page holds now. */
+/** What a page holds now. */
 export class Ledger {
   readonly #page: Page;
   readonly #session: CDPSession;
@@ -82,7 +74,8 @@ export class Ledger {
     return new Ledger(page, await page.context().newCDPSession(page));
   }
 
-  async read(): Promise<Holdings> {
+  /** `objects`: of each class in the page's heap after a garbage collection. `heap`: bytes in use. */
+  async read() {
     await nextFrame(this.#page);
     // Twice: finalizers of the first collection free more objects.
     for (let time = 0; time < 2; time++) await this.#session.send('HeapProfiler.collectGarbage');
@@ -90,7 +83,7 @@ export class Ledger {
     for (const [name, prototype] of Object.entries(PROTOTYPES))
       objects[name] = await this.#instances(prototype);
     const all = await countsOf(this.#page);
-    const counts = Object.fromEntries(GIVEN_BACK.map((key) => [key, all[key]])) as Holdings['counts'];
+    const counts = Object.fromEntries(GIVEN_BACK.map((key) => [key, all[key]]));
     const { usedSize } = await this.#session.send('Runtime.getHeapUsage');
     return { counts, objects, heap: usedSize };
   }

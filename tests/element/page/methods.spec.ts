@@ -1,65 +1,71 @@
 // Do toBlob and toHTML give the picture and the scene as they are now? Sizes in pixels; pictures are decoded PNGs or,
 // for JPEG, what the browser reads back.
 
-import type { Locator } from '@playwright/test';
-import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import type { Mesh } from 'three';
+import { compare, expect, pixelAt, pixels, test, type Picture } from '../../support/test.js';
 import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
 const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
 const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>`;
 
-interface Facts {
-  readonly type: string;
-  readonly width: number;
-  readonly height: number;
-}
-
-/** Type and decoded size of what toBlob gives for these options. */
-const blobFacts = (viewer: Locator, options: object): Promise<Facts> =>
-  viewer.evaluate(async (element: PhongViewer, given) => {
-    const blob = await element.toBlob(given);
-    const { width, height } = await createImageBitmap(blob);
-    return { type: blob.type, width, height };
-  }, options);
-
-const rejection = (viewer: Locator, options: object): Promise<string> =>
-  viewer.evaluate(
-    (element: PhongViewer, given) =>
-      element.toBlob(given).then(
-        () => 'no error',
-        (error: unknown) => (error as Error).name,
-      ),
-    options,
-  );
-
 test.describe('toBlob', () => {
-  test('gives exactly the requested pixels on any screen; by default those of the canvas', async ({
+  test('gives exactly the requested pixels, by default those of the canvas; JPEG over white; RangeError for bad sizes', async ({
     mount,
   }) => {
     const viewer = await mount(box, { ...size, deviceScaleFactor: 2 });
-    expect(await blobFacts(viewer, {})).toEqual({ type: 'image/png', width: 240, height: 160 });
-    expect(await blobFacts(viewer, { width: 37, height: 91 })).toMatchObject({ width: 37, height: 91 });
-    expect(await blobFacts(viewer, { width: 50 })).toMatchObject({ width: 50, height: 160 });
-    expect(await blobFacts(viewer, { width: 1, height: 1 })).toMatchObject({ width: 1, height: 1 });
-    expect(await blobFacts(viewer, { width: 8, height: 8, type: 'image/webp' })).toMatchObject({
-      type: 'image/webp',
+    const before = await pixels(viewer);
+    const of = (options: object): Promise<unknown> =>
+      viewer.evaluate(async (element: PhongViewer, given) => {
+        try {
+          const blob = await element.toBlob(given);
+          const { width, height } = await createImageBitmap(blob);
+          return [blob.type, width, height];
+        } catch (error) {
+          return (error as Error).name;
+        }
+      }, options);
+    for (const [options, ...expected] of [
+      [{}, 'image/png', 240, 160],
+      [{ width: 37, height: 91 }, 'image/png', 37, 91],
+      [{ width: 50 }, 'image/png', 50, 160],
+      [{ width: 1, height: 1 }, 'image/png', 1, 1],
+      [{ width: 8, height: 8, type: 'image/webp' }, 'image/webp', 8, 8],
+    ] as const)
+      expect(await of(options), JSON.stringify(options)).toEqual(expected);
+    for (const bad of [0, -1, 1.5, NaN, Infinity, 1e9])
+      expect(await of({ width: bad, height: 10 }), `width ${bad}`).toBe('RangeError');
+    expect(await of({ width: 100_000, height: 100_000 })).toBe('RangeError');
+    expect(await of({ width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
+    expect(await of({ quality: 7 })).toBe('RangeError');
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+    const corner = await viewer.evaluate(async (element: PhongViewer) => {
+      const blob = await element.toBlob({ type: 'image/jpeg', quality: 1 });
+      const context = new OffscreenCanvas(1, 1).getContext('2d')!;
+      context.drawImage(await createImageBitmap(blob), 0, 0);
+      return [blob.type, ...context.getImageData(0, 0, 1, 1).data];
     });
+    expect(corner).toEqual(['image/jpeg', 255, 255, 255, 255]);
   });
 
-  test('keeps field of view, radius and angles, and has the aspect of its own size', async ({
+  test('keeps field of view, radius and angles at any aspect, and has no seams where the GPU’s limit asks for tiles', async ({
     page,
     mount,
   }) => {
-    const viewer = await mount(box, size);
+    test.slow();
+    const viewer = await mount(box.replace('geometry', 'radius="2" geometry'), size);
     await drag(page, [60, 40], [20, 9]);
-    const [square, wide] = [
-      await pixels(viewer, { width: 100, height: 100 }),
-      await pixels(viewer, { width: 200, height: 100 }),
-    ];
-    // The vertical field is the same: the middle of the wide picture is the square one.
-    const middle = crop(wide, 50, 0, 100, 100);
-    expect(compare(middle, square, 2).share).toBeLessThan(0.002);
+    for (const [width, part, height] of [
+      [200, 100, 100],
+      [9000, 2000, 500], // 4,500 is in the first tile's neighbour
+    ] as const) {
+      const wide = await pixels(viewer, { width, height });
+      expect([wide.width, wide.height]).toEqual([width, height]);
+      const narrow = await pixels(viewer, { width: part, height });
+      // The vertical field is the same: the middle of the wide picture is the narrow one.
+      const middle = crop(wide, (width - part) / 2, 0, part, height);
+      expect(compare(middle, narrow, 2).share, `${width} × ${height}`).toBeLessThan(0.002);
+    }
   });
 
   test('has straight alpha: an edge half covered keeps the colour of the inside', async ({ mount }) => {
@@ -78,39 +84,6 @@ test.describe('toBlob', () => {
     }
     expect(wrong).toEqual([]);
     expect(edges).toBeGreaterThan(20);
-  });
-
-  test('lays JPEG over white', async ({ mount }) => {
-    const viewer = await mount(box, size);
-    const corner = await viewer.evaluate(async (element: PhongViewer) => {
-      const blob = await element.toBlob({ type: 'image/jpeg', quality: 1 });
-      const canvas = new OffscreenCanvas(1, 1);
-      const context = canvas.getContext('2d')!;
-      context.drawImage(await createImageBitmap(blob), 0, 0);
-      return [blob.type, ...context.getImageData(0, 0, 1, 1).data];
-    });
-    expect(corner).toEqual(['image/jpeg', 255, 255, 255, 255]);
-  });
-
-  test('draws pictures beyond the GPU’s limit in tiles without seams', async ({ mount }) => {
-    test.slow();
-    const viewer = await mount(box.replace('geometry', 'radius="2" geometry'), size);
-    const wide = await pixels(viewer, { width: 9000, height: 500 });
-    expect([wide.width, wide.height]).toEqual([9000, 500]);
-    // 4,500 is in the first tile's neighbour: the same field in one piece lies around the middle.
-    const one = await pixels(viewer, { width: 2000, height: 500 });
-    expect(compare(crop(wide, 3500, 0, 2000, 500), one, 2).share).toBeLessThan(0.002);
-  });
-
-  test('rejects bad sizes with RangeError and leaves the viewer as it was', async ({ mount }) => {
-    const viewer = await mount(box, size);
-    const before = await pixels(viewer);
-    for (const bad of [0, -1, 1.5, NaN, Infinity, 1e9])
-      expect(await rejection(viewer, { width: bad, height: 10 }), `width ${bad}`).toBe('RangeError');
-    expect(await rejection(viewer, { width: 100_000, height: 100_000 })).toBe('RangeError');
-    expect(await rejection(viewer, { width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
-    expect(await rejection(viewer, { quality: 7 })).toBe('RangeError');
-    expect(compare(await pixels(viewer), before).max).toBe(0);
   });
 
   test('shows changes of the same task, and works off screen, hidden and outside the document', async ({
@@ -151,42 +124,70 @@ test.describe('toBlob', () => {
   });
 });
 
-test('requestRender shows changes of an own object in scene', async ({ mount }) => {
-  const viewer = await mount(box, size);
-  const before = await pixels(viewer);
-  const renders = await record(viewer, 'render');
-  await viewer.evaluate((element: PhongViewer) => {
-    const own = element.scene.getObjectByProperty('isMesh', true)!.clone();
-    own.matrixAutoUpdate = true;
-    own.position.set(0, 1, 0);
-    element.scene.add(own);
-    element.requestRender();
-  });
-  await settled(viewer);
-  expect((await renders.take()).length).toBe(1);
-  expect(compare(await pixels(viewer), before).max).toBeGreaterThan(20);
-});
-
-test('requestRender keeps target and radius, and refit fits them to the changed scene', async ({ mount }) => {
+test('requestRender shows changes of own objects, and keeps target and radius until refit', async ({
+  mount,
+}) => {
   const viewer = await mount(box, size);
   const before = await cameraOf(viewer);
+  const picture = await pixels(viewer);
   const changes = await record(viewer, 'camera-change', 'render');
   await viewer.evaluate((element: PhongViewer) => {
-    const own = element.scene.getObjectByProperty('isMesh', true)!.clone();
+    const shape = element.scene.getObjectByProperty('isMesh', true) as Mesh;
+    const own = shape.clone();
     own.matrixAutoUpdate = true;
-    own.position.set(4, 0, 0);
+    own.position.set(1, 0, 0);
     element.scene.add(own);
     element.requestRender();
   });
   await settled(viewer);
+  expect(compare(await pixels(viewer), picture).max).toBeGreaterThan(20);
   expect(await cameraOf(viewer)).toEqual(before);
   expect(await changes.take()).toEqual([{ type: 'render', detail: null }]);
   await viewer.evaluate((element: PhongViewer) => element.refit());
   await settled(viewer);
   const { target, radius } = await cameraOf(viewer);
-  expect(target).toEqual([2, 0, 0]);
-  expect(radius / before.radius).toBeCloseTo(Math.hypot(2.5, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
+  expect(target).toEqual([0.5, 0, 0]);
+  expect(radius / before.radius).toBeCloseTo(Math.hypot(1, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
   expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
+});
+
+test('refit reads vertices that were written in place', async ({ mount }) => {
+  const viewer = await mount(box, size);
+  const before = await cameraOf(viewer);
+  await viewer.evaluate((element: PhongViewer) => {
+    (element.scene.getObjectByProperty('isMesh', true) as Mesh).geometry.scale(2, 2, 2);
+    element.requestRender();
+  });
+  expect((await cameraOf(viewer)).radius).toBe(before.radius);
+  await viewer.evaluate((element: PhongViewer) => element.refit());
+  expect((await cameraOf(viewer)).radius / before.radius).toBeCloseTo(2, 5);
+});
+
+test('an own object that moves far behind the scene or close to the eye is not clipped', async ({
+  mount,
+}) => {
+  const dark = '<phong-viewer geometry="box" theta="0" phi="90" ka="0" kd="0" ks="0"></phong-viewer>';
+  for (const [z, scale] of [
+    [-300, 150],
+    [2.1, 0.2],
+  ] as const) {
+    const viewer = await mount(dark, { width: 100, height: 100 });
+    await viewer.evaluate(
+      async (element: PhongViewer, [z, scale]) => {
+        const shape = element.scene.getObjectByProperty('isMesh', true) as Mesh;
+        const own = shape.clone();
+        own.matrixAutoUpdate = true;
+        element.scene.add(own);
+        shape.visible = false;
+        own.position.set(0, 0, z);
+        own.scale.setScalar(scale);
+        element.requestRender();
+        await element.ready;
+      },
+      [z, scale] as const,
+    );
+    expect(pixelAt(await pixels(viewer), 50, 50)[3], String(z)).toBe(255);
+  }
 });
 
 test('stats is a plain snapshot of what a scene costs', async ({ mount }) => {

@@ -3,6 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, strictPolicy, test } from '../../support/test.js';
+import { decodePng } from '../../support/picture.js';
 import { cameraOf, drag, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 
 const scene = `<phong-viewer geometry="box" theta="30" phi="70">
@@ -23,22 +24,12 @@ const intoFrame = (page: Page): Promise<void> =>
     await viewer.ready;
   });
 
-/** How many pixels on the screen are neither white nor transparent, in what the viewer covers. */
+/** How many pixels on the screen are dark in what the viewer covers. */
 async function inkOn(page: Page, viewer: Locator): Promise<number> {
-  const box = (await viewer.boundingBox())!;
-  const png = await page.screenshot({ clip: box });
-  return page.evaluate(async (base64) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${base64}`;
-    await image.decode();
-    const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height }); // prettier-ignore
-    const context = canvas.getContext('2d')!;
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-    let ink = 0;
-    for (let i = 0; i < data.length; i += 4) if (data[i]! + data[i + 1]! + data[i + 2]! < 600) ink += 1;
-    return ink;
-  }, png.toString('base64'));
+  const { data } = decodePng(await page.screenshot({ clip: (await viewer.boundingBox())! }));
+  let ink = 0;
+  for (let i = 0; i < data.length; i += 4) if (data[i]! + data[i + 1]! + data[i + 2]! < 600) ink += 1;
+  return ink;
 }
 
 for (const others of [0, 1]) {
@@ -67,10 +58,13 @@ for (const others of [0, 1]) {
   });
 }
 
-test('lights and meshes move with the viewer, and new ones can be added', async ({ page, mount }) => {
+test('lights and meshes move with the viewer, new ones can be added, and media queries are those of the iframe', async ({
+  page,
+  mount,
+}) => {
   await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
   await intoFrame(page);
-  const viewer = page.frameLocator('iframe').locator('phong-viewer');
+  const inside = page.frameLocator('iframe').locator('phong-viewer');
   const facts = await page.evaluate(async () => {
     const moved = document.querySelector('iframe')!.contentDocument!.querySelector('phong-viewer')!;
     const wrapper = moved.ownerDocument.createElement('div');
@@ -83,8 +77,24 @@ test('lights and meshes move with the viewer, and new ones can be added', async 
     return { lightsDeclared, lightsActive, meshes: moved.meshes.length };
   });
   expect(facts).toEqual({ lightsDeclared: 3, lightsActive: 3, meshes: 1 });
-  await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
-  expect(await viewer.evaluate((element: PhongViewer) => element.lights.length)).toBe(2);
+  const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
+  const before = await frames();
+  const left = await inside.evaluate((element: PhongViewer) => {
+    element.lights[0]!.remove();
+    element.autoRotate = 90;
+    return element.lights.length;
+  });
+  expect(left).toBe(2);
+  await expect.poll(frames).toBeGreaterThan(before + 1);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await nextFrame(page);
+  await settled(inside);
+  const still = await frames();
+  await nextFrame(page);
+  await nextFrame(page);
+  expect(await frames()).toBe(still);
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  await expect.poll(frames).toBeGreaterThan(still);
 });
 
 test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page, mount }) => {
@@ -144,25 +154,6 @@ test('a viewer that is first connected in an iframe with a strict policy of its 
   });
   expect(facts).toEqual({ frames: 1, width: 300, height: 150 });
   await expect(page.frameLocator('iframe').locator('[part=panel] .lil-root')).toBeVisible();
-});
-
-test('media queries belong to the document that shows the viewer', async ({ page, mount }) => {
-  const viewer = await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
-  await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 90));
-  await intoFrame(page);
-  const inside = page.frameLocator('iframe').locator('phong-viewer');
-  const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
-  const before = await frames();
-  await expect.poll(frames).toBeGreaterThan(before + 1);
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await nextFrame(page);
-  await settled(inside);
-  const still = await frames();
-  await nextFrame(page);
-  await nextFrame(page);
-  expect(await frames()).toBe(still);
-  await page.emulateMedia({ reducedMotion: 'no-preference' });
-  await expect.poll(frames).toBeGreaterThan(still);
 });
 
 for (const how of ['removed', 'navigated'] as const) {

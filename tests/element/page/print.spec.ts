@@ -1,32 +1,21 @@
 // Does a printed page show all pictures, also those below the fold, and their CSS backgrounds?
-import { type Browser, chromium, type Page } from '@playwright/test';
+import { type Browser, chromium, type Locator, type Page } from '@playwright/test';
 import { findBrowser, softwareGl } from '../../../.ci/browser.mjs';
-import { expect, test } from '../../support/test.js';
+import { expect, type Mount, test } from '../../support/test.js';
+import { nextFrame, type PhongViewer } from '../support/viewer.js';
 import { decodePng, type Picture } from '../../support/picture.js';
 
-/** Launched where the tests' own browser has no PDF viewer, as headless shells have none. */
+/** Has a PDF viewer, other than headless shells. */
 let launched: Browser | null = null;
 
 test.afterAll(async () => launched?.close());
 
-test('draws pictures below the fold before the page is printed', async ({ mount, page }) => {
-  const viewer = await mount('<div id="above"></div><phong-viewer geometry="sphere"></phong-viewer>', {
-    css: '#above { height: 5000px }',
-  });
-  const frames = () =>
-    viewer.evaluate((element) => (element as unknown as { stats: { frames: number } }).stats.frames);
-  expect(await frames()).toBe(0);
-  await page.pdf();
-  expect(await frames()).toBe(1);
-});
+/** This viewer twice, the second time below the fold. */
+const mountApart = (mount: Mount, viewer: string): Promise<Locator> =>
+  mount(`${viewer}<div></div>${viewer}`, { width: 60, height: 40, css: 'div { height: 5000px }' });
 
 test('prints the mean of all samples with `antialias="full"`, in view or not', async ({ mount, page }) => {
-  const viewer = '<phong-viewer geometry="sphere" antialias="full" samples="64"></phong-viewer>';
-  await mount(`${viewer}<div id="above"></div>${viewer}`, {
-    width: 60,
-    height: 40,
-    css: '#above { height: 5000px }',
-  });
+  await mountApart(mount, '<phong-viewer geometry="sphere" antialias="full" samples="64"></phong-viewer>');
   // Drawn anew, so that the first one is on its way again when the page is printed.
   await page.evaluate(() => (document.querySelector('phong-viewer')!.theta = 50));
   const printed = await page.evaluateHandle(() => {
@@ -41,15 +30,16 @@ test('prints the mean of all samples with `antialias="full"`, in view or not', a
   expect(await printed.jsonValue()).toEqual([64, 64]);
 });
 
-test('prints the viewers after one whose own object throws', async ({ mount, page, consoleGuard }) => {
-  const viewer = '<phong-viewer geometry="sphere"></phong-viewer>';
-  await mount(viewer + '<div id="above"></div>' + viewer, {
-    width: 60,
-    height: 40,
-    css: '#above { height: 5000px }',
-  });
-  const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
-  await first.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => {
+test('draws pictures below the fold before the page is printed, also after one whose own object throws', async ({
+  mount,
+  page,
+  consoleGuard,
+}) => {
+  const first = await mountApart(mount, '<phong-viewer geometry="sphere"></phong-viewer>');
+  const second = page.locator('phong-viewer').last();
+  const frames = (): Promise<number> => second.evaluate(({ stats }: PhongViewer) => stats.frames);
+  expect(await frames()).toBe(0);
+  await first.evaluate((element: PhongViewer) => {
     element.scene.onBeforeRender = () => {
       throw new Error('an object of the page throws');
     };
@@ -57,30 +47,22 @@ test('prints the viewers after one whose own object throws', async ({ mount, pag
   const thrown = consoleGuard.allow(/an object of the page throws/);
   await page.pdf();
   expect(thrown.length).toBeGreaterThan(0);
-  expect(
-    await second.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => element.stats.frames),
-  ).toBe(1);
+  expect(await frames()).toBe(1);
 });
 
-test('prints the CSS background behind every picture, on every page', async ({ mount, page, browser }) => {
-  const count = 8;
+test('prints the CSS background behind every picture, on every page', async ({ mount, page }) => {
   const viewer = '<phong-viewer geometry="box"></phong-viewer>';
-  await mount(viewer.repeat(count), {
+  await mount(viewer.repeat(8), {
     width: 200,
     height: 180,
-    css: 'phong-viewer { background: #f00 } @page { size: 300px 400px; margin: 0 }',
+    css: 'phong-viewer { background: #f00; margin-bottom: 4px } @page { size: 300px 400px; margin: 0 }',
   });
-  const reader = await readPdf(browser, await page.pdf({ printBackground: true, preferCSSPageSize: true }));
-  await expect
-    .poll(async () => redBoxes(decodePng(await reader.screenshot())), { timeout: 30_000 })
-    .toBe(count);
-  await reader.close();
+  for (const shape of await redShapesOnPaper(page, 8)) expect(shape).toBeCloseTo(200 / 180, 1);
 });
 
 test('keeps round what is round where paper is narrower than the screen, with a panel open or not', async ({
   mount,
   page,
-  browser,
 }) => {
   const ball = (attributes: string): string =>
     `<phong-viewer geometry="sphere" ka="255 0 0" kd="0" ks="0" ${attributes}><phong-light ambient="255"></phong-light></phong-viewer>`;
@@ -89,12 +71,8 @@ test('keeps round what is round where paper is narrower than the screen, with a 
       @page { size: 420px 700px; margin: 0 }`,
   });
   await expect(page.locator('.lil-root')).toBeVisible();
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  const reader = await readPdf(browser, await page.pdf({ printBackground: true, preferCSSPageSize: true }));
-  const shapes = async (): Promise<readonly number[]> => redShapes(decodePng(await reader.screenshot()));
-  await expect.poll(async () => (await shapes()).length, { timeout: 30_000 }).toBe(2);
-  for (const shape of await shapes()) expect(Math.abs(shape - 1)).toBeLessThan(0.05);
-  await reader.close();
+  await nextFrame(page);
+  for (const shape of await redShapesOnPaper(page, 2)) expect(Math.abs(shape - 1)).toBeLessThan(0.05);
 });
 
 /**
@@ -149,10 +127,13 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
 });
 
 /** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
-async function readPdf(own: Browser, pdf: Buffer): Promise<Page> {
-  const browser = await browserWithPdfViewer(own);
-  test.skip(browser === null, 'no browser on this machine shows a PDF');
-  const reader = await browser!.newPage({ viewport: { width: 500, height: 1700 } });
+async function readPdf(pdf: Buffer): Promise<Page> {
+  const executablePath = await findBrowser();
+  const own = executablePath === undefined ? {} : { executablePath };
+  launched ??= await chromium.launch({ ...own, args: softwareGl });
+  const reader = await launched.newPage({ viewport: { width: 500, height: 1700 } });
+  const showsPdf = await reader.evaluate(() => navigator.pdfViewerEnabled);
+  test.skip(!showsPdf, 'no browser on this machine shows a PDF');
   await reader.setContent('<style>body { margin: 0 } embed { width: 500px; height: 1700px }</style>');
   await reader.evaluate((base64) => {
     const embed = document.createElement('embed');
@@ -163,29 +144,24 @@ async function readPdf(own: Browser, pdf: Buffer): Promise<Page> {
   return reader;
 }
 
-async function browserWithPdfViewer(own: Browser): Promise<Browser | null> {
-  if (await showsPdf(own)) return own;
-  const executablePath = await findBrowser();
-  launched ??= await chromium.launch({
-    ...(executablePath === undefined ? {} : { executablePath }),
-    args: softwareGl,
-  });
-  return (await showsPdf(launched)) ? launched : null;
+/** Prints the page. Returns width over height of each of the `count` red shapes on paper, from the top. */
+async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
+  const reader = await readPdf(await page.pdf({ printBackground: true, preferCSSPageSize: true }));
+  let shapes: number[] = [];
+  const found = async (): Promise<number> => {
+    shapes = redShapes(decodePng(await reader.screenshot()));
+    return shapes.length;
+  };
+  await expect.poll(found, { timeout: 30_000 }).toBe(count);
+  await reader.close();
+  return shapes;
 }
 
-async function showsPdf(browser: Browser): Promise<boolean> {
-  const page = await browser.newPage();
-  const shows = await page.evaluate(() => navigator.pdfViewerEnabled);
-  await page.close();
-  return shows;
-}
-
-/** Width over height of what is red, from the top. */
-function redShapes(picture: Picture): number[] {
-  const { width, height } = picture;
+function redShapes({ width, height, data }: Picture): number[] {
+  const isRed = (at: number): boolean => data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
   const widths = Array.from({ length: height }, (_, y) => {
     let count = 0;
-    for (let x = 0; x < width; x++) if (isRed(picture, 4 * (y * width + x))) count += 1;
+    for (let x = 0; x < width; x++) if (isRed(4 * (y * width + x))) count += 1;
     return count;
   });
   const shapes: number[] = [];
@@ -195,24 +171,4 @@ function redShapes(picture: Picture): number[] {
     if (y - from > 20) shapes.push(Math.max(...widths.slice(from, y)) / (y - from));
   }
   return shapes;
-}
-
-const isRed = ({ data }: Picture, at: number): boolean =>
-  data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
-
-/** Runs of at least 100 red pixels, read down the column that has the most red. */
-function redBoxes(picture: Picture): number {
-  const { width, height } = picture;
-  let most = 0;
-  for (let x = 0; x < width; x++) {
-    let boxes = 0;
-    let run = 0;
-    for (let y = 0; y < height; y++) {
-      const at = 4 * (y * width + x);
-      run = isRed(picture, at) ? run + 1 : 0;
-      if (run === 100) boxes += 1;
-    }
-    most = Math.max(most, boxes);
-  }
-  return most;
 }

@@ -11,7 +11,6 @@ import {
   flag,
   folderOf,
   opened,
-  picker,
   row,
   slider,
   titleOf,
@@ -30,16 +29,25 @@ const lightOf = (viewer: Locator, name: string): Locator => viewer.locator(`phon
 const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
   light.evaluate((element: PhongLight, name) => element[name as K], key);
 
-test('has a folder for each light, in order, with its name, live', async ({ mount }) => {
+test('has a folder for each light, in order, with its name, which stays as it is while others come and go', async ({
+  mount,
+}) => {
   const viewer = await mount(scene(sun, '<phong-light></phong-light>', spot));
   const titles = () => titlesIn(folderOf(viewer, 'Lights'));
   await expect.poll(titles).toEqual(['sun', 'light 2', 'spot']); // the panel's code comes with its first use
+  await opened(viewer, 'sun');
+  const before = await folderOf(viewer, 'sun').elementHandle();
   await assign(lightOf(viewer, 'spot'), { name: 'beam' });
   await expect.poll(titles).toEqual(['sun', 'light 2', 'beam']);
-  await viewer.evaluate((element: PhongViewer) => element.prepend(element.lights[1]!));
-  await expect.poll(titles).toEqual(['light 1', 'sun', 'beam']);
-  await viewer.evaluate((element: PhongViewer) => element.lights[1]!.remove());
-  await expect.poll(titles).toEqual(['light 1', 'beam']);
+  await viewer.evaluate((element: PhongViewer) => {
+    element.prepend(element.lights[1]!);
+    element.lights.find(({ name }) => name === 'beam')!.remove();
+    element.append(document.createElement('phong-light'));
+  });
+  await expect.poll(titles).toEqual(['light 1', 'sun', 'light 3']);
+  await expect(titleOf(viewer, 'sun')).toHaveAttribute('aria-expanded', 'true');
+  await expect(titleOf(viewer, 'light 3')).toHaveAttribute('aria-expanded', 'false');
+  expect(await folderOf(viewer, 'sun').evaluate((node, old) => node === old, before)).toBe(true);
 });
 
 test('writes every attribute of a light through its properties', async ({ mount }) => {
@@ -56,21 +64,7 @@ test('writes every attribute of a light through its properties', async ({ mount 
   await field(folder, 'cutoff').fill('7');
   await field(folder, 'kq quadratic').fill('0.25');
   await choice(folder, 'space').selectOption('camera');
-  await field(folder, 'name').fill('beam');
-  const values = await light.evaluate((element: PhongLight) => ({
-    name: element.name,
-    active: element.active,
-    ambient: element.ambient,
-    specular: element.specular,
-    position: element.position,
-    axis: element.axis,
-    aperture: element.aperture,
-    cutoff: element.cutoff,
-    attenuation: element.attenuation,
-    space: element.space,
-  }));
-  expect(values).toEqual({
-    name: 'beam',
+  const expected = {
     active: false,
     ambient: [16, 32, 48],
     specular: [127.5, 127.5, 127.5],
@@ -80,8 +74,12 @@ test('writes every attribute of a light through its properties', async ({ mount 
     cutoff: 7,
     attenuation: [1, 0, 0.25],
     space: 'camera',
-  });
+  };
+  for (const [key, value] of Object.entries(expected))
+    expect(await read(light, key as keyof typeof expected), key).toEqual(value);
+  await field(folder, 'name').fill('beam');
   await expect(titleOf(viewer, 'beam')).toBeVisible();
+  expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]!.name)).toBe('beam');
 });
 
 test('shows changes of attributes and properties', async ({ mount }) => {
@@ -99,48 +97,32 @@ test('shows changes of attributes and properties', async ({ mount }) => {
   await expect(field(folder, 'kl linear')).toHaveValue('0.5');
   await light.evaluate((element) => element.removeAttribute('position'));
   await expect(choice(folder, 'kind')).toHaveValue('directional');
-});
-
-test('switches a light without opening its folder', async ({ mount }) => {
-  const viewer = await mount(scene(sun, lamp));
+  await titleOf(viewer, 'lamp').click();
   const toggle = flag(folderOf(viewer, 'lamp'), 'lamp active');
+  await expect(toggle).not.toBeChecked();
   await toggle.click();
-  expect(await read(lightOf(viewer, 'lamp'), 'active')).toBe(false);
-  await expect(titleOf(viewer, 'lamp')).toHaveAttribute('aria-expanded', 'false');
-  await assign(lightOf(viewer, 'lamp'), { active: true });
-  await expect(toggle).toBeChecked();
+  expect(await read(light, 'active')).toBe(true);
+  await expect(titleOf(viewer, 'lamp'), 'stays closed').toHaveAttribute('aria-expanded', 'false');
 });
 
-test.describe('colours', () => {
-  test('are accepted in all spellings, and stay as typed', async ({ mount }) => {
-    const viewer = await mount(scene(lamp));
-    const folder = await opened(viewer, 'lamp');
-    const diffuse = field(folder, 'diffuse');
-    for (const [text, value] of [
-      ['200 80 60', [200, 80, 60]],
-      ['200, 80.5, 60', [200, 80.5, 60]],
-      ['#c85', [204, 136, 85]],
-      ['orange', [255, 165, 0]],
-      ['128', [128, 128, 128]],
-      ['1020 510 0', [1020, 510, 0]],
-    ] as const) {
-      await diffuse.fill(text);
-      expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual(value);
-      await diffuse.blur();
-      await expect(diffuse).toHaveValue(text);
-    }
-    await assign(lightOf(viewer, 'lamp'), { diffuse: [1, 2, 3] });
-    await expect(diffuse).toHaveValue('1 2 3');
-  });
-
-  test('are exactly what the picker shows', async ({ mount }) => {
-    const viewer = await mount(scene('<phong-light name="lamp" diffuse="200 80 60"></phong-light>'));
-    const folder = await opened(viewer, 'lamp');
-    await expect(picker(folder, 'diffuse')).toHaveValue('#c8503c');
-    await picker(folder, 'diffuse').fill('#102030');
-    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([16, 32, 48]);
-    await expect(field(folder, 'diffuse')).toHaveValue('16 32 48');
-  });
+test('colours are accepted in all spellings, and stay as typed', async ({ mount }) => {
+  const viewer = await mount(scene(lamp));
+  const diffuse = field(await opened(viewer, 'lamp'), 'diffuse');
+  for (const [text, value] of [
+    ['200 80 60', [200, 80, 60]],
+    ['200, 80.5, 60', [200, 80.5, 60]],
+    ['#c85', [204, 136, 85]],
+    ['orange', [255, 165, 0]],
+    ['128', [128, 128, 128]],
+    ['1020 510 0', [1020, 510, 0]],
+  ] as const) {
+    await diffuse.fill(text);
+    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual(value);
+    await diffuse.blur();
+    await expect(diffuse).toHaveValue(text);
+  }
+  await assign(lightOf(viewer, 'lamp'), { diffuse: [1, 2, 3] });
+  await expect(diffuse).toHaveValue('1 2 3');
 });
 
 test.describe('kind', () => {
@@ -170,7 +152,9 @@ test.describe('kind', () => {
 });
 
 test.describe('numbers', () => {
-  test('refuse what the light refuses and return to the current value', async ({ mount }) => {
+  test('refuse what the light refuses, return to the current value, and are updated after typing, not before', async ({
+    mount,
+  }) => {
     const viewer = await mount(scene(spot));
     const folder = await opened(viewer, 'spot');
     const aperture = field(folder, 'aperture °');
@@ -182,23 +166,38 @@ test.describe('numbers', () => {
     await aperture.press('Enter');
     await expect(aperture).toHaveValue('20');
     await expect(aperture).not.toHaveAttribute('aria-invalid');
-  });
-
-  test('are updated after the user has finished typing, not before', async ({ mount }) => {
-    const viewer = await mount(scene(lamp));
-    const folder = await opened(viewer, 'lamp');
     const x = field(folder, 'position x');
     await x.fill('-');
-    await assign(lightOf(viewer, 'lamp'), { position: [7, 8, 9, 1] });
+    await assign(lightOf(viewer, 'spot'), { position: [7, 8, 9, 1] });
     await expect(field(folder, 'position y')).toHaveValue('8');
     await expect(x).toHaveValue('-');
     await x.blur();
     await expect(x).toHaveValue('7');
   });
 
-  test('follow a slider while the pointer drags it', async ({ page, mount }) => {
+  test('follow a drag of a slider or across the field, which ends exactly where it began', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(spot));
+    const light = lightOf(viewer, 'spot');
     const folder = await opened(viewer, 'spot');
+    const rowOf = (axis: string) => field(folder, `position ${axis}`).boundingBox();
+    const boxes = await Promise.all(['x', 'y', 'z'].map(rowOf));
+    expect(new Set(boxes.map((box) => box?.y)).size, 'a vector has one row').toBe(1);
+    const { x, y } = boxes[1]!;
+    await page.mouse.move(x + 20, y + 8);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y + 8, { steps: 4 });
+    expect((await read(light, 'position'))[1]).toBeGreaterThan(3);
+    await page.mouse.move(x + 20, y + 8, { steps: 4 });
+    expect(await read(light, 'position')).toEqual([0, 3, 3, 1]);
+    await page.mouse.up();
+    await expect(field(folder, 'position y')).not.toBeFocused();
+    await field(folder, 'position y').click();
+    await expect(field(folder, 'position y')).toBeFocused();
+    expect(await read(light, 'position')).toEqual([0, 3, 3, 1]);
+
     const aperture = slider(folder, 'aperture °');
     await aperture.scrollIntoViewIfNeeded();
     const box = (await aperture.boundingBox())!;
@@ -206,79 +205,36 @@ test.describe('numbers', () => {
     await page.mouse.down();
     await page.mouse.move(box.x + box.width - 1, box.y + 8, { steps: 5 });
     expect(await aperture.inputValue()).toBe('180');
-    expect(await read(lightOf(viewer, 'spot'), 'aperture')).toBe(180);
-    await assign(lightOf(viewer, 'spot'), { aperture: 10 });
+    expect(await read(light, 'aperture')).toBe(180);
+    await assign(light, { aperture: 10 });
     await expect(field(folder, 'aperture °')).toHaveValue('10');
     expect(await aperture.inputValue()).toBe('180');
     await page.mouse.up();
     await expect(aperture).toHaveValue('10');
   });
-
-  test('of a vector share one row and follow a drag across their field', async ({ page, mount }) => {
-    const viewer = await mount(scene(lamp));
-    const folder = await opened(viewer, 'lamp');
-    const boxes = await Promise.all(
-      ['x', 'y', 'z'].map((axis) => field(folder, `position ${axis}`).boundingBox()),
-    );
-    expect(new Set(boxes.map((box) => box?.y)).size).toBe(1);
-    const { x, y } = boxes[1]!;
-    await page.mouse.move(x + 20, y + 8);
-    await page.mouse.down();
-    await page.mouse.move(x + 40, y + 8, { steps: 4 });
-    const [, risen] = await read(lightOf(viewer, 'lamp'), 'position');
-    expect(risen).toBeGreaterThan(2);
-    await page.mouse.move(x + 20, y + 8, { steps: 4 });
-    expect((await read(lightOf(viewer, 'lamp'), 'position'))[1]).toBe(2);
-    await page.mouse.up();
-    await expect(field(folder, 'position y')).not.toBeFocused();
-    await field(folder, 'position y').click();
-    await expect(field(folder, 'position y')).toBeFocused();
-    expect(await read(lightOf(viewer, 'lamp'), 'position')).toEqual([1, 2, 3, 1]);
-  });
 });
 
-test.describe('buttons', () => {
-  test('add a light that can be seen and edited at once', async ({ page, mount }) => {
-    const viewer = await mount(scene(sun));
-    await button(folderOf(viewer, 'Lights'), 'add light').click();
-    await expect(titleOf(viewer, 'light 2')).toHaveAttribute('aria-expanded', 'true');
-    await expect(titleOf(viewer, 'light 2')).toBeFocused();
-    await expect(field(folderOf(viewer, 'light 2'), 'name')).toHaveAttribute('placeholder', 'light 2');
-    await button(folderOf(viewer, 'Lights'), 'add light').click();
-    const added = await viewer.evaluate((element: PhongViewer) =>
-      element.lights.slice(1).map(({ localName, position, active }) => ({ localName, position, active })),
-    );
-    expect(added).toHaveLength(2);
-    for (const light of added) expect(light).toMatchObject({ localName: 'phong-light', active: true });
-    expect(added[0]?.position).not.toEqual(added[1]?.position);
-    expect(await page.locator('phong-viewer > phong-light').count()).toBe(3);
-  });
-
-  test('remove a light and move the focus to the next one', async ({ mount }) => {
-    const viewer = await mount(scene(sun, lamp, spot));
-    const folder = await opened(viewer, 'lamp');
-    await button(folder, 'remove').click();
-    expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual(['sun', 'spot']);
-    await expect(titleOf(viewer, 'spot')).toBeFocused();
-    expect(
-      await viewer.evaluate((element: PhongViewer) => element.lights.map((light) => light.name)),
-    ).toEqual(['sun', 'spot']);
-  });
-});
-
-test('keeps folders as they are while lights are added, removed and reordered', async ({ mount }) => {
-  const viewer = await mount(scene(sun, lamp, spot));
-  await opened(viewer, 'lamp');
-  const before = await folderOf(viewer, 'lamp').elementHandle();
-  await viewer.evaluate((element: PhongViewer) => {
-    element.append(element.lights[0]!);
-    element.lights.find((light) => light.name === 'spot')?.remove();
-    element.prepend(document.createElement('phong-light'));
-  });
-  await expect.poll(() => titlesIn(folderOf(viewer, 'Lights'))).toEqual(['light 1', 'lamp', 'sun']);
-  await expect(titleOf(viewer, 'lamp')).toHaveAttribute('aria-expanded', 'true');
-  await expect(titleOf(viewer, 'sun')).toHaveAttribute('aria-expanded', 'false');
-  expect(await folderOf(viewer, 'lamp').evaluate((node, old) => node === old, before)).toBe(true);
+test('lights that are added can be seen and edited at once; one removed gives the focus to the next', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene(sun, spot));
+  await button(folderOf(viewer, 'Lights'), 'add light').click();
+  await expect(titleOf(viewer, 'light 3')).toHaveAttribute('aria-expanded', 'true');
+  await expect(titleOf(viewer, 'light 3')).toBeFocused();
+  await expect(field(folderOf(viewer, 'light 3'), 'name')).toHaveAttribute('placeholder', 'light 3');
+  await button(folderOf(viewer, 'Lights'), 'add light').click();
+  const added = await viewer.evaluate((element: PhongViewer) =>
+    element.lights.slice(2).map(({ localName, position, active }) => ({ localName, position, active })),
+  );
+  expect(added).toHaveLength(2);
+  for (const light of added) expect(light).toMatchObject({ localName: 'phong-light', active: true });
+  expect(added[0]?.position).not.toEqual(added[1]?.position);
+  await expect(page.locator('phong-viewer > phong-light')).toHaveCount(4);
+  await button(await opened(viewer, 'sun'), 'remove').click();
+  expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual(['spot', 'light 2', 'light 3']);
+  await expect(titleOf(viewer, 'spot')).toBeFocused();
+  await expect(page.locator('phong-viewer > phong-light')).toHaveCount(3);
 });
 
 test('builds the rows of many lights only when their folders are opened', async ({ mount }) => {

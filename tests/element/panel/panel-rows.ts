@@ -26,20 +26,17 @@ export async function opened(viewer: Locator, title: string): Promise<Locator> {
 export const row = (folder: Locator, name: string): Locator =>
   folder.locator(`.lil-controller:has(.lil-name:text-is(${quoted(name)}))`);
 
-export const field = (folder: Locator, name: string): Locator =>
-  folder.getByRole('textbox', { name, exact: true });
+type Role = 'textbox' | 'slider' | 'checkbox' | 'combobox' | 'button';
+const named =
+  (role: Role) =>
+  (folder: Locator, name: string): Locator =>
+    folder.getByRole(role, { name, exact: true });
 
-export const slider = (folder: Locator, name: string): Locator =>
-  folder.getByRole('slider', { name, exact: true });
-
-export const flag = (folder: Locator, name: string): Locator =>
-  folder.getByRole('checkbox', { name, exact: true });
-
-export const choice = (folder: Locator, name: string): Locator =>
-  folder.getByRole('combobox', { name, exact: true });
-
-export const button = (folder: Locator, name: string): Locator =>
-  folder.getByRole('button', { name, exact: true });
+export const field = named('textbox');
+export const slider = named('slider');
+export const flag = named('checkbox');
+export const choice = named('combobox');
+export const button = named('button');
 
 /** The picker of a colour row; the row's text field has the row's own name. */
 export const picker = (folder: Locator, name: string): Locator => folder.getByLabel(`${name} picker`);

@@ -1,20 +1,9 @@
 // Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse, finger or keyboard
 // point? Served under the strict policy. Places are CSS pixels in the picture.
 
-import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixelAt, pixels, test } from '../../support/test.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
-
-type Color = readonly number[];
-
-/** The texts of the page. */
-interface Told {
-  readonly p: Color;
-  readonly N: Color;
-  readonly V: Color;
-  readonly steps: Readonly<Record<string, readonly string[]>>;
-}
 
 /** Shares of the width and height: on the body in the spot, on the body outside it, and on the lid. */
 const PLACES = [
@@ -32,18 +21,19 @@ async function open(page: Page): Promise<void> {
   await expect(result(page)).not.toBeEmpty();
 }
 
-const read = (page: Page): Promise<Told> =>
+/** The numbers of the directions, and the texts of each step in the table of lights. */
+const read = (page: Page) =>
   page.evaluate(() => {
-    const rows = (id: string): Element[] => [...document.querySelectorAll(`#${id} tr`)];
-    const cells = (row: Element): string[] =>
-      Array.from(row.querySelectorAll('td'), (cell) => cell.textContent.trim());
-    const [p, N, V] = rows('directions').map((row) =>
-      cells(row).map((text) => Number(text.replace('−', '-'))),
+    const rows = (id: string) =>
+      Array.from(document.querySelectorAll(`#${id} tr`), (row) => ({
+        title: row.querySelector('th')?.firstChild?.textContent ?? '',
+        cells: Array.from(row.querySelectorAll('td'), (cell) => cell.textContent.trim()),
+      }));
+    const numbers = rows('directions').map(({ cells }) =>
+      cells.map((text) => Number(text.replace('−', '-'))),
     );
-    const steps: Record<string, string[]> = {};
-    for (const row of rows('of-lights'))
-      steps[row.querySelector('th')!.firstChild!.textContent ?? ''] = cells(row);
-    return { p: p!, N: N!, V: V!, steps };
+    const NoL = rows('of-lights').find(({ title }) => title === 'N·L')!.cells;
+    return { p: numbers[0]!, N: numbers[1]!, V: numbers[2]!, NoL };
   });
 
 interface Place {
@@ -65,6 +55,7 @@ async function markAt(page: Page): Promise<Place> {
   return { x: x + width / 2 - viewer.x, y: y + height / 2 - viewer.y };
 }
 
+/** Pixels from the mark to this place. */
 const isAt = async (page: Page, { x, y }: Place): Promise<number> => {
   const mark = await markAt(page);
   return Math.hypot(mark.x - x, mark.y - y);
@@ -88,9 +79,7 @@ async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
       // Printed with three decimals.
       expect(Math.abs(said[name][i]! - value), name).toBeLessThan(0.5001e-3),
     );
-  expect(said.steps['N·L']).toEqual(
-    fragment.NoL.map((NoL) => (NoL === null ? '' : NoL.toFixed(3).replace('-', '−'))),
-  );
+  expect(said.NoL).toEqual(fragment.NoL.map((NoL) => NoL?.toFixed(3).replace('-', '−') ?? ''));
   const picture = await pixels(viewer);
   const { width, height } = (await viewer.boundingBox())!;
   const column = Math.floor((x * picture.width) / width);
@@ -101,7 +90,9 @@ async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
 }
 
 test.describe('the page of one fragment', () => {
-  test('shows the values of shadeAt and of the picture at the mark and under the mouse', async ({ page }) => {
+  test('shows the values of shadeAt and of the picture at the mark, under the mouse and where a click puts the mark', async ({
+    page,
+  }) => {
     await open(page);
     const start = await markAt(page);
     await expectFragment(page, start);
@@ -115,12 +106,6 @@ test.describe('the page of one fragment', () => {
     await expect
       .poll(() => isAt(page, start), 'a mouse that only looked leaves the mark alone')
       .toBeLessThan(1);
-  });
-
-  test('keeps the mark where a click or Enter puts it, and reports places without a surface', async ({
-    page,
-  }) => {
-    await open(page);
     const [inPicture, onPage] = await place(page, PLACES[0]);
     await page.mouse.click(onPage.x, onPage.y);
     await page.mouse.move(1, 1);
@@ -128,15 +113,6 @@ test.describe('the page of one fragment', () => {
     // It is on the centre of the pixel that was clicked.
     expect(await isAt(page, inPicture)).toBeLessThan(1);
     await expectFragment(page, await markAt(page));
-
-    await page.getByRole('application', { name: 'Probe' }).focus();
-    await page.keyboard.press('Shift+ArrowRight');
-    await page.keyboard.press('Enter');
-    await expect.poll(async () => (await markAt(page)).x).toBeGreaterThan(inPicture.x + 9);
-    await expectFragment(page, await markAt(page));
-    for (let i = 0; i < 40; i++) await page.keyboard.press('Shift+ArrowLeft');
-    await expect(result(page)).toContainText('No surface');
-    await expect(page.locator('#directions')).toBeHidden();
   });
 
   test('follows the camera with the mark on its point, and a light that goes out', async ({ page }) => {
@@ -154,13 +130,14 @@ test.describe('the page of one fragment', () => {
     turned.p.forEach((x, i) => expect(Math.abs(x - before.p[i]!)).toBeLessThan(5e-3));
 
     await page.getByRole('checkbox', { name: 'sun' }).uncheck();
-    await expect.poll(async () => (await read(page)).steps['N·L']![0]).toBe('');
+    await expect.poll(async () => (await read(page)).NoL[0]).toBe('');
     await expectFragment(page, await markAt(page));
 
     await page.locator('phong-viewer').evaluate((viewer: PhongViewer) => {
       viewer.theta = 218;
     });
     await expect(result(page), 'the point is on the far side now').toContainText('No surface');
+    await expect(page.locator('#directions')).toBeHidden();
   });
 
   test('reads the picture once per change, and does nothing while nothing happens', async ({ page }) => {
@@ -186,21 +163,5 @@ test.describe('the page of one fragment', () => {
     await page.waitForTimeout(1000);
     expect(await counts.jsonValue()).toEqual(rested);
     expect(rested.read, 'a mouse changes no picture').toBe(1);
-  });
-
-  test.describe('under a finger', () => {
-    test.use({ hasTouch: true, viewport: { width: 360, height: 720 } });
-
-    test('responds to a tap, fits a phone and passes axe', async ({ page }) => {
-      await open(page);
-      await page.locator('phong-viewer').scrollIntoViewIfNeeded();
-      const [inPicture, onPage] = await place(page, [0.45, 0.7]);
-      await page.touchscreen.tap(onPage.x, onPage.y);
-      await expect.poll(() => isAt(page, inPicture)).toBeLessThan(1);
-      await expectFragment(page, await markAt(page));
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
-      const { violations } = await axeOn(page).analyze();
-      expect(violations).toEqual([]);
-    });
   });
 });

@@ -18,23 +18,22 @@ async function figure(page: Page, id: string): Promise<Locator> {
   return found;
 }
 
-const anglesOf = (viewers: Locator): Promise<string[]> =>
-  viewers.evaluateAll((all) =>
-    all.map((viewer) => {
-      const { theta, phi, radius } = (viewer as unknown as PhongViewer).camera;
-      return [theta, phi, radius].map((value) => value.toFixed(6)).join(' ');
-    }),
-  );
-
 /** Turns the first picture of a figure and expects the others to follow. */
 async function expectTurnedTogether(page: Page, id: string): Promise<void> {
   const viewers = (await figure(page, id)).locator('phong-viewer[camera-group], phong-compare phong-viewer');
-  const before = await anglesOf(viewers);
+  const angles = (): Promise<string[]> =>
+    viewers.evaluateAll((all) =>
+      all.map((viewer) => {
+        const { theta, phi, radius } = (viewer as unknown as PhongViewer).camera;
+        return [theta, phi, radius].map((value) => value.toFixed(6)).join(' ');
+      }),
+    );
+  const before = await angles();
   expect(before.length).toBeGreaterThan(1);
   const { x, y, width, height } = (await viewers.first().boundingBox())!;
   await drag(page, [x + 0.2 * width, y + 0.7 * height], [25, 4]);
   await nextFrame(page);
-  const after = await anglesOf(viewers);
+  const after = await angles();
   expect(after[0]).not.toBe(before[0]);
   expect(new Set(after).size).toBe(1);
 }
@@ -50,6 +49,7 @@ async function expectPrinted(page: Page): Promise<void> {
   );
   expect(wide).not.toContain(false);
   await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  await expect(page.getByRole('navigation', { name: 'Pages', exact: true })).toBeHidden();
   await page.emulateMedia({ media: 'screen' });
 }
 
@@ -146,19 +146,20 @@ test('the figures of the article behave as their captions say', async ({ page })
   await test.step('every figure is on paper', () => expectPrinted(page));
 });
 
-for (const [path, id] of [
-  ['shapes/', 'geometries'],
-  ['guide/spots/', 'main'],
-] as const) {
-  test(`turning one picture of ${path}#${id} turns the others`, async ({ page }) => {
+test('turning one picture of a figure turns the others on other pages too, and the guide prints its figures', async ({
+  page,
+}) => {
+  for (const [path, id] of [
+    ['shapes/', 'geometries'],
+    ['guide/spots/', 'main'],
+  ] as const) {
     await open(page, path);
     await expectTurnedTogether(page, id);
-  });
-}
-
-test('the guide prints every figure on paper', async ({ page }) => {
+  }
   await open(page, 'guide/see/');
   await expectPrinted(page);
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
 });
 
 test('the lights page draws its lights on request, and drags of them are in its listing', async ({

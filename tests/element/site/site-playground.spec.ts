@@ -30,42 +30,38 @@ async function rewrite(page: Page, text: string): Promise<void> {
   await page.keyboard.insertText(text);
 }
 
-test('a link shows its scene, and the same link is in the address', async ({ page }) => {
-  const viewer = await open(page);
-  await expect(viewer.locator('phong-light')).toHaveAttribute('position', '1 2 3 0');
-  expect(await textOf(page)).toBe(SCENE);
-  expect(page.url()).toContain(linkTo(SCENE));
-});
+/** What another page shows at this address. */
+async function htmlAt(page: Page, address: string): Promise<string> {
+  const other = await page.context().newPage();
+  await other.goto(address);
+  await allReady(other);
+  const html = await other.locator('phong-viewer').evaluate((v: PhongViewer) => v.toHTML());
+  await other.close();
+  return html;
+}
 
-test('typed markup is shown, and is in the address', async ({ page }) => {
-  const viewer = await open(page);
-  const next = SCENE.replace('sphere', 'torus').replace(
-    '  <phong-mesh',
-    '  <phong-light name="two"></phong-light>\n  <phong-mesh',
-  );
-  await rewrite(page, next);
+test('a link shows its scene; typed markup is shown, removed values are the default, and the button copies the new link', async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const first = SCENE.replace('geometry="sphere"', 'geometry="sphere" kd="9"');
+  const viewer = await open(page, first);
+  const kd = (): Promise<unknown> => viewer.evaluate((v: PhongViewer) => v.meshes[0]!.kd);
+  await expect(viewer.locator('phong-light')).toHaveAttribute('position', '1 2 3 0');
+  expect(await textOf(page)).toBe(first);
+  expect(page.url()).toContain(linkTo(first));
+  expect(await kd()).toEqual([9, 9, 9]);
+  const second = '  <phong-light name="two"></phong-light>\n  <phong-mesh';
+  await rewrite(page, SCENE.replace('sphere', 'torus').replace('  <phong-mesh', second));
   await expect(viewer.locator('phong-light')).toHaveCount(2);
   await expect(viewer.locator('phong-mesh')).toHaveAttribute('geometry', 'torus');
-  await expect.poll(() => page.url()).not.toContain(linkTo(SCENE));
-  await expect
-    .poll(async () => {
-      const address = page.url();
-      const other = await page.context().newPage();
-      await other.goto(address);
-      const geometry = await other.locator('phong-mesh').getAttribute('geometry');
-      await other.close();
-      return geometry;
-    })
-    .toBe('torus');
-});
-
-test('removing a value from the markup restores the default', async ({ page }) => {
-  const viewer = await open(page, SCENE.replace('geometry="sphere"', 'geometry="sphere" kd="9"'));
-  const kd = (): Promise<unknown> =>
-    viewer.locator('phong-mesh').evaluate((mesh) => (mesh as unknown as { kd: unknown }).kd);
-  expect(await kd()).toEqual([9, 9, 9]);
-  await rewrite(page, SCENE);
   await expect.poll(kd).toEqual([200, 200, 200]);
+  await page.getByRole('button', { name: 'Copy a link' }).click();
+  await expect(page.locator('#shared')).toHaveText('Copied.');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  await expect.poll(() => page.url()).toBe(link);
+  expect(await htmlAt(page, link)).toContain('torus');
 });
 
 test('a drag is written into the markup, and undoing it there turns the picture back', async ({ page }) => {
@@ -82,28 +78,15 @@ test('a drag is written into the markup, and undoing it there turns the picture 
   await expect.poll(() => viewer.evaluate((v: PhongViewer) => v.camera.theta)).toBeCloseTo(10, 9);
 });
 
-test('changes by the panel are written into the markup, and the markup can still be edited', async ({
-  page,
-}) => {
+test('changes by the panel are written into the markup, and can be changed there', async ({ page }) => {
   const viewer = await open(page);
-  const active = viewer.getByRole('checkbox').first();
-  await active.click();
+  await viewer.getByRole('checkbox').first().click();
   await expect.poll(() => textOf(page)).toContain('active="false"');
   const html = await viewer.evaluate((v: PhongViewer) => v.toHTML());
-  const again = await page.context().newPage();
   await expect.poll(() => page.url()).not.toContain(linkTo(SCENE));
-  await again.goto(page.url());
-  await allReady(again);
-  expect(await again.locator('phong-viewer').evaluate((v: PhongViewer) => v.toHTML())).toBe(html);
-  await again.close();
+  expect(await htmlAt(page, page.url())).toBe(html);
   await rewrite(page, SCENE);
-  const isActive = (): Promise<boolean> =>
-    viewer.locator('phong-light').evaluate((light) => (light as unknown as { active: boolean }).active);
-  await expect.poll(isActive).toBe(true);
-});
-
-test('a light added by the panel appears in the markup and can be changed there', async ({ page }) => {
-  const viewer = await open(page);
+  await expect.poll(() => viewer.evaluate((v: PhongViewer) => v.lights[0]!.active)).toBe(true);
   await viewer.getByRole('button', { name: 'add light' }).click();
   await expect.poll(async () => (await textOf(page)).match(/<phong-light/g)?.length).toBe(2);
   await rewrite(page, (await textOf(page)).replaceAll('<phong-light ', '<phong-light diffuse="7" '));
@@ -173,19 +156,6 @@ test('examples are opened by the list and by their address', async ({ page }) =>
   await expect(page.locator('phong-viewer')).toHaveAttribute('view', 'n-dot-l');
 });
 
-test('the button copies a link to the current markup', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  await open(page);
-  const next = SCENE.replace('sphere', 'cone');
-  await rewrite(page, next);
-  await page.getByRole('button', { name: 'Copy a link' }).click();
-  await expect(page.locator('#shared')).toHaveText('Copied.');
-  const link = await page.evaluate(() => navigator.clipboard.readText());
-  await page.goto('about:blank');
-  await page.goto(link);
-  await expect(page.locator('phong-mesh')).toHaveAttribute('geometry', 'cone');
-});
-
 test('a frame and one HTML file show the scene with its model elsewhere, the file from disk too', async ({
   page,
   context,
@@ -205,10 +175,10 @@ test('a frame and one HTML file show the scene with its model elsewhere, the fil
     await other.goto(address);
     await allReady(other);
     const viewer = other.locator('phong-viewer');
-    expect(await viewer.evaluate((v: PhongViewer) => [v.loaded, v.lights.length, v.meshes[0]!.name])).toEqual(
-      [...[true, 1], 'a <b>'],
-    );
-    expect(await other.evaluate(() => document.querySelector('phong-viewer')!.scene.children.length)).toBe(1);
+    const found = viewer.evaluate(({ loaded, lights, meshes, scene }: PhongViewer) => ({
+      ...{ loaded, lights: lights.length, name: meshes[0]!.name, shown: scene.children.length },
+    }));
+    expect(await found).toEqual({ loaded: true, lights: 1, name: 'a <b>', shown: 1 });
     await other.close();
   }
 });

@@ -18,6 +18,11 @@ const PICTURED: ReadonlySet<string> = new Set([
   ),
 ]);
 
+/** Pages whose tests run in every run. The others are made of the same parts. */
+const OFTEN: ReadonlySet<string> = new Set([
+  ...['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'lesson/de/', 'playground/'],
+]);
+
 const PHONE = { width: 390, height: 844 };
 
 async function open(page: Page, path: string): Promise<void> {
@@ -92,18 +97,7 @@ for (const path of sitePages) {
 
   const pictured = PICTURED.has(path);
   const looks = pictured ? ', looks as before' : '';
-  // The others are made of the same parts.
-  const often = [
-    '',
-    'api/',
-    'article/',
-    'explain/',
-    'guide/',
-    'guide/see/',
-    'lesson/',
-    'lesson/de/',
-    'playground/',
-  ].includes(path);
+  const often = OFTEN.has(path);
 
   test(`${often ? '' : '@release '}the ${name} fits a phone, passes axe${looks}, and has a head, a link to the package and no broken link`, async ({
     page,
@@ -178,12 +172,4 @@ test('a listing opens in the playground with its model', async ({ page }) => {
   await expect(page.locator('phong-mesh[src]')).toHaveAttribute('src', '../assets/models/bunny.glb');
   await allReady(page);
   await expect(page.locator('#messages')).toBeEmpty();
-});
-
-test('the site prints its text without navigation and buttons', async ({ page }) => {
-  await page.goto('/demo/guide/lights/');
-  await page.emulateMedia({ media: 'print' });
-  await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
-  await expect(page.getByRole('navigation', { name: 'Pages', exact: true })).toBeHidden();
-  await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
 });
