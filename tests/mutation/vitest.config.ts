@@ -7,10 +7,11 @@ import { BaseSequencer, type TestSpecification } from 'vitest/node';
 import config from '../../vitest.config.js';
 
 /**
- * What a test of pure code has no need of: three.js, the layers above but for their tables of fields, tools and files.
+ * What a test of pure code has no need of: three.js, the layers above but for their tables of fields and what is pure
+ * itself, tools and files.
  */
 const ABOVE =
-  /from '(three|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values))|[^']*\/bench\/|node:)/;
+  /from '(three|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values|tiles|travel))|[^']*\/bench\/|node:)/;
 
 /** Longest time that a file has taken, in ms: a run that only needs a part of a file says little. */
 const longest = new Map<string, number>();

@@ -91,6 +91,17 @@ describe('by hand', () => {
     close(share.specular, even(0.6));
   });
 
+  it('a metal loses diffuse light and reflects its base colour; an unlit surface has that alone', () => {
+    const look = { baseColor: [0.5, 0, 1], metalness: 0.25, lobeScale: 0.5 } as const;
+    const { diffuse, specular } = one({ ...grey, position: [0, 0, 1, 0] }, {}, look);
+    close(diffuse, [0.15, 0, 0.3]);
+    close(specular, [0.3, 0.225, 0.375]);
+    const unlit = shade(floor, { ...white, ...look, unlit: true }, [
+      light({ ...grey, position: [0, 0, 1, 0] }),
+    ]);
+    expect([unlit.sum, unlit.shares[0]?.ambient]).toStrictEqual([[0.5, 0, 1], even(0)]);
+  });
+
   it('sums are clamped for the colour alone', () => {
     const { sum, color } = shade(floor, white, [
       light({ ...grey, diffuse: [510, 0, 0], position: [0, 0, 1, 0] }),
