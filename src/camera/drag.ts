@@ -22,12 +22,11 @@ export interface RadiusLimits {
 }
 
 /**
- * One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles.
+ * One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles. A
+ * picture without size is not turned: its angles are not finite.
  */
-export function turn(start: Pose, dx: number, dy: number, { width, height }: PictureFrame): Pose {
-  if (!(width > 0 && height > 0)) return start;
-  return turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
-}
+export const turn = (start: Pose, dx: number, dy: number, { width, height }: PictureFrame): Pose =>
+  turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
 
 /** Adds angles in degrees to those of the start pose. φ stops at the poles. */
 export function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {

@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { depthRange, fitPose, fitRadius, zoomLimits } from '../../src/camera/fit.js';
+import { depthRange, fitPose, fitRadius, zoomLimits, nearBefore } from '../../src/camera/fit.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import type { Pose } from '../../src/camera/orbit.js';
 
@@ -142,8 +142,17 @@ describe('near and far', () => {
     );
   });
 
-  it('are written into the given object', () => {
-    const out = { near: 0, far: 0, cuts: false };
-    expect(depthRange({ theta: 0, phi: 90, radius: 4, target: [0, 0, 0] }, null, out)).toBe(out);
+  it('follow the sphere behind or before the target, and say whether it reaches nearer than near', () => {
+    const pose = { theta: 0, phi: 90, target: [0, 0, 1] } as const;
+    const sphere = { center: [0, 0, -1], radius: 1 } as const;
+    const out = { near: 0, far: 0, cuts: true };
+    expect(depthRange({ ...pose, radius: 4 }, sphere, out)).toBe(out);
+    expect(out).toStrictEqual({ near: 0.99 * 5, far: 1.01 * 7, cuts: false });
+    expect(depthRange({ ...pose, radius: 4 }, { center: [0, 0, 4], radius: 1 }).cuts).toBe(true);
+    expect(depthRange({ ...pose, radius: 4 }, null).cuts).toBe(false);
+  });
+
+  it('leave a tenth before the nearest surface, as long as float32 tells positions apart', () => {
+    expect([nearBefore(10, 4), nearBefore(0, 4)]).toStrictEqual([9, 4 * 2 ** -23]);
   });
 });

@@ -339,6 +339,7 @@ describe('what a field expects, in words,', () => {
     text: 'text',
     choice: 'one of red, green',
     subset: 'any of a, b, c',
+    'flag or words': 'a flag, or words of one list',
     'optional number': 'a number from 0 to 10',
     'number or word': 'auto or a number from 0 to 10',
   };
