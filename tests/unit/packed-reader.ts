@@ -6,24 +6,11 @@ import { emptyPack, type PackedLights, packLights, type PackSpace } from '../../
 import type { LightValues } from '../../src/light/light-state.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 
-export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export const WORLD: PackSpace = { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false };
 
-export interface Row {
-  readonly xyz: Vec3;
-  readonly w: number;
-}
-
-export type PackedLight = Readonly<Record<string, Row>>;
-
-export interface Read {
-  readonly counts: Vec3;
-  readonly ambient: Vec3;
-  readonly directional: readonly PackedLight[];
-  readonly point: readonly PackedLight[];
-  readonly spot: readonly PackedLight[];
-}
+type PackedLight = Readonly<Record<string, { readonly xyz: Vec3; readonly w: number }>>;
 
 export const pack = (lights: readonly LightValues[], space: PackSpace = WORLD): PackedLights => {
   const into = emptyPack();
@@ -31,11 +18,11 @@ export const pack = (lights: readonly LightValues[], space: PackSpace = WORLD): 
   return into;
 };
 
-export function read({ data, rows }: PackedLights): Read {
-  const row = (i: number): Row => {
-    const at = (k: number): number => data[i * 4 + k]!;
+export function read({ data, rows }: PackedLights) {
+  const row = (i: number): PackedLight[string] => {
     if (i >= rows) throw new RangeError(`row ${i} is beyond ${rows}`);
-    return { xyz: [at(0), at(1), at(2)], w: at(3) };
+    const [x = 0, y = 0, z = 0, w = 0] = data.subarray(4 * i);
+    return { xyz: [x, y, z], w };
   };
   const counts = row(HEADER.counts).xyz;
   let next: number = HEADER.rows;
@@ -57,16 +44,10 @@ export function read({ data, rows }: PackedLights): Read {
   return result;
 }
 
-export interface Sums {
-  readonly ambient: Vec3;
-  readonly diffuse: Vec3;
-  readonly specular: Vec3;
-}
-
 const quarter = (v: Vec3): number => dot(v, v) / 4;
 
 /** The loop of the GLSL over packed lights, in float64: p and eye in shading space, N unit. */
-export function loop(lights: Read, p: Vec3, N: Vec3, eye: Vec3, shininess: number): Sums {
+export function loop(lights: ReturnType<typeof read>, p: Vec3, N: Vec3, eye: Vec3, shininess: number) {
   const V = normalize(subtract(eye, p));
   let { ambient } = lights;
   let diffuse: Vec3 = [0, 0, 0];

@@ -7,22 +7,17 @@ import { niceCeil } from '../../src/math/round-number.js';
 
 const positive = fc.double({ min: 1e-12, max: 1e15, noNaN: true });
 
-describe('niceCeil', () => {
-  it('gives 1, 2 or 5 times a power of ten, at least as large and at most 2.5 times', () => {
-    fc.assert(
-      fc.property(positive, (n) => {
-        const nice = niceCeil(n);
-        expect(nice).toBeGreaterThanOrEqual(n * (1 - 1e-8));
-        expect(nice).toBeLessThanOrEqual(2.5 * n * (1 + 1e-8));
-        expect(nice.toPrecision(3)).toMatch(/^[0.]*[125][0.]*(e[+-]\d+)?$/);
-      }),
-    );
-  });
-
-  it('keeps a nice number, with or without stray digits', () => {
-    for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) expect(niceCeil(n)).toBe(n);
-    expect(niceCeil(0.1 + 0.1)).toBe(0.2);
-  });
+it('rounds up to 1, 2 or 5 times a power of ten, at most 2.5 times as large', () => {
+  fc.assert(
+    fc.property(positive, (n) => {
+      const nice = niceCeil(n);
+      expect(nice).toBeGreaterThanOrEqual(n * (1 - 1e-8));
+      expect(nice).toBeLessThanOrEqual(2.5 * n * (1 + 1e-8));
+      expect(nice.toPrecision(3)).toMatch(/^[0.]*[125][0.]*(e[+-]\d+)?$/);
+    }),
+  );
+  for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) expect(niceCeil(n)).toBe(n);
+  expect(niceCeil(0.1 + 0.1)).toBe(0.2);
 });
 
 describe.each([
@@ -50,42 +45,20 @@ describe.each([
   });
 });
 
-describe('linear', () => {
-  it('also grows downwards', () => {
-    const wide = linear(-1, 1).reaching(-30);
-    expect([wide.start, wide.end]).toEqual([-50, 1]);
-  });
+it('grows downwards too if linear', () => {
+  expect(linear(-1, 1).reaching(-30)).toMatchObject({ start: -50, end: 1 });
 });
 
-describe('logarithmic', () => {
-  it('starts at exactly 0 and ends at exactly its maximum', () => {
-    const travel = logarithmic(1, 1e6);
-    expect(travel.value(0)).toBe(0);
-    expect(travel.value(1)).toBe(1e6);
-  });
-
-  it('steps by about a tenth of the value', () => {
-    const { stepAt } = logarithmic(1, 1e6);
-    expect([0, 0.5, 3, 32, 320, 65536].map(stepAt)).toEqual([0.1, 0.01, 0.1, 1, 10, 1000]);
-  });
+it('starts at exactly 0, ends at exactly its maximum and steps by about a tenth of the value if logarithmic', () => {
+  const travel = logarithmic(1, 1e6);
+  expect([travel.value(0), travel.value(1)]).toEqual([0, 1e6]);
+  expect([0, 0.5, 3, 32, 320, 65536].map(travel.stepAt)).toEqual([0.1, 0.01, 0.1, 1, 10, 1000]);
 });
 
-describe('numberText', () => {
-  it('writes numbers without stray digits', () => {
-    expect([0.1 + 0.2, 1 / 3, 1e6, 65536, -0, 1e-7, 1e15, 400 / 255].map((n) => numberText(n))).toEqual([
-      '0.3',
-      '0.333333',
-      '1000000',
-      '65536',
-      '0',
-      '1e-7',
-      '1000000000000000',
-      '1.56863',
-    ]);
-  });
-
-  it('writes rounding noise as 0', () => {
-    expect(numberText(6.1e-17, 4)).toBe('0');
-    expect(numberText(1e-7, 4)).toBe('1e-7');
-  });
+it('writes numbers without stray digits, and rounding noise as 0', () => {
+  const numbers = [0.1 + 0.2, 1 / 3, 1e6, 65536, -0, 1e-7, 1e15, 400 / 255];
+  expect(numbers.map((n) => numberText(n)).join(' ')).toBe(
+    '0.3 0.333333 1000000 65536 0 1e-7 1000000000000000 1.56863',
+  );
+  expect([6.1e-17, 1e-7].map((n) => numberText(n, 4))).toEqual(['0', '1e-7']);
 });

@@ -2,6 +2,7 @@
 
 import {
   BoxGeometry,
+  type BufferGeometry,
   DoubleSide,
   FrontSide,
   Mesh,
@@ -22,18 +23,15 @@ function lit(values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }],
   lights.assign(values.map((one) => new LightState(one)));
   const lighting = new PhongLighting(lights);
   const material = new PhongMaterial(lighting);
-  const mesh: Mesh = new Mesh(new BoxGeometry(), material);
+  const mesh = new Mesh(new BoxGeometry(), material) as Mesh<BufferGeometry, PhongMaterial>;
   const camera = new PerspectiveCamera();
   camera.position.z = 5;
-  const draw = (frames = 1, meshes: readonly Mesh[] = [mesh]): number => {
+  const draw = (frames = 1): number => {
     for (let i = 0; i < frames; i++) {
       camera.updateMatrixWorld();
       lighting.update(camera);
-      for (const one of meshes) {
-        one.updateMatrixWorld();
-        const own = one.material as PhongMaterial;
-        own.onBeforeRender(gpu.renderer, new Scene(), camera, one.geometry, one, null as never);
-      }
+      mesh.updateMatrixWorld();
+      material.onBeforeRender(gpu.renderer, new Scene(), camera, mesh.geometry, mesh, null as never);
     }
     return material.version;
   };
@@ -74,62 +72,52 @@ describe('another program', () => {
     ['200 lights on a GPU', {}, 200, 1],
     ['400 lights on a GPU, which reads a texture,', {}, 400, 0],
   ])('is specialised or not for %s', (_, device, lights, programs) => {
-    const { gpu, draw } = lit(
-      Array.from({ length: lights }, () => ({ position: [1, 2, 3, 1] as const })),
-      new FakeRenderer(device),
-    );
+    const lamps = new Array<Partial<LightValues>>(lights).fill({ position: [1, 2, 3, 1] });
+    const { gpu, draw } = lit(lamps, new FakeRenderer(device));
     draw(60);
     expect(gpu.compiled).toHaveLength(programs);
   });
 });
 
-describe('the sides', () => {
-  it('are chosen in each draw, without another program', () => {
-    const { material, mesh, camera, draw } = lit();
-    mesh.geometry = new SphereGeometry(1);
-    material.sides = 'closed';
-    const version = draw();
-    expect(material.side).toBe(FrontSide);
-    camera.position.z = 0;
+it('chooses the sides in each draw, without another program', () => {
+  const { material, mesh, camera, draw } = lit();
+  mesh.geometry = new SphereGeometry(1);
+  const version = draw();
+  for (const [sides, z, side] of [
+    ['closed', 5, FrontSide],
+    ['closed', 0, DoubleSide],
+    ['closed', 5, FrontSide],
+    ['double', 5, DoubleSide],
+  ] as const) {
+    material.sides = sides;
+    camera.position.z = z;
     expect(draw()).toBe(version);
-    expect(material.side).toBe(DoubleSide);
-    camera.position.z = 5;
-    draw();
-    expect(material.side).toBe(FrontSide);
-    material.sides = 'double';
-    draw();
-    expect(material.side).toBe(DoubleSide);
-  });
+    expect(material.side).toBe(side);
+  }
 });
 
-describe('a clone', () => {
-  it('has the same look, surface, style and sides, and changes independently', () => {
-    const { lighting } = lit();
-    const map = new Texture();
-    const material = new PhongMaterial(lighting, { ...PLAIN_LOOK, map, alphaMode: 'blend' });
-    material.setSurface({ ka: [1, 2, 3], kd: [4, 5, 6], ks: [7, 8, 9], shininess: 70 });
-    material.setStyle({ shading: 'flat', terms: ['diffuse'] });
-    material.sides = 'single';
-    material.name = 'a';
-    const clone = material.clone();
-    expect(clone).toBeInstanceOf(PhongMaterial);
-    expect(clone.surface).toStrictEqual(material.surface);
-    expect(clone.style).toStrictEqual(material.style);
-    expect(clone).toMatchObject({ sides: 'single', name: 'a', transparent: true, premultipliedAlpha: true });
-    expect(clone.look.map).toBe(map);
-    clone.setSurface({ shininess: 1 });
-    clone.setStyle({ shading: 'gouraud' });
-    expect(material.surface.shininess).toBe(70);
-    expect(material.style.shading).toBe('flat');
-    expect(material.uniforms['uShininess']!.value).toBe(70);
-  });
+it('a clone has the same look, surface, style and sides, and changes independently', () => {
+  const { lighting } = lit();
+  const map = new Texture();
+  const material = new PhongMaterial(lighting, { ...PLAIN_LOOK, map, alphaMode: 'blend' });
+  material.setSurface({ ka: [1, 2, 3], kd: [4, 5, 6], ks: [7, 8, 9], shininess: 70 });
+  material.setStyle({ shading: 'flat', terms: ['diffuse'] });
+  Object.assign(material, { sides: 'single', name: 'a' });
+  const clone = material.clone();
+  const { surface, style } = material;
+  expect(clone).toBeInstanceOf(PhongMaterial);
+  expect(clone).toMatchObject({ surface, style, sides: 'single', name: 'a' });
+  expect(clone).toMatchObject({ transparent: true, premultipliedAlpha: true });
+  expect(clone.look.map).toBe(map);
+  clone.setSurface({ shininess: 1 });
+  clone.setStyle({ shading: 'gouraud' });
+  expect(material).toMatchObject({ surface: { shininess: 70 }, style: { shading: 'flat' } });
+  expect(material.uniforms['uShininess']!.value).toBe(70);
 });
 
 it('keeps its surface when a value is outside its domain', () => {
   const { material } = lit();
   const before = material.surface;
-  expect(() => {
-    material.setSurface({ ka: [1, 2, 3], shininess: -1 });
-  }).toThrow(RangeError);
+  expect(() => material.setSurface({ ka: [1, 2, 3], shininess: -1 })).toThrow(RangeError);
   expect(material.surface).toBe(before);
 });

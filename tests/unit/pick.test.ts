@@ -9,7 +9,6 @@ import {
   DynamicDrawUsage,
   Group,
   Line,
-  LineBasicMaterial,
   Mesh,
   MeshBasicMaterial,
   type Object3D,
@@ -20,12 +19,10 @@ import {
 } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
-import type { Sides } from '../../src/material/back-faces.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
-import { drawnObjects, copyFrame, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
+import { copyFrame, drawnObjects, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
 import { distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
-import type { Vec3 } from '../../src/math/vector.js';
 import { cornersOf } from '../../src/scene/snapshot/corners.js';
 import { Frame } from '../../src/scene/frame.js';
 
@@ -44,20 +41,23 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
   return mesh;
 }
 
-function look(column = 50, row = 50): Hit | null {
-  const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+/** From 3 away, along −z. */
+function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })): Frame {
+  const view = new Frame(orbit);
   view.look(45, { width: SIZE, height: SIZE });
   view.aim(scene, { center: [0, 0, 0], radius: 2 });
-  return pick(snapshotThrough(view), column, row);
+  return view;
 }
 
-function snapshotThrough({ camera, shading }: Frame): SceneSnapshot {
+function snapshotThrough({ camera, shading } = aimed()): SceneSnapshot {
   scene.updateMatrixWorld();
   const objects = drawnObjects(scene, camera, (object) =>
     own.includes(object as Mesh) ? 'ours' : undefined,
   );
   return { width: SIZE, height: SIZE, frame: copyFrame(shading), camera: camera.clone(), objects };
 }
+
+const look = (snapshot = snapshotThrough()): Hit | null => pick(snapshot, 50, 50);
 
 beforeEach(() => {
   scene = new Scene();
@@ -101,12 +101,12 @@ describe('the pick', () => {
     wall();
     for (const foreign of [new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial()), new Sprite()]) {
       scene.add(foreign);
-      foreign.position.set(0, 0, 1);
-      expect(look(), foreign.type).toBeNull();
-      foreign.position.set(0, 0, -1);
-      expect(look(), foreign.type).not.toBeNull();
-      foreign.position.set(0.8, 0, 1);
-      expect(look(), foreign.type).not.toBeNull();
+      const isNull = ([x, z]: readonly [number, number]): boolean => {
+        foreign.position.set(x, 0, z);
+        return look() === null;
+      };
+      const places = [[0, 1], [0, -1], [0.8, 1]] as const; // prettier-ignore
+      expect(places.map(isNull), foreign.type).toEqual([true, false, false]);
       foreign.removeFromParent();
     }
   });
@@ -124,70 +124,45 @@ describe('the pick', () => {
   it('looks through lines and points, and through faces that three.js culls', () => {
     const mesh = wall();
     const flat = new PlaneGeometry(1, 1);
-    for (const [i, object] of [
-      new Line(flat, new LineBasicMaterial()),
-      new Points(flat),
-      new Mesh(flat, new MeshBasicMaterial({ side: BackSide })),
-    ].entries()) {
+    const culled = new Mesh(flat, new MeshBasicMaterial({ side: BackSide }));
+    for (const [i, object] of [new Line(flat), new Points(flat), culled].entries()) {
       object.position.z = 0.2 * (i + 1);
       scene.add(object);
     }
     expect(look()!.drawn.object).toBe(mesh);
   });
 
-  describe('with back faces that are culled', () => {
-    /** A closed box around the origin, and a wall behind it. */
-    const boxWithWall = (sides: Sides): { box: Mesh; behind: Mesh } => {
-      const behind = wall(-1);
-      const box = new Mesh(new BoxGeometry(1, 1, 1), new PhongMaterial(lighting));
-      Object.assign(box.material, { sides });
-      own.push(box);
-      scene.add(box);
-      return { box, behind };
-    };
-
-    it('sees the inside of a closed shape from inside, and looks through its back from outside', () => {
-      const { box, behind } = boxWithWall('closed');
-      box.geometry.setDrawRange(30, 6); // only the face that looks along −z
-      expect(look()!.drawn.object).toBe(behind);
-      box.scale.setScalar(4);
-      box.position.z = 1.5;
-      behind.visible = false;
-      expect(look()!.drawn.object).toBe(box);
-      box.scale.setScalar(1);
-      box.position.z = 0;
-      (box.material as PhongMaterial & { sides: Sides }).sides = 'double';
-      behind.visible = true;
-      expect(look()!.drawn.object).toBe(box);
-    });
+  it('sees the inside of a closed shape from inside, and looks through its back from outside', () => {
+    const behind = wall(-1);
+    const material = new PhongMaterial(lighting);
+    material.sides = 'closed';
+    const box = new Mesh(new BoxGeometry(1, 1, 1), material);
+    own.push(box);
+    scene.add(box);
+    box.geometry.setDrawRange(30, 6); // only the face that looks along −z
+    expect(look()!.drawn.object).toBe(behind);
+    box.scale.setScalar(4);
+    box.position.z = 1.5;
+    behind.visible = false;
+    expect(look()!.drawn.object).toBe(box);
+    box.scale.setScalar(1);
+    box.position.z = 0;
+    material.sides = 'double';
+    behind.visible = true;
+    expect(look()!.drawn.object).toBe(box);
   });
 
-  it('does not change when the camera moves afterwards', () => {
-    wall();
-    const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
-    const view = new Frame(orbit);
-    view.look(45, { width: SIZE, height: SIZE });
-    view.aim(scene, null);
-    const snapshot = snapshotThrough(view);
-    const before = pick(snapshot, 50, 50)!;
-    const eye = [...before.frame.eye];
-    orbit.set({ theta: 90, radius: 7 });
-    view.look(45, { width: SIZE, height: SIZE });
-    view.aim(scene, null);
-    expect(before.frame.eye).toEqual(eye);
-    expect(pick(snapshot, 50, 50)).toEqual(before);
-  });
-
-  it('does not change when the scene changes afterwards, own and foreign meshes alike', () => {
+  it('does not change when camera, own and foreign meshes change afterwards', () => {
     const mesh = wall();
     const foreign = new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial());
     foreign.position.set(0.5, 0, 1);
     scene.add(foreign);
-    const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-    view.look(45, { width: SIZE, height: SIZE });
-    view.aim(scene, null);
+    const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
+    const view = aimed(orbit);
     const snapshot = snapshotThrough(view);
-    const { depth } = pick(snapshot, 50, 50)!;
+    const before = look(snapshot)!;
+    const { depth } = before;
+    const eye = [...before.frame.eye];
     const material = mesh.material as PhongMaterial;
     const { surface } = material;
     mesh.position.z = 1;
@@ -195,11 +170,15 @@ describe('the pick', () => {
     material.setSurface({ shininess: 7 });
     foreign.position.x = 0;
     scene.updateMatrixWorld();
-    const hit = pick(snapshot, 50, 50)!;
+    expect(look(snapshotThrough(view))).toBeNull();
+    orbit.set({ theta: 90, radius: 7 });
+    view.look(45, { width: SIZE, height: SIZE });
+    view.aim(scene, null);
+    expect(before.frame.eye).toEqual(eye);
+    const hit = look(snapshot)!;
+    expect(hit).toEqual(before);
     expect(hit.depth).toBe(depth);
     expect(hit.drawn.phong.surface).toBe(surface);
-    expect(foreign.matrixWorld.elements[12]).toBe(0);
-    expect(pick(snapshotThrough(view), 50, 50)).toBeNull();
   });
 });
 
@@ -208,18 +187,9 @@ describe('the corners of what was picked', () => {
 
   it('have unit normals on the side that is seen, mirrored, flattened and from behind too', () => {
     const mesh = wall();
-    for (const [x, y, z] of [
-      [1, 1, 1],
-      [-1, 1, 1],
-      [2, 3, 0],
-      [1, 1, -4],
-    ] as const) {
-      mesh.scale.set(x, y, z);
-      expect(normalsOf(), `scale ${x} ${y} ${z}`).toEqual([
-        [0, 0, 1],
-        [0, 0, 1],
-        [0, 0, 1],
-      ]);
+    for (const scale of ['1 1 1', '-1 1 1', '2 3 0', '1 1 -4']) {
+      mesh.scale.fromArray(scale.split(' ').map(Number));
+      expect(normalsOf(), `scale ${scale}`).toEqual(Array(3).fill([0, 0, 1]));
     }
     mesh.scale.set(1, 1, 1);
     mesh.rotation.y = Math.PI;
@@ -228,47 +198,25 @@ describe('the corners of what was picked', () => {
 
   it('have no normals if the geometry has none', () => {
     wall().geometry.deleteAttribute('normal');
-    expect(normalsOf()).toEqual([
-      [0, 0, 0],
-      [0, 0, 0],
-      [0, 0, 0],
-    ]);
+    expect(normalsOf()).toEqual(Array(3).fill([0, 0, 0]));
   });
 });
 
-describe('a snapshot of an animated mesh', () => {
-  const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+it('shares the geometry of an animated mesh that stands still with the next snapshot, which copies nothing', () => {
+  const { geometry } = wall();
+  (geometry.getAttribute('position') as BufferAttribute).setUsage(DynamicDrawUsage);
   const taken = (): BufferGeometry | undefined =>
-    snapshotThrough(view).objects.find(({ object }) => object === own[0])?.geometry;
-
-  function animated(): BufferGeometry {
-    const { geometry } = wall();
-    (geometry.getAttribute('position') as BufferAttribute).setUsage(DynamicDrawUsage);
-    return geometry;
-  }
-
-  it('shares them with the next one while the mesh does not move, so that a probe copies nothing', () => {
-    const geometry = animated();
-    const before = taken();
-    expect(taken()).toBe(before);
-    geometry.setAttribute('normal', (geometry.getAttribute('normal') as BufferAttribute).clone());
-    expect(taken()).not.toBe(before);
-  });
+    snapshotThrough().objects.find(({ object }) => object === own[0])?.geometry;
+  const before = taken();
+  expect(taken()).toBe(before);
+  geometry.setAttribute('normal', (geometry.getAttribute('normal') as BufferAttribute).clone());
+  expect(taken()).not.toBe(before);
 });
 
-describe('the distance along a ray', () => {
-  const along = (from: Vec3, direction: Vec3): number => {
-    const view = new Frame(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-    view.look(45, { width: SIZE, height: SIZE });
-    view.aim(scene, { center: [0, 0, 0], radius: 2 });
-    return distanceAlong(snapshotThrough(view), from, direction);
-  };
-
-  it("ends at a page author's own mesh too", () => {
-    wall(0);
-    const other = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial());
-    other.position.z = 1;
-    scene.add(other);
-    expect(along([0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(4, 12);
-  });
+it("measures a distance along a ray to a page author's own mesh too", () => {
+  wall(0);
+  const other = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial());
+  other.position.z = 1;
+  scene.add(other);
+  expect(distanceAlong(snapshotThrough(), [0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(4, 12);
 });

@@ -1,17 +1,13 @@
 // Do meshes with the same source share one download and one content, each with a motion, a look and a budget of its own?
 import { type BufferGeometry, Scene } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { FieldStore } from '../../src/fields/field-store.js';
-import { PhongLighting } from '../../src/material/lighting.js';
-import { Budget } from '../../src/model/budget.js';
-import { Animations } from '../../src/scene/mesh/animation.js';
-import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
-import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
-import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+import type { MeshValues } from '../../src/scene/mesh/mesh-fields.js';
+import type { SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { bar } from '../support/animated-gltf.js';
 import { pngOf } from '../fuzz/glb.js';
 import { texturedGlb, triangleGlb } from '../fuzz/models.js';
 import { bitmapOf } from './model-files.js';
+import { meshHost, meshOf } from './scene-host.js';
 
 const files = new Map<string, Uint8Array<ArrayBuffer> | null>();
 const requests: { readonly path: string; readonly signal: AbortSignal }[] = [];
@@ -48,37 +44,17 @@ afterEach(() => {
 
 /** A viewer of such meshes. */
 function viewerOf() {
-  const budget = new Budget();
   const errors: string[] = [];
-  const quiet = (): void => undefined;
-  const host: MeshHost = {
-    ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
-    ...{
-      crossOrigin: null,
-      mayLoad: true,
-      changed: quiet,
-      reshaped: quiet,
-      moved: quiet,
-      began: quiet,
-      progress: quiet,
-    },
-    ...{ shown: () => false, removed: quiet, dropped: quiet },
+  const host = meshHost({
     ended: (_mesh, _url, error) => error !== null && errors.push((error as { code: string }).code),
-  };
+  });
   const scene = new Scene();
   const add = (values: Partial<MeshValues>) => {
-    const store = new FieldStore(MESH_FIELDS);
-    const set = (changed: Partial<MeshValues>): void => {
-      for (const [key, value] of Object.entries(changed)) store.set(key as 'src', value);
-      mesh.update();
-    };
-    const mesh = new SceneMesh(store, host);
-    mesh.attach(scene);
-    added.add(mesh);
-    set(values);
-    return { mesh, set };
+    const one = meshOf(host, scene, values);
+    added.add(one.mesh);
+    return one;
   };
-  return { budget, errors, add, materials: host.materials };
+  return { budget: host.budget, errors, add };
 }
 
 const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void> =>
@@ -91,7 +67,7 @@ const positionsOf = (one: { readonly mesh: SceneMesh }): number[] =>
   ]);
 
 describe('meshes with the same source', () => {
-  it('on several viewers are one download, one geometry and one image, until the last one goes', async () => {
+  it('on several viewers are one download, geometry and image, of own materials, until the last one goes', async () => {
     const [a, b] = [viewerOf(), viewerOf()];
     const src = '/textured.glb';
     const meshes = [a.add({ src }), a.add({ src }), b.add({ src, ka: [1, 2, 3] })] as const;
@@ -99,6 +75,9 @@ describe('meshes with the same source', () => {
     expect([requests.length, bitmaps]).toEqual([1, 1]);
     expect(new Set(meshes.map(geometryOf)).size).toBe(1);
     expect(new Set(meshes.map(({ mesh }) => mesh.parts[0]!.look.map)).size).toBe(1);
+    const [one, , other] = meshes.map(({ mesh }) => mesh.parts[0]!.surface.ka);
+    expect(other).toEqual([1, 2, 3]);
+    expect(one).not.toEqual(other);
     expect(a.budget.used).toBe(b.budget.used);
     const disposed = vi.fn();
     geometryOf(meshes[0]).addEventListener('dispose', disposed);
@@ -127,21 +106,7 @@ describe('meshes with the same source', () => {
     expect(requests).toHaveLength(2);
   });
 
-  it('have materials of their own', async () => {
-    const { add } = viewerOf();
-    const meshes = [add({ src: '/triangle.glb' }), add({ src: '/triangle.glb', ka: [9, 8, 7] })] as const;
-    await there(...meshes);
-    expect(meshes.map(({ mesh }) => mesh.parts[0]!.surface.ka)[1]).toEqual([9, 8, 7]);
-    expect(meshes[0].mesh.parts[0]!.surface.ka).not.toEqual([9, 8, 7]);
-    meshes[0].set({ shading: 'flat' });
-    expect(geometryOf(meshes[0])).not.toBe(geometryOf(meshes[1]));
-  });
-
   it('are in poses of their own, those of a model that is alone', async () => {
-    const pose = async (mesh: SceneMesh, seconds: number): Promise<number[]> => {
-      mesh.advance(seconds);
-      return Promise.resolve(positionsOf({ mesh }));
-    };
     const motions = [
       [{ autoplay: false }, 0],
       [{ autoplay: true, animationName: 'bend' }, 0.5],
@@ -153,7 +118,8 @@ describe('meshes with the same source', () => {
     for (const [values, seconds] of motions) {
       const one = viewerOf().add({ src: '/bar.gltf', ...values });
       await there(one);
-      alone.push(await pose(one.mesh, seconds));
+      one.mesh.advance(seconds);
+      alone.push(positionsOf(one));
       one.mesh.dispose();
     }
     expect(requests).toHaveLength(5);
@@ -161,7 +127,7 @@ describe('meshes with the same source', () => {
     const meshes = motions.map(([values]) => add({ src: '/bar.gltf', ...values }));
     await there(...meshes);
     expect(requests).toHaveLength(6);
-    for (const [i, [, seconds]] of motions.entries()) await pose(meshes[i]!.mesh, seconds);
+    for (const [i, [, seconds]] of motions.entries()) meshes[i]!.mesh.advance(seconds);
     expect(meshes.map(positionsOf)).toEqual(alone);
     const late = add({ src: '/bar.gltf' });
     await there(late);

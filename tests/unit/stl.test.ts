@@ -1,6 +1,6 @@
 // Is an STL file read as written, binary and text: triangles, face normals, names, and colours by both conventions?
 import { describe, expect, it } from 'vitest';
-import { failureOf, heardWarnings, loadFiles, numbersOf } from './model-files.js';
+import { failureOf, type FileContent, heardWarnings, loadFiles, numbersOf } from './model-files.js';
 
 const warnings = heardWarnings();
 
@@ -25,7 +25,17 @@ function binary(facets: readonly Facet[], header = '', claimed = facets.length):
   return bytes;
 }
 
+async function fails(content: FileContent, message: RegExp): Promise<void> {
+  const error = await failureOf({ 'a.stl': content });
+  expect(error.code).toBe('bad-model');
+  expect(error.message).toMatch(message);
+}
+
 const facet = 'facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
+
+const NOT_A_NUMBER = facet.replace('1 0 0', 'nan 0 0');
+const TWO_CORNERS = facet.replace('vertex 0 1 0\n', '');
+const FOUR_CORNERS = facet.replace('endloop', 'vertex 1 1 1');
 
 describe('a binary STL file', () => {
   it('has the normals of its triangles, whatever the file states', async () => {
@@ -36,11 +46,12 @@ describe('a binary STL file', () => {
     expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
   });
 
-  it('may begin with `solid`, and may have bytes after its last triangle', async () => {
-    const bytes = binary([{}], 'solid but binary\n facet');
-    expect((await loadFiles({ 'a.stl': bytes })).parts).toHaveLength(1);
-    const longer = new Uint8Array([...binary([{}]), 1, 2, 3]);
-    expect((await loadFiles({ 'a.stl': longer })).parts).toHaveLength(1);
+  it.each([
+    ['begin with `solid`', binary([{}], 'solid but binary\n facet'), 1],
+    ['have bytes after its last triangle', new Uint8Array([...binary([{}]), 1, 2, 3]), 1],
+    ['have triangles after a count of 0', binary([{}, {}], '', 0), 2],
+  ])('may %s', async (_, bytes, triangles) => {
+    expect(numbersOf(await loadFiles({ 'a.stl': bytes }), 'position')).toHaveLength(9 * triangles);
   });
 
   it('has colours as VisCAM writes them: bit 15 set, blue in the low bits; white without it', async () => {
@@ -50,33 +61,30 @@ describe('a binary STL file', () => {
     expect(colors.slice(15, 18)).toEqual([1, 0.16129, 0.032258]);
   });
 
-  it('has colours as Magics writes them: COLOR= for the body, bit 15 clear and red in the low bits', async () => {
-    const header = 'made by hand COLOR=\x33\x66\xff\xff';
-    const body = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], header) });
-    expect(body.parts[0]?.look).toMatchObject({ baseColor: [0.2, 0.4, 1], opacity: 1 });
-    expect(body.parts[0]?.geometry.hasAttribute('color')).toBe(false);
-    const mixed = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }, { bits: 31 | (5 << 5) }], header) });
-    expect(numbersOf(mixed, 'color').slice(6, 12)).toEqual([0.2, 0.4, 1, 1, 0.16129, 0]);
-    expect(mixed.parts[0]?.look.baseColor).toEqual([1, 1, 1]);
+  const BODY = 'made by hand COLOR=\x33\x66\xff\xff';
+  const SPACED = 'COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f ';
+
+  const CLEAR = 'COLOR=\xff\xff\xff\x33';
+
+  // Magics: COLOR= for the body, bit 15 clear and red in the low bits of a triangle.
+  it.each([
+    ['the body', 0x8000, BODY, { baseColor: [0.2, 0.4, 1], opacity: 1 }],
+    ['the body if all triangles have 0, which would be black', 0, BODY, { baseColor: [0.2, 0.4, 1] }],
+    ['a translucent body', 0x8000, CLEAR, { opacity: 0.2, alphaMode: 'blend' }],
+    ['three bytes and a space, which are opaque', 0x8000, SPACED, { opacity: 1, alphaMode: 'opaque' }],
+  ])('has the colour of %s', async (_, bits, head, look) => {
+    const { parts } = await loadFiles({ 'a.stl': binary([{ bits }, { bits }], head) });
+    expect(parts[0]?.look).toMatchObject(look);
+    expect(parts[0]?.geometry.hasAttribute('color')).toBe(false);
   });
 
-  it('has the colour of the body if every triangle has 0, which would be black', async () => {
-    const model = await loadFiles({ 'a.stl': binary([{}, {}], 'COLOR=\x33\x66\xff\xff') });
-    expect(model.parts[0]?.look).toMatchObject({ baseColor: [0.2, 0.4, 1], opacity: 1 });
-    expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
-    const black = await loadFiles({ 'a.stl': binary([{}, { bits: 31 }], 'COLOR=\x33\x66\xff\xff') });
-    expect(numbersOf(black, 'color').slice(6, 12)).toEqual([0, 0, 0, 1, 0, 0]);
-  });
-
-  it('is opaque if a space follows three bytes of colour: COLOR=rgb MATERIAL=', async () => {
-    const header = 'COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f ';
-    const model = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], header) });
-    expect(model.parts[0]?.look).toMatchObject({ opacity: 1, alphaMode: 'opaque' });
-  });
-
-  it('can be translucent as a whole', async () => {
-    const model = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], 'COLOR=\xff\xff\xff\x33') });
-    expect(model.parts[0]?.look).toMatchObject({ opacity: 0.2, alphaMode: 'blend' });
+  it.each([
+    ['beside the body', 0x8000, 31 | (5 << 5), [0.2, 0.4, 1, 1, 0.16129, 0]],
+    ['beside black ones', 0, 31, [0, 0, 0, 1, 0, 0]],
+  ])('has colours of triangles %s', async (_, first, second, colors) => {
+    const model = await loadFiles({ 'a.stl': binary([{ bits: first }, { bits: second }], BODY) });
+    expect(numbersOf(model, 'color').slice(6, 12)).toEqual(colors);
+    expect(model.parts[0]?.look.baseColor).toEqual([1, 1, 1]);
   });
 
   it('is shown without a triangle that is no number, the others with their own colours', async () => {
@@ -85,85 +93,53 @@ describe('a binary STL file', () => {
     const model = await loadFiles({ 'a.stl': binary([{ bits: red }, { corners: bad }, { bits: blue }]) });
     expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, ...TRIANGLE]);
     expect(numbersOf(model, 'color').slice(6, 12)).toEqual([1, 0, 0, 0, 0, 1]);
-    expect(warnings).toHaveLength(1);
-    expect(warnings[0]).toMatch(/without 1 triangle \(a vertex has the coordinate NaN/);
-  });
-
-  it('has all triangles that follow a count of 0', async () => {
-    expect(numbersOf(await loadFiles({ 'a.stl': binary([{}, {}], '', 0) }), 'position')).toHaveLength(18);
+    expect(warnings).toEqual([
+      expect.stringContaining('without 1 triangle (a vertex has the coordinate NaN'),
+    ]);
   });
 
   it.each([
-    [binary([{}], '', 2), 'bad-model', /truncated: 134 of 184 bytes for 2 triangles/],
-    [binary([{}], '', 0xffffffff), 'bad-model', /truncated/],
-    [binary([]), 'bad-model', /no triangles/],
-    [new Uint8Array(50), 'bad-model', /ends inside its header/],
-    [binary([{ corners: [NaN, 0, 0, 0, 0, 0, 0, 0, 0] }]), 'bad-model', /coordinate NaN/],
-  ])('that is broken gives a readable error', async (bytes, code, message) => {
-    const error = await failureOf({ 'a.stl': bytes });
-    expect(error.code).toBe(code);
-    expect(error.message).toMatch(message);
-  });
+    [binary([{}], '', 2), /truncated: 134 of 184 bytes for 2 triangles/],
+    [binary([{}], '', 0xffffffff), /truncated/],
+    [binary([]), /no triangles/],
+    [new Uint8Array(50), /ends inside its header/],
+    [binary([{ corners: [NaN, 0, 0, 0, 0, 0, 0, 0, 0] }]), /coordinate NaN/],
+  ])('that is broken gives a readable error (%#)', fails);
 });
 
 describe('a text STL file', () => {
-  it('has one part per solid, with its name', async () => {
-    const text = `solid left wing\n${facet}endsolid left wing\nSOLID\n${facet.toUpperCase()}ENDSOLID\n`;
-    const model = await loadFiles({ 'a.stl': text });
-    expect(model.parts.map(({ name }) => name)).toEqual(['left wing', '']);
-    expect(numbersOf(model, 'position', 1)).toEqual(TRIANGLE);
-    expect(numbersOf(model, 'normal', 1)).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
-  });
-
-  it('can begin with a byte order mark, and stand on one line', async () => {
-    const lines = `solid a facet plate\n${facet}endsolid a facet plate\nsolid b\n${facet}endsolid b\n`;
-    for (const text of [
-      `\ufeff${lines}`,
-      lines.replace(/\s+/g, ' '),
-      `\ufeff${lines.replace(/\s+/g, ' ')}`,
-    ]) {
-      const model = await loadFiles({ model: text });
-      expect(model.parts.map(({ name }) => name)).toEqual(['a facet plate', 'b']);
-      expect(numbersOf(model, 'position', 1)).toEqual(TRIANGLE);
-    }
-  });
-
+  const plate = `solid a facet plate\n${facet}endsolid a facet plate\nsolid b\n${facet}endsolid b\n`;
+  const words = 'vertex 1 2 3 facet normal';
   it.each([
-    ['comments', `# made by hand\n; 2\n// 3\nsolid a\n${facet}endsolid a\n`, 'a'],
-    [
-      'a name made of words of the format',
-      `solid vertex 1 2 3 facet normal\n${facet}endsolid vertex 1 2 3 facet normal\n`,
-      'vertex 1 2 3 facet normal',
-    ],
-    [
-      'such a name, in upper case',
-      `SOLID FACET ENDLOOP\n${facet.toUpperCase()}ENDSOLID FACET ENDLOOP\n`,
-      'FACET ENDLOOP',
-    ],
-  ])('can begin with %s', async (_, text, name) => {
-    // prettier-ignore
-    const model = await loadFiles({ 'a.stl': text });
-    expect(model.parts.map((part) => part.name)).toEqual([name]);
-    expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
+    ['a name, or none', `solid left\n${facet}endsolid left\nSOLID\n${facet}ENDSOLID\n`, ['left', '']],
+    ['a byte order mark', `\ufeff${plate}`, ['a facet plate', 'b']],
+    ['one line', plate.replace(/\s+/g, ' '), ['a facet plate', 'b']],
+    ['one line and a byte order mark', `\ufeff${plate.replace(/\s+/g, ' ')}`, ['a facet plate', 'b']],
+    ['comments', `# made by hand\n; 2\n// 3\nsolid a\n${facet}endsolid a\n`, ['a']],
+    ['a name made of words of the format', `solid ${words}\n${facet}endsolid ${words}\n`, [words]],
+    ['upper case', `SOLID FACET ENDLOOP\n${facet.toUpperCase()}ENDSOLID FACET ENDLOOP\n`, ['FACET ENDLOOP']],
+  ])('with %s has a part for each solid', async (_, text, names) => {
+    const model = await loadFiles({ model: text });
+    expect(model.parts.map(({ name }) => name)).toEqual(names);
+    for (const part of names.keys()) {
+      expect(numbersOf(model, 'position', part)).toEqual(TRIANGLE);
+      expect(numbersOf(model, 'normal', part)).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
+    }
     expect(warnings).toEqual([]);
   });
 
   it('is shown without facets that have not three sound vertices', async () => {
-    const bad = [['1 0 0', 'nan 0 0'], ['vertex 0 1 0\n', ''], ['endloop', 'vertex 1 1 1']].map(([from = '', to = '']) => facet.replace(from, to)); // prettier-ignore
-    const model = await loadFiles({ 'a.stl': `solid\n${bad.join('')}${facet}endsolid` });
+    const bad = [NOT_A_NUMBER, TWO_CORNERS, FOUR_CORNERS].join('');
+    const model = await loadFiles({ 'a.stl': `solid\n${bad}${facet}endsolid` });
     expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
     expect(warnings).toEqual(['a.stl is shown without 3 triangles (line 5: "nan" is not a number).']);
   });
 
   it.each([
-    [`solid\n${facet.replace('vertex 0 1 0\n', '')}`, /line 7: a facet has fewer than three/],
-    [`solid\n${facet.replace('endloop', 'vertex 1 1 1')}`, /line 7: a facet has more than three/],
-    [`solid\n${facet.replace('1 0 0', '1 zero 0')}`, /line 5: "zero" is not a number/],
+    [`solid\n${TWO_CORNERS}`, /line 7: a facet has fewer than three/],
+    [`solid\n${FOUR_CORNERS}`, /line 7: a facet has more than three/],
+    [`solid\n${NOT_A_NUMBER}`, /line 5: "nan" is not a number/],
     [`solid\n${facet.slice(0, 60)}`, /truncated/],
     ['solid\nendsolid', /no triangles/],
-  ])('is an error for an author to understand: %j', async (text, message) => {
-    const error = await failureOf({ 'a.stl': text });
-    expect(error.code).toBe('bad-model');
-    expect(error.message).toMatch(message);
-  });
+  ])('that is broken gives a readable error (%#)', fails);
 });

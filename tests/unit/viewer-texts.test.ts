@@ -1,11 +1,12 @@
-// Does the list of texts contain each text of the source once, and no other? The compiler refuses texts that the list
-// lacks.
+// Does the list of texts contain no text that the source does not use, are the ready sets complete, and does the
+// document list all keys? The compiler refuses texts that the list lacks.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, expectTypeOf, it } from 'vitest';
 import type { ViewerText } from '../../src/element/fields/text-list.js';
-import { VIEWER_TEXTS } from '../support/texts.js';
+import { LANGUAGES } from '../../.ci/texts.mjs';
+import { ERROR_TEXTS, readyTexts, VIEWER_TEXTS } from '../support/texts.js';
 import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
@@ -24,13 +25,12 @@ const composed = new Set<string>([
 ]);
 
 describe('the list of texts', () => {
-  it('has no text twice', () => {
-    expect(new Set(VIEWER_TEXTS).size).toBe(VIEWER_TEXTS.length);
-  });
-
-  it.each(VIEWER_TEXTS)('has "%s" because the viewer uses it', (text) => {
-    const inSource = [`'${text}'`, `"${text}"`].some((literal) => source.includes(literal));
-    expect(inSource || composed.has(text)).toBe(true);
+  it('has only texts that the viewer uses', () => {
+    const unused = VIEWER_TEXTS.filter(
+      (text) =>
+        !composed.has(text) && ![`'${text}'`, `"${text}"`].some((literal) => source.includes(literal)),
+    );
+    expect(unused).toEqual([]);
   });
 
   it('accepts texts from a file, and rejects values of other types', () => {
@@ -43,20 +43,50 @@ describe('the list of texts', () => {
   });
 });
 
-describe("a viewer's texts", () => {
-  it('are a frozen copy, and null for none', () => {
-    const texts = { Loading: 'Lädt' };
-    const copy = checkedTexts(texts);
-    texts.Loading = '';
-    expect(copy).toEqual({ Loading: 'Lädt' });
-    expect(Object.isFrozen(copy)).toBe(true);
-    expect([checkedTexts(null), checkedTexts(undefined)]).toEqual([null, null]);
+it("a viewer's texts are a frozen copy, null for none, and replace others even by empty ones", () => {
+  const texts = { Loading: '', 'Try again': undefined };
+  const copy = checkedTexts(texts);
+  texts.Loading = 'Lädt';
+  expect(copy?.Loading).toBe('');
+  expect(Object.isFrozen(copy)).toBe(true);
+  expect([checkedTexts(null), checkedTexts(undefined)]).toEqual([null, null]);
+  expect(phrase(copy, 'Loading')).toBe('');
+  expect(phrase(copy, 'Try again')).toBe('Try again');
+  expect(phrase(copy, 'light {number}', { number: '3' })).toBe('light 3');
+});
+
+const bracesOf = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
+
+describe.each(LANGUAGES)('the texts in %s', (language) => {
+  const texts = readyTexts(language);
+
+  it('keep the values in braces; a message may have its cause and address', () => {
+    for (const key of VIEWER_TEXTS) expect(bracesOf(texts[key]), key).toEqual(bracesOf(key));
+    for (const code of ERROR_TEXTS)
+      for (const value of bracesOf(texts[code])) expect(['{message}', '{url}'], code).toContain(value);
   });
 
-  it('replace texts, even by empty ones', () => {
-    const texts = { Loading: '', 'Try again': undefined };
-    expect(phrase(texts, 'Loading')).toBe('');
-    expect(phrase(texts, 'Try again')).toBe('Try again');
-    expect(phrase(texts, 'light {number}', { number: '3' })).toBe('light 3');
+  it('end in a full stop where the English text does, and have no space too many', () => {
+    for (const [key, text] of Object.entries(texts)) {
+      expect(text, key).toMatch(/^\S(.*\S)?$/su);
+      expect(text, key).not.toContain('  ');
+      if (key.includes(' ') && !key.includes(': ')) expect(text.endsWith('.'), key).toBe(key.endsWith('.'));
+    }
   });
+
+  it('are a language of their own: most texts differ from the English ones', () => {
+    const same = VIEWER_TEXTS.filter((key) => texts[key] === key);
+    expect(same.length).toBeLessThan(0.15 * VIEWER_TEXTS.length);
+  });
+});
+
+it('French has no-break spaces before colons, and narrow ones before semicolons', () => {
+  for (const [key, text] of Object.entries(readyTexts('fr')))
+    expect(text, key).not.toMatch(/(?<!\u00a0):|(?<!\u202f);|(?<!\u202f)[?!]/u);
+});
+
+it('TEXTS.md lists every key, in the order of the list', () => {
+  const document = readFileSync('src/TEXTS.md', 'utf8');
+  const keys = document.slice(document.indexOf('## The keys')).matchAll(/^- `(.+)`$/gm);
+  expect(Array.from(keys, ([, key]) => key)).toEqual([...VIEWER_TEXTS, ...ERROR_TEXTS]);
 });
