@@ -1,6 +1,7 @@
 // glTF documents written by tests and loaded as data: addresses.
 import { modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
+import { OPTIONS } from './model-files.js';
 
 export type Json = Record<string, unknown>;
 
@@ -36,7 +37,7 @@ export function gltf(
     ...more,
   };
   const url = new URL(`data:model/gltf+json,${encodeURIComponent(JSON.stringify(document))}`);
-  return modelContent(url, { signal: new AbortController().signal, crossOrigin: null });
+  return modelContent(url, OPTIONS);
 }
 
 export const mesh = (attributes: Json, more: Json = {}): Json => ({

@@ -1,13 +1,10 @@
 // Do meshes claim the triangles of what they show, and free what they no longer show?
 import { type BufferGeometry, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { FieldStore } from '../../src/fields/field-store.js';
-import { PhongLighting } from '../../src/material/lighting.js';
-import { Animations } from '../../src/scene/mesh/animation.js';
-import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
-import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
-import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+import type { MeshValues } from '../../src/scene/mesh/mesh-fields.js';
+import type { SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { Budget } from '../../src/model/budget.js';
+import { meshHost, meshOf } from './scene-host.js';
 
 /** A sphere of 64 segments, and its flat copy. */
 const SMOOTH = 3968;
@@ -17,26 +14,15 @@ function setUp(limit: number) {
   const budget = new Budget();
   budget.limit = limit;
   const failed = new Map<SceneMesh, string>();
-  const quiet = (): void => undefined;
-  const host: MeshHost = {
-    ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
-    ...{ crossOrigin: null, mayLoad: true, shown: () => false, removed: quiet },
-    ...{ changed: quiet, reshaped: quiet, moved: quiet, began: quiet, progress: quiet },
+  const host = meshHost({
+    budget,
     ended: (mesh, _, error) => error !== null && failed.set(mesh, (error as { code: string }).code),
     dropped: (mesh) => failed.delete(mesh),
-  };
+  });
   const scene = new Scene();
-  const add = (segments: number, shading: 'flat' | 'phong') => {
-    const store = new FieldStore(MESH_FIELDS);
-    const mesh = new SceneMesh(store, host);
-    const set = (values: Partial<Pick<MeshValues, 'geometry' | 'segments' | 'shading'>>): void => {
-      for (const [key, value] of Object.entries(values)) store.set(key as 'segments', value as number);
-      mesh.update();
-    };
-    mesh.attach(scene);
-    set({ geometry: 'sphere', segments, shading });
-    const geometry = (): BufferGeometry | undefined => mesh.parts[0]?.mesh.geometry;
-    return { mesh, set, geometry };
+  const add = (segments: number, shading: MeshValues['shading']) => {
+    const made = meshOf(host, scene, { geometry: 'sphere', segments, shading });
+    return { ...made, geometry: (): BufferGeometry | undefined => made.mesh.parts[0]?.mesh.geometry };
   };
   return { budget, failed, add };
 }
