@@ -2,6 +2,7 @@
 
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore, sameValue } from '../../src/fields/field-store.js';
+import { Signal } from '../../src/fields/signal.js';
 import {
   booleanField,
   colorField,
@@ -214,4 +215,14 @@ it('a list is never the same as a value that is none', () => {
   expect(sameValue([], '')).toBe(false);
   expect(sameValue([1, 2], [1, 2])).toBe(true);
   expect(sameValue([1, undefined], [1])).toBe(false);
+});
+
+it('a signal calls those who listen, in their order', () => {
+  const signal = new Signal<number>();
+  const heard: string[] = [];
+  signal.listen((value) => heard.push(`first ${value}`));
+  signal.listen((value) => heard.push(`second ${value}`));
+  signal.emit(1);
+  signal.emit(2);
+  expect(heard).toEqual(['first 1', 'second 1', 'first 2', 'second 2']);
 });
