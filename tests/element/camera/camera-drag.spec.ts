@@ -1,137 +1,98 @@
-// Do drags turn the scene by the specified angles? A real mouse and real fingers on a viewer of 600 × 400 CSS pixels:
-// one width is 360° of azimuth, one height 180° of polar angle.
+// Do drags with a real mouse and real fingers turn the scene by the specified angles, and nothing else? unit/ has the
+// rest of the gestures. One width is 360° of azimuth, one height 180° of polar angle.
 
 import { compare, expect, pixels, test } from '../../support/test.js';
-import { assign, cameraOf, drag, type PhongViewer } from '../support/viewer.js';
+import { assign, cameraOf, drag, Fingers, type PhongViewer } from '../support/viewer.js';
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70"></phong-viewer>';
-const odd = { theta: 12.345678901234567, phi: 71.30000000000001, radius: 3.3333333333333335 };
-const oddBox = `<phong-viewer geometry="box" theta="${odd.theta}" phi="${odd.phi}" radius="${odd.radius}"></phong-viewer>`;
 
-test.describe('a drag with the primary button', () => {
-  test('turns −36° for 60 px to the right on 600 px of width', async ({ page, mount }) => {
-    const viewer = await mount(box);
-    await drag(page, [300, 200], [60, 0]);
-    expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 70 });
-  });
-
-  test('returns exactly to the start with the pointer', async ({ page, mount }) => {
-    const viewer = await mount(oddBox);
-    const start = await cameraOf(viewer);
-    const before = await pixels(viewer);
-    await drag(page, [300, 200], [173, -391], { steps: 7, release: false });
-    expect(await cameraOf(viewer)).not.toEqual(start);
-    await page.mouse.move(300, 200, { steps: 5 });
-    await page.mouse.up();
-    expect(await cameraOf(viewer)).toEqual(start);
-    expect(start).toMatchObject(odd);
-    expect(compare(await pixels(viewer), before).max).toBe(0);
-  });
-
-  test('shows the same picture as the same angles in markup', async ({ page, mount }) => {
-    const viewer = await mount(box);
-    await drag(page, [300, 200], [60, 40]);
-    const dragged = await pixels(viewer);
-    const declared = await mount('<phong-viewer geometry="box" theta="-6" phi="52"></phong-viewer>');
-    expect(compare(dragged, await pixels(declared)).max).toBe(0);
-  });
-
-  test('continues outside the element and outside the page', async ({ page, mount }) => {
-    const viewer = await mount(box, { width: 200, height: 200 });
-    await drag(page, [100, 100], [300, 0], { release: false });
-    expect((await cameraOf(viewer)).theta).toBe(30 - 540 + 360);
-    await page.mouse.move(-100, 100);
-    expect((await cameraOf(viewer)).theta).toBe(30 + 360 - 360);
-    await page.mouse.up();
-    await page.mouse.move(150, 150);
-    expect((await cameraOf(viewer)).theta).toBe(30);
-  });
-
-  test('leaves the declared angles and the markup alone', async ({ page, mount }) => {
-    const viewer = await mount(box);
-    await drag(page, [300, 200], [60, 40]);
-    const declared = await viewer.evaluate((element: PhongViewer) => [
-      element.theta,
-      element.phi,
-      element.radius,
-      element.getAttribute('theta'),
-    ]);
-    expect(declared).toEqual([30, 70, 'auto', '30']);
-  });
-
-  test('selects no text of the page', async ({ page, mount }) => {
-    await mount(`<p>Before</p>${box}<p>After</p>`);
-    await drag(page, [300, 200], [100, 350]);
-    expect(await page.evaluate(() => getSelection()?.toString())).toBe('');
-  });
+test('a drag shows the picture of the new angles, and leaves the declared ones and the markup alone', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(box);
+  await drag(page, [300, 200], [60, 40]);
+  const dragged = await pixels(viewer);
+  const declared = await viewer.evaluate((element: PhongViewer) => [
+    element.theta,
+    element.phi,
+    element.radius,
+    element.getAttribute('theta'),
+  ]);
+  expect(declared).toEqual([30, 70, 'auto', '30']);
+  const same = await mount('<phong-viewer geometry="box" theta="-6" phi="52"></phong-viewer>');
+  expect(compare(dragged, await pixels(same)).max).toBe(0);
 });
 
-test.describe('what happens during a drag', () => {
-  test('a property write acts at once, and the drag continues from there', async ({ page, mount }) => {
-    const viewer = await mount(box);
-    await drag(page, [300, 200], [60, 0], { release: false });
-    await assign(viewer, { theta: 100 });
-    expect((await cameraOf(viewer)).theta).toBe(100);
-    await page.mouse.move(420, 200);
-    expect((await cameraOf(viewer)).theta).toBe(64);
-    await page.mouse.up();
+test('a drag continues outside the page and from a property that is written, until the viewer is removed', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(box, { width: 200, height: 200 });
+  const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
+  await drag(page, [100, 100], [300, 0], { release: false });
+  expect(await theta()).toBe(30 - 540 + 360);
+  await page.mouse.move(-100, 100);
+  expect(await theta()).toBe(30 + 360 - 360);
+  await page.mouse.move(150, 150);
+  await assign(viewer, { theta: 100 });
+  expect(await theta()).toBe(100);
+  await page.mouse.move(170, 150);
+  expect(await theta()).toBe(64);
+  await viewer.evaluate((element) => {
+    element.remove();
+    document.body.append(element);
   });
-
-  test('removing the viewer from the document ends the drag', async ({ page, mount }) => {
-    const viewer = await mount(box);
-    await drag(page, [300, 200], [60, 0], { release: false });
-    await viewer.evaluate((element) => {
-      element.remove();
-      document.body.append(element);
-    });
-    await page.mouse.move(420, 200);
-    expect((await cameraOf(viewer)).theta).toBe(-6);
-    await page.mouse.up();
-  });
+  await page.mouse.move(100, 150);
+  expect(await theta()).toBe(64);
+  await page.mouse.up();
+  await drag(page, [100, 100], [20, 0]);
+  await page.mouse.move(150, 150);
+  expect(await theta(), 'released').toBe(28);
 });
 
-test.describe('in transformed parents, a drag follows the element’s own axes', () => {
-  /** The pointer travels 60 px along the element's width and 40 px along its height, of 600 and 400: −36° and −18°. */
-  const cases: Readonly<Record<string, string>> = {
-    'rotated by 90°': 'rotate(90deg)',
-    'rotated by 30°': 'rotate(30deg)',
-    'upside down': 'rotate(180deg)',
-    mirrored: 'scale(-1, 1)',
-    scaled: 'scale(0.5)',
-    'scaled unevenly and rotated': 'rotate(-50deg) scale(0.5, 0.75)',
-    skewed: 'skewX(30deg) skewY(-10deg)',
-    'turned in space': 'rotateY(50deg) rotateZ(20deg)',
-  };
-  for (const [what, transform] of Object.entries(cases)) {
-    test(what, async ({ page, mount }) => {
-      const viewer = await mount(`<main><section>${box}</section></main>`, {
-        css: `main { position: absolute; left: 200px; top: 150px; width: 600px; height: 400px; transform: ${transform} }
-          section { rotate: 10deg; zoom: 0.5 }`,
-      });
-      /** Where a point of the element, in its own pixels, is on the page. */
-      const place = (x: number, y: number): Promise<[number, number]> =>
-        viewer.evaluate(
-          (element, [left, top]) => {
-            const mark = document.createElement('i');
-            mark.style.cssText = `position: absolute; left: ${left}px; top: ${top}px`;
-            element.shadowRoot!.append(mark);
-            const at = mark.getBoundingClientRect();
-            mark.remove();
-            return [at.left, at.top];
-          },
-          [x, y] as const,
-        );
-      await page.mouse.move(...(await place(300, 200)));
-      await page.mouse.down();
-      await page.mouse.move(...(await place(360, 240)), { steps: 3 });
-      const { theta, phi } = await cameraOf(viewer);
-      expect(theta).toBeCloseTo(-6, 2);
-      expect(phi).toBeCloseTo(52, 2);
-      const start = await place(300, 200);
-      await page.mouse.move(...start);
-      await page.mouse.up();
-      expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
-    });
+test('in transformed parents, a drag follows the element’s own axes, and back to its start', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(`<main><section>${box}</section></main>`, {
+    css: `main { position: absolute; left: 200px; top: 150px; width: 600px; height: 400px }
+      section { rotate: 10deg; zoom: 0.5 }`,
+  });
+  /** Where a point of the element, in its own pixels, is on the page. */
+  const place = (x: number, y: number): Promise<[number, number]> =>
+    viewer.evaluate(
+      (element, [left, top]) => {
+        const mark = document.createElement('i');
+        mark.style.cssText = `position: absolute; left: ${left}px; top: ${top}px`;
+        element.shadowRoot!.append(mark);
+        const at = mark.getBoundingClientRect();
+        mark.remove();
+        return [at.left, at.top];
+      },
+      [x, y] as const,
+    );
+  for (const transform of [
+    'rotate(90deg)',
+    'rotate(30deg)',
+    'rotate(180deg)',
+    'scale(-1, 1)',
+    'scale(0.5)',
+    'rotate(-50deg) scale(0.5, 0.75)',
+    'skewX(30deg) skewY(-10deg)',
+    'rotateY(50deg) rotateZ(20deg)',
+  ]) {
+    await page.locator('main').evaluate((main, value) => (main.style.transform = value), transform);
+    const start = await place(300, 200);
+    await page.mouse.move(...start);
+    await page.mouse.down();
+    await page.mouse.move(...(await place(360, 240)), { steps: 3 });
+    const { theta, phi } = await cameraOf(viewer);
+    expect(theta, transform).toBeCloseTo(-6, 2);
+    expect(phi, transform).toBeCloseTo(52, 2);
+    await page.mouse.move(...start);
+    await page.mouse.up();
+    expect(await cameraOf(viewer), transform).toMatchObject({ theta: 30, phi: 70 });
   }
 });
 
@@ -170,4 +131,26 @@ test('turns in a link, a draggable card, a label and a summary, which take plain
   for (const viewer of viewers) await viewer.click();
   const heard = ['a', 'div', 'label', 'summary'].map((around) => `click ${around}`);
   expect(await outcome()).toEqual({ heard, hash: '#went', checked: true, open: true });
+});
+
+test.describe('fingers', () => {
+  test.use({ hasTouch: true });
+
+  test('one finger turns as the mouse does, but a stroke down the picture scrolls the page', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(`${box}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
+    const fingers = await Fingers.on(page);
+    await fingers.down([300, 200]);
+    await fingers.move([330, 200]);
+    await fingers.move([360, 240]);
+    await fingers.up();
+    expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 52 });
+    await fingers.down([300, 350]);
+    for (let y = 345; y >= 150; y -= 5) await fingers.move([300, y]);
+    await fingers.up();
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(100);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 52 });
+  });
 });

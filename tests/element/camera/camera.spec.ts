@@ -3,54 +3,29 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, cameraOf, drag, type PhongViewer, record, settled } from '../support/viewer.js';
+import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
-const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
-test.describe('the wheel', () => {
-  test('scrolls the page until a press gives focus, and then zooms', async ({ page, mount }) => {
-    const viewer = await mount(`${near}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
-    await page.mouse.move(300, 200);
-    await page.mouse.wheel(0, 50);
-    await expect.poll(() => page.evaluate(() => scrollY)).toBe(50);
-    expect((await cameraOf(viewer)).radius).toBe(5);
+test('the wheel scrolls the page until a press gives focus, and then zooms', async ({ page, mount }) => {
+  const viewer = await mount(`${near}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
+  await page.mouse.move(300, 200);
+  await page.mouse.wheel(0, 50);
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(50);
+  expect((await cameraOf(viewer)).radius).toBe(5);
 
-    await page.mouse.down();
-    await page.mouse.up();
-    await page.mouse.wheel(0, 100);
-    await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(0.1), 12);
-    await page.mouse.wheel(0, -250);
-    await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
-    expect(await page.evaluate(() => scrollY)).toBe(50);
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.mouse.wheel(0, 100);
+  await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(0.1), 12);
+  await page.mouse.wheel(0, -250);
+  await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
+  expect(await page.evaluate(() => scrollY)).toBe(50);
 
-    await assign(viewer, { zoom: false });
-    await page.mouse.wheel(0, 100);
-    await expect.poll(() => page.evaluate(() => scrollY)).toBe(150);
-    expect((await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
-  });
-});
-
-test.describe('keys', () => {
-
-  test('zoom by 1.1, and Home goes back to the declared camera', async ({ page, mount }) => {
-    const viewer = await mount(near);
-    await page.keyboard.press('Tab');
-    for (const [key, radius] of [
-      ['+', 5 / 1.1],
-      ['PageDown', 5],
-      ['-', 5.5],
-      ['PageUp', 5],
-    ] as const) {
-      await page.keyboard.press(key);
-      expect((await cameraOf(viewer)).radius, key).toBeCloseTo(radius, 12);
-    }
-    await page.keyboard.press('PageUp');
-    await drag(page, [300, 200], [60, 40]);
-    await drag(page, [300, 200], [60, 40], { button: 'right' });
-    await page.keyboard.press('Home');
-    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70, radius: 5, target: [0, 0, 0] });
-  });
+  await assign(viewer, { zoom: false });
+  await page.mouse.wheel(0, 100);
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(150);
+  expect((await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
 });
 
 test('keys that the viewer uses do not reach the page, where they would turn a slide; others do', async ({
@@ -68,143 +43,217 @@ test('keys that the viewer uses do not reach the page, where they would turn a s
     document.addEventListener('keydown', ({ key }) => keys.push(key));
     Object.assign(window, { keys });
   });
-  const reached = async (target: Locator, ...keys: readonly string[]): Promise<string[]> => {
+  const list = viewer.getByRole('listbox', { name: 'Lights in the picture' });
+  const rows: readonly (readonly [target: Locator, keys: readonly string[], reach: readonly string[]])[] = [
+    [viewer.locator('[part~=surface]').first(), ['ArrowLeft', '+', 'Home', 'n'], ['n']],
+    [page.getByRole('separator'), ['ArrowRight', 'End', 'n'], ['n']],
+    [viewer.getByRole('button', { name: 'add light' }), [' ', 'Enter', 'Escape'], ['Escape']],
+    [list.locator('> *').first(), ['Enter', 'ArrowUp', 'Enter'], []],
+  ];
+  for (const [target, keys, reach] of rows) {
     await target.focus();
     for (const key of keys) await page.keyboard.press(key);
-    return page.evaluate(() => (window as unknown as { keys: string[] }).keys.splice(0));
-  };
-  expect(await reached(viewer.locator('[part~=surface]').first(), 'ArrowLeft', '+', 'Home', 'n')).toEqual([
-    'n',
-  ]);
-  expect(await reached(page.getByRole('separator'), 'ArrowRight', 'End', 'n')).toEqual(['n']);
-  expect(await reached(viewer.getByRole('button', { name: 'add light' }), ' ', 'Enter', 'Escape')).toEqual([
-    'Escape',
-  ]);
-  expect(
-    await reached(
-      viewer.getByRole('listbox', { name: 'Lights in the picture' }).locator('> *').first(),
-      'Enter',
-      'ArrowUp',
-      'Enter',
-    ),
-  ).toEqual([]);
+    const reached = await page.evaluate(() => (window as unknown as { keys: string[] }).keys.splice(0));
+    expect(reached).toEqual(reach);
+  }
 });
 
-test.describe('camera', () => {
-  test('gives eye, target and up for the angles, and wraps θ into [-180, 180)', async ({ mount }) => {
-    const viewer = await mount(near);
-    for (const [given, theta] of [
-      [180, -180],
-      [190, -170],
-      [-180, -180],
-      [-181, 179],
-      [750, 30],
-      [1e20, null],
-    ] as const) // prettier-ignore
-    {
-      await assign(viewer, { theta: given, phi: 50, target: [1, 2, 3] });
-      const camera = await cameraOf(viewer);
-      if (theta !== null) expect(camera.theta).toBe(theta);
-      expect(camera.theta).toBeGreaterThanOrEqual(-180);
-      expect(camera.theta).toBeLessThan(180);
-      const t = radians(camera.theta);
-      const p = radians(50);
-      const back = [Math.sin(p) * Math.sin(t), Math.cos(p), Math.sin(p) * Math.cos(t)];
-      const up = [-Math.cos(p) * Math.sin(t), Math.sin(p), -Math.cos(p) * Math.cos(t)];
-      for (const i of [0, 1, 2] as const) {
-        expect(camera.eye[i]).toBeCloseTo([1, 2, 3][i]! + 5 * back[i]!, 12);
-        expect(camera.up[i]).toBeCloseTo(up[i]!, 12);
-      }
-      expect(camera.target).toEqual([1, 2, 3]);
+test('`camera` is a frozen snapshot that follows properties in the same task, with θ in [-180, 180)', async ({
+  mount,
+}) => {
+  const viewer = await mount(near);
+  const [frozen, first, moved, last] = await viewer.evaluate((element: PhongViewer) => {
+    const { camera } = element;
+    const parts = [camera, camera.eye, camera.target, camera.up];
+    Object.assign(element, { theta: 180, phi: 90, radius: 7, target: [1, 0, 0] });
+    const moved = element.camera;
+    element.setAttribute('theta', '551');
+    element.removeAttribute('phi');
+    return [parts.every((part) => Object.isFrozen(part)), camera, moved, element.camera] as const;
+  });
+  expect(frozen).toBe(true);
+  expect(first).toMatchObject({ theta: 30, phi: 70, radius: 5 });
+  expect(moved).toEqual({
+    theta: -180,
+    phi: 90,
+    radius: 7,
+    target: [1, 0, 0],
+    eye: [1, 0, -7],
+    up: [0, 1, 0],
+  });
+  expect(last).toMatchObject({ theta: -169, phi: 70, radius: 7 });
+});
+
+test('Home and resetCamera return to the last declared camera, not to the first', async ({ page, mount }) => {
+  const viewer = await mount('<phong-viewer geometry="box" theta="30"></phong-viewer>');
+  await assign(viewer, { theta: 45 });
+  const declared = await cameraOf(viewer);
+  for (const reset of [
+    () => page.keyboard.press('Home'),
+    () => viewer.evaluate((element: PhongViewer) => element.resetCamera()),
+  ]) {
+    await drag(page, [300, 200], [60, 40]);
+    await page.keyboard.press('PageUp');
+    await drag(page, [300, 200], [60, 40], { button: 'right' });
+    const { theta, radius, target } = await cameraOf(viewer);
+    expect(theta).toBe(9);
+    expect(radius).toBeCloseTo(declared.radius / 1.1, 12);
+    expect(target).not.toEqual(declared.target);
+    await reset();
+    expect(await cameraOf(viewer)).toEqual(declared);
+  }
+});
+
+test('camera-change names its source once per task, does not bubble, and has none for the initial camera', async ({
+  page,
+  mount,
+}) => {
+  await mount('<main></main>');
+  const early = await page.evaluate(async (html) => {
+    let heard = 0;
+    document.addEventListener('camera-change', () => (heard += 1), { capture: true });
+    document.addEventListener('camera-change', () => console.error('it bubbles'));
+    const main = document.querySelector('main')!;
+    main.innerHTML = html;
+    await main.querySelector('phong-viewer')!.ready;
+    return heard;
+  }, near);
+  expect(early).toBe(0);
+  const viewer = page.locator('phong-viewer');
+  const events = await record(viewer, 'camera-change');
+  const sources = async (): Promise<unknown[]> =>
+    (await events.take()).map(({ detail }) => (detail as { source: string }).source);
+  await assign(viewer, { theta: 1, phi: 2, radius: 3, target: [4, 5, 6] });
+  expect(await sources()).toEqual(['script']);
+  await assign(viewer, { theta: 1 });
+  expect(await sources()).toEqual([]);
+  await viewer.focus();
+  await page.keyboard.press('ArrowLeft');
+  expect(await sources()).toEqual(['key']);
+  await page.keyboard.press('Home');
+  expect(await sources()).toEqual(['key']);
+  await page.mouse.move(300, 200);
+  await page.mouse.wheel(0, 100);
+  await expect.poll(sources).toEqual(['wheel']);
+  await drag(page, [300, 200], [30, 0], { steps: 3 });
+  expect(await sources()).toEqual(['pointer', 'pointer', 'pointer']);
+  await viewer.evaluate((element: PhongViewer) => element.resetCamera());
+  expect(await sources()).toEqual(['script']);
+  await assign(viewer, { radius: 'auto', target: 'auto' });
+  await sources();
+  await assign(viewer, { geometry: 'torus' });
+  await settled(viewer);
+  expect(await sources()).toEqual(['auto']);
+});
+
+test.describe('auto', () => {
+  /** 1.05 R / sin(half the smaller field). */
+  const fitted = (reach: number, width: number, height: number, fov = 45): number => {
+    const vertical = (fov * Math.PI) / 360;
+    const horizontal = Math.atan((Math.tan(vertical) * width) / height);
+    return (1.05 * reach) / Math.sin(Math.min(vertical, horizontal));
+  };
+
+  test('fits the farthest vertex of the scene into the viewer', async ({ page, mount }) => {
+    const scenes = [
+      ['geometry="box">', [0, 0, 0], fitted(Math.sqrt(0.75), 60, 30)],
+      ['geometry="plane" fov="100">', [0, 0, 0], fitted(Math.sqrt(0.5), 60, 30, 100)],
+      // Boxes from (0.5, 1.5, -0.5) to (1.5, 2.5, 0.5) and, twice as large, from (-4, -1, -1) to (-2, 1, 1).
+      [
+        `><phong-mesh geometry="box" position="1 2 0"></phong-mesh><phong-mesh geometry="box" position="-3 0 0" scale="2"></phong-mesh>`,
+        [-1.25, 0.75, 0],
+        fitted(Math.hypot(2.75, 1.75, 1), 60, 30),
+      ],
+      ['>', [0, 0, 0], 4],
+    ] as const;
+    const markup = scenes.map(([inner]) => `<phong-viewer ${inner}</phong-viewer>`).join('');
+    await mount(markup, { width: 60, height: 30 });
+    for (const [i, [inner, target, radius]] of scenes.entries()) {
+      const camera = await cameraOf(page.locator('phong-viewer').nth(i));
+      for (const axis of [0, 1, 2] as const) expect(camera.target[axis], inner).toBeCloseTo(target[axis], 6);
+      expect(camera.radius, inner).toBeCloseTo(radius, 5);
     }
   });
 
-  test('is a frozen snapshot that later moves do not affect', async ({ mount }) => {
-    const viewer = await mount(near);
-    const facts = await viewer.evaluate((element: PhongViewer) => {
-      const { camera } = element;
-      element.theta = 90;
-      const parts = [camera, camera.eye, camera.target, camera.up];
-      return { frozen: parts.every((part) => Object.isFrozen(part)), theta: camera.theta };
+  test('refits to new meshes, size and field of view until the user moves the camera', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>');
+    const reach = Math.sqrt(0.75);
+    const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
+    await assign(viewer, { theta: 90, fov: 60 });
+    expect(await radius()).toBeCloseTo(fitted(reach, 600, 400, 60), 6);
+    await viewer.evaluate((element) => Object.assign(element.style, { width: '200px' }));
+    await expect.poll(radius).toBeCloseTo(fitted(reach, 200, 400, 60), 6);
+    await viewer.evaluate((element) => {
+      const mesh = document.createElement('phong-mesh');
+      element.append(Object.assign(mesh, { geometry: 'box', position: [2, 0, 0] }));
     });
-    expect(facts).toEqual({ frozen: true, theta: 30 });
-  });
+    expect((await cameraOf(viewer)).target).toEqual([1, 0, 0]);
+    expect(await radius()).toBeCloseTo(fitted(Math.hypot(1.5, 0.5, 0.5), 200, 400, 60), 6);
 
-  test('follows properties at once, in the same task', async ({ mount }) => {
-    const viewer = await mount(near);
-    const cameras = await viewer.evaluate((element: PhongViewer) => {
-      element.theta = 10;
-      element.phi = 20;
-      element.radius = 7;
-      element.target = [1, 0, 0];
-      const moved = element.camera;
-      element.setAttribute('theta', '11');
-      element.removeAttribute('phi');
-      return [moved, element.camera];
-    });
-    expect(cameras[0]).toMatchObject({ theta: 10, phi: 20, radius: 7, target: [1, 0, 0] });
-    expect(cameras[1]).toMatchObject({ theta: 11, phi: 70 });
-  });
-
-  test('resetCamera returns to the last declared camera, not to the first', async ({ page, mount }) => {
-    const viewer = await mount('<phong-viewer geometry="box" theta="30"></phong-viewer>');
-    await assign(viewer, { theta: 45 });
-    const declared = await cameraOf(viewer);
-    await drag(page, [300, 200], [60, 40]);
-    await page.mouse.wheel(0, 200);
-    await drag(page, [300, 200], [60, 40], { button: 'right' });
-    await viewer.evaluate((element: PhongViewer) => element.resetCamera());
-    expect(await cameraOf(viewer)).toEqual(declared);
+    await drag(page, [100, 200], [10, 0]);
+    const kept = await cameraOf(viewer);
+    await assign(viewer, { fov: 30, geometry: null });
+    await viewer.evaluate((element) => Object.assign(element.style, { width: '600px' }));
+    await nextFrame(page);
+    expect(await cameraOf(viewer)).toMatchObject({ radius: kept.radius, target: kept.target });
+    await assign(viewer, { radius: 'auto' });
+    expect(await radius()).not.toBe(kept.radius);
+    // A declared radius stays.
+    await assign(viewer, { radius: 5 });
+    await assign(viewer, { geometry: 'torus', fov: 20 });
+    expect(await radius()).toBe(5);
   });
 });
 
-test.describe('camera-change', () => {
-  test('names its source, once per task', async ({ page, mount }) => {
-    const viewer = await mount(near);
-    const events = await record(viewer, 'camera-change');
-    const sources = async (): Promise<unknown[]> =>
-      (await events.take()).map(({ detail }) => (detail as { source: string }).source);
-    await assign(viewer, { theta: 1, phi: 2, radius: 3, target: [4, 5, 6] });
-    expect(await sources()).toEqual(['script']);
-    await assign(viewer, { theta: 1 });
-    expect(await sources()).toEqual([]);
-    await viewer.focus();
-    await page.keyboard.press('ArrowLeft');
-    expect(await sources()).toEqual(['key']);
-    await page.keyboard.press('Home');
-    expect(await sources()).toEqual(['key']);
+test.describe('auto-rotate', () => {
+  const turning = '<phong-viewer geometry="box" theta="0" auto-rotate="90"></phong-viewer>';
+
+  test('turns by elapsed time, and pauses during a drag', async ({ page, mount }) => {
+    const viewer = await mount(turning);
+    const shown = await viewer.evaluate(async (element: PhongViewer) => {
+      const places: { time: number; theta: number }[] = [];
+      await new Promise<void>((resolve) =>
+        element.addEventListener('render', () => {
+          places.push({ time: Number(document.timeline.currentTime), theta: element.camera.theta });
+          if (places.length === 10) resolve();
+        }),
+      );
+      return places;
+    });
+    const first = shown[1]!;
+    for (const { time, theta } of shown.slice(2)) {
+      const turned = (theta - first.theta + 360) % 360;
+      expect(turned).toBeCloseTo((0.09 * (time - first.time)) % 360, 6);
+    }
     await page.mouse.move(300, 200);
-    await page.mouse.wheel(0, 100);
-    await expect.poll(sources).toEqual(['wheel']);
-    await drag(page, [300, 200], [30, 0], { steps: 3 });
-    expect(await sources()).toEqual(['pointer', 'pointer', 'pointer']);
-    await viewer.evaluate((element: PhongViewer) => element.resetCamera());
-    expect(await sources()).toEqual(['script']);
-    await assign(viewer, { radius: 'auto', target: 'auto' });
-    await sources();
-    await assign(viewer, { geometry: 'torus' });
-    await settled(viewer);
-    expect(await sources()).toEqual(['auto']);
+    await page.mouse.down();
+    const { theta } = await cameraOf(viewer);
+    await nextFrame(page);
+    expect((await cameraOf(viewer)).theta).toBe(theta);
+    await page.mouse.up();
+    await expect.poll(async () => (await cameraOf(viewer)).theta).not.toBe(theta);
   });
 
-  test('does not bubble and is not dispatched for the initial camera', async ({ page, mount }) => {
-    await mount('<main></main>');
-    const heard = await page.evaluate(async () => {
-      const sources: string[] = [];
-      let bubbled = 0;
-      document.addEventListener('camera-change', () => (bubbled += 1));
-      const element = document.createElement('phong-viewer');
-      element.addEventListener('camera-change', (event) =>
-        sources.push((event as CustomEvent<{ source: string }>).detail.source),
-      );
-      element.setAttribute('theta', '12');
-      document.querySelector('main')?.append(element);
-      await element.ready;
-      const first = [...sources];
-      element.theta = 40;
-      await element.ready;
-      return { first, after: sources, bubbled };
-    });
-    expect(heard).toEqual({ first: [], after: ['script'], bubbled: 0 });
+  test('stops for users who prefer reduced motion, and starts when they no longer do', async ({
+    page,
+    mount,
+  }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    const viewer = await mount(turning);
+    const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
+    await nextFrame(page);
+    expect(await theta()).toBe(0);
+    await drag(page, [300, 200], [-60, 0]);
+    expect(await theta()).toBe(36);
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await expect.poll(theta).not.toBe(36);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await nextFrame(page);
+    const stopped = await theta();
+    await nextFrame(page);
+    expect(await theta()).toBe(stopped);
   });
 });

@@ -1,68 +1,33 @@
-// Round shapes with automatic segments, watched: what a page shows of them at each load, many on one page, and a film
+// Round shapes with automatic segments, watched: what a page shows of them at each load, and a film
 // of a zoom beside a viewer with a fine fixed number. The short and the long tests differ only in the numbers.
 
-import type { Locator, Page } from '@playwright/test';
-import { allReady, expect, type Mount } from '../../support/test.js';
-import { countsOf, NOTHING, spentIn } from '../support/counting.js';
-import { nextFrame, type PhongViewer } from '../support/viewer.js';
+import type { Page } from '@playwright/test';
+import { expect, type Mount } from '../../support/test.js';
+import { type PhongViewer } from '../support/viewer.js';
 
-/** Triangles of the first mesh that is drawn. */
-export const triangles = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => {
-    const mesh = element.scene.children[0] as unknown as { geometry: { index: { count: number } | null } };
-    return (mesh.geometry.index?.count ?? 0) / 3;
-  });
-
-/** The shown picture as PNG, and the triangles of each mesh. */
-const shownBy = (viewer: Locator) =>
-  viewer.evaluate((element: PhongViewer) => {
-    const counts: number[] = [];
-    element.scene.traverse((object) => {
-      const { geometry } = object as unknown as { geometry?: { index: { count: number } } };
-      if (geometry !== undefined) counts.push(geometry.index.count / 3);
-    });
-    return { picture: element.shadowRoot!.querySelector('canvas')!.toDataURL(), counts };
-  });
-
-/** Loads the same page so often: shown pictures and files are the same bytes, of the same triangles. */
+/** Loads the same page so often: the shown pictures are the same bytes, of the same triangles. */
 export async function loadAgain(mount: Mount, times: number): Promise<void> {
   const markup = `<phong-viewer target="0 0 0" radius="1.2" theta="20" phi="60"><phong-mesh geometry="sphere" position="-0.5 0 0"></phong-mesh
     ><phong-mesh geometry="torus" position="0.6 0 0"></phong-mesh><phong-mesh geometry="teapot" position="0 0 -4"></phong-mesh></phong-viewer>`;
   let first: unknown;
   for (let time = 0; time < times; time++) {
     const viewer = await mount(markup, { width: 80, height: 60 });
-    const shown = await shownBy(viewer);
+    const shown = await viewer.evaluate((element: PhongViewer) => {
+      const counts: number[] = [];
+      element.scene.traverse((object) => {
+        const { geometry } = object as unknown as { geometry?: { index: { count: number } } };
+        if (geometry !== undefined) counts.push(geometry.index.count / 3);
+      });
+      return { picture: element.shadowRoot!.querySelector('canvas')!.toDataURL(), counts };
+    });
     first ??= shown;
     expect(shown.counts).toHaveLength(3);
     expect(shown, `load ${time}`).toEqual(first);
   }
 }
 
-const KINDS = ['sphere', 'torus', 'cylinder', 'teapot'];
-
-/** The page counts everything. */
-export async function showThumbnails(page: Page, mount: Mount, count: number): Promise<void> {
-  const markup = (number: number): string =>
-    Array.from(
-      { length: number },
-      (_, i) => `<phong-viewer alt="" geometry="${KINDS[i % 4]!}"></phong-viewer>`,
-    ).join('');
-  await mount(markup(4), { width: 40, height: 30, css: 'phong-viewer { float: left }' });
-  const { buffers } = await countsOf(page);
-  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(count - 4));
-  await allReady(page);
-  await nextFrame(page);
-  expect((await countsOf(page)).buffers, 'equal ones share what is uploaded').toBe(buffers);
-  const found = await page.evaluate(() => {
-    const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
-    const geometries = viewers.map(
-      ({ scene }) => (scene.children[0] as unknown as { geometry: object }).geometry,
-    );
-    return new Set(geometries).size;
-  });
-  expect(found).toBe(4);
-  expect(await spentIn(page, 500)).toEqual(NOTHING);
-}
+/** Of two viewers. Codes 0 to 255, of premultiplied colour. */
+type Film = Awaited<ReturnType<typeof filmZoom>>;
 
 /** Codes that frames may differ by, but for outlines and edges: what steps by more from pixel to pixel is an edge. */
 const MOST_INSIDE = 12;
@@ -72,7 +37,7 @@ const MOST_INSIDE = 12;
  * passes and small codes inside. Measured: 128 on outlines, two of four samples; inside 4 for a cone, 2 for a
  * sphere.
  */
-export function expectSmooth(film: readonly FilmFrame[], name: string): void {
+export function expectSmooth(film: Film, name: string): void {
   for (const frame of film) {
     const { radius, covered, fineCovered } = frame;
     const at = `${name} from ${radius.toFixed(2)} away`;
@@ -86,22 +51,6 @@ export function expectSmooth(film: readonly FilmFrame[], name: string): void {
   expect(new Set(film.map(({ triangles }) => triangles)).size, `levels of the ${name}`).toBeGreaterThan(2);
 }
 
-/** A frame of two films. Codes 0 to 255, of premultiplied colour. */
-export interface FilmFrame {
-  readonly radius: number;
-  readonly triangles: number;
-  /** Largest difference between the films, away from outlines and on them; and its mean over the picture. */
-  readonly inside: number;
-  readonly outline: number;
-  readonly mean: number;
-  /** Mean change since the frame before, with automatic segments and with 256. */
-  readonly change: number;
-  readonly fineChange: number;
-  /** Mean coverage, 0 to 1. */
-  readonly covered: number;
-  readonly fineCovered: number;
-}
-
 /**
  * Moves two viewers, one with 256 segments, from afar to `near` in equal ratios, and reads each frame as it is shown.
  */
@@ -111,7 +60,7 @@ export async function filmZoom(
   geometry: string,
   frames: number,
   size: { readonly width: number; readonly height: number },
-): Promise<FilmFrame[]> {
+) {
   const viewer = (segments: string): string =>
     `<phong-viewer geometry="${geometry}" target="0 0 0" radius="30" segments="${segments}"></phong-viewer>`;
   await mount(viewer('auto') + viewer('256'), { ...size, css: 'phong-viewer { float: left }' });
@@ -160,8 +109,12 @@ export async function filmZoom(
       });
       const mesh = viewers[0]!.scene.children[0] as unknown as { geometry: { index: { count: number } } };
       film.push({
-        ...{ radius, triangles: mesh.geometry.index.count / 3, inside, outline, mean: meanOf(auto, fine) },
+        ...{ radius, triangles: mesh.geometry.index.count / 3 },
+        // Largest difference between the films, away from outlines and on them; and its mean over the picture.
+        ...{ inside, outline, mean: meanOf(auto, fine) },
+        // Mean coverage, 0 to 1.
         ...{ covered: covered(auto), fineCovered: covered(fine) },
+        // Mean change since the frame before.
         change: before === null ? 0 : meanOf(auto, before[0]!),
         fineChange: before === null ? 0 : meanOf(fine, before[1]!),
       });

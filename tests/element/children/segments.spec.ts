@@ -1,12 +1,20 @@
-// Are round shapes as round as the screen shows, by default, in pictures, files and comparisons? The long forms are in
+// Are round shapes as round as the screen shows, by default, in pictures, files and comparisons? Also: a viewer keeps to
+// its limit of triangles. The long forms are in
 // release/round-films.spec.ts and round-shapes.spec.ts.
 
-import { expect, test } from '../../support/test.js';
-import { countEverything } from '../support/counting.js';
-import { assign, type PhongViewer, settled } from '../support/viewer.js';
-import { expectSmooth, filmZoom, showThumbnails, triangles } from './round-levels.js';
+import type { Locator } from '@playwright/test';
+import { expect, pixels, test } from '../../support/test.js';
+import { assign, type PhongViewer, record, settled } from '../support/viewer.js';
+import { expectSmooth, filmZoom } from './round-levels.js';
 
 const SIZE = { width: 120, height: 120 };
+
+/** Triangles of the first mesh that is drawn. */
+const triangles = (viewer: Locator): Promise<number> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const mesh = element.scene.children[0] as unknown as { geometry: { index: { count: number } | null } };
+    return (mesh.geometry.index?.count ?? 0) / 3;
+  });
 
 /** Of a sphere. */
 const sphereOf = (segments: number): number => 2 * segments * (segments / 2 - 1);
@@ -15,52 +23,38 @@ test('a sphere has the segments that its size and the camera need, and the camer
   mount,
 }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
-  const first = await triangles(viewer);
-  expect(first).toBe(sphereOf(64));
+  expect(await triangles(viewer)).toBe(sphereOf(64));
   const { radius } = await viewer.evaluate((element: PhongViewer) => element.camera);
-  await assign(viewer, { radius: 100 });
-  await settled(viewer);
-  expect(await triangles(viewer)).toBe(sphereOf(16));
-  await assign(viewer, { radius: 0.501 });
-  await settled(viewer);
-  expect(await triangles(viewer), 'no outline is in view').toBe(sphereOf(64));
-  await assign(viewer, { target: [0.5, 0, 0], radius: 0.2 });
-  await settled(viewer);
-  expect(await triangles(viewer)).toBeGreaterThan(sphereOf(64));
-  await assign(viewer, { target: 'auto', radius: 'auto' });
-  await settled(viewer);
-  expect(await triangles(viewer)).toBe(first);
-  expect(await viewer.evaluate((element: PhongViewer) => element.camera.radius)).toBe(radius);
+  const counts: number[] = [];
+  const views = [{ radius: 100 }, { radius: 0.501 }, { target: [0.5, 0, 0], radius: 0.2 }];
+  for (const view of views) {
+    await assign(viewer, view);
+    await settled(viewer);
+    counts.push(await triangles(viewer));
+  }
+  // At 0.501 no outline is in view.
+  expect(counts.slice(0, 2)).toEqual([sphereOf(16), sphereOf(64)]);
+  expect(counts[2]).toBeGreaterThan(sphereOf(64));
   // Framing is that of the round shape.
   for (const segments of [3, 24, 'auto'] as const) {
-    await assign(viewer, { segments });
+    await assign(viewer, { segments, target: 'auto', radius: 'auto' });
     await settled(viewer);
     expect(await viewer.evaluate((element: PhongViewer) => element.camera.radius)).toBe(radius);
   }
-  expect(await viewer.evaluate((element: PhongViewer) => element.segments)).toBe('auto');
+  expect(await triangles(viewer)).toBe(sphereOf(64));
 });
 
 test('a file has the segments of its own size, and the picture keeps its own', async ({ mount }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
-  const corners = await viewer.evaluate(async (element: PhongViewer) => {
-    const read = async (blob: Blob, size: number): Promise<number> => {
-      const canvas = new OffscreenCanvas(size, size);
-      const context = canvas.getContext('2d')!;
-      context.drawImage(await createImageBitmap(blob), 0, 0);
-      const { data } = context.getImageData(0, 0, size, size);
-      let covered = 0;
-      for (let i = 3; i < data.length; i += 4) covered += data[i]! / 255;
-      return covered / size ** 2;
-    };
-    const small = await read(await element.toBlob(), 120);
-    const large = await read(await element.toBlob({ width: 1200, height: 1200 }), 1200);
-    return { small, large };
-  });
+  const covered = async (side: number): Promise<number> => {
+    const { data } = await pixels(viewer, { width: side, height: side });
+    return data.reduce((sum, code, i) => (i % 4 === 3 ? sum + code : sum), 0) / (255 * side ** 2);
+  };
   // The share of a disc: the sphere's outline in the default view, sin of whose angle is sin(22.5°) / 1.05.
   const sine = Math.sin(Math.PI / 8) / 1.05;
   const share = (Math.PI / 4) * (sine ** 2 / (1 - sine ** 2) / Math.tan(Math.PI / 8) ** 2);
-  expect(Math.abs(corners.large / share - 1)).toBeLessThan(0.0005);
-  expect(Math.abs(corners.small / share - 1)).toBeLessThan(0.004);
+  expect(Math.abs((await covered(1200)) / share - 1)).toBeLessThan(0.0005);
+  expect(Math.abs((await covered(120)) / share - 1)).toBeLessThan(0.004);
   await viewer.evaluate((element: PhongViewer) => element.requestRender());
   await settled(viewer);
   expect(await triangles(viewer)).toBe(sphereOf(64));
@@ -89,15 +83,53 @@ test('Gouraud and flat pictures keep the fixed number, and so does a Phong one b
   expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
 });
 
-test('fifty thumbnails have the levels of their sizes, share them, and rest', async ({ page, mount }) => {
-  await countEverything(page);
-  await showThumbnails(page, mount, 50);
-});
-
 test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({
   page,
   mount,
 }) => {
   for (const geometry of ['sphere', 'cone'])
     expectSmooth(await filmZoom(page, mount, geometry, 24, { width: 60, height: 60 }), geometry);
+});
+
+test('beyond the limit of triangles a mesh is reported, and shown on request once there is room', async ({
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/Use fewer segments, fewer different shapes/, 1);
+  const viewer = await mount('<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>', SIZE);
+  const shown = (): Promise<string[]> =>
+    viewer.evaluate((element: PhongViewer) => element.scene.children.map(({ name }) => name));
+  const heard = await record(viewer, 'error');
+  // 64 segments have 3,968 triangles, and 13,605 more as a flat copy.
+  await viewer.evaluate(async (element: PhongViewer) => {
+    element.maxTriangles = 40_000;
+    for (const [name, segments] of Object.entries({ a: 64, b: 66, c: 62, d: 12 })) {
+      const mesh = document.createElement('phong-mesh');
+      Object.assign(mesh, { name, geometry: 'sphere', segments, shading: 'flat' });
+      element.append(mesh);
+    }
+    await element.ready;
+  });
+  expect(await shown()).toEqual(['a', 'b', 'd']);
+  const message: unknown = expect.stringContaining('at most 40,000 can be shown');
+  expect(await heard.take()).toMatchObject([{ detail: { code: 'too-large', message } }]);
+  expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta)).toBe(10);
+  await expect(viewer.locator('[part=notice]')).toBeVisible();
+  await viewer.evaluate((element: PhongViewer) => element.meshes[0]!.remove());
+  await viewer.locator('[part=retry]').dispatchEvent('click');
+  await expect(viewer.locator('[part=notice]')).toBeHidden();
+  await expect.poll(shown, 'a frame sorts them').toEqual(['b', 'c', 'd']);
+  expect(await heard.take()).toEqual([]);
+  const bad = await viewer.evaluate((element: PhongViewer) => {
+    try {
+      element.maxTriangles = 2.5;
+      return 'nothing';
+    } catch (error) {
+      return (error as Error).name;
+    }
+  });
+  expect([bad, await viewer.evaluate((element: PhongViewer) => element.maxTriangles)]).toEqual([
+    'RangeError',
+    40_000,
+  ]);
 });

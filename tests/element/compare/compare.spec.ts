@@ -16,7 +16,6 @@ import {
   type PhongViewer,
   record,
   settled,
-  shownBy,
 } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0" ambient="40" diffuse="180"></phong-light>';
@@ -38,16 +37,12 @@ async function compared(page: Page, mount: Mount, markup: string, more = ''): Pr
   return compare;
 }
 
-/** Also those of a comparison that is hidden. */
 const dividers = (compare: Locator): Locator => compare.getByRole('separator', { includeHidden: true });
 
 const placeOf = (divider: Locator): Promise<number> =>
   divider.evaluate((element) => Number(element.getAttribute('aria-valuenow')));
 
 const at = (compare: Locator): Promise<unknown> => compare.evaluate((element: PhongCompare) => element.at);
-
-const framesOf = (page: Page): Promise<number[]> =>
-  page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames));
 
 test('two viewers fill the comparison, and a divider stands in the middle between them', async ({
   page,
@@ -56,149 +51,108 @@ test('two viewers fill the comparison, and a divider stands in the middle betwee
   const compare = await compared(page, mount, comparison());
   await expect(dividers(compare)).toHaveCount(1);
   expect(await placeOf(dividers(compare))).toBe(50);
-  for (const i of [0, 1])
-    expect(await page.locator('phong-viewer').nth(i).boundingBox()).toEqual({
-      x: 0,
-      y: 0,
-      width: 400,
-      height: 200,
-    });
+  const whole = { x: 0, y: 0, width: 400, height: 200 };
+  for (const viewer of await page.locator('phong-viewer').all())
+    expect(await viewer.boundingBox()).toEqual(whole);
   const { x, width } = (await dividers(compare).boundingBox())!;
   expect(x + width / 2).toBe(200);
   expect(width).toBeGreaterThanOrEqual(24);
 });
 
-test.describe('a divider', () => {
-  test('stays where it is while the comparison is hidden, and is let go when the window loses the focus', async ({
-    page,
-    mount,
-  }) => {
-    const compare = await compared(page, mount, comparison('at="40"'));
-    const pull = (type: string, clientX: number): Promise<void> =>
-      dividers(compare).evaluate(
-        (handle, [name, x]) => {
-          const init = { pointerId: 7, clientX: x, clientY: 20, buttons: 1, bubbles: true, isPrimary: true };
-          handle.dispatchEvent(new PointerEvent(name, init));
-        },
-        [type, clientX] as const,
-      );
-    const show = (display: string): Promise<void> =>
-      compare.evaluate((element, value) => void (element.style.display = value), display);
-    await pull('pointerdown', 160);
-    await show('none');
-    await pull('pointermove', 200);
-    expect(await at(compare)).toEqual([40]);
-    await show('');
-    await pull('pointermove', 200);
-    expect(await at(compare)).toEqual([50]);
-    await page.evaluate(() => dispatchEvent(new Event('blur')));
-    await pull('pointermove', 240);
-    expect(await at(compare)).toEqual([50]);
-  });
-
-  test('follows the pointer from where it was pressed, and updates its value', async ({ page, mount }) => {
-    const compare = await compared(page, mount, comparison('at="40"'));
-    const heard = await record(compare, 'divider-change');
-    await drag(page, [165, 20], [-60, 30], { steps: 2 });
-    expect(await at(compare)).toEqual([25]);
-    expect(await heard.take()).toEqual([
-      { type: 'divider-change', detail: { at: [32.5] } },
-      { type: 'divider-change', detail: { at: [25] } },
-    ]);
-    expect(await placeOf(dividers(compare))).toBe(25);
-    expect(await compare.getAttribute('at')).toBe('40');
-    await page.mouse.move(300, 100);
-    expect(await at(compare)).toEqual([25]);
-    // A drag past the edge ends there.
-    await drag(page, [100, 100], [900, 0]);
-    expect(await at(compare)).toEqual([100]);
-    const { x, width } = (await dividers(compare).boundingBox())!;
-    expect(x + width).toBe(400);
-  });
-
-  test('returns by Escape during a drag, and by a double click to its declared position', async ({
-    page,
-    mount,
-  }) => {
-    const compare = await compared(page, mount, comparison('at="40"'));
-    await drag(page, [160, 20], [100, 0], { release: false });
-    expect(await at(compare)).toEqual([65]);
-    await page.keyboard.press('Escape');
-    expect(await at(compare)).toEqual([40]);
-    await page.mouse.move(300, 20);
-    await page.mouse.up();
-    expect(await at(compare)).toEqual([40]);
-    await page.keyboard.press('End');
-    const heard = await record(compare, 'divider-change');
-    await page.mouse.dblclick(395, 60);
-    expect(await at(compare)).toEqual([40]);
-    expect(await heard.take()).toEqual([{ type: 'divider-change', detail: { at: [40] } }]);
-  });
-
-  test('follows a finger', async ({ page, mount }) => {
-    const compare = await compared(page, mount, comparison());
-    const fingers = await Fingers.on(page);
-    await fingers.down([203, 100]);
-    await fingers.move([223, 100]);
-    await fingers.move([243, 100]);
-    await fingers.up();
-    expect(await at(compare)).toEqual([60]);
-  });
-
-  test('is moved by keys once it has the focus', async ({ page, mount }) => {
-    const compare = await compared(page, mount, comparison());
-    await dividers(compare).focus();
-    const keys = [
-      ['ArrowRight', 51],
-      ['Shift+ArrowRight', 61],
-      ['ArrowLeft', 60],
-      ['PageDown', 70],
-      ['PageUp', 60],
-      ['ArrowUp', 60],
-      ['Home', 0],
-      ['ArrowLeft', 0],
-      ['End', 100],
-    ] as const;
-    for (const [key, place] of keys) {
-      await page.keyboard.press(key);
-      expect(await placeOf(dividers(compare)), key).toBe(place);
-    }
-  });
-
-  test('mirrors the arrow keys on a page written from right to left, but not the pointer', async ({
-    page,
-    mount,
-  }) => {
-    const compare = await compared(page, mount, `<main dir="rtl">${comparison('at="25"')}</main>`);
-    const right = (await page.locator('phong-compare').boundingBox())!.x + 400;
-    const { x, width } = (await dividers(compare).boundingBox())!;
-    expect(right - x - width / 2).toBe(100);
-    await drag(page, [right - 100, 50], [-100, 0]);
-    expect(await at(compare)).toEqual([50]);
-    await page.keyboard.press('ArrowRight');
-    expect(await at(compare)).toEqual([49]);
-  });
-
-  test('of a vertical comparison moves up and down', async ({ page, mount }) => {
-    const compare = await compared(page, mount, comparison('direction="vertical"'));
-    await expect(dividers(compare)).toHaveAttribute('aria-orientation', 'horizontal');
-    await drag(page, [300, 100], [50, 40]);
-    expect(await at(compare)).toEqual([70]);
-    await page.keyboard.press('ArrowUp');
-    expect(await at(compare)).toEqual([69]);
-  });
+test('a divider stays where it is while the comparison is hidden, and is let go when the window loses the focus', async ({
+  page,
+  mount,
+}) => {
+  const compare = await compared(page, mount, comparison('at="40"'));
+  const pull = (type: string, clientX: number): Promise<void> =>
+    dividers(compare).dispatchEvent(type, {
+      pointerId: 7,
+      clientX,
+      clientY: 20,
+      buttons: 1,
+      isPrimary: true,
+    });
+  const show = (display: string): Promise<void> =>
+    compare.evaluate((element, value) => void (element.style.display = value), display);
+  await pull('pointerdown', 160);
+  await show('none');
+  await pull('pointermove', 200);
+  expect(await at(compare)).toEqual([40]);
+  await show('');
+  await pull('pointermove', 200);
+  expect(await at(compare)).toEqual([50]);
+  await page.evaluate(() => dispatchEvent(new Event('blur')));
+  await pull('pointermove', 240);
+  expect(await at(compare)).toEqual([50]);
 });
 
-/** Channel by channel, from `left` to `right`. */
-function expectSame(one: Picture, other: Picture, left: number, right: number): void {
-  const different: string[] = [];
-  for (let y = 0; y < 200; y++)
-    for (let x = left; x < right; x++) {
-      const [a, b] = [pixelAt(one, x, y).join(' '), pixelAt(other, x, y).join(' ')];
-      if (a !== b) different.push(`${String(x)}, ${String(y)}: ${a}, not ${b}`);
-    }
-  expect(different.slice(0, 5)).toEqual([]);
-}
+test('a divider follows pointer and finger from where it was pressed, and updates its value', async ({
+  page,
+  mount,
+}) => {
+  const compare = await compared(page, mount, comparison('at="40"'));
+  const heard = await record(compare, 'divider-change');
+  await drag(page, [165, 20], [-60, 30], { steps: 2 });
+  expect(await heard.take()).toEqual([
+    { type: 'divider-change', detail: { at: [32.5] } },
+    { type: 'divider-change', detail: { at: [25] } },
+  ]);
+  expect(await placeOf(dividers(compare))).toBe(25);
+  expect(await compare.getAttribute('at')).toBe('40');
+  await page.mouse.move(300, 100);
+  expect(await at(compare)).toEqual([25]);
+  const fingers = await Fingers.on(page);
+  await fingers.down([103, 100]);
+  await fingers.move([123, 100]);
+  await fingers.move([143, 100]);
+  await fingers.up();
+  expect(await at(compare)).toEqual([35]);
+  // A drag past the edge ends there.
+  await drag(page, [140, 100], [900, 0]);
+  expect(await at(compare)).toEqual([100]);
+  const { x, width } = (await dividers(compare).boundingBox())!;
+  expect(x + width).toBe(400);
+});
+
+test('a divider returns by Escape during a drag, and by a double click to its declared position', async ({
+  page,
+  mount,
+}) => {
+  const compare = await compared(page, mount, comparison('at="40"'));
+  await drag(page, [160, 20], [100, 0], { release: false });
+  expect(await at(compare)).toEqual([65]);
+  await page.keyboard.press('Escape');
+  expect(await at(compare)).toEqual([40]);
+  await page.mouse.move(300, 20);
+  await page.mouse.up();
+  expect(await at(compare)).toEqual([40]);
+  await page.keyboard.press('End');
+  const heard = await record(compare, 'divider-change');
+  await page.mouse.dblclick(395, 60);
+  expect(await at(compare)).toEqual([40]);
+  expect(await heard.take()).toEqual([{ type: 'divider-change', detail: { at: [40] } }]);
+});
+
+test('a divider moves up and down in a vertical comparison, and with mirrored arrow keys where texts run from right to left', async ({
+  page,
+  mount,
+}) => {
+  const vertical = await compared(page, mount, comparison('direction="vertical"'));
+  await expect(dividers(vertical)).toHaveAttribute('aria-orientation', 'horizontal');
+  await drag(page, [300, 100], [50, 40]);
+  expect(await at(vertical)).toEqual([70]);
+  await page.keyboard.press('ArrowUp');
+  expect(await at(vertical)).toEqual([69]);
+
+  const compare = await compared(page, mount, `<main dir="rtl">${comparison('at="25"')}</main>`);
+  const right = (await compare.boundingBox())!.x + 400;
+  const { x, width } = (await dividers(compare).boundingBox())!;
+  expect(right - x - width / 2).toBe(100);
+  await drag(page, [right - 100, 50], [-100, 0]);
+  expect(await at(compare)).toEqual([50]);
+  await page.keyboard.press('ArrowRight');
+  expect(await at(compare)).toEqual([49]);
+});
 
 test('both halves of a split show exactly what each viewer alone shows there', async ({ page, mount }) => {
   const views = [
@@ -217,8 +171,13 @@ test('both halves of a split show exactly what each viewer alone shows there', a
     await nextFrame(page);
     alone.push(await shot());
   }
-  expectSame(split, alone[0]!, 0, 180);
-  expectSame(split, alone[1]!, 180, 400);
+  const different: string[] = [];
+  for (let y = 0; y < 200; y++)
+    for (let x = 0; x < 400; x++) {
+      const [a, b] = [split, alone[x < 180 ? 0 : 1]!].map((picture) => pixelAt(picture, x, y).join(' '));
+      if (a !== b) different.push(`${String(x)}, ${String(y)}: ${a}, not ${b}`);
+    }
+  expect(different.slice(0, 5)).toEqual([]);
   expect(pixelAt(alone[0]!, 180, 90)).not.toEqual(pixelAt(alone[1]!, 180, 90));
 });
 
@@ -263,13 +222,17 @@ test('two fingers on both sides of a divider are one pinch', async ({ page, moun
 test('a move draws each viewer once, except those that the divider hides', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();
+  const frames = (): Promise<number[]> =>
+    page.evaluate(() =>
+      Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames),
+    );
   const moved = async (): Promise<number[]> => {
-    const before = await framesOf(page);
+    const before = await frames();
     for (let i = 0; i < 5; i++) {
       await first.evaluate((element: PhongViewer) => (element.phi += 1));
       await nextFrame(page);
     }
-    return (await framesOf(page)).map((frames, i) => frames - before[i]!);
+    return (await frames()).map((count, i) => count - before[i]!);
   };
   expect(await moved()).toEqual([5, 5]);
   await assign(compare, { at: 0 });
@@ -314,10 +277,6 @@ test('labels come from `labels`, or from the names of the viewers', async ({ pag
   expect(await texts()).toEqual(['a list', 'of texts']);
   await assign(compare, { labels: '' });
   expect(await texts()).toEqual([]);
-  await assign(page.locator('phong-viewer').first(), { texts: { Divider: 'Trenner' } });
-  await compare.dispatchEvent('pointerover');
-  await assign(compare, { at: 30 });
-  await expect(dividers(compare)).toHaveAccessibleName('Trenner');
 });
 
 test('viewers can be added and removed, and the comparison can move on its page', async ({ page, mount }) => {
@@ -342,8 +301,6 @@ test('viewers can be added and removed, and the comparison can move on its page'
   await allReady(page);
   await drag(page, [120, 100], [40, 0]);
   expect(await at(compare)).toEqual([40]);
-  await compare.evaluate((element) => element.remove());
-  await nextFrame(page);
 });
 
 test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
@@ -352,15 +309,10 @@ test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   await drag(page, [60, 100], [20, 10]);
   const html = await compare.evaluate((element: PhongCompare) => element.toHTML());
   expect(html).toMatch(/^<phong-compare id="pair" at="60" labels="A &#34;, B">\n {2}<phong-viewer /);
-  const first = html.slice(html.indexOf('<phong-viewer'), html.indexOf('</phong-viewer>'));
-  const picture = await shownBy(page, `${first}</phong-viewer>`, { width: 40, height: 20 });
-  expect(picture.width).toBe(40);
   await page.evaluate((text) => (document.body.innerHTML = text), html);
   await expect(page.getByRole('separator')).toHaveAttribute('aria-valuenow', '60');
   await allReady(page);
-  expect(await page.locator('phong-compare').evaluate((element: PhongCompare) => element.toHTML())).toBe(
-    html,
-  );
+  expect(await compare.evaluate((element: PhongCompare) => element.toHTML())).toBe(html);
 });
 
 test('if its code cannot be fetched, the viewers are shown one after the other, with a warning', async ({
@@ -385,61 +337,43 @@ test("works where the page allows only Lit's Trusted Types policy, and in a shad
   page,
   mount,
 }) => {
-  await mount('<main></main>', {
-    css,
-    csp: `${strictPolicy}; require-trusted-types-for 'script'; trusted-types lit-html`,
-  });
+  const csp = `${strictPolicy}; require-trusted-types-for 'script'; trusted-types lit-html`;
+  await mount('<main></main>', { csp });
   await page.evaluate(() => {
     const compare = Object.assign(document.createElement('phong-compare'), { at: 25 });
     for (const alt of ['A', 'B'])
       compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt }));
-    compare.style.display = 'block';
-    compare.style.width = '400px';
     document.querySelector('main')?.attachShadow({ mode: 'open' }).append(compare);
   });
   const divider = page.getByRole('separator');
   await expect(divider).toHaveAccessibleName('Divider between A and B');
   const box = (await divider.boundingBox())!;
-  await drag(page, [box.x + 12, box.y + 20], [100, 0]);
+  await drag(page, [box.x + 12, box.y + 20], [75, 0]);
   expect(await placeOf(divider)).toBe(50);
 });
 
-test('a viewer takes the camera of the comparison that it is moved to', async ({ page, mount }) => {
-  await compared(
-    page,
-    mount,
-    comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"')) +
-      comparison('', sphere('alt="C" theta="50"') + sphere('alt="D"')),
-  );
-  const thetas = () =>
-    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => camera.theta));
-  expect(await thetas()).toEqual([10, 10, 50, 50]);
-  await page.evaluate(() => {
-    const [first, second] = document.querySelectorAll('phong-compare');
-    second?.append(first!.lastElementChild!);
-  });
-  await allReady(page);
-  expect(await thetas()).toEqual([10, 50, 50, 50]);
-});
-
-test('a viewer that is moved without being disconnected joins the comparison, too', async ({
+test('a viewer takes the camera of the comparison that it joins, also without being disconnected', async ({
   page,
   mount,
 }) => {
   await compared(
     page,
     mount,
-    `${comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"'))}<main>${sphere('alt="C" theta="50"')}</main>`,
+    comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"')) +
+      comparison('', sphere('alt="C" theta="50"')) +
+      `<main>${sphere('alt="D" theta="90"')}</main>`,
   );
+  const thetas = () =>
+    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => camera.theta));
+  expect(await thetas()).toEqual([10, 10, 50, 90]);
   await page.evaluate(() => {
-    const compare = document.querySelector('phong-compare') as Element & {
-      moveBefore(node: Node | null, child: null): void;
-    };
-    compare.moveBefore(document.querySelector('main > phong-viewer'), null);
+    const [first, second] = document.querySelectorAll('phong-compare');
+    second!.append(first!.lastElementChild!);
+    second!.moveBefore(document.querySelector('main > phong-viewer')!, null);
   });
   await allReady(page);
-  await expect(dividers(page.locator('phong-compare'))).toHaveCount(2);
-  await expect.poll(async () => (await cameraOf(page.locator('phong-viewer').nth(2))).theta).toBe(10);
+  await expect(dividers(page.locator('phong-compare').last())).toHaveCount(2);
+  await expect.poll(thetas).toEqual([10, 50, 50, 50]);
 });
 
 test('open panels of a split comparison stand beside all pictures, or below them on a phone', async ({

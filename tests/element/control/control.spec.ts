@@ -14,57 +14,48 @@ const control = (attributes: string, label = ''): string =>
   `<phong-control ${attributes}>${label}</phong-control>`;
 
 const lightOf = (page: Page): Locator => page.locator('phong-light').first();
-const valueOf = <T>(of: Locator, key: string): Promise<T> =>
-  of.evaluate((element, name) => Reflect.get(element, name) as T, key);
-const only = (page: Page): Locator => page.locator('phong-control');
+const valueOf = (of: Locator, key: string): Promise<number> =>
+  of.evaluate((element, name) => Number(Reflect.get(element, name)), key);
 
-test('stands in a sentence as a number with its unit, which is dragged, turned by arrow keys and typed', async ({
+test('a number is a field with its unit in a sentence, and a slider on a line of its own or as asked', async ({
   mount,
   page,
 }) => {
+  const aperture = control('for="spot" attribute="aperture" max="60"');
   await mount(
-    `${scene}<p>The spot's ${control('for="spot" attribute="aperture" max="60"')} is half its cone.</p>`,
-    {
-      css,
-    },
+    `${scene}<p>The spot's ${aperture} is half its cone.</p>${control('for="spot" attribute="cutoff" max="60"', 'softness')}
+      <p>In a line ${control('for="v" attribute="fov" type="slider"')}</p>`,
+    { css },
   );
+  const light = lightOf(page);
   const field = page.getByRole('spinbutton', { name: 'aperture' });
   await expect(field).toHaveValue('30');
-  await expect(only(page).locator('[part=unit]')).toHaveText('°');
-  await expect(only(page).locator('[type=range]')).toBeHidden();
+  await expect(page.locator('phong-control').first().locator('[part=unit]')).toHaveText('°');
+  await expect(page.getByRole('slider')).toHaveCount(2);
   const heights = await page.evaluate(() =>
     ['p', 'phong-control'].map((name) => document.querySelector(name)!.getBoundingClientRect().height),
   );
   expect(heights[0]).toBeLessThan(1.5 * heights[1]!);
+  // It is dragged, turned by arrow keys and typed.
   const box = (await field.boundingBox())!;
   await drag(page, [box.x + 5, box.y + 5], [20, 0]);
-  expect(await valueOf(lightOf(page), 'aperture')).toBeGreaterThan(30);
+  expect(await valueOf(light, 'aperture')).toBeGreaterThan(30);
   await field.focus();
   await page.keyboard.press('ArrowUp');
   await field.fill('200');
   await page.keyboard.press('Enter');
-  expect(await valueOf(lightOf(page), 'aperture')).toBe(60);
+  expect(await valueOf(light, 'aperture')).toBe(60);
   await field.press('Control+z');
-  expect(await valueOf<number>(lightOf(page), 'aperture')).toBeLessThan(60);
-});
+  expect(await valueOf(light, 'aperture')).toBeLessThan(60);
 
-test('on a line of its own, or as asked, a number is a slider that follows scripts and undo', async ({
-  mount,
-  page,
-}) => {
-  await mount(
-    `${scene}${control('for="spot" attribute="cutoff" max="60"', 'softness')}<p>In a line ${control('for="v" attribute="fov" type="slider"')}</p>`,
-    { css },
-  );
   const slider = page.getByRole('slider', { name: 'softness' });
-  await expect(slider).toBeVisible();
   await expect(page.getByRole('slider', { name: 'fov' })).toBeVisible();
   await slider.focus();
   await page.keyboard.press('End');
-  expect(await valueOf(lightOf(page), 'cutoff')).toBe(60);
+  expect(await valueOf(light, 'cutoff')).toBe(60);
   await page.keyboard.press('Control+z');
-  expect(await valueOf(lightOf(page), 'cutoff')).toBe(8);
-  await assign(lightOf(page), { cutoff: 100 });
+  expect(await valueOf(light, 'cutoff')).toBe(8);
+  await assign(light, { cutoff: 100 });
   await expect(page.getByRole('spinbutton', { name: 'softness' })).toHaveValue('100');
   await expect(slider).toHaveAttribute('max', '1');
 });
@@ -142,19 +133,12 @@ test('waits for elements that come later, and warns once of ids and attributes t
   ].map((pattern) => consoleGuard.allow(pattern, 1));
   const wrong = control('for="sput" attribute="cutoff"') + control('for="spot" attribute="cutof"').repeat(2);
   await mount(`${scene}<p id="p"></p>${wrong}${control('for="p" attribute="ka"')}`, { css });
-  await page.evaluate(() => {
-    document.body.insertAdjacentHTML(
-      'beforeend',
-      '<phong-control for="late" attribute="cutoff"></phong-control>',
-    );
-    setTimeout(
-      () =>
-        document
-          .querySelector('phong-viewer')!
-          .insertAdjacentHTML('beforeend', '<phong-light id="late" cutoff="3"></phong-light>'),
-      100,
-    );
-  });
+  await page.evaluate(async (html) => {
+    document.body.insertAdjacentHTML('beforeend', html);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    const light = '<phong-light id="late" cutoff="3"></phong-light>';
+    document.querySelector('phong-viewer')!.insertAdjacentHTML('beforeend', light);
+  }, control('for="late" attribute="cutoff"'));
   const late = page.locator('phong-control[for=late]');
   await expect(late.locator('.number')).toHaveValue('3');
   await page.locator('#late').evaluate((light) => light.remove());
@@ -168,10 +152,11 @@ test('speaks the page’s language, works under a strict policy, and prints its 
 }) => {
   const texts = `<script type="application/json" data-phong-viewer-texts>${JSON.stringify(de)}</script>`;
   await mount(`${scene}${texts}<p>Der ${control('for="spot" attribute="aperture"')} des Spots</p>`, { css });
-  await expect(only(page).locator('[part~=label]')).toHaveText(de['aperture °'].replace(/\s*°$/, ''));
+  const only = page.locator('phong-control');
+  await expect(only.locator('[part~=label]')).toHaveText(de['aperture °'].replace(/\s*°$/, ''));
   await page.emulateMedia({ media: 'print' });
-  await expect(only(page).locator('input').first()).toBeHidden();
-  await expect(only(page).locator('.printed')).toHaveText('30°');
-  await expect(only(page).locator('.printed')).toBeVisible();
+  await expect(only.locator('input').first()).toBeHidden();
+  await expect(only.locator('.printed')).toHaveText('30°');
+  await expect(only.locator('.printed')).toBeVisible();
   await page.emulateMedia({ media: null });
 });
