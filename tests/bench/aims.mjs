@@ -74,9 +74,8 @@ function pictureAims() {
       ofSamples('% of pixels within one code', WITHIN, 64, aims.within),
     ];
   });
-  const subjects = Object.keys(PICTURES).map((picture) =>
-    pictureSubject(/** @type {keyof typeof PICTURES} */ (picture)),
-  );
+  const pictures = /** @type {(keyof typeof PICTURES)[]} */ (Object.keys(PICTURES));
+  const subjects = pictures.map(pictureSubject);
   /** @param {string} label @param {string} side @param {readonly string[]} passes */
   const against = (label, side, passes) =>
     aim(`RMSE to three.js’s best pass, worst picture: ${label}`, subjects[0] ?? '', RMSE.triangles, both(1), {
@@ -264,10 +263,6 @@ function figureOf(aim, result) {
   const usual = rowOf(result, subject, 'usual frame');
   if (usual === undefined) return undefined;
   const [longest, plain] = [valueOf(row, side), valueOf(usual, side).median];
-  return {
-    ...longest,
-    median: longest.median - plain,
-    low: longest.low - plain,
-    high: longest.high - plain,
-  };
+  const { median, low, high, count } = longest;
+  return { median: median - plain, low: low - plain, high: high - plain, count };
 }

@@ -8,7 +8,7 @@ import { dirname, join, resolve } from 'node:path';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { launchOptions } from '../support/built-pages.mjs';
-import { refuse } from '../support/command-line.mjs';
+import { refuse, timeText } from '../support/command-line.mjs';
 import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
@@ -19,7 +19,6 @@ import { measureStart } from './measure/start.mjs';
 import { missedLimits } from './aims.mjs';
 import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
-import { Progress } from './progress.mjs';
 import { addSamples, ratioOf, rowOf, valueOf } from './results.mjs';
 import { median } from './statistics.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
@@ -56,16 +55,9 @@ async function main(options) {
   const lab = new Lab(folder, await launchOptions(options.browser, options.flags));
   await lab.open();
   const machine = await lab.machine();
-  console.log(
-    Object.entries(machine)
-      .map(([key, value]) => `${key}: ${value}`)
-      .join('\n'),
-  );
-  const out =
-    options.out ||
-    (!options.add && (options.quick || options.only.length > 0)
-      ? ''
-      : join(here, 'results', `${options.stack}.json`));
+  for (const [key, value] of Object.entries(machine)) console.log(`${key}: ${value}`);
+  const isPart = !options.add && (options.quick || options.only.length > 0);
+  const out = options.out || (isPart ? '' : join(here, 'results', `${options.stack}.json`));
   const date = new Date(begun).toISOString().slice(0, 10);
   /** @type {import('./results.mjs').BenchResult} */
   const result = (options.add ? readWithout(out, names) : undefined) ?? {
@@ -117,6 +109,37 @@ async function measureAll(lab, names, { launches, minutes, size }, result, begun
   }
 }
 
+/** How far a run of many parts is and how long it still takes, from the durations of its parts so far. Milliseconds. */
+class Progress {
+  #parts;
+  /** @type {Map<string, number[]>} */
+  #durations = new Map();
+  #done = 0;
+
+  /** @param {readonly string[]} parts names in order; a name that occurs again takes as long as before */
+  constructor(parts) {
+    this.#parts = parts;
+  }
+
+  /** The next part has ended. @param {number} ms */
+  finish(ms) {
+    const name = this.#parts[this.#done++] ?? '';
+    this.#durations.set(name, [...(this.#durations.get(name) ?? []), ms]);
+  }
+
+  /** Estimate of a part: its own average, or the average of all. @param {string} name */
+  estimate(name) {
+    const known = this.#durations.get(name) ?? [...this.#durations.values()].flat();
+    return known.reduce((sum, ms) => sum + ms, 0) / Math.max(known.length, 1);
+  }
+
+  /** Such as `[3/70, about 12 min left]`. */
+  toString() {
+    const ms = this.#parts.slice(this.#done).reduce((sum, name) => sum + this.estimate(name), 0);
+    return `[${this.#done}/${this.#parts.length}, about ${timeText(ms / 1000)} left]`;
+  }
+}
+
 /** @param {import('./subjects.mjs').FrameSubject} subject @param {import('./results.mjs').BenchResult} result @returns {readonly [number, number]} */
 function sizeOf({ scene }, { machine, size }) {
   const lights = Number(scene.split(':')[1]);
@@ -154,14 +177,12 @@ async function measure(lab, name, launch, result, size) {
     case 'model':
       return measureModel(lab, subject, launch, options);
     case 'picture':
-      return measurePicture(lab, subject, launch, {
-        ...options,
-        ...{ rounds: PICTURE_ROUNDS, size: size ?? PICTURE_SIZE },
-      });
+      Object.assign(options, { rounds: PICTURE_ROUNDS, size: size ?? PICTURE_SIZE });
+      return measurePicture(lab, subject, launch, options);
     case 'viewers':
-      return measureViewers(lab, { ...options, rounds: 1 });
+      return measureViewers(lab, options);
     case 'connect':
-      return measureConnect(lab, { ...options, rounds: 1 });
+      return measureConnect(lab, options);
     case 'still':
       return measureStill(lab, subject, { ...options, size: subject.size ?? options.size });
     case 'bytes':

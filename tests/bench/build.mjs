@@ -8,9 +8,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { casterCode } from '../support/caster/cast.mjs';
 import { writeFirstModels, writeModels } from './models.mjs';
+import { PAGE_NAMES } from './pages.mjs';
 import { copyPeers, installPeers } from './peers/install.mjs';
-import { buildCaster } from './truths.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -20,6 +21,9 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
  * @property {Record<string, string>} versions revision and packages
  * @property {Record<string, number>} bytes brotli sizes of all scripts that a page loads for its first picture
  */
+
+/** The ray caster's file among the built pages. */
+export const CASTER = 'caster.js';
 
 /** Empties `folder`. @param {string} folder */
 export async function buildPages(folder) {
@@ -31,15 +35,13 @@ export async function buildPages(folder) {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   process.env['PHONG_VIEWER_BENCH_OUT'] = folder;
-  for (const page of readdirSync(join(here, 'pages')).filter((name) => name.endsWith('.html'))) {
+  for (const page of PAGE_NAMES) {
     process.env['PHONG_VIEWER_BENCH_PAGE'] = page;
     await build({ configFile: join(here, 'vite.config.ts'), logLevel: 'error' });
   }
-  const dist = outputFolder('dist');
-  const standalone = 'phong-viewer.standalone.js';
   // What a page may fetch: all but types and source maps.
   const filter = (/** @type {string} */ file) => !/[\\/]types$|\.map$/.test(file);
-  cpSync(dist, join(folder, 'dist'), { recursive: true, filter });
+  cpSync(outputFolder('dist'), join(folder, 'dist'), { recursive: true, filter });
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
   writeModels(join(folder, 'models'));
   writeFirstModels(join(folder, 'models'));
@@ -49,18 +51,15 @@ export async function buildPages(folder) {
   const peers = installPeers();
   if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
   else copyPeers(join(folder, 'peers'));
-  await buildCaster(folder);
+  writeFileSync(join(folder, CASTER), await casterCode());
   compress(folder);
-  /** @type {BuiltFrom} */
-  const about = {
-    versions: { ...versions(), ...peers },
-    bytes: {
-      standalone: brotliSize(join(folder, 'dist', standalone)),
-      bundled: pageSize(folder, 'start-element.html'),
-      three: pageSize(folder, 'start-three.html'),
-    },
+  const bytes = {
+    standalone: brotliSize(join(folder, 'dist/phong-viewer.standalone.js')),
+    bundled: pageSize(folder, 'start-element.html'),
+    three: pageSize(folder, 'start-three.html'),
   };
-  writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about, null, 1));
+  const about = JSON.stringify({ versions: { ...versions(), ...peers }, bytes }, null, 1);
+  writeFileSync(join(folder, 'built-from.json'), about);
 }
 
 /** Keeps in brotli too what servers compress of the pages that are measured over a network. @param {string} folder */
@@ -69,10 +68,8 @@ function compress(folder) {
     if (!/^(?:dist|peers|models|start-model).*\.(?:html|js|wasm|gltf)$/.test(file)) continue;
     // The highest level that does not take minutes for all of them.
     const params = { [constants.BROTLI_PARAM_QUALITY]: 9 };
-    writeFileSync(
-      join(folder, `${file}.br`),
-      brotliCompressSync(readFileSync(join(folder, file)), { params }),
-    );
+    const bytes = brotliCompressSync(readFileSync(join(folder, file)), { params });
+    writeFileSync(join(folder, `${file}.br`), bytes);
   }
 }
 
@@ -86,12 +83,8 @@ function versions() {
   /** @param {string[]} args */
   const git = (...args) => execFileSync('git', args, { cwd: repository, encoding: 'utf8' }).trim();
   const changed = git('status', '--short', 'src', 'shaders') === '' ? '' : ' and changes';
-  return {
-    revision: git('rev-parse', '--short', 'HEAD') + changed,
-    three: version('three'),
-    lit: version('lit'),
-    vite: version('vite'),
-  };
+  const packages = ['three', 'lit', 'vite'].map((name) => [name, version(name)]);
+  return { revision: git('rev-parse', '--short', 'HEAD') + changed, ...Object.fromEntries(packages) };
 }
 
 /** @param {string} file */
@@ -99,11 +92,9 @@ const brotliSize = (file) => brotliCompressSync(readFileSync(file)).length;
 
 /** All scripts that a page imports statically. @param {string} folder @param {string} page */
 function pageSize(folder, page) {
-  const found = new Set(
-    [...readFileSync(join(folder, page), 'utf8').matchAll(/(?:src|href)="\.\/(assets\/[^"]+\.js)"/g)].map(
-      ([, file = '']) => file,
-    ),
-  );
+  const html = readFileSync(join(folder, page), 'utf8');
+  const scripts = html.matchAll(/(?:src|href)="\.\/(assets\/[^"]+\.js)"/g);
+  const found = new Set([...scripts].map(([, file = '']) => file));
   // A set's iteration reaches what is added on the way.
   for (const file of found) {
     const text = readFileSync(join(folder, file), 'utf8');

@@ -17,12 +17,8 @@ const HEIGHT = 400;
 
 /** All charts of a result, by the end of their file's name. Those without data are left out. @param {BenchResult} result @returns {Map<string, string>} */
 export function chartsOf(result) {
-  const charts = new Map();
-  /** @param {string} name @param {string | undefined} svg */
-  const add = (name, svg) => svg !== undefined && charts.set(name, svg);
-  add('fronts', frontsChart(result));
-  add('pictures', picturesChart(result));
-  return charts;
+  const charts = { fronts: frontsChart(result), pictures: picturesChart(result) };
+  return new Map(Object.entries(charts).flatMap(([name, svg]) => (svg === undefined ? [] : [[name, svg]])));
 }
 
 /** @param {BenchResult} result */

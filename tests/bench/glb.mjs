@@ -1,52 +1,100 @@
 // @ts-check
-// Writes binary glTF: the container, and a triangle mesh as the smallest file that holds it. Positions and normals have no unit;
-// counter-clockwise triangles face outward.
+// Writes glTF, as GLB or as JSON with a buffer beside it. Positions and normals have no unit; counter-clockwise triangles face outward.
+
+export const FLOAT = 5126;
+const UNSIGNED_SHORT = 5123;
+const UNSIGNED_INT = 5125;
 
 /**
  * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array | Uint32Array }} Triangles
- * @param {Triangles} triangles
- * @returns {Uint8Array<ArrayBuffer>}
+ * @typedef {Triangles & { uvs?: Float32Array }} Grid
  */
-export function glbOf({ positions, normals, indices }) {
-  let total = 0;
-  const parts = [positions, normals, indices].map((part) => {
-    const start = total;
-    total = padded(start + part.byteLength);
-    return { start, bytes: new Uint8Array(part.buffer, part.byteOffset, part.byteLength) };
-  });
-  const coordinates = [0, 1, 2].map((axis) => positions.filter((_, i) => i % 3 === axis));
-  const count = positions.length / 3;
-  const json = {
+
+/** A glTF file under construction: adds pieces to the JSON and their bytes to one buffer. */
+export class Gltf {
+  /** @type {{ start: number, bytes: Uint8Array }[]} */
+  #parts = [];
+  #length = 0;
+  json = {
     asset: { version: '2.0' },
     scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0 }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2 }] }],
-    accessors: [
-      {
-        ...{ bufferView: 0, componentType: FLOAT, count, type: 'VEC3' },
-        min: coordinates.map((values) => values.reduce((a, b) => Math.min(a, b))),
-        max: coordinates.map((values) => values.reduce((a, b) => Math.max(a, b))),
-      },
-      { bufferView: 1, componentType: FLOAT, count, type: 'VEC3' },
-      {
-        bufferView: 2,
-        componentType: indices instanceof Uint32Array ? UNSIGNED_INT : UNSIGNED_SHORT,
-        count: indices.length,
-        type: 'SCALAR',
-      },
-    ],
-    bufferViews: parts.map(({ start, bytes }) => ({
-      buffer: 0,
-      byteOffset: start,
-      byteLength: bytes.length,
-    })),
-    buffers: [{ byteLength: total }],
+    scenes: [{ nodes: /** @type {number[]} */ ([]) }],
+    nodes: /** @type {object[]} */ ([]),
+    meshes: /** @type {object[]} */ ([]),
+    accessors: /** @type {object[]} */ ([]),
+    bufferViews: /** @type {object[]} */ ([]),
   };
-  const bin = new Uint8Array(total);
-  for (const { start, bytes } of parts) bin.set(bytes, start);
-  return glbFile(json, bin);
+
+  /** @param {ArrayBufferView} data @param {object} [more] @returns {number} index of the view */
+  view(data, more = {}) {
+    const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    const start = this.#length;
+    this.#parts.push({ start, bytes });
+    this.#length += padded(bytes.length);
+    return (
+      this.json.bufferViews.push({ buffer: 0, byteOffset: start, byteLength: bytes.length, ...more }) - 1
+    );
+  }
+
+  /** @param {ArrayBufferView} data @param {object} accessor @param {object} [view] @returns {number} */
+  accessor(data, accessor, view) {
+    return this.json.accessors.push({ bufferView: this.view(data, view), ...accessor }) - 1;
+  }
+
+  /** One mesh of one primitive, at a node. @param {Grid} grid @param {object} [more] of the primitive @param {object} [node] */
+  add({ positions, normals, uvs, indices }, more = {}, node = {}) {
+    const vector = { componentType: FLOAT, count: positions.length / 3, type: 'VEC3' };
+    const attributes = {
+      POSITION: this.accessor(positions, { ...vector, ...bounds(positions) }),
+      NORMAL: this.accessor(normals, vector),
+      ...(uvs && 'material' in more && { TEXCOORD_0: this.accessor(uvs, { ...vector, type: 'VEC2' }) }),
+    };
+    this.addPrimitive(attributes, indices, more, node);
+  }
+
+  /** @param {object} attributes @param {Uint16Array | Uint32Array} list @param {object} [more] @param {object} [node] */
+  addPrimitive(attributes, list, more = {}, node = {}) {
+    const componentType = list instanceof Uint32Array ? UNSIGNED_INT : UNSIGNED_SHORT;
+    const indices = this.accessor(list, { componentType, count: list.length, type: 'SCALAR' });
+    const mesh = this.json.meshes.push({ primitives: [{ attributes, indices, ...more }] }) - 1;
+    this.json.scenes[0]?.nodes.push(this.json.nodes.push({ mesh, ...node }) - 1);
+  }
+
+  #bin() {
+    const bin = new Uint8Array(this.#length);
+    for (const { start, bytes } of this.#parts) bin.set(bytes, start);
+    return bin;
+  }
+
+  glb() {
+    return glbFile({ ...this.json, buffers: [{ byteLength: this.#length }] }, this.#bin());
+  }
+
+  /** The JSON and its buffer apart. @param {string} uri @returns {readonly [string, Uint8Array]} */
+  pair(uri) {
+    return [JSON.stringify({ ...this.json, buffers: [{ byteLength: this.#length, uri }] }), this.#bin()];
+  }
 }
+
+/** @param {Float32Array | Int16Array} positions */
+export function bounds(positions) {
+  const [min, max] = [Infinity, -Infinity].map((x) => [x, x, x]);
+  positions.forEach((x, i) => {
+    if (min) min[i % 3] = Math.min(min[i % 3] ?? x, x);
+    if (max) max[i % 3] = Math.max(max[i % 3] ?? x, x);
+  });
+  return { min, max };
+}
+
+/** @param {Grid} grid */
+export function gltfOf(grid) {
+  const gltf = new Gltf();
+  gltf.add(grid);
+  return gltf;
+}
+
+/** @param {Triangles} triangles */
+export const glbOf = (triangles) => gltfOf(triangles).glb();
 
 /**
  * The container: JSON, or a text in its place, and one binary chunk.
@@ -72,9 +120,6 @@ export function glbFile(json, bin) {
   return file;
 }
 
-const FLOAT = 5126;
-const UNSIGNED_SHORT = 5123;
-const UNSIGNED_INT = 5125;
 const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
 const BINARY_CHUNK = 0x004e4942;

@@ -6,7 +6,9 @@ import { cpSync, mkdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { glbFile } from './glb.mjs';
+import { bounds, Gltf, glbOf, gltfOf } from './glb.mjs';
+
+/** A surface over (u, v) in 0–1, as glTF's attributes. @typedef {Required<import('./glb.mjs').Grid>} Grid */
 
 /** Name of each model, and its file in the folder that `writeModels` fills. */
 export const MODELS = /** @type {const} */ ({
@@ -36,12 +38,9 @@ export const FIRST_MODELS = /** @type {const} */ ({
 /** The model of a whole picture, whose error is measured. */
 const CHECKS = 'checks.glb';
 
-const FLOAT = 5126;
 const LINEAR = 9729;
 const SHORT = 5122;
 const BYTE = 5120;
-const UNSIGNED_SHORT = 5123;
-const UNSIGNED_INT = 5125;
 const TEXTURE_SIZE = 1024;
 const CHECKS_SIZE = 64;
 const PARTS = 500;
@@ -63,8 +62,8 @@ export function writeModels(folder) {
   /** @param {string} name @param {string | Uint8Array} file */
   const write = (name, file) => writeFileSync(join(folder, name), file);
   for (const file of REAL) cpSync(join(assets, file), join(folder, basename(file)));
-  write(MODELS['10 k triangles'], one(bumpySphere(100, 51)).glb());
-  write(MODELS['100 k triangles'], one(bumpySphere(320, 158)).glb());
+  write(MODELS['10 k triangles'], glbOf(bumpySphere(100, 51)));
+  write(MODELS['100 k triangles'], glbOf(bumpySphere(320, 158)));
   write(MODELS['400 k triangles'], quantizedPatches().glb());
   write(MODELS['four textures'], texturedSpheres().glb());
   write(MODELS['500 parts'], manyParts().glb());
@@ -75,21 +74,15 @@ export function writeModels(folder) {
 export function writeFirstModels(folder) {
   /** @param {string} name @param {string | Uint8Array} file */
   const write = (name, file) => writeFileSync(join(folder, name), file);
-  write(FIRST_MODELS['GLB of 1 MB'], one(bumpySphere(230, 115)).glb());
-  write(FIRST_MODELS['GLB of 10 MB'], one(bumpySphere(540, 380)).glb());
-  const [json, bin] = one(bumpySphere(230, 115)).pair('first.bin');
+  write(FIRST_MODELS['GLB of 1 MB'], glbOf(bumpySphere(230, 115)));
+  write(FIRST_MODELS['GLB of 10 MB'], glbOf(bumpySphere(540, 380)));
+  const [json, bin] = gltfOf(bumpySphere(230, 115)).pair('first.bin');
   write(FIRST_MODELS['.gltf with .bin'], json);
   write('first.bin', bin);
   write(FIRST_MODELS['text STL'], textStl(bumpySphere(160, 80)));
   write(FIRST_MODELS['64 images'], texturedSpheres(64, 64).glb());
   write(FIRST_MODELS['PLY of 0.8 M triangles'], binaryPly(bumpySphere(800, 500)));
 }
-
-/**
- * @typedef {object} Grid a surface over (u, v) in 0–1, as glTF's attributes
- * @property {Float32Array} positions @property {Float32Array} normals @property {Float32Array} uvs
- * @property {Uint16Array | Uint32Array} indices
- */
 
 /**
  * A sphere of radius about 1 with bumps: `columns` × `rows` quads, over a part of the turn.
@@ -121,100 +114,6 @@ function bumpySphere(columns, rows, from = 0, to = 1) {
   return /** @type {Grid} */ ({ positions, normals, uvs, indices });
 }
 
-/** A glTF file under construction: adds pieces to the JSON and their bytes to one buffer. */
-class Gltf {
-  /** @type {Uint8Array[]} */
-  #chunks = [];
-  #length = 0;
-  json = {
-    asset: { version: '2.0' },
-    scene: 0,
-    scenes: [{ nodes: /** @type {number[]} */ ([]) }],
-    nodes: /** @type {object[]} */ ([]),
-    meshes: /** @type {object[]} */ ([]),
-    accessors: /** @type {object[]} */ ([]),
-    bufferViews: /** @type {object[]} */ ([]),
-    buffers: /** @type {object[]} */ ([]),
-  };
-
-  /** @param {ArrayBufferView} data @param {object} [more] @returns {number} index of the view */
-  view(data, more = {}) {
-    const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-    const view = { buffer: 0, byteOffset: this.#length, byteLength: bytes.length, ...more };
-    this.#chunks.push(bytes, new Uint8Array(-bytes.length & 3));
-    this.#length += (bytes.length + 3) & ~3;
-    return this.json.bufferViews.push(view) - 1;
-  }
-
-  /** @param {ArrayBufferView} data @param {object} accessor @param {object} [view] @returns {number} */
-  accessor(data, accessor, view) {
-    return this.json.accessors.push({ bufferView: this.view(data, view), ...accessor }) - 1;
-  }
-
-  /** @param {Uint16Array | Uint32Array} indices */
-  indices(indices) {
-    const componentType = indices instanceof Uint32Array ? UNSIGNED_INT : UNSIGNED_SHORT;
-    return this.accessor(indices, { componentType, count: indices.length, type: 'SCALAR' });
-  }
-
-  /** One mesh of one primitive. @param {Grid} grid @param {object} [more] of the primitive @returns {number} */
-  mesh({ positions, normals, uvs, indices }, more = {}) {
-    const count = positions.length / 3;
-    const vector = { componentType: FLOAT, count, type: 'VEC3' };
-    const attributes = {
-      POSITION: this.accessor(positions, { ...vector, ...bounds(positions) }),
-      NORMAL: this.accessor(normals, vector),
-      ...('material' in more && {
-        TEXCOORD_0: this.accessor(uvs, { componentType: FLOAT, count, type: 'VEC2' }),
-      }),
-    };
-    return (
-      this.json.meshes.push({ primitives: [{ attributes, indices: this.indices(indices), ...more }] }) - 1
-    );
-  }
-
-  /** @param {number} mesh @param {object} [more] */
-  node(mesh, more = {}) {
-    this.json.scenes[0]?.nodes.push(this.json.nodes.push({ mesh, ...more }) - 1);
-  }
-
-  /** All chunks in one. */
-  #bin() {
-    return Buffer.concat(this.#chunks);
-  }
-
-  glb() {
-    this.json.buffers = [{ byteLength: this.#length }];
-    return glbFile(this.json, this.#bin());
-  }
-
-  /** The JSON and its buffer apart. @param {string} uri @returns {readonly [string, Uint8Array]} */
-  pair(uri) {
-    this.json.buffers = [{ byteLength: this.#length, uri }];
-    return [JSON.stringify(this.json), this.#bin()];
-  }
-}
-
-/** @param {Float32Array | Int16Array} positions */
-function bounds(positions) {
-  const [min, max] = [
-    [Infinity, Infinity, Infinity],
-    [-Infinity, -Infinity, -Infinity],
-  ];
-  positions.forEach((x, i) => {
-    min[i % 3] = Math.min(min[i % 3] ?? x, x);
-    max[i % 3] = Math.max(max[i % 3] ?? x, x);
-  });
-  return { min, max };
-}
-
-/** @param {Grid} grid */
-function one(grid) {
-  const gltf = new Gltf();
-  gltf.node(gltf.mesh(grid));
-  return gltf;
-}
-
 /** 400,000 triangles in 4.8 MB: KHR_mesh_quantization, in patches that short indices reach. */
 function quantizedPatches() {
   const gltf = new Gltf();
@@ -236,7 +135,7 @@ function quantizedPatches() {
       POSITION: gltf.accessor(places, { ...vector, componentType: SHORT, ...box }, { byteStride: 8 }),
       NORMAL: gltf.accessor(directions, { ...vector, componentType: BYTE }, { byteStride: 4 }),
     };
-    gltf.node(gltf.json.meshes.push({ primitives: [{ attributes, indices: gltf.indices(indices) }] }) - 1);
+    gltf.addPrimitive(attributes, indices);
   }
   const used = ['KHR_mesh_quantization'];
   Object.assign(gltf.json, { extensionsUsed: used, extensionsRequired: used });
@@ -245,24 +144,29 @@ function quantizedPatches() {
 
 function texturedSpheres(count = 4, size = TEXTURE_SIZE) {
   const gltf = new Gltf();
-  const images = Array.from({ length: count }, (_, i) => ({
-    mimeType: 'image/png',
-    bufferView: gltf.view(noisePng(size, i + 1)),
-  }));
-  Object.assign(gltf.json, {
-    images,
-    textures: images.map((_, source) => ({ source })),
-    materials: images.map((_, index) => ({
-      pbrMetallicRoughness: { baseColorTexture: { index }, metallicFactor: 0 },
-    })),
-  });
-  images.forEach((_, material) => {
-    const row = Math.sqrt(count);
+  const row = Math.sqrt(count);
+  const numbers = Array.from({ length: count }, (_, i) => i);
+  texture(
+    gltf,
+    numbers.map((i) => noisePng(size, i + 1)),
+    numbers.map((source) => ({ source })),
+  );
+  numbers.forEach((material) => {
     const translation = [2.2 * (material % row), 2.2 * Math.floor(material / row), 0];
-    gltf.node(gltf.mesh(bumpySphere(48, 24), { material }), { translation });
+    gltf.add(bumpySphere(48, 24), { material }, { translation });
   });
   return gltf;
 }
+
+/** Adds images and a material for each texture. @param {Gltf} gltf @param {readonly Uint8Array[]} pngs @param {readonly object[]} textures */
+const texture = (gltf, pngs, textures) =>
+  Object.assign(gltf.json, {
+    images: pngs.map((file) => ({ mimeType: 'image/png', bufferView: gltf.view(file) })),
+    textures,
+    materials: textures.map((_, index) => ({
+      pbrMetallicRoughness: { baseColorTexture: { index }, metallicFactor: 0 },
+    })),
+  });
 
 /** @param {Grid} grid */
 function textStl({ positions, normals, indices }) {
@@ -291,14 +195,9 @@ function binaryPly({ positions, indices }) {
 /** A texture so small that each texel covers several pixels: its sampling is exact without smaller levels. */
 function checkedSphere() {
   const gltf = new Gltf();
-  const bufferView = gltf.view(png(CHECKS_SIZE, checks));
-  Object.assign(gltf.json, {
-    images: [{ mimeType: 'image/png', bufferView }],
-    samplers: [{ magFilter: LINEAR, minFilter: LINEAR }],
-    textures: [{ source: 0, sampler: 0 }],
-    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } }],
-  });
-  gltf.node(gltf.mesh(bumpySphere(64, 32), { material: 0 }));
+  Object.assign(gltf.json, { samplers: [{ magFilter: LINEAR, minFilter: LINEAR }] });
+  texture(gltf, [png(CHECKS_SIZE, checks)], [{ source: 0, sampler: 0 }]);
+  gltf.add(bumpySphere(64, 32), { material: 0 });
   return gltf;
 }
 
@@ -313,11 +212,8 @@ function manyParts() {
     })),
   });
   for (let i = 0; i < PARTS; i++) {
-    const mesh = gltf.mesh(bumpySphere(10, 6), { material: i % 10 });
-    gltf.node(mesh, {
-      translation: [i % 10, Math.floor(i / 10) % 10, Math.floor(i / 100)],
-      scale: [0.45, 0.45, 0.45],
-    });
+    const translation = [i % 10, Math.floor(i / 10) % 10, Math.floor(i / 100)];
+    gltf.add(bumpySphere(10, 6), { material: i % 10 }, { translation, scale: [0.45, 0.45, 0.45] });
   }
   return gltf;
 }

@@ -29,41 +29,20 @@ Measures the built package in Chromium and writes tests/bench/results/STACK.json
 npm run bench:report writes tests/bench/REPORT.md and its charts from all results.
 `;
 
-/**
- * @typedef {object} Options
- * @property {boolean} quick @property {boolean} add @property {boolean} list @property {boolean} limits
- * @property {string[]} only @property {number} launches @property {number} minutes
- * @property {string} browser @property {string[]} flags @property {string} stack
- * @property {readonly [number, number] | null} size
- * @property {string} out @property {string} note @property {string} build @property {string} built
- */
+/** @typedef {ReturnType<typeof readOptions>} Options */
 
-/** Refuses what it cannot understand. @param {readonly string[]} args @returns {Options} */
+/** Refuses what it cannot understand. @param {readonly string[]} args */
 export function readOptions(args = process.argv.slice(2)) {
-  const { values } = readCommandLine(
-    HELP,
-    {
-      quick: { type: 'boolean', default: false },
-      add: { type: 'boolean', default: false },
-      list: { type: 'boolean', default: false },
-      limits: { type: 'boolean', default: false },
-      only: { type: 'string', default: '' },
-      launches: { type: 'string', default: '' },
-      minutes: { type: 'string', default: 'Infinity' },
-      browser: { type: 'string', default: '' },
-      flags: { type: 'string', default: '' },
-      stack: { type: 'string', default: 'software' },
-      size: { type: 'string', default: '' },
-      out: { type: 'string', default: '' },
-      note: { type: 'string', default: '' },
-      build: { type: 'string', default: '' },
-      built: { type: 'string', default: '' },
-    },
-    [],
-    joined(args),
-  );
-  const split = (/** @type {string} */ text, /** @type {string} */ separator) =>
-    text
+  const flag = /** @type {const} */ ({ type: 'boolean', default: false });
+  const text = /** @type {const} */ ({ type: 'string', default: '' });
+  const options = {
+    ...{ quick: flag, add: flag, list: flag, limits: flag },
+    ...{ only: text, launches: text, minutes: text, browser: text, flags: text, size: text },
+    ...{ out: text, note: text, build: text, built: text, stack: { ...text, default: 'software' } },
+  };
+  const { values } = readCommandLine(HELP, options, [], joined(args));
+  const split = (/** @type {string} */ list, /** @type {string} */ separator) =>
+    list
       .split(separator)
       .map((part) => part.trim())
       .filter((part) => part !== '');
@@ -74,9 +53,9 @@ export function readOptions(args = process.argv.slice(2)) {
     ...values,
     only: split(values.only, ';'),
     launches: numberOption('launches', values.launches || (values.quick ? '1' : '5'), 1),
-    minutes: values.minutes === 'Infinity' ? Infinity : numberOption('minutes', values.minutes, 1),
+    minutes: values.minutes === '' ? Infinity : numberOption('minutes', values.minutes, 1),
     flags: split(values.flags, ' '),
-    size: size === null ? null : [Number(size[1]), Number(size[2])],
+    size: size && /** @type {const} */ ([Number(size[1]), Number(size[2])]),
   };
 }
 

@@ -151,28 +151,24 @@ function both(row, withRatio = true) {
 function modelTables(results) {
   const [local, slow] = NETWORKS;
   const columns = /** @type {const} */ ([
-    ['first picture, ms', local],
-    ['first picture, ms', slow],
-    ['longest task, ms', local],
-    ['peak memory, MiB', local],
-    ['upload, ms', local],
-    ['first draw, ms', local],
+    [`first picture, ms, ${local}`, 'first picture', local],
+    [`first picture, ms, ${slow}`, 'first picture', slow],
+    ['longest task, ms', 'longest task', local],
+    ['peak memory, MiB', 'peak memory', local],
+    ['upload, ms', 'upload', local],
+    ['first draw, ms', 'first draw', local],
   ]);
-  const head = columns.map(([title, network]) =>
-    title.startsWith('first picture') ? `${title}, ${network}` : title,
-  );
-  /** @param {string} title */
-  const measureOf = (title) => title.split(',')[0] ?? '';
+  const head = columns.map(([title]) => title);
   return results.flatMap((result) => {
     const rows = Object.keys(MODELS).map((model) => [
       model,
-      ...columns.map(([title, network]) =>
-        besideBest(rowOf(result, modelSubject(model, network), measureOf(title))),
+      ...columns.map(([, measure, network]) =>
+        besideBest(rowOf(result, modelSubject(model, network), measure)),
       ),
     ]);
     if (rows.every((cells) => cells.slice(1).every((cell) => cell === '–'))) return [];
-    const medians = columns.map(([title, network]) => {
-      const ratio = ratioOverSubjects(result, modelSubjects(network), measureOf(title));
+    const medians = columns.map(([, measure, network]) => {
+      const ratio = ratioOverSubjects(result, modelSubjects(network), measure);
       return ratio === undefined ? '–' : spreadText(ratio);
     });
     return [`**${result.stack}**\n\n${table(['', ...head], [...rows, ['median ratio', ...medians]])}`];
@@ -189,25 +185,20 @@ function besideBest(row) {
 
 /** @param {readonly BenchResult[]} results */
 function otherTable(results) {
-  const keys = new Map(
-    results
-      .flatMap(({ measures }) => measures)
-      .filter(({ subject }) => !['frames', 'model', 'picture'].includes(SUBJECTS[subject]?.kind ?? ''))
-      .flatMap(({ subject, measure, unit, samples }) =>
-        Object.keys(samples).map((side) => [
-          `${subject}, ${measure}, ${side}, ${unit}`,
-          { subject, measure, side },
-        ]),
-      ),
-  );
-  const rows = [...keys].map(([label, { subject, measure, side }]) => [
-    label,
-    ...results.map((result) => {
-      const row = rowOf(result, subject, measure);
-      return row === undefined || !(side in row.samples) ? '–' : spreadText(valueOf(row, side), digits);
-    }),
-  ]);
-  return table(['', ...stacks(results)], rows);
+  /** @type {Map<string, string[]>} */
+  const rows = new Map();
+  for (const { subject, measure, unit, samples } of results.flatMap(({ measures }) => measures)) {
+    if (['frames', 'model', 'picture'].includes(SUBJECTS[subject]?.kind ?? '')) continue;
+    for (const side of Object.keys(samples)) {
+      const label = `${subject}, ${measure}, ${side}, ${unit}`;
+      const cells = results.map((result) => {
+        const row = rowOf(result, subject, measure);
+        return row === undefined || !(side in row.samples) ? '–' : spreadText(valueOf(row, side));
+      });
+      rows.set(label, [label, ...cells]);
+    }
+  }
+  return table(['', ...stacks(results)], [...rows.values()]);
 }
 
 /** Rows of the pictures' table. */
@@ -226,10 +217,7 @@ function pictureTables(results) {
     /** @param {string} label @param {string} measure @param {string} side */
     const values = (label, measure, side) => [
       label,
-      ...subjects.map((subject) => {
-        const value = pictureValue(result, subject, measure, side);
-        return value === undefined ? '–' : digits(value);
-      }),
+      ...subjects.map((subject) => digits(pictureValue(result, subject, measure, side))),
     ];
     const rows = PICTURE_SIDES.map((side) => [
       side,
@@ -270,14 +258,10 @@ function frontsTable(results) {
 /** @param {readonly BenchResult[]} results */
 function machinesTable(results) {
   const keys = [...new Set(results.flatMap(({ machine }) => Object.keys(machine)))];
-  return table(
-    ['', ...stacks(results)],
-    [
-      ['measured', ...results.map(({ date }) => date)],
-      ['launches', ...results.map(({ launches }) => String(launches))],
-      ...keys.map((key) => [key, ...results.map(({ machine }) => machine[key] ?? '–')]),
-    ],
-  );
+  const rows = keys.map((key) => [key, ...results.map(({ machine }) => machine[key] ?? '–')]);
+  const dates = ['measured', ...results.map(({ date }) => date)];
+  const launches = ['launches', ...results.map((result) => String(result.launches))];
+  return table(['', ...stacks(results)], [dates, launches, ...rows]);
 }
 
 /** @param {readonly BenchResult[]} results */
@@ -302,12 +286,15 @@ function failures(results) {
 /** @param {readonly BenchResult[]} results */
 const stacks = (results) => results.map(({ stack }) => stack);
 
-/** @param {import('./statistics.mjs').Spread} spread @param {(x: number) => string} [text] */
-const spreadText = ({ median: middle, low, high, count }, text = digits) =>
-  count < 2 ? text(middle) : `${text(middle)} (${text(low)}–${text(high)})`;
+/** @param {import('./statistics.mjs').Spread} spread */
+const spreadText = ({ median: middle, low, high, count }) =>
+  count < 2 ? digits(middle) : `${digits(middle)} (${digits(low)}–${digits(high)})`;
 
-/** Three significant digits, never an exponent. @param {number} x */
-const digits = (x) => (Math.abs(x) >= 100 ? x.toFixed(0) : String(Number(x.toPrecision(x >= 1 ? 3 : 2))));
+/** Three significant digits, never an exponent. @param {number} [x] */
+function digits(x) {
+  if (x === undefined) return '–';
+  return Math.abs(x) >= 100 ? x.toFixed(0) : String(Number(x.toPrecision(x >= 1 ? 3 : 2)));
+}
 
 /**
  * About speed: frames of the sphere next to three.js, on the GPU that does worst. With the README's marks.

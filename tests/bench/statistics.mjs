@@ -37,14 +37,13 @@ export const pairedRatios = (ours, theirs) => ours.map((sample, i) => sample / (
 
 /**
  * Rounds of samples, one of each subject a round, every other round backwards, so that none always follows the same one.
- * @template S
+ * @template S, T
  * @param {readonly S[]} subjects @param {number} rounds
- * @param {(subject: S) => Promise<number>} sample
- * @returns {Promise<number[][]>} [subject][round]
+ * @param {(subject: S) => Promise<T>} sample
+ * @returns {Promise<T[][]>} [subject][round]
  */
 export async function interleaved(subjects, rounds, sample) {
-  /** @type {number[][]} */
-  const samples = subjects.map(() => []);
+  const samples = subjects.map(() => /** @type {T[]} */ ([]));
   for (let round = 0; round < rounds; round++) {
     const order = subjects.map((_, i) => (round % 2 === 0 ? i : subjects.length - 1 - i));
     for (const i of order) samples[i]?.push(await sample(/** @type {S} */ (subjects[i])));

@@ -5,14 +5,24 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { htmlOf } from './pages.mjs';
 
 const pages = fileURLToPath(new URL('pages', import.meta.url));
 const dist = outputFolder('dist');
+const name = process.env['PHONG_VIEWER_BENCH_PAGE'] ?? '';
+const page = join(pages, `${name}.html`);
 
 export default defineConfig({
   root: pages,
   base: './',
   publicDir: false,
+  plugins: [
+    {
+      name: 'bench-page',
+      resolveId: (id) => (id === page ? page : undefined),
+      load: (id) => (id === page ? htmlOf(name) : undefined),
+    },
+  ],
   define: { 'process.env.NODE_ENV': '"production"' },
   resolve: {
     alias: [
@@ -28,7 +38,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 2048,
     rolldownOptions: {
-      input: join(pages, process.env['PHONG_VIEWER_BENCH_PAGE'] ?? ''),
+      input: page,
       // The standalone file and others' viewers are measured as they are.
       external: /(?:phong-viewer\.standalone|model-viewer\.min|babylon-viewer\.esm\.min)\.js$/,
     },

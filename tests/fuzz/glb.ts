@@ -2,7 +2,6 @@
 // Node.
 import { deflateSync } from 'node:zlib';
 import { glbFile } from '../bench/glb.mjs';
-import { crc32 } from './crc32.js';
 
 export type Json = Record<string, unknown>;
 
@@ -34,19 +33,15 @@ export function pngWith(width: number, height: number, bits: 1 | 32, data: Uint8
 }
 
 /** Buffer views end to end in one binary chunk. */
-export function viewsOf(blobs: readonly Uint8Array[]): {
-  bufferViews: Json[];
-  buffers: Json[];
-  body: Buffer;
-} {
+export function viewsOf(blobs: readonly Uint8Array[]) {
   let byteOffset = 0;
-  const padded = blobs.map((blob) => Buffer.concat([blob, Buffer.alloc((4 - (blob.length % 4)) % 4)]));
-  const bufferViews = padded.map(({ length }, i) => {
-    const view = { buffer: 0, byteOffset, byteLength: blobs[i]?.length };
+  const padded = blobs.map((blob) => Buffer.concat([blob, Buffer.alloc(-blob.length & 3)]));
+  const bufferViews: Json[] = padded.map(({ length }, i) => {
+    const view = { buffer: 0, byteOffset, byteLength: blobs[i]!.length };
     byteOffset += length;
     return view;
   });
-  return { bufferViews, buffers: [{ byteLength: byteOffset }], body: Buffer.concat(padded) };
+  return { bufferViews, buffers: [{ byteLength: byteOffset }] as Json[], body: Buffer.concat(padded) };
 }
 
 export const floats = (...values: readonly number[]): Buffer => Buffer.from(Float32Array.from(values).buffer);
@@ -57,4 +52,14 @@ function pngChunk(type: string, data: Uint8Array): Buffer {
   length.writeUInt32BE(data.length);
   sum.writeUInt32BE(crc32(named));
   return Buffer.concat([length, named, sum]);
+}
+
+/** The checksum of PNG chunks (ISO 3309, polynomial 0xedb88320). Node has one from version 22 on only. */
+function crc32(bytes: Uint8Array): number {
+  let c = 0xffffffff;
+  for (const byte of bytes) {
+    c ^= byte;
+    for (let k = 0; k < 8; k++) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
+  }
+  return ~c >>> 0;
 }

@@ -5,7 +5,7 @@ import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/sourc
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
-import { FloatPass, type Held, type PassResult } from './float-pass.js';
+import { FloatPass, type PassResult, type PassSource, type Uniforms } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { gridCheck } from './grid-checks.js';
 import { specialisedChecks } from './specialised-checks.js';
@@ -59,19 +59,17 @@ const power = (x: number, y: number, k: number): number => {
   return y < 0.25 ? Math.exp(k * Math.log1p(-y)) : x ** k;
 };
 
+const isInside = (q: number, p: number, limit: number): number =>
+  (limit < 0 ? p >= -limit : q <= limit) ? 1 : 0;
+
 const CHECKS: readonly Check[] = [
   {
     title: 'powNearOne keeps x^k to 1e-6 for x beside 1 and exponents to 1e6',
     glsl: 'result.x = powNearOne(a.x, a.y, a.z);',
     inputs(random) {
       const y = f(random.pick([random.magnitude(1e-12, 1), random.from(0, 1), 0]));
-      const k = random.pick([
-        0,
-        1e-7,
-        f(random.magnitude(1e-6, 1e6)),
-        f(random.from(0, 40) / Math.max(y, 1e-6)),
-      ]);
-      return [[f(1 - y), y, Math.min(k, 1e6)]];
+      const far = [f(random.magnitude(1e-6, 1e6)), f(random.from(0, 40) / Math.max(y, 1e-6))];
+      return [[f(1 - y), y, Math.min(random.pick([0, 1e-7, ...far]), 1e6)]];
     },
     expected: ([x, y, k]) => [power(x!, y!, k!)],
     bound: 1e-6,
@@ -91,15 +89,8 @@ const CHECKS: readonly Check[] = [
     title: 'unitOrZero gives unit vectors of vectors of any length',
     glsl: 'result.xyz = unitOrZero(a.xyz);',
     inputs(random) {
-      const size = random.pick([
-        0,
-        1,
-        random.magnitude(1e-30, 1e-3),
-        random.magnitude(1e-3, 1e3),
-        1e30,
-        1e38,
-      ]);
-      return [float32(scale(random.unit(), size))];
+      const usual = [random.magnitude(1e-30, 1e-3), random.magnitude(1e-3, 1e3)];
+      return [float32(scale(random.unit(), random.pick([0, 1, ...usual, 1e30, 1e38])))];
     },
     expected: (v) => normalize(v as unknown as Vec3),
     // inversesqrt may be 2 ULP off, up to 2.4e-7; measured on the worst driver: 3.7e-7.
@@ -132,7 +123,7 @@ const CHECKS: readonly Check[] = [
       const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, 0)), LIMIT_OPEN]);
       return [[q, f(1 - q), limit]];
     },
-    expected: ([q, p, limit]) => [(limit! < 0 ? p! >= -limit! : q! <= limit!) ? 1 : 0],
+    expected: ([q, p, limit]) => [isInside(q!, p!, limit!)],
     bound: 0,
   },
   {
@@ -143,22 +134,19 @@ const CHECKS: readonly Check[] = [
       result.xy = vec2(insideCone(a.x, a.y, a.z, features), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
     inputs(random) {
       const q = f(random.from(0, 1));
-      return [
-        [q, f(1 - q), random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, -1e-6))])],
-      ];
+      const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, -1e-6))]);
+      return [[q, f(1 - q), limit]];
     },
-    expected: ([q, p, limit]) => [(limit! < 0 ? p! >= -limit! : q! <= limit!) ? 1 : 0, 1],
+    expected: ([q, p, limit]) => [isInside(q!, p!, limit!), 1],
     bound: 0,
   },
   {
     title: 'powInteger keeps x^k to the rounding of x for every integer k to 64, and 1 at 1',
     glsl: 'result.x = powInteger(a.x, int(a.y));',
-    inputs: (random) => [
-      [
-        f(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
-        Math.floor(random.from(1, 65)),
-      ],
-    ],
+    inputs(random) {
+      const x = f(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)]));
+      return [[x, Math.floor(random.from(1, 65))]];
+    },
     expected: ([x, k]) => [x! ** k!],
     // Six squarings and six products, half a step each, up to 64 times over.
     bound: 4e-6,
@@ -256,28 +244,19 @@ export function checkChunks(
     glsl;
   const checks = [...CHECKS, ...specialisedChecks(everyLight), gridCheck()]
     .filter(({ title }) => title.startsWith(only))
-    .map((check) =>
-      runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed, cases),
-    );
+    .map((check) => ({ ...check, glsl: check.glsl + spoiledBy(driver) }))
+    .map((check) => runCheck(gl, check, source(check), seed, cases));
   if (only !== '') return checks;
-  return [
-    ...checks,
-    checkCodes(gl, source({})),
-    checkStorage(gl, 'STORAGE_UNIFORMS', 200),
-    checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2),
-  ];
+  checks.push(checkCodes(gl, source({})), checkStorage(gl, 'STORAGE_UNIFORMS', 200));
+  return [...checks, checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2)];
 }
 
 const head = (storage: string): string => `#define LIGHT_STORAGE ${storage}\n`;
 const NO_ROWS = 'vec4 lightRow(int i) { return vec4(0.0); }\n';
 
-function runCheck(
-  gl: WebGL2RenderingContext,
-  check: Check,
-  source: string,
-  seed: number,
-  cases: number,
-): Checked {
+type Gl = WebGL2RenderingContext;
+
+function runCheck(gl: Gl, check: Check, source: string, seed: number, cases: number): Checked {
   const { title, glsl, bound, floor = 0, table } = check;
   const random = new Random(partSeed(seed, title));
   const texels = Math.ceil(cases / WIDTH) * WIDTH;
@@ -288,7 +267,7 @@ function runCheck(
     a.set(first, i * 4);
     b.set(second, i * 4);
   }
-  const textures = table === undefined ? [] : [TABLE];
+  const textures = table === undefined ? [] : ['u_table'];
   const tables = table === undefined ? [] : [wholeTexels(table)];
   const pass = { glsl: source, inputs: ['a', 'b'], textures, main: glsl };
   const { floats } = once(gl, pass, [a, b, ...tables]);
@@ -306,8 +285,6 @@ function runCheck(
   return { title, cases, bound, max };
 }
 
-const TABLE = 'u_table';
-
 function wholeTexels(table: Float32Array): Float32Array {
   const data = new Float32Array(Math.ceil(table.length / (4 * WIDTH)) * 4 * WIDTH);
   data.set(table);
@@ -315,23 +292,19 @@ function wholeTexels(table: Float32Array): Float32Array {
 }
 
 /** Every code, and the floats beside the steps between codes, as 8-bit output and as floats. */
-function checkCodes(gl: WebGL2RenderingContext, source: string): Checked {
-  const inputs: (readonly [x: number, code: number])[] = [
-    [-1e6, 0],
-    [-0.5, 0],
-    [1.5, 255],
-    [1e6, 255],
-  ];
-  for (let code = 0; code < 256; code++) {
-    // A step itself is half-way; 1e-4 to either side of it the nearest code is clear.
-    for (const off of [0, 0.5 - 1e-4, -0.5 + 1e-4]) inputs.push([f((code + off) / 255), code]);
-  }
+function checkCodes(gl: Gl, source: string): Checked {
+  const beyond = [-1e6, -0.5, 1.5, 1e6].map((x) => ({ x, code: x < 0 ? 0 : 255 }));
+  // A step itself is half-way; 1e-4 to either side of it the nearest code is clear.
+  const beside = Array.from({ length: 256 }, (_, code) =>
+    [0, 0.5 - 1e-4, -0.5 + 1e-4].map((off) => ({ x: f((code + off) / 255), code })),
+  );
+  const inputs = [...beyond, ...beside.flat()];
   const a = new Float32Array(1024 * 4);
-  inputs.forEach(([x], i) => a.set([x], i * 4));
+  inputs.forEach(({ x }, i) => (a[i * 4] = x));
   const main = 'result = vec4(nearestCode(vec3(a.x)), 1.0); shown = result;';
   const { floats, codes } = once(gl, { glsl: source, inputs: ['a'], main }, [a]);
   let max = 0;
-  inputs.forEach(([, code], i) => {
+  inputs.forEach(({ code }, i) => {
     max = Math.max(max, Math.abs(codes[i * 4]! - code), Math.abs(floats[i * 4]! * 255 - code));
   });
   // Two ULP of the division by 255 are 6e-5 of a code.
@@ -339,7 +312,7 @@ function checkCodes(gl: WebGL2RenderingContext, source: string): Checked {
 }
 
 /** Every slot of a storage holds a number of its own. */
-function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number): Checked {
+function checkStorage(gl: Gl, storage: string, rows: number): Checked {
   const data = new Float32Array(rows * 4).map((_, i) => i + 1);
   const index = new Float32Array(Math.ceil(rows / WIDTH) * WIDTH * 4);
   for (let i = 0; i < rows; i++) index[i * 4] = i;
@@ -352,9 +325,7 @@ function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number)
     main: 'result = lightRow(int(a.x));',
   });
   const input = { data: index, width: WIDTH };
-  const held: Held = {
-    vectors: inTexture ? { uLightTextureScale: [1 / width, width / rows] } : { uLightRows: data },
-  };
+  const held: Uniforms = inTexture ? { uLightTextureScale: [1 / width, width / rows] } : { uLightRows: data };
   const { floats } = pass.run([input, ...(inTexture ? [{ data, width }] : [])], held);
   pass.dispose();
   let max = 0;
@@ -362,11 +333,7 @@ function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number)
   return { title: `lightRow reads every number of ${storage}`, cases: rows * 4, bound: 0, max };
 }
 
-function once(
-  gl: WebGL2RenderingContext,
-  source: ConstructorParameters<typeof FloatPass>[1],
-  inputs: readonly Float32Array[],
-): PassResult {
+function once(gl: Gl, source: PassSource, inputs: readonly Float32Array[]): PassResult {
   const pass = new FloatPass(gl, source);
   const result = pass.run(inputs.map((data) => ({ data, width: WIDTH })));
   pass.dispose();

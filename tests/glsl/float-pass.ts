@@ -25,13 +25,8 @@ export interface PassResult {
   readonly codes: Uint8Array;
 }
 
-/** What a program reads besides textures. */
-export interface Held {
-  /** A uniform block of this name and its bytes. */
-  readonly block?: { readonly name: string; readonly data: Float32Array };
-  /** Uniforms by name: two numbers are a vec2, more are an array of vec4. */
-  readonly vectors?: Readonly<Record<string, ArrayLike<number>>>;
-}
+/** Uniforms by name: two numbers are a vec2, more are an array of vec4. */
+export type Uniforms = Readonly<Record<string, ArrayLike<number>>>;
 
 /** RGBA32F texels, row by row. */
 export interface FloatTexture {
@@ -89,7 +84,7 @@ void main() {
   }
 
   /** One texture an input and one a further texture, in the order of the source; inputs share one size. */
-  run(textures: readonly FloatTexture[], { block, vectors = {} }: Held = {}): PassResult {
+  run(textures: readonly FloatTexture[], uniforms: Uniforms = {}): PassResult {
     const gl = this.#gl;
     const { data, width } = textures[0]!;
     const height = data.length / 4 / width;
@@ -109,8 +104,7 @@ void main() {
     gl.viewport(0, 0, width, height);
     gl.useProgram(this.#program);
     const bound = textures.map((texture, i) => this.#bind(texture, i));
-    const buffer = block === undefined ? null : this.#bindBlock(block);
-    for (const [name, numbers] of Object.entries(vectors)) {
+    for (const [name, numbers] of Object.entries(uniforms)) {
       const place = gl.getUniformLocation(this.#program, name);
       if (numbers.length === 2) gl.uniform2fv(place, Float32Array.from(numbers));
       else gl.uniform4fv(place, Float32Array.from(numbers));
@@ -124,7 +118,6 @@ void main() {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, codes);
     for (const texture of [...targets, ...bound]) gl.deleteTexture(texture);
     gl.deleteFramebuffer(frame);
-    gl.deleteBuffer(buffer);
     const error = gl.getError();
     if (error !== gl.NO_ERROR) throw new Error(`WebGL error ${error}`);
     return { floats, codes };
@@ -132,15 +125,6 @@ void main() {
 
   dispose(): void {
     this.#gl.deleteProgram(this.#program);
-  }
-
-  #bindBlock({ name, data }: Required<Held>['block']): WebGLBuffer {
-    const gl = this.#gl;
-    const buffer = gl.createBuffer();
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, buffer);
-    gl.bufferData(gl.UNIFORM_BUFFER, data, gl.STATIC_DRAW);
-    gl.uniformBlockBinding(this.#program, gl.getUniformBlockIndex(this.#program, name), 0);
-    return buffer;
   }
 
   #bind({ data, width }: FloatTexture, unit: number): WebGLTexture {

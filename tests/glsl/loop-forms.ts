@@ -25,38 +25,32 @@ export interface LoopProgram {
 type History = 'none' | 'everything';
 
 /** Every program that the shipped code may draw a case with. */
-const DRAWN_BY: readonly (readonly [LoopForm, History])[] = [
+type Way = readonly [LoopForm, History];
+const DRAWN_BY: readonly Way[] = [
   ['general', 'none'],
   ['general', 'everything'],
   ...FORMS.map((form) => [form, 'none'] as const),
 ];
 
 export const programsFor = (stress: StressCase, { reflection }: Variant): ReadonlySet<LoopProgram> =>
-  new Set(DRAWN_BY.map(([form, history]) => programOf(form, history, stress, reflection)));
+  new Set(DRAWN_BY.map((way) => programOf(way, stress, reflection)));
 
 /** The same, without taking over programs of other cases. */
 export function freshProgramsFor(stress: StressCase, { reflection }: Variant): LoopProgram[] {
-  const fresh = DRAWN_BY.map(([form, history]) =>
-    loopProgram(form, variantDefines(form, history, stress, reflection)),
-  );
+  const fresh = DRAWN_BY.map((way) => loopProgram(way[0], variantDefines(way, stress, reflection)));
   return [...new Map(fresh.map((program) => [program.name, program])).values()];
 }
 
 /** Which variant it is depends on these alone: see {@link variantDefines}. */
 const made = new Map<string, LoopProgram>();
 
-function programOf(
-  form: LoopForm,
-  history: History,
-  stress: StressCase,
-  reflection: Reflection,
-): LoopProgram {
+function programOf([form, history]: Way, stress: StressCase, reflection: Reflection): LoopProgram {
   const { shininess } = stress.surface;
   const declared = declaredBefore(history, stress);
   const key = [form, history, reflection, declared, isMildPower(shininess), isIntegerPower(shininess)].join();
   const known = made.get(key);
   if (known !== undefined) return known;
-  const program = shared(loopProgram(form, variantDefines(form, history, stress, reflection)));
+  const program = shared(loopProgram(form, variantDefines([form, history], stress, reflection)));
   made.set(key, program);
   return program;
 }
@@ -71,28 +65,19 @@ function shared(program: LoopProgram): LoopProgram {
   return known ?? program;
 }
 
+type Defines = Readonly<Record<string, string>>;
+
 /** The defines of the shipped variant. */
-function variantDefines(
-  form: LoopForm,
-  history: History,
-  stress: StressCase,
-  reflection: Reflection,
-): Readonly<Record<string, string>> {
-  const { surface } = stress;
-  const { shininess } = surface;
+function variantDefines([form, history]: Way, stress: StressCase, reflection: Reflection): Defines {
+  const { shininess } = stress.surface;
   const material = {
     ...{ look: PLAIN_LOOK, style: { ...DEFAULT_STYLE, reflection }, linear: false },
     mildShininess: history === 'none' && isMildPower(shininess),
   };
   const general = generalVariant(material, declaredBefore(history, stress), 0);
   if (form === 'general') return general.defines;
-  const integerShininess = isIntegerPower(shininess) ? shininess : null;
-  return specialisedVariant(
-    general,
-    { terms: TERMS, integerShininess },
-    form,
-    pack(stress, { reflection, linear: false }),
-  ).defines;
+  const known = { terms: TERMS, integerShininess: isIntegerPower(shininess) ? shininess : null };
+  return specialisedVariant(general, known, form, pack(stress, { reflection, linear: false })).defines;
 }
 
 const COLORS = { ambient: [9, 9, 9], diffuse: [9, 9, 9], specular: [9, 9, 9] } as const;
@@ -151,16 +136,15 @@ function withoutFeatures(declared: number): string[] {
   return missing.length === 0 ? [] : ['without', ...missing.map(([name]) => name)];
 }
 
-function loopProgram(form: LoopForm, variant: Readonly<Record<string, string>>): LoopProgram {
+function loopProgram(form: LoopForm, variant: Defines): LoopProgram {
   // The masks of a specialised program's lights say more than what was declared.
   const declared = form === 'general' ? variant['DECLARED_FEATURES'] : String(EVERYTHING);
   const defines = Object.entries({ ...variant, DECLARED_FEATURES: declared, ...AT_RUN_TIME }).flatMap(
     ([name, value]) =>
       name in variant && typeof value === 'string' ? [`${name} ${value.replace(/\n\s*/g, ' ')}`] : [],
   );
-  return {
-    form,
-    name: [form, ...Object.keys(variant).filter(isTrait), ...withoutFeatures(Number(declared))].join(' '),
-    defines,
-  };
+  const name = [form, ...Object.keys(variant).filter(isTrait), ...withoutFeatures(Number(declared))].join(
+    ' ',
+  );
+  return { form, name, defines };
 }

@@ -10,7 +10,6 @@ import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
 import type { PackedLights } from '../../src/light/pack-lights.js';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode } from '../../src/math/color.js';
-import type { Surface } from '../../src/reference/equation.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';
 
 const INPUTS = ['place', 'side', 'seer', 'ka', 'kd', 'ks', 'matrix0', 'matrix1', 'matrix2'] as const;
@@ -90,28 +89,21 @@ function writeCase(
   rows: RowStore,
   { linear }: Variant,
 ): void {
-  const { p, eye, normal, normalMatrix, surface } = stress;
-  const material = surfaceUniforms(surface, linear);
+  const { p, eye, normal, normalMatrix: m = [], surface } = stress;
+  // Ka, Kd and Ks as the material sends them.
+  const channel = (k: number): number => (linear ? srgbDecode(k / 255) : k / 255);
+  const [ka, kd, ks] = [surface.ka.map(channel), surface.kd.map(channel), surface.ks.map(channel)];
   const { first, masks } = rows.add(stress);
-  const m = normalMatrix;
   const values = [
-    [...p, material.shininess],
+    [...p, surface.shininess],
     [...normal, first],
     [...eye, masks],
-    [...material.ka, linear ? 1 : 0],
-    material.kd,
-    material.ks,
-    m === undefined ? [] : [m[0]!, m[1]!, m[2]!, 1],
-    m === undefined ? [] : m.slice(3, 6),
-    m === undefined ? [] : m.slice(6, 9),
+    [...ka, linear ? 1 : 0],
+    ...[kd, ks],
+    m.length === 0 ? [] : [...m.slice(0, 3), 1],
+    ...[m.slice(3, 6), m.slice(6, 9)],
   ];
   values.forEach((texel, k) => inputs[k]!.set(texel, at));
-}
-
-/** Ka, Kd and Ks as the material sends them. */
-function surfaceUniforms({ ka, kd, ks, shininess }: Surface, linear: boolean) {
-  const channel = (k: number): number => (linear ? srgbDecode(k / 255) : k / 255);
-  return { ka: ka.map(channel), kd: kd.map(channel), ks: ks.map(channel), shininess };
 }
 
 /** Where a case's rows begin, and its masks relative to them. */
@@ -187,7 +179,5 @@ function oneCell({ rows, counts }: PackedLights): number[] {
   const list = Array.from({ length: counts.spot }, (_, i) => firstSpot + i * ROWS.spot.rows);
   while (list.length % 4 > 0) list.push(0);
   const cell = rows + GRID.rows;
-  const grid: number[] = [];
-  grid.push(0, 0, 0, cell, 1, 1, 1, cell + 1, 1, 1, 1, 0);
-  return [...grid, 0, counts.spot, 0, 0, ...list];
+  return [...[0, 0, 0, cell], ...[1, 1, 1, cell + 1], ...[1, 1, 1, 0], ...[0, counts.spot, 0, 0], ...list];
 }

@@ -3,14 +3,15 @@
 import { declaredFeatures } from '../../src/light/light-features.js';
 import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/light/precision.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
-import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
+import { type LightValues, type Term, TERMS } from '../../src/light/light-state.js';
 import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import { type Form, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
 import { DEFAULT_STYLE, type Reflection } from '../../src/material/material-values.js';
-import { type Term, TERMS } from '../../src/light/light-state.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
-import { shade, type Surface } from '../../src/reference/equation.js';
+import { shade } from '../../src/reference/equation.js';
+import { lightWith } from '../stress/case.js';
 import { BRANCHES } from '../stress/contract.js';
+import { white } from '../stress/fragments.js';
 import { float32, Random } from '../stress/random.js';
 import type { Check } from './chunk-checks.js';
 import { mildPowerError } from './worst-driver.js';
@@ -23,6 +24,9 @@ function lobeInputs(random: Random): readonly [number[], number[]] {
   return [[...float32(L)], [...float32(normalize(V))]];
 }
 
+const phong: Check['expected'] = ([x, y, z], V) => [
+  Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8,
+];
 const blinn: Check['expected'] = ([x, y, z], V) => [
   Math.max(normalize(add([x!, y!, z!], V as unknown as Vec3))[2], 0) ** 8,
 ];
@@ -36,7 +40,8 @@ function blinnInputs(random: Random): readonly [number[], number[]] {
     const inputs = lobeInputs(random);
     const [L, V] = inputs;
     const isView = Math.hypot(...V) > 0;
-    if (!isView || Math.hypot(...add(L as unknown as Vec3, V as unknown as Vec3)) > BRANCHES.half) return inputs;
+    if (!isView || Math.hypot(...add(L as unknown as Vec3, V as unknown as Vec3)) > BRANCHES.half)
+      return inputs;
   }
 }
 
@@ -47,12 +52,8 @@ function opposed(random: Random): readonly [number[], number[]] {
   return [L, [...float32(L.map((x) => -x + ulp(x)) as unknown as Vec3)]];
 }
 
-const lobe = (
-  defines: readonly string[],
-  title: string,
-  expected: Check['expected'],
-  bound: number,
-): Check => ({
+type Law = readonly [title: string, expected: Check['expected'], bound: number];
+const lobe = (defines: readonly string[], ...[title, expected, bound]: Law): Check => ({
   title,
   defines,
   glsl: 'vec3 N = vec3(0.0, 0.0, 1.0); result.x = specularLobe(N, a.xyz, specularView(N, b.xyz), 8.0);',
@@ -75,7 +76,7 @@ const LOBES: readonly Check[] = [
   lobe(
     ['INTEGER_SHININESS 8'],
     'specularLobe multiplies an integer exponent out, and is 0 behind and without a view',
-    ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
+    phong,
     5e-6,
   ),
   lobe(
@@ -90,23 +91,15 @@ const LOBES: readonly Check[] = [
     blinn,
     2e-5,
   ),
-  lobe(
-    ['SHININESS_IS_MILD'],
-    'specularLobe raises a mild exponent without the series',
-    ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
-    2e-5,
-  ),
+  lobe(['SHININESS_IS_MILD'], 'specularLobe raises a mild exponent without the series', phong, 2e-5),
   {
     title: 'powMild keeps x^k to the error of log2, 0^k = 0 and x^0 = 1',
     glsl: 'result.x = powMild(a.x, a.y);',
-    inputs: (random) => [
-      [
-        Math.fround(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
-        Math.fround(
-          random.pick([0, 1e-7, 0.01, LARGEST_MILD_POWER, random.magnitude(1e-6, LARGEST_MILD_POWER)]),
-        ),
-      ],
-    ],
+    inputs(random) {
+      const x = random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)]);
+      const any = random.magnitude(1e-6, LARGEST_MILD_POWER);
+      return [[x, random.pick([0, 1e-7, 0.01, LARGEST_MILD_POWER, any])].map(Math.fround)];
+    },
     expected: ([x, k]) => [k! < 1e-6 ? 1 : x! ** k!],
     bound: mildPowerError(LARGEST_MILD_POWER),
     floor: 1,
@@ -116,28 +109,16 @@ const LOBES: readonly Check[] = [
 export const EYE: Vec3 = [0, 0, 5];
 
 /** Multiplies nothing away. */
-export const SURFACE: Surface = {
-  ka: [255, 255, 255],
-  kd: [255, 255, 255],
-  ks: [255, 255, 255],
-  shininess: 8,
-};
-
-export const light = (values: Partial<LightValues>): LightValues => ({
-  ...(Object.fromEntries(
-    Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]),
-  ) as unknown as LightValues),
-  ...values,
-});
+export const SURFACE = white(8);
 
 /** Lights of every kind and feature around a unit ball. */
-export function allLights(): LightValues[] {
+function allLights(): LightValues[] {
   const random = new Random(1);
   const lamp = (values: Partial<LightValues>): LightValues => {
     const place = scale(random.unit(), random.from(2, 4));
     const color = { ambient: random.color(60), diffuse: random.color(60), specular: random.color(60) };
     const aim = { position: [...place, 1], axis: subtract(random.vector(-0.5, 0.5), place) } as const;
-    return light({ ...color, ...aim, ...values });
+    return lightWith({ ...color, ...aim, ...values });
   };
   const none = [0, 0, 0] as const;
   return [
@@ -193,25 +174,16 @@ export function programOf(
   packed: PackedLights,
   { terms = TERMS, reflection = 'phong', integerShininess = true }: SumsOptions = {},
 ): Pick<Check, 'defines' | 'rows' | 'table'> {
-  const general = generalVariant(
-    {
-      look: PLAIN_LOOK,
-      style: { ...DEFAULT_STYLE, reflection, terms: form === 'general' ? terms : TERMS },
-      ...{ linear: false, mildShininess: true },
-    },
-    declaredFeatures(lights),
-    0,
-  );
+  const style = { ...DEFAULT_STYLE, reflection, terms: form === 'general' ? terms : TERMS };
+  const any = { look: PLAIN_LOOK, style, linear: false, mildShininess: true };
+  const general = generalVariant(any, declaredFeatures(lights), 0);
   const material = { terms, integerShininess: integerShininess ? SURFACE.shininess : null };
   const { defines } = form === 'general' ? general : specialisedVariant(general, material, form, packed);
   const list = Object.entries(defines).filter(([name]) => name !== 'LIGHT_STORAGE');
   const storage = form === 'inlined' ? 'STORAGE_INLINED' : 'STORAGE_OWN';
-  return {
-    defines: [`LIGHT_STORAGE ${storage}`, ...list.map((pair) => pair.join(' '))],
-    ...(form === 'inlined'
-      ? { rows: '' }
-      : { rows: ROWS_BY_TABLE, table: packed.data.slice(0, packed.rows * 4) }),
-  };
+  const all = [`LIGHT_STORAGE ${storage}`, ...list.map((pair) => pair.join(' '))];
+  if (form === 'inlined') return { defines: all, rows: '' };
+  return { defines: all, rows: ROWS_BY_TABLE, table: packed.data.slice(0, packed.rows * 4) };
 }
 
 function sumsOf(form: Form | 'general', lights: readonly LightValues[], options: SumsOptions = {}): Check {
@@ -228,14 +200,22 @@ function sumsOf(form: Form | 'general', lights: readonly LightValues[], options:
         if (lights.every((one) => !isAtEdge(one, p))) return [[...p], [...float32(N)]];
       }
     },
-    expected: ([x, y, z], N) => {
-      const fragment = { p: [x!, y!, z!] as Vec3, normal: N as unknown as Vec3, eye: EYE };
-      return shade(fragment, SURFACE, lights, { terms, reflection }).sum;
-    },
-    bound: 2e-5,
-    floor: 1,
+    ...sumLaw(lights, { terms, reflection }),
   };
 }
+
+/** What {@link ANYWHERE} comes to in float64. */
+export const sumLaw = (
+  lights: readonly LightValues[],
+  options: Pick<SumsOptions, 'terms' | 'reflection'> = {},
+): Pick<Check, 'expected' | 'bound' | 'floor'> => ({
+  expected: ([x, y, z], N) => {
+    const fragment = { p: [x!, y!, z!] as Vec3, normal: N as unknown as Vec3, eye: EYE };
+    return shade(fragment, SURFACE, lights, options).sum;
+  },
+  bound: 2e-5,
+  floor: 1,
+});
 
 /** So near to the cone's edge that float32 may decide either way. */
 export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {

@@ -44,10 +44,8 @@ export async function stressRun(
   for (const category of chosen) {
     const measured = nothingMeasured(category);
     const { variants } = category;
-    const wanted = Math.max(
-      Math.min(cases, LEAST_CASES),
-      Math.ceil((each * weight(category)) / variants.length),
-    );
+    const share = Math.ceil((each * weight(category)) / variants.length);
+    const wanted = Math.max(Math.min(cases, LEAST_CASES), share);
     for (const [v, variant] of variants.entries()) {
       for (let done = 0, batch = 0; done < wanted; batch++) {
         const random = new Random(partSeed(seed, `${category.id} ${v} ${batch}`));
@@ -73,9 +71,8 @@ function byProgram(list: readonly Judged[], variant: Variant): Map<LoopProgram, 
   const parts = new Map<LoopProgram, Judged[]>();
   for (const one of list) {
     for (const program of programsFor(one.stress, variant)) {
-      const part = parts.get(program);
-      if (part === undefined) parts.set(program, [one]);
-      else part.push(one);
+      if (!parts.has(program)) parts.set(program, []);
+      parts.get(program)!.push(one);
     }
   }
   return parts;
@@ -98,11 +95,8 @@ class Passes {
     const key = defines.join();
     const pass = this.#made.get(key) ?? new LoopPass(this.#gl, defines, this.#driver, this.#edit);
     this.#made.set(key, pass);
-    return pass.run(
-      form,
-      variant,
-      part.map(({ stress }) => stress),
-    );
+    const cases = part.map(({ stress }) => stress);
+    return pass.run(form, variant, cases);
   }
 
   dispose(): void {

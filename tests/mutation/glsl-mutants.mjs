@@ -13,18 +13,13 @@
 
 /** @typedef {{ what: string, pattern: RegExp, after: (match: RegExpExecArray) => string }} Operator */
 
-const OPPOSITE = { '<': '>=', '>': '<=', '<=': '>', '>=': '<', '==': '!=', '!=': '==' };
 /** @type {Record<string, string>} */
 const SWAPPED = {
-  '+': '-',
-  '-': '+',
-  '+=': '-=',
-  '-=': '+=',
-  min: 'max',
-  max: 'min',
-  '&&': '||',
-  '||': '&&',
+  ...{ '<': '>=', '>': '<=', '<=': '>', '>=': '<', '==': '!=', '!=': '==' },
+  ...{ '+': '-', '-': '+', '+=': '-=', '-=': '+=', min: 'max', max: 'min', '&&': '||', '||': '&&' },
 };
+/** @param {RegExpExecArray} match */
+const swapped = ([text]) => SWAPPED[text] ?? text;
 
 /** A type's name at the start makes a statement a declaration: without it the text does not compile. */
 const TYPES =
@@ -32,19 +27,15 @@ const TYPES =
 
 /** @type {readonly Operator[]} */
 const OPERATORS = [
-  {
-    what: 'flip a comparison',
-    pattern: /(?<![<>=!])(<=|>=|==|!=|<|>)(?![<>=])/g,
-    after: ([sign]) => OPPOSITE[/** @type {keyof OPPOSITE} */ (sign)],
-  },
+  { what: 'flip a comparison', pattern: /(?<![<>=!])(<=|>=|==|!=|<|>)(?![<>=])/g, after: swapped },
   {
     // Between operands only: neither a sign nor part of 1e-20.
     what: 'swap + and -',
     pattern: /(?<=[\w)\]]\s*)(?<![\d.][eE])(?<!return\s*)([+-]=?)(?![+-])(?<!\+\+|--)/g,
-    after: ([sign]) => SWAPPED[sign] ?? sign,
+    after: swapped,
   },
-  { what: 'swap min and max', pattern: /\b(min|max)(?=\()/g, after: ([name]) => SWAPPED[name] ?? name },
-  { what: 'swap && and ||', pattern: /&&|\|\|/g, after: ([sign]) => SWAPPED[sign] ?? sign },
+  { what: 'swap min and max', pattern: /\b(min|max)(?=\()/g, after: swapped },
+  { what: 'swap && and ||', pattern: /&&|\|\|/g, after: swapped },
   { what: 'drop a sign', pattern: /(?<=[(=,*?:]\s*|return\s+)-(?=[\w(])/g, after: () => '' },
   {
     what: 'change a constant',
@@ -57,11 +48,7 @@ const OPERATORS = [
     after: ([text]) => String(text === '1' ? 0 : Number(text) + 1),
   },
   { what: 'never take a branch', pattern: /(?<=\bif \()[^;{}]*?(?=\) (\w|\{))/g, after: () => 'false' },
-  {
-    what: 'drop a statement',
-    pattern: /(?<=[;{}]\s*)[a-z][^;{}]*;/g,
-    after: () => ';',
-  },
+  { what: 'drop a statement', pattern: /(?<=[;{}]\s*)[a-z][^;{}]*;/g, after: () => ';' },
 ];
 
 /** 0 and 1 become each other, other numbers double. @param {string} text */
@@ -84,14 +71,9 @@ export function glslMutants(text) {
       if (what === 'never take a branch' && !isBalanced(before)) continue;
       const changed = after(/** @type {RegExpExecArray} */ (match));
       const at = match.index;
-      mutants.push({
-        what,
-        at,
-        line: text.slice(0, at).split('\n').length,
-        before: text.slice(at, at + before.length),
-        after: changed,
-        text: text.slice(0, at) + changed + text.slice(at + before.length),
-      });
+      const [start, end] = [text.slice(0, at), text.slice(at + before.length)];
+      const line = start.split('\n').length;
+      mutants.push({ what, at, line, before, after: changed, text: start + changed + end });
     }
   }
   return mutants.sort((a, b) => a.at - b.at);

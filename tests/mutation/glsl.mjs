@@ -10,7 +10,7 @@ import { launchOptions } from '../support/built-pages.mjs';
 import { glslMutants } from './glsl-mutants.mjs';
 import { drawn } from './sample.mjs';
 
-/** @typedef {{ name: string, status: 'killed' | 'survived' | 'did not compile', by: string }} Result */
+/** @typedef {import('./typescript.mjs').Result} Result */
 /** @typedef {{ name: string, from: string, to: string }} Mutant */
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -35,7 +35,7 @@ export function mutantsOf({ name, text }) {
 }
 
 /**
- * @param {{ sample: number, seed: number, jobs: number, only: string, onResult: (result: Result, done: number, total:
+ * @param {{ sample: number, seed: number, jobs: number, only: string, onResult: (name: string, done: number, total:
  * number) => void }} options
  *   sample: how many mutants, all where it is 0; only: a part of their names
  * @returns {Promise<{ results: Result[], notRun: string[] }>} notRun: chunks that the harness has no program for
@@ -74,11 +74,9 @@ export async function runGlsl({ sample, seed, jobs, only, onResult }) {
     for (let mutant = mutants[next++]; mutant; mutant = mutants[next++]) {
       const outcome = await browser.run(mutant);
       if (outcome === null) browser = await open();
-      results.push({
-        name: mutant.name,
-        ...(outcome ?? { status: 'killed', by: 'hangs or loses the context' }),
-      });
-      onResult(/** @type {Result} */ (results.at(-1)), results.length, mutants.length);
+      const { status, by } = outcome ?? { status: 'killed', by: 'hangs or loses the context' };
+      results.push({ name: mutant.name, status, by });
+      onResult(mutant.name, results.length, mutants.length);
     }
     await browser.close();
   };
@@ -102,11 +100,9 @@ async function openPage(address) {
     /** Null where the page did not survive. @param {Mutant} mutant */
     async run({ from, to }) {
       const late = setTimeout(LONGEST_MS, null, { ref: false });
+      const given = { edit: { from, to }, extent: EXTENT };
       const tried = page
-        .evaluate(
-          ([edit, extent]) => window.tryMutant(edit, extent),
-          /** @type {const} */ ([{ from, to }, EXTENT]),
-        )
+        .evaluate(({ edit, extent }) => window.tryMutant(edit, extent), given)
         .catch(() => null);
       const outcome = /** @type {Omit<Result, 'name'> | null} */ (await Promise.race([tried, late]));
       if (outcome === null) await browser.close();

@@ -16,8 +16,8 @@ import {
 } from '../support/command-line.mjs';
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
 
-/** @typedef {import('./typescript.mjs').Result} Result */
 /**
+ * @typedef {import('./typescript.mjs').Result} Result
  * @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score: percent killed of
  * those that compile
  */
@@ -61,20 +61,20 @@ const sample = numberOption('sample', options.sample);
 const seed = numberOption('seed', options.seed);
 const jobs = numberOption('jobs', options.jobs, 1);
 
-const recorded = recordedScores();
+/** @type {Record<string, Score>} */
+const recorded = readJson(file);
 const start = performance.now();
 if (sample > 0) console.log(`A sample of about ${sample} mutants, seed ${seed}`);
 
 const results = [...(await typeScriptResults()), ...(await glslResults())];
-/** @type {Record<string, Score>} */
-const measured = {};
-for (const folder of options.folder)
-  measured[folder] = scoreOf(results.filter(({ name }) => isIn(folder, name)));
-
 if (options.list)
   for (const { name, status } of results) if (status === 'survived') console.log(`survived: ${name}`);
+/** @type {Record<string, Score>} */
+const measured = {};
 let fell = false;
-for (const [folder, score] of Object.entries(measured)) {
+for (const folder of options.folder) {
+  const score = scoreOf(results.filter(({ name }) => isIn(folder, name)));
+  measured[folder] = score;
   const before = recorded[folder];
   const worse = before !== undefined && hasFallen(score, before);
   fell ||= worse;
@@ -87,15 +87,11 @@ for (const [folder, score] of Object.entries(measured)) {
 }
 console.log(`${results.length} mutants in ${timeText((performance.now() - start) / 1000)}`);
 if (options.record) {
-  const all = Object.entries({ ...recordedScores(), ...measured }).sort(([a], [b]) => (a < b ? -1 : 1));
+  // Read again: another folder's run may have written since this one began.
+  const all = Object.entries({ ...readJson(file), ...measured }).sort(([a], [b]) => (a < b ? -1 : 1));
   writeFileSync(file, `${JSON.stringify(Object.fromEntries(all), null, 2)}\n`);
 }
 process.exit(fell && !options.record ? 1 : 0);
-
-/** As they are now: another folder's run may have written since this one began. @returns {Record<string, Score>} */
-function recordedScores() {
-  return readJson(file);
-}
 
 async function typeScriptResults() {
   const files = options.folder.flatMap((folder) => FOLDERS[folder] ?? []);
@@ -114,7 +110,7 @@ async function glslResults() {
     seed,
     jobs,
     only: options.only,
-    onResult: ({ name }, done, total) => {
+    onResult: (name, done, total) => {
       progress ??= new Progress();
       progress.show(done, total, name);
     },

@@ -19,14 +19,8 @@ class Sample {
   async check(mutants) {
     return Object.fromEntries(
       mutants.map(({ id, fileName, location: { start, end }, replacement }) => {
-        const name = [
-          relative('.', fileName).split('src/').pop(),
-          start.line,
-          start.column,
-          end.line,
-          end.column,
-          replacement,
-        ];
+        const place = [start.line, start.column, end.line, end.column];
+        const name = [relative('.', fileName).split('src/').pop(), ...place, replacement];
         const status = drawn(name.join(' '), seed) < share ? 'passed' : 'compileError';
         return [id, { status, reason: 'not in the sample' }];
       }),

@@ -86,94 +86,53 @@ const AXES: readonly Vec3[] = [
   [1, 1e-30, 0],
 ];
 
-const TEXTS = [
-  'NaN',
-  'Infinity',
-  '-Infinity',
-  '1e999',
-  '-1e999',
-  '-0',
-  '5e-324',
-  '1e-310',
-  '1e15',
-  '1e6',
-  '',
-];
+const TEXTS = 'NaN Infinity -Infinity 1e999 -1e999 -0 5e-324 1e-310 1e15 1e6'.split(' ').concat('');
 const NUMBERS = [NaN, Infinity, -Infinity, -0, 5e-324, 1e-310, 1e15, 1.0000001e15, 1e6, 180, -1, 0, 1];
 
 /** What stands after this was written into the attribute, or into the property: the value, or the default. */
 function written<T>(random: Random, field: Field<T>): T {
   const size = Array.isArray(field.fallback) ? field.fallback.length : 1;
   const asText = random.chance(0.5);
+  const numbers = Array.from({ length: size }, () =>
+    asText && random.chance(0.5) ? random.pick(TEXTS) : random.pick(NUMBERS),
+  );
   try {
-    if (!asText) {
-      const numbers = Array.from({ length: size }, () => random.pick(NUMBERS));
-      return field.check(size === 1 ? numbers[0] : numbers);
-    }
-    const numbers = Array.from({ length: size }, () =>
-      random.chance(0.5) ? random.pick(TEXTS) : String(random.pick(NUMBERS)),
-    );
-    return field.check(parseText(numbers.join(' '), field));
+    if (asText) return field.check(parseText(numbers.map(String).join(' '), field));
+    return field.check(size === 1 ? numbers[0] : numbers);
   } catch {
     return field.fallback;
   }
 }
 
 const LIGHT_KEYS = [
-  'ambient',
-  'diffuse',
-  'specular',
-  'position',
-  'axis',
-  'aperture',
-  'cutoff',
-  'attenuation',
-] as const;
+  ...(['ambient', 'diffuse', 'specular', 'position'] as const),
+  ...(['axis', 'aperture', 'cutoff', 'attenuation'] as const),
+];
 
 /** Anything at all in every attribute of a light and a surface. */
 function anything(random: Random): StressCase {
   const fragment = seen(random);
   const values: Partial<Record<keyof LightValues, unknown>> = colors(random);
-  for (const key of LIGHT_KEYS) {
+  for (const key of LIGHT_KEYS)
     if (random.chance(0.5)) values[key] = written<unknown>(random, LIGHT_FIELDS[key]);
-  }
   const worn: Partial<Record<keyof SurfaceValues, unknown>> = { ...surface(random, random.from(0, 64)) };
-  for (const key of ['ka', 'kd', 'ks', 'shininess'] as const) {
+  for (const key of ['ka', 'kd', 'ks', 'shininess'] as const)
     if (random.chance(0.3)) worn[key] = written<unknown>(random, SURFACE_FIELDS[key]);
-  }
   return stressCase(fragment, worn as SurfaceValues, [lightWith(values as Partial<LightValues>)]);
 }
 
-export const degenerateCategories = categories([
-  {
-    id: 'light-at-fragment',
-    title: 'a light at the fragment, or within 1e-15 of it',
-    make: atFragment,
-  },
-  {
-    id: 'direction-zero',
-    title: 'a directional light of zero length',
-    make: directionless,
-  },
-  {
-    id: 'direction-length',
+export const degenerateCategories = categories({
+  'light-at-fragment': { title: 'a light at the fragment, or within 1e-15 of it', make: atFragment },
+  'direction-zero': { title: 'a directional light of zero length', make: directionless },
+  'direction-length': {
     title: 'directional lights of any length from 5e-324 to 1e15',
     make: directionOfAnyLength,
   },
-  {
-    id: 'opposite',
-    title: 'light and eye exactly opposite each other',
-    make: opposite,
-  },
-  {
-    id: 'normals',
-    title: 'zero, cancelling, denormal, tiny and huge normals',
-    make: normals,
-  },
-  {
-    id: 'anything',
+  opposite: { title: 'light and eye exactly opposite each other', make: opposite },
+  normals: { title: 'zero, cancelling, denormal, tiny and huge normals', make: normals },
+  anything: {
     title: 'NaN, infinities, −0, 1e999 and denormals written into attributes and properties',
     bound: BOUNDS.shininess1e6,
     make: anything,
   },
-]);
+});

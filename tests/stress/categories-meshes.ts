@@ -68,20 +68,8 @@ function sheared(random: Random): StressCase {
   return onMesh(random, uneven().multiply(uneven()));
 }
 
-export const meshCategories = categories([
-  {
-    id: 'mesh-scale',
-    title: 'meshes turned, mirrored and scaled, to 1e±12',
-    make: placed,
-  },
-  {
-    id: 'mesh-flat',
-    title: 'meshes flattened along an axis',
-    make: flattened,
-  },
-  {
-    id: 'mesh-shear',
-    title: 'meshes sheared by others that they are in',
-    make: sheared,
-  },
-]);
+export const meshCategories = categories({
+  'mesh-scale': { title: 'meshes turned, mirrored and scaled, to 1e±12', make: placed },
+  'mesh-flat': { title: 'meshes flattened along an axis', make: flattened },
+  'mesh-shear': { title: 'meshes sheared by others that they are in', make: sheared },
+});

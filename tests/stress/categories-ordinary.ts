@@ -3,7 +3,7 @@ import { LARGEST_MILD_POWER } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { add, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, type StressCase, type Variant } from './case.js';
-import { categories, LINEAR } from './category.js';
+import { categories, type Category, LINEAR } from './category.js';
 import { BOUNDS } from './contract.js';
 import {
   anyLight,
@@ -112,78 +112,50 @@ function bright(random: Random): StressCase {
   return { ...stress, lights };
 }
 
-export const ordinaryCategories = categories([
-  {
-    id: 'generic',
-    title: 'any few lights on any surface',
-    make: generic,
-  },
-  {
-    id: 'linear',
+const shininessTo = (most: '1e4' | '1e5' | '1e6'): Pick<Category, 'title' | 'bound' | 'make'> => ({
+  title: `shininess to ${most}, in and around the highlight`,
+  bound: BOUNDS[`shininess${most}`],
+  make: (random, variant) => highlight(random, random.magnitude(Number(most) / 10, Number(most)), variant),
+});
+
+export const ordinaryCategories = categories({
+  generic: { title: 'any few lights on any surface', make: generic },
+  linear: {
     title: 'the same in linear light',
     // The curve is 12.92 times as steep at black as the line, and so are errors there.
     variants: LINEAR,
     make: generic,
   },
-  {
-    id: 'shininess-0-1',
+  'shininess-0-1': {
     title: 'shininess from 0 to 1, exponents below 1e-6 included',
     bound: BOUNDS.smallExponent,
     make: (random, variant) =>
       highlight(random, random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]), variant),
   },
-  {
-    id: 'shininess-1e3',
+  'shininess-1e3': {
     title: 'shininess from 1 to 1,000, in and around the highlight',
     bound: BOUNDS.mildPower,
     make: (random, variant) => highlight(random, random.magnitude(1, 1e3), variant),
   },
-  ...(['1e4', '1e5', '1e6'] as const).map((most) => ({
-    id: `shininess-${most}`,
-    title: `shininess to ${most}, in and around the highlight`,
-    bound: BOUNDS[`shininess${most}`],
-    make: (random: Random, variant: Variant) =>
-      highlight(random, random.magnitude(Number(most) / 10, Number(most)), variant),
-  })),
-  {
-    id: 'mild-powers',
+  'shininess-1e4': shininessTo('1e4'),
+  'shininess-1e5': shininessTo('1e5'),
+  'shininess-1e6': shininessTo('1e6'),
+  'mild-powers': {
     title: 'shininess to 200 and cutoff to 64 at once, in and around the highlight, near the axis',
     bound: BOUNDS.mildPower,
     make: mildPowers,
   },
-  {
-    id: 'grazing',
-    title: 'light that grazes the surface',
-    make: grazing,
-  },
-  {
-    id: 'behind',
-    title: 'fragments turned away from the light, and behind a spot',
-    make: behind,
-  },
-  {
-    id: 'scene-scale',
+  grazing: { title: 'light that grazes the surface', make: grazing },
+  behind: { title: 'fragments turned away from the light, and behind a spot', make: behind },
+  'scene-scale': {
     title: 'scenes from 1e-6 to 1e8 of the usual size',
     make: (random) => scaled(generic(random), random.magnitude(1e-6, 1e8)),
   },
-  {
-    id: 'scene-offset',
+  'scene-offset': {
     title: 'scenes 1e4, 1e6 and 1e8 away from the origin',
     make: (random) => moved(random, generic(random), random.pick([1e4, 1e6, 1e8])),
   },
-  {
-    id: 'near',
-    title: 'lights at a fiftieth of the distances that coordinates span',
-    make: near,
-  },
-  {
-    id: 'attenuation',
-    title: 'attenuation 0 0 0, huge, and at any distance',
-    make: attenuated,
-  },
-  {
-    id: 'bright',
-    title: 'lights up to 1e6 of 255',
-    make: bright,
-  },
-]);
+  near: { title: 'lights at a fiftieth of the distances that coordinates span', make: near },
+  attenuation: { title: 'attenuation 0 0 0, huge, and at any distance', make: attenuated },
+  bright: { title: 'lights up to 1e6 of 255', make: bright },
+});

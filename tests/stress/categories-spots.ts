@@ -96,9 +96,8 @@ function axisOfAnyLength(random: Random): StressCase {
 }
 
 export const spotCategories = categories(
-  [
-    {
-      id: 'cutoff-0-1',
+  {
+    'cutoff-0-1': {
       title: 'cutoff from 0 to 1, exponents below 1e-6 included',
       bound: BOUNDS.smallExponent,
       make: (random) => {
@@ -110,54 +109,23 @@ export const spotCategories = categories(
         });
       },
     },
-    {
-      id: 'cutoff-1e4',
+    'cutoff-1e4': {
       title: 'cutoff to 1e4, near the axis',
       bound: BOUNDS.cutoff1e4,
       make: (random) => nearAxis(random, 1, 1e4),
     },
-    {
-      id: 'cutoff-1e6',
+    'cutoff-1e6': {
       title: 'cutoff to 1e6, near the axis',
       bound: BOUNDS.cutoff1e6,
       make: (random) => nearAxis(random, 1e4, 1e6),
     },
-    {
-      id: 'antipode',
-      title: 'fragments straight behind a spot that shines all round',
-      make: antipode,
-    },
-    {
-      id: 'aperture-180',
-      title: 'aperture 180, in every direction',
-      make: open,
-    },
-    {
-      id: 'aperture-0',
-      title: 'aperture 0, on the axis and beside it',
-      make: widthless,
-    },
-    {
-      id: 'aperture-narrow',
-      title: 'apertures below half a degree',
-      make: narrow,
-    },
-    {
-      id: 'cone-edge',
-      title: 'the edge of a cone, from 5e-6 rad to either side',
-      make: edge,
-    },
-    {
-      id: 'axis-zero',
-      title: 'a spot without an axis',
-      variants: BOTH,
-      make: axisless,
-    },
-    {
-      id: 'axis-length',
-      title: 'axes of any length from 5e-324 to 1e15',
-      make: axisOfAnyLength,
-    },
-  ],
+    antipode: { title: 'fragments straight behind a spot that shines all round', make: antipode },
+    'aperture-180': { title: 'aperture 180, in every direction', make: open },
+    'aperture-0': { title: 'aperture 0, on the axis and beside it', make: widthless },
+    'aperture-narrow': { title: 'apertures below half a degree', make: narrow },
+    'cone-edge': { title: 'the edge of a cone, from 5e-6 rad to either side', make: edge },
+    'axis-zero': { title: 'a spot without an axis', variants: BOTH, make: axisless },
+    'axis-length': { title: 'axes of any length from 5e-324 to 1e15', make: axisOfAnyLength },
+  },
   [PHONG],
 );

@@ -25,12 +25,15 @@ function sum(count: number): Category['make'] {
   };
 }
 
+const sumOf = (count: number) => ({ title: `sums of ${count} lights`, lights: count, make: sum(count) });
+
 export const sumCategories = categories(
-  [1, 8, 64, 512, 4096].map((count) => ({
-    id: `sum-${String(count)}`,
-    title: count === 1 ? 'one light' : `sums of ${String(count)} lights`,
-    lights: count,
-    make: sum(count),
-  })),
+  {
+    'sum-1': { ...sumOf(1), title: 'one light' },
+    'sum-8': sumOf(8),
+    'sum-64': sumOf(64),
+    'sum-512': sumOf(512),
+    'sum-4096': sumOf(4096),
+  },
   [PHONG],
 );

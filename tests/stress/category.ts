@@ -21,8 +21,9 @@ const BLINN: Variant = { reflection: 'blinn-phong', linear: false };
 export const BOTH: readonly Variant[] = [PHONG, BLINN];
 export const LINEAR: readonly Variant[] = BOTH.map(({ reflection }) => ({ reflection, linear: true }));
 
-/** Entries that name no bound have that of ordinary scenes, those that name no programs go through `variants`. */
+/** Entries by id. Without a bound they have that of ordinary scenes, without programs they go through `variants`. */
 export const categories = (
-  entries: readonly (Partial<Category> & Pick<Category, 'id' | 'title' | 'make'>)[],
+  entries: Readonly<Record<string, Partial<Category> & Pick<Category, 'title' | 'make'>>>,
   variants: readonly Variant[] = BOTH,
-): readonly Category[] => entries.map((entry) => ({ bound: BOUNDS.generic, variants, ...entry }));
+): readonly Category[] =>
+  Object.entries(entries).map(([id, entry]) => ({ id, bound: BOUNDS.generic, variants, ...entry }));

@@ -71,7 +71,7 @@ export const BRANCHES = {
 } as const;
 
 /** Angle between the spot's axis and the fragment; exact at both ends, where the cosine is not. */
-export function spotAngle(light: LightValues, share: LightShare): number {
+function spotAngle(light: LightValues, share: LightShare): number {
   const A = normalize(light.axis);
   return Math.atan2(length(cross(share.L, A)), -dot(share.L, A));
 }
@@ -107,18 +107,10 @@ export function branch(stress: StressCase, shaded: Shaded, variant: Variant): st
 }
 
 function nearLight(stress: StressCase, light: LightValues, share: LightShare): string | null {
-  if (share.d < Infinity && share.d >= NEAREST) {
-    if (openness(stress, share) < BRANCHES.near) return 'near';
-  }
-  if (
-    light.cutoff >= LEAST_EXPONENT &&
-    light.cutoff < 1 &&
-    dot(light.axis, light.axis) > 0 &&
-    dot(share.L, share.L) > 0
-  ) {
-    if (Math.PI - spotAngle(light, share) < BRANCHES.back) return 'back';
-  }
-  return null;
+  if (share.d < Infinity && share.d >= NEAREST && openness(stress, share) < BRANCHES.near) return 'near';
+  const isFlat = light.cutoff >= LEAST_EXPONENT && light.cutoff < 1;
+  const hasAngle = dot(light.axis, light.axis) > 0 && dot(share.L, share.L) > 0;
+  return isFlat && hasAngle && Math.PI - spotAngle(light, share) < BRANCHES.back ? 'back' : null;
 }
 
 /** Distance to the light over the largest coordinate; 1 where that is at most the distance. */

@@ -31,25 +31,9 @@ export interface Measured {
   worst: string;
 }
 
-export const nothingMeasured = ({
-  id,
-  title,
-  bound,
-}: Pick<Category, 'id' | 'title' | 'bound'>): Measured => ({
-  id,
-  title,
-  bound,
-  cases: 0,
-  excluded: {},
-  notFinite: 0,
-  max: 0,
-  forms: {},
-  rms: 0,
-  channels: 0,
-  exact: 0,
-  wrongCodes: 0,
-  edge: 0,
-  worst: '',
+export const nothingMeasured = (of: Pick<Category, 'id' | 'title' | 'bound'>): Measured => ({
+  ...{ id: of.id, title: of.title, bound: of.bound, cases: 0, excluded: {}, notFinite: 0 },
+  ...{ max: 0, forms: {}, rms: 0, channels: 0, exact: 0, wrongCodes: 0, edge: 0, worst: '' },
 });
 
 /** Parts of one run, measured apart, as one. */
@@ -60,9 +44,8 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
     squares += part.rms ** 2 * part.channels;
     for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const)
       sum[key] += part[key];
-    for (const [name, count] of Object.entries(part.excluded)) {
+    for (const [name, count] of Object.entries(part.excluded))
       sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
-    }
     sum.edge = Math.max(sum.edge, part.edge);
     for (const [name, max] of Object.entries(part.forms))
       sum.forms[name] = Math.max(sum.forms[name] ?? 0, max);
@@ -108,8 +91,8 @@ export function measureBatch(
       const off = Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
       return Number.isNaN(off) ? Infinity : off; // a comparison with NaN would let it pass
     };
-    if (beside === 'edge')
-      measureEdge(into, category, stress, Math.max(error(0), error(1), error(2)), shaded);
+    if (beside === 'edge' && Math.max(error(0), error(1), error(2)) > category.bound)
+      into.edge = Math.max(into.edge, Math.abs(coneMargin(stress.lights, shaded)));
     if (beside !== null) {
       into.excluded[beside] = (into.excluded[beside] ?? 0) + 1;
       return;
@@ -134,15 +117,4 @@ export function measureBatch(
   });
   into.forms[program] = max;
   into.rms = into.channels === 0 ? 0 : Math.sqrt(squares / into.channels);
-}
-
-function measureEdge(
-  into: Measured,
-  category: Category,
-  stress: StressCase,
-  error: number,
-  shaded: ReturnType<typeof reference>,
-): void {
-  if (error <= category.bound) return;
-  into.edge = Math.max(into.edge, Math.abs(coneMargin(stress.lights, shaded)));
 }

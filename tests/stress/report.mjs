@@ -43,6 +43,7 @@ export const readStacks = (folder = here) =>
  * @param {string} loop - the mark of the loop as it is now
  */
 export function reportText(stacks, tessellation, loop) {
+  const names = [...stacks.map(({ name }) => name), 'worst drivers'];
   return `# How exact the light loop is: the measured contract
 
 For people who need to know how far a pixel can be trusted. Written by \`npm run stress:report\` from tests/stress/results; do not edit. \`npm run stress -- --out
@@ -65,26 +66,7 @@ of a pixel's four samples by a depth extrapolated outside it: a single pixel ins
 
 ## Stacks
 
-${table(
-  [
-    'stack',
-    'driver, as it names itself',
-    'browser',
-    'light loop',
-    'cases',
-    'on each worst driver',
-    'seeds from',
-  ],
-  stacks.map((stack) => [
-    stack.name,
-    stack.renderer,
-    browserName(stack.browser),
-    stack.loop === loop ? 'as shipped' : 'an earlier one',
-    millions(casesOf(stack, ['shipped'])),
-    millions(Math.min(...WORST.map((driver) => casesOf(stack, [driver])))),
-    [...new Set(Object.values(stack.drivers).map(({ seed }) => seed))].join(', '),
-  ]),
-)}
+${stacksTable(stacks, loop)}
 
 A *worst driver* is the same GLSL with each built-in function replaced by one that errs by all that the Vulkan specification
 allows (exp2 3 + 2|x| ULP, log2 3 ULP or 2^-21 near 1, inversesqrt 2 ULP, division 2.5 ULP), always up, always down, or
@@ -96,37 +78,33 @@ Largest error of each category on each stack, over all forms of programs that we
 all stacks. *Not measured here* is what came after a stack's run.
 
 ${table(
-  ['category', 'bound', ...stacks.map(({ name }) => name), 'worst drivers', 'exact codes, least', 'left out'],
+  ['category', 'bound', ...names, 'exact codes, least', 'left out'],
   rowsOf(stacks).map(({ title, bound, id }) => [
     title,
     String(bound),
-    ...stacks.map((stack) => measured(largest([stack], id, ['shipped']))),
-    measured(largest(stacks, id, WORST)),
-    percent(leastExact(stacks, id)),
+    ...largestOfEach(stacks, ofCategory(id)),
+    percent(Math.min(...withId(stacks, id).map((one) => exactShare([one])))),
     leftOut(stacks, id),
   ]),
 )}
 
-On all stacks and drivers together: ${String(total(stacks, 'notFinite'))} channels NaN or infinite, ${String(
-    total(stacks, 'wrongCodes'),
-  )} 8-bit codes off by more than one (where lights are brighter than full: by more than the bound), of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
-on at least ${percent(Math.min(...stacks.map(exactOfAll)))} of the channels of every stack with its own driver. The farthest from a cone's edge that a
+On all stacks and drivers together: ${total(stacks, 'notFinite')} channels NaN or infinite, ${total(stacks, 'wrongCodes')} 8-bit codes off by more than one (where lights are brighter than full: by more than the bound), of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
+on at least ${percent(Math.min(...stacks.map((stack) => exactShare(measuredOf([stack], ['shipped'])))))} of the channels of every stack with its own driver. The farthest from a cone's edge that a
 fragment was taken for one of the other side: ${digits(widestEdge(stacks, ['shipped']))} rad, on the worst drivers ${digits(widestEdge(stacks, WORST))} rad.
 
 ## Forms of programs
 
-The largest error of each program that the viewer draws with, over the categories whose bound is ${String(leastBound(stacks))}. *general*: loops over any
+The largest error of each program that the viewer draws with, over the categories whose bound is ${leastBound(stacks)}. *general*: loops over any
 number of lights; *counted*, *inlined* and *grid*: for exactly the lights at hand. \`SHININESS_IS_MILD\`: all exponents are at
 most 200. \`INTEGER_SHININESS\`: a whole exponent to 64, multiplied out. Without chords and narrow
 cones: no cone is within 15° of 0 or 180, and no cutoff below 1 or above 32. The harness reads at run time what these programs have as literals (feature masks, the
 exponent); the sums of such programs with their literals are under *Chunks alone*.
 
 ${table(
-  ['program', ...stacks.map(({ name }) => name), 'worst drivers'],
+  ['program', ...names],
   formNames(stacks).map((form) => [
-    formTitle(form),
-    ...stacks.map((stack) => measured(largestOfForm([stack], form, ['shipped']))),
-    measured(largestOfForm(stacks, form, WORST)),
+    form.replace(/[A-Z_]{2,}/g, '`$&`'),
+    ...largestOfEach(stacks, ofForm(form, leastBound(stacks))),
   ]),
 )}
 
@@ -140,64 +118,71 @@ Largest error of each function against its law in float64, on 16,384 inputs from
 number that they hold).
 
 ${table(
-  ['what holds', 'bound', ...stacks.map(({ name }) => name), 'worst drivers'],
+  ['what holds', 'bound', ...names],
   checksOf(stacks).map(({ title, bound }) => [
     title,
     String(bound),
-    ...stacks.map((stack) => measured(largestCheck([stack], title, ['shipped']))),
-    measured(largestCheck(stacks, title, WORST)),
+    ...largestOfEach(stacks, ({ checked }) =>
+      checked.filter((one) => one.title === title).map(({ max }) => max),
+    ),
   ]),
 )}
 
 ## Curved shapes
 
 Beside arithmetic, a curved mesh differs from the shape that it stands for. A sphere as it is drawn against the ideal
-one, both in float64, in 8-bit codes, over ${String(tessellation.scenes)} random scenes (tests/visual/sphere.spec.ts;
+one, both in float64, in 8-bit codes, over ${tessellation.scenes} random scenes (tests/visual/sphere.spec.ts;
 \`UPDATE_PICTURES=1\` records it anew):
 
 ${table(
   ['segments', 'RMSE', '99.9 % within', 'largest'],
-  tessellation.table.map(({ segments, rmse, percentile999, max }) => [
+  tessellation.table.map(({ segments, ...errors }) => [
     String(segments),
-    digits(rmse),
-    digits(percentile999),
-    digits(max),
+    ...[errors.rmse, errors.percentile999, errors.max].map(digits),
   ]),
 )}
 
 `;
 }
 
+/** @param {readonly Stack[]} stacks @param {string} loop */
+function stacksTable(stacks, loop) {
+  const head = ['stack', 'driver, as it names itself', 'browser', 'light loop', 'cases'];
+  const rows = stacks.map((stack) => [
+    stack.name,
+    stack.renderer,
+    /(Firefox|Chrome)\/(\d+)/.exec(stack.browser)?.slice(1, 3).join(' ') ?? stack.browser,
+    stack.loop === loop ? 'as shipped' : 'an earlier one',
+    millions(total([stack], 'cases', ['shipped'])),
+    millions(Math.min(...WORST.map((driver) => total([stack], 'cases', [driver])))),
+    [...new Set(Object.values(stack.drivers).map(({ seed }) => seed))].join(', '),
+  ]);
+  return table([...head, 'on each worst driver', 'seeds from'], rows);
+}
+
 /** The bounds and what was measured, in a few rows. @param {readonly Stack[]} stacks */
 function summary(stacks) {
   const rows = rowsOf(stacks);
   const bounds = [...new Set(rows.map(({ bound }) => bound))].sort((a, b) => a - b);
-  const groups = bounds.map((bound) => ({ bound, members: rows.filter((row) => row.bound === bound) }));
-  const over = (/** @type {readonly { id: string }[]} */ members, /** @type {readonly string[]} */ drivers) =>
-    digits(Math.max(...members.map(({ id }) => largest(stacks, id, drivers))));
-  return `${table(
-    ['', 'bound', 'largest measured', 'on the worst lawful driver'],
-    groups
-      .map(({ bound, members }) => [
-        // The first bound is everybody's; what differs from it is named.
-        bound === bounds[0]
-          ? `all else: ${String(members.length)} categories`
-          : members.map(({ title }) => title).join('; '),
-        String(bound),
-        over(members, ['shipped']),
-        over(members, WORST),
-      ])
-      .reverse(),
-  )}
+  const groups = bounds.map((bound) => {
+    const members = rows.filter((row) => row.bound === bound);
+    const titles = members.map(({ title }) => title).join('; ');
+    // The first bound is everybody's; what differs from it is named.
+    const label = bound === bounds[0] ? `all else: ${members.length} categories` : titles;
+    const over = (/** @type {readonly string[]} */ drivers) =>
+      digits(Math.max(...members.map(({ id }) => largest(stacks, drivers, ofCategory(id)))));
+    return [label, String(bound), over(['shipped']), over(WORST)];
+  });
+  return `${table(['', 'bound', 'largest measured', 'on the worst lawful driver'], groups.reverse())}
 
-${millions(total(stacks, 'cases'))} fragments on ${String(stacks.length)} stacks${formsText(stacks)}.`;
+${millions(total(stacks, 'cases'))} fragments on ${stacks.length} stacks${formsText(stacks)}.`;
 }
 
 /** The README's sentence, markers included. @param {readonly Stack[]} stacks */
 export function readmeText(stacks) {
-  const worst = Math.max(...rowsOf(stacks).map(({ id }) => largest(stacks, id, ['shipped'])));
+  const worst = Math.max(...rowsOf(stacks).map(({ id }) => largest(stacks, ['shipped'], ofCategory(id))));
   return `<!-- contract: written by npm run stress:report -->
-Accuracy: of ${millions(total(stacks, 'cases'))} measured fragments on ${String(stacks.length)} stacks none is further from the equation in double precision than ${digits(worst)} of an
+Accuracy: of ${millions(total(stacks, 'cases'))} measured fragments on ${stacks.length} stacks none is further from the equation in double precision than ${digits(worst)} of an
 8-bit step ([report](tests/stress/REPORT.md)).
 <!-- /contract -->`;
 }
@@ -253,34 +238,15 @@ const formsOf = ({ forms, max }) => forms ?? { general: max };
 
 /** @param {readonly Stack[]} stacks @returns {string[]} */
 export const formNames = (stacks) =>
-  [
-    ...new Set(
-      resultsOf(stacks).flatMap(({ measured }) => measured.flatMap((one) => Object.keys(formsOf(one)))),
-    ),
-  ].sort();
-
-/** @param {string} form */
-const formTitle = (form) => form.replace(/[A-Z_]{2,}/g, '`$&`');
-
-/** @param {readonly Stack[]} stacks @param {string} form @param {readonly string[]} drivers */
-const largestOfForm = (stacks, form, drivers) => {
-  const least = leastBound(stacks);
-  return Math.max(
-    ...resultsOf(stacks, drivers).flatMap(({ measured }) =>
-      measured.filter(({ bound }) => bound === least).map((one) => formsOf(one)[form] ?? -Infinity),
-    ),
-  );
-};
+  [...new Set(measuredOf(stacks).flatMap((one) => Object.keys(formsOf(one))))].sort();
 
 /** Which stacks lack forms of programs. @param {readonly Stack[]} stacks */
 function formsText(stacks) {
   const all = formNames(stacks).length;
   const fewer = stacks.filter((stack) => formNames([stack]).length < all);
-  if (fewer.length === 0) return `, each through ${String(all)} forms of programs`;
-  const names = fewer.map(
-    (stack) => `${stack.name} (${String(formNames([stack]).length)} of ${String(all)})`,
-  );
-  return `, through ${String(all)} forms of programs; not yet all of them on ${names.join(', ')}`;
+  if (fewer.length === 0) return `, each through ${all} forms of programs`;
+  const names = fewer.map((stack) => `${stack.name} (${formNames([stack]).length} of ${all})`);
+  return `, through ${all} forms of programs; not yet all of them on ${names.join(', ')}`;
 }
 
 /** @param {readonly Stack[]} stacks @param {readonly string[]} [drivers] */
@@ -291,48 +257,43 @@ const resultsOf = (stacks, drivers) =>
       .map(([, result]) => result),
   );
 
-/** @param {readonly Stack[]} stacks @param {string} id @param {readonly string[]} [drivers] */
-const ofCategory = (stacks, id, drivers) =>
-  resultsOf(stacks, drivers).flatMap(({ measured }) => measured.filter((one) => one.id === id));
+/** @param {readonly Stack[]} stacks @param {readonly string[]} [drivers] */
+const measuredOf = (stacks, drivers) => resultsOf(stacks, drivers).flatMap(({ measured }) => measured);
 
-/** @param {readonly Stack[]} stacks @param {string} id @param {readonly string[]} drivers */
-const largest = (stacks, id, drivers) => Math.max(...ofCategory(stacks, id, drivers).map(({ max }) => max));
+/** What the stacks' own drivers made of a category. @param {readonly Stack[]} stacks @param {string} id */
+const withId = (stacks, id) => measuredOf(stacks, ['shipped']).filter((one) => one.id === id);
 
-/** @param {readonly Stack[]} stacks @param {string} title @param {readonly string[]} drivers */
-const largestCheck = (stacks, title, drivers) =>
-  Math.max(
-    ...resultsOf(stacks, drivers).flatMap(({ checked }) =>
-      checked.filter((one) => one.title === title).map(({ max }) => max),
-    ),
+/** @typedef {(result: Result) => number[]} ErrorsOf */
+
+/** @param {string} id @returns {ErrorsOf} */
+const ofCategory =
+  (id) =>
+  ({ measured }) =>
+    measured.filter((one) => one.id === id).map(({ max }) => max);
+
+/** Over the categories with this bound. @param {string} form @param {number} least @returns {ErrorsOf} */
+const ofForm =
+  (form, least) =>
+  ({ measured }) =>
+    measured.filter(({ bound }) => bound === least).map((one) => formsOf(one)[form] ?? -Infinity);
+
+/** @param {readonly Stack[]} stacks @param {readonly string[]} drivers @param {ErrorsOf} errorsOf */
+const largest = (stacks, drivers, errorsOf) => Math.max(...resultsOf(stacks, drivers).flatMap(errorsOf));
+
+/** Cells: each stack's own driver, then the worst drivers of all. @param {readonly Stack[]} stacks @param {ErrorsOf} errorsOf */
+const largestOfEach = (stacks, errorsOf) =>
+  [...stacks.map((stack) => largest([stack], ['shipped'], errorsOf)), largest(stacks, WORST, errorsOf)].map(
+    (error) => (error === -Infinity ? 'not measured here' : digits(error)),
   );
 
-/** @param {readonly Stack[]} stacks @param {string} id */
-const leastExact = (stacks, id) =>
-  Math.min(...ofCategory(stacks, id, ['shipped']).map(({ exact, channels }) => exact / channels));
-
-/** @param {Stack} stack */
-const exactOfAll = (stack) => {
-  const all = resultsOf([stack], ['shipped']).flatMap(({ measured }) => measured);
-  return sum(all, 'exact') / sum(all, 'channels');
-};
+/** @param {readonly import('./measure.js').Measured[]} list */
+const exactShare = (list) => sum(list, 'exact') / sum(list, 'channels');
 
 /** @param {readonly Stack[]} stacks @param {readonly string[]} drivers */
-const widestEdge = (stacks, drivers) =>
-  Math.max(...resultsOf(stacks, drivers).flatMap(({ measured }) => measured.map(({ edge }) => edge)));
+const widestEdge = (stacks, drivers) => Math.max(...measuredOf(stacks, drivers).map(({ edge }) => edge));
 
-/** @param {Stack} stack @param {readonly string[]} drivers */
-const casesOf = (stack, drivers) =>
-  sum(
-    resultsOf([stack], drivers).flatMap(({ measured }) => measured),
-    'cases',
-  );
-
-/** @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases'} key */
-const total = (stacks, key) =>
-  sum(
-    resultsOf(stacks).flatMap(({ measured }) => measured),
-    key,
-  );
+/** @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases'} key @param {readonly string[]} [drivers] */
+const total = (stacks, key, drivers) => sum(measuredOf(stacks, drivers), key);
 
 /**
  * @template {string} K
@@ -342,7 +303,7 @@ const sum = (list, key) => list.reduce((before, one) => before + one[key], 0);
 
 /** Shares of a category's cases beside a branch point. @param {readonly Stack[]} stacks @param {string} id */
 function leftOut(stacks, id) {
-  const all = ofCategory(stacks, id, ['shipped']);
+  const all = withId(stacks, id);
   const cases = sum(all, 'cases');
   /** @type {Record<string, number>} */
   const counts = {};
@@ -368,11 +329,8 @@ was meant, only finite numbers are promised:
 - *near*: a light at less than ${exponent(branches.near)} of the largest coordinate in shading space, but not within 1e-15;
 - *half*: with Blinn's lobe, that share (at most 1) times |L + V| below ${exponent(branches.half)}, but |L + V| not 0: light and
   eye opposite each other;
-- *normal*: an interpolated normal shorter than 2^${String(Math.log2(branches.normal))}, but not zero.`;
+- *normal*: an interpolated normal shorter than 2^${Math.log2(branches.normal)}, but not zero.`;
 }
-
-/** The largest of what was measured, which may be nothing. @param {number} x */
-const measured = (x) => (x === -Infinity ? 'not measured here' : digits(x));
 
 /** Two digits, and none after a zero. @param {number} x */
 function digits(x) {
@@ -387,15 +345,12 @@ const exponent = (x) => x.toExponential().replace('e+', 'e');
 /** Rounded down: "at least". @param {number} share */
 function percent(share, places = 4) {
   const scale = 10 ** places;
-  return `${String(Math.floor(share * 100 * scale) / scale)} %`;
+  return `${Math.floor(share * 100 * scale) / scale} %`;
 }
 
 /** @param {number} count */
 const millions = (count) =>
-  count >= 1e6 ? `${String(Math.floor(count / 1e5) / 10)} million` : count.toLocaleString('en-GB');
-
-/** @param {string} agent */
-const browserName = (agent) => /(Firefox|Chrome)\/(\d+)/.exec(agent)?.slice(1, 3).join(' ') ?? agent;
+  count >= 1e6 ? `${Math.floor(count / 1e5) / 10} million` : count.toLocaleString('en-GB');
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
@@ -406,5 +361,5 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const report = reportText(stacks, readTessellation(), module.LOOP_MARK);
   writeFileSync(join(values.folder, 'REPORT.md'), report);
   if (values.folder === here) writePart(readmeText(stacks));
-  console.log(`REPORT.md from ${String(stacks.length)} stacks`);
+  console.log(`REPORT.md from ${stacks.length} stacks`);
 }

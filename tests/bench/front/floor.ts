@@ -20,11 +20,8 @@ export const SURFACE = { ka: 1, kd: 1, ks: 0.5 } as const;
 /** A light of each kind; their highlights coincide and fill a sixth of the picture. */
 function oneHighlight(shininess: number): Floor {
   const width = 1 / Math.sqrt(shininess);
-  const mirrored = (dx: number, dy: number): Vec3 => [
-    -1 + dx * Math.min(width, 0.3),
-    dy * Math.min(width, 0.3),
-    3,
-  ];
+  const reach = Math.min(width, 0.3);
+  const mirrored = (dx: number, dy: number): Vec3 => [-1 + dx * reach, dy * reach, 3];
   const colors = { diffuse: [40, 40, 40], specular: [100, 100, 100] } as const;
   const [a, b, c] = [mirrored(0.3, -0.2), mirrored(-0.4, 0.1), mirrored(0.1, 0.4)];
   const cone = { axis: [-c[0], -c[1], -c[2]] as const, aperture: 40, cutoff: 12 };

@@ -30,39 +30,30 @@ const SCRIPT_WARM_MS = 1500;
 export async function measureFrames(lab, { scene, sides }, launch, { size, rounds, add }) {
   const browser = await lab.launch();
   const gpu = await gpuProcess(browser);
-  /** @type {Opened[]} */
-  const opened = [];
-  /** @type {Record<string, number>} */
-  const first = {};
-  /** @type {Record<string, number>} */
-  const longest = {};
-  /** @type {Record<string, number>} */
-  const usual = {};
+  /** @type {Record<string, Opened & { first: number, longest: number, usual: number }>} */
+  const opened = {};
   // Every other launch backwards, so that no side always comes first.
   for (const side of launch % 2 === 0 ? sides : [...sides].reverse()) {
     const one = await openSide(browser, lab, scene, side, size);
-    opened.push(one);
     await one.page.evaluate((n) => window.bench.draw(n), WARM_FRAMES);
-    first[side] = (await sample(one, gpu, FIRST_FRAMES)) / FIRST_FRAMES;
-    const settling = await one.page.evaluate(() => window.bench.settle());
-    longest[side] = settling.longest;
-    usual[side] = settling.usual;
+    const first = (await sample(one, gpu, FIRST_FRAMES)) / FIRST_FRAMES;
+    opened[side] = { ...one, first, ...(await one.page.evaluate(() => window.bench.settle())) };
   }
-  assertAlike(opened);
-  const pages = sides.map((side) => /** @type {Opened} */ (opened.find((one) => one.side === side)));
-  /** @type {number[]} */
-  const counts = [];
-  for (const one of pages) counts.push(await framesFor((n) => sample(one, gpu, n), SAMPLE));
-  const settled = await interleaved([...pages.keys()], rounds, async (i) => {
-    const count = counts[i] ?? 1;
-    return (await sample(/** @type {Opened} */ (pages[i]), gpu, count)) / count;
-  });
+  const pages = sides.flatMap((side) => opened[side] ?? []);
+  assertAlike(pages);
+  const settled = await frameTimes(
+    pages.map((one) => (n) => sample(one, gpu, n)),
+    SAMPLE,
+    rounds,
+  );
   for (const { check } of pages) check();
-  add('first frames', 'ms', inOrder(sides, first));
-  add('longest frame', 'ms', inOrder(sides, longest));
-  add('usual frame', 'ms', inOrder(sides, usual));
-  for (let round = 0; round < rounds; round++)
-    add('settled', 'ms', Object.fromEntries(sides.map((side, i) => [side, settled[i]?.[round] ?? NaN])));
+  /** @param {string} measure @param {(one: typeof pages[number], i: number) => number | undefined} valueOf */
+  const addAll = (measure, valueOf) =>
+    add(measure, 'ms', Object.fromEntries(pages.map((one, i) => [one.side, valueOf(one, i) ?? NaN])));
+  addAll('first frames', ({ first }) => first);
+  addAll('longest frame', ({ longest }) => longest);
+  addAll('usual frame', ({ usual }) => usual);
+  for (let round = 0; round < rounds; round++) addAll('settled', (_, i) => settled[i]?.[round]);
 }
 
 /**
@@ -73,35 +64,27 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
   const browser = await lab.launch();
   /** @type {((frames: number) => Promise<number>)[]} */
   const samplers = [];
-  /** @type {number[]} */
-  const counts = [];
   /** @type {(() => void)[]} */
   const checks = [];
   for (const side of sides) {
     const { page, check } = await openSide(browser, lab, scene, side, SCRIPT_SIZE);
     const cpuTime = await mainThreadTime(page);
-    samplers.push(async (frames) => {
+    /** @param {number} frames */
+    const time = async (frames) => {
       const before = await cpuTime();
       await page.evaluate((n) => window.bench.script(n), frames);
       return (await cpuTime()) - before;
-    });
+    };
+    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) await time(5);
+    samplers.push(time);
     checks.push(check);
   }
-  for (const one of samplers) {
-    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) await one(5);
-    counts.push(await framesFor(one, SCRIPT_SAMPLE));
-  }
-  const samples = await interleaved([...samplers.keys()], rounds, async (i) => {
-    const count = counts[i] ?? 1;
-    return (1000 * ((await samplers[i]?.(count)) ?? NaN)) / count;
-  });
+  const samples = await frameTimes(samplers, SCRIPT_SAMPLE, rounds);
   for (const check of checks) check();
-  for (let round = 0; round < rounds; round++)
-    add(
-      'script per frame',
-      'µs',
-      Object.fromEntries(sides.map((side, i) => [side, samples[i]?.[round] ?? NaN])),
-    );
+  for (let round = 0; round < rounds; round++) {
+    const values = sides.map((side, i) => [side, 1000 * (samples[i]?.[round] ?? NaN)]);
+    add('script per frame', 'µs', Object.fromEntries(values));
+  }
 }
 
 /**
@@ -109,11 +92,8 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
  * @param {readonly [number, number]} size @returns {Promise<Opened>}
  */
 async function openSide(browser, lab, scene, side, size) {
-  const { page, check } = await openPage(
-    browser,
-    `${lab.origin}/frame.html?scene=${scene}&side=${side}`,
-    size,
-  );
+  const url = `${lab.origin}/frame.html?scene=${scene}&side=${side}`;
+  const { page, check } = await openPage(browser, url, size);
   const facts = await page.evaluate(() => window.bench.open());
   check();
   if (facts.lit < 0.02) throw new Error(`${scene}, ${side}: the picture is empty`);
@@ -127,9 +107,7 @@ function assertAlike(opened) {
     if (other !== one) throw new Error(`the sides' canvases differ: ${one} and ${other}`);
   const shares = opened.map(({ facts }) => facts.lit);
   if (Math.max(...shares) - Math.min(...shares) > 0.02)
-    throw new Error(
-      `the sides' pictures differ: shares ${shares.map((x) => x.toFixed(3)).join(', ')} are covered`,
-    );
+    throw new Error(`the sides' pictures differ: shares ${shares.join(', ')} are covered`);
 }
 
 /** Milliseconds that so many frames take. @param {Opened} one @param {number | null} gpu @param {number} frames */
@@ -146,7 +124,7 @@ const sample = ({ page, facts }, gpu, frames) =>
  * @param {(frames: number) => Promise<number>} time milliseconds of so many frames
  * @param {{ ms: number, most: number }} wanted
  */
-export async function framesFor(time, { ms, most }) {
+async function framesFor(time, { ms, most }) {
   let count = 1;
   for (;;) {
     const taken = Math.max(await time(count), 0.01);
@@ -155,5 +133,12 @@ export async function framesFor(time, { ms, most }) {
   }
 }
 
-/** @param {readonly SideName[]} sides @param {Record<string, number>} values */
-const inOrder = (sides, values) => Object.fromEntries(sides.map((side) => [side, values[side] ?? NaN]));
+/**
+ * Milliseconds of one frame by each sampler, in turns.
+ * @param {readonly ((frames: number) => Promise<number>)[]} samplers @param {{ ms: number, most: number }} wanted @param {number} rounds
+ */
+export async function frameTimes(samplers, wanted, rounds) {
+  const timed = [];
+  for (const time of samplers) timed.push({ time, count: await framesFor(time, wanted) });
+  return interleaved(timed, rounds, async ({ time, count }) => (await time(count)) / count);
+}

@@ -69,10 +69,8 @@ async function loadOf(lab, path, slow) {
   await browser.startTracing(page, { screenshots: true, categories: CATEGORIES });
   await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
   try {
-    await page.waitForFunction(() => window.modelLoaded === true, undefined, {
-      polling: 100,
-      timeout: PATIENCE_MS,
-    });
+    const waiting = { polling: 100, timeout: PATIENCE_MS };
+    await page.waitForFunction(() => window.modelLoaded === true, undefined, waiting);
   } finally {
     check(); // says more than that time is over
   }
@@ -136,9 +134,8 @@ export function readTrace(file) {
   });
   if (start === undefined) throw new Error('the trace holds no navigation');
   const after = traceEvents.filter(({ ts }) => ts >= start.ts);
-  const tasks = after.filter(
-    ({ name, pid, tid }) => name === 'RunTask' && pid === start.pid && tid === start.tid,
-  );
+  const { pid, tid } = start;
+  const tasks = after.filter((one) => one.name === 'RunTask' && one.pid === pid && one.tid === tid);
   return {
     frames: after
       .filter(({ name }) => name === 'Screenshot')
@@ -149,10 +146,8 @@ export function readTrace(file) {
 
 /** When half of the model's pixels were there first. @param {import('playwright-core').Browser} browser @param {Frame[]} frames */
 async function firstPicture(browser, frames) {
-  const shares = await sharesOfModel(
-    browser,
-    frames.map(({ jpeg }) => jpeg),
-  );
+  const pictures = frames.map(({ jpeg }) => jpeg);
+  const shares = await sharesOfModel(browser, pictures);
   const first = frames[shares.findIndex((share) => share >= 0.5)];
   if (first === undefined) throw new Error('the page shows no model');
   return first.ms;

@@ -14,37 +14,33 @@ const LIGHTS = 5000;
 const WARM_CHANGES = 2;
 
 /** Pictures a second, 60 at most, of twenty turning viewers and of one with as many pixels, on pages of one size. @param {import('../browser.mjs').Lab} lab @param {Options} options */
-export async function measureViewers(lab, { size, rounds, add }) {
+export async function measureViewers(lab, { size, add }) {
   const browser = await lab.launch();
-  for (let round = 0; round < rounds; round++) {
-    /** @type {number[]} */
-    const rates = [];
-    for (const query of ['columns=5&rows=4', 'columns=1&rows=1']) {
-      // So many pixels that no frame rate reaches the display's.
-      const large = /** @type {const} */ ([2 * size[0], 2 * size[1]]);
-      const { page, check } = await openPage(browser, `${lab.origin}/viewers.html?${query}`, large);
-      await page.evaluate(() => window.viewersReady);
-      // Until specialised programs have taken over.
-      for (let [frames, ms] = [0, 0]; frames < WARM.frames && ms < WARM.atMost; ms += RATE_MS)
-        frames += ((await page.evaluate((time) => window.frameRate(time), RATE_MS)) * RATE_MS) / 1000;
-      rates.push(await page.evaluate((ms) => window.frameRate(ms), RATE_MS));
-      check();
-      await page.close();
-    }
-    const [twenty = NaN, one = NaN] = rates;
-    add('frame rate', 'frames/s', { twenty, one });
-  }
-}
-
-/** @param {import('../browser.mjs').Lab} lab @param {Options} options */
-export async function measureConnect(lab, { rounds, add }) {
-  const browser = await lab.launch();
-  for (let round = 0; round < rounds; round++) {
-    const { page, check } = await openPage(browser, `${lab.origin}/connect.html`, [300, 200]);
-    add('time', 'ms', { element: await page.evaluate((count) => window.connectLights(count), LIGHTS) });
+  /** @type {number[]} */
+  const rates = [];
+  for (const query of ['columns=5&rows=4', 'columns=1&rows=1']) {
+    // So many pixels that no frame rate reaches the display's.
+    const large = /** @type {const} */ ([2 * size[0], 2 * size[1]]);
+    const { page, check } = await openPage(browser, `${lab.origin}/viewers.html?${query}`, large);
+    const rate = () => page.evaluate((ms) => window.frameRate(ms), RATE_MS);
+    await page.evaluate(() => window.viewersReady);
+    // Until specialised programs have taken over.
+    for (let [frames, ms] = [0, 0]; frames < WARM.frames && ms < WARM.atMost; ms += RATE_MS)
+      frames += ((await rate()) * RATE_MS) / 1000;
+    rates.push(await rate());
     check();
     await page.close();
   }
+  const [twenty = NaN, one = NaN] = rates;
+  add('frame rate', 'frames/s', { twenty, one });
+}
+
+/** @param {import('../browser.mjs').Lab} lab @param {Options} options */
+export async function measureConnect(lab, { add }) {
+  const browser = await lab.launch();
+  const { page, check } = await openPage(browser, `${lab.origin}/connect.html`, [300, 200]);
+  add('time', 'ms', { element: await page.evaluate((count) => window.connectLights(count), LIGHTS) });
+  check();
 }
 
 /**
@@ -84,6 +80,6 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
 
 /** Brotli sizes. @param {import('../browser.mjs').Lab} lab @param {Options} options */
 export function measureBytes(lab, { add }) {
-  const { standalone = NaN, bundled = NaN, three = NaN } = builtFrom(lab.folder).bytes;
-  add('brotli', 'kB', { standalone: standalone / 1000, bundled: bundled / 1000, three: three / 1000 });
+  const sizes = Object.entries(builtFrom(lab.folder).bytes).map(([side, bytes]) => [side, bytes / 1000]);
+  add('brotli', 'kB', Object.fromEntries(sizes));
 }

@@ -2,11 +2,16 @@
 // Whole pictures: their error against the exact mean over each pixel, and the time from a change to them. Each side has a page of
 // its own in one fresh browser. Times are by the clock, with frames back to back and each one finished by reading a pixel back.
 
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { castPicture } from '../../support/caster/cast.mjs';
 import { openPage } from '../browser.mjs';
+import { CASTER } from '../build.mjs';
 import { CODES, FULL, full, PLAIN, RMSE, TIME, WITHIN } from '../pictures.mjs';
 import { interleaved } from '../statistics.mjs';
-import { truthOf } from '../truths.mjs';
 
+/** Samples per pixel of the exact pictures. */
+const TRUTH_SAMPLES = 1024;
 /** The one method of the element's pages. */
 const OURS = 'element';
 /** A page of its own for each. */
@@ -17,31 +22,24 @@ const FINE = full(FULL[0] ?? NaN);
 const DRAW_PLAIN = [PLAIN, 'multisampled'];
 
 /**
- * @typedef {{ side: string, name: string, steps: number, page: import('playwright-core').Page }} Method
- * @typedef {{ size: readonly [number, number], rounds: number, add: (measure: string, unit: string, values: Record<string, number>) => void }} Options
+ * @typedef {import('playwright-core').Page} Page
+ * @typedef {{ side: string, name: string, steps: number, page: Page }} Method
+ * @typedef {import('./frames.mjs').Options} Options
  */
 
 /**
  * One launch of a picture.
  * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').PictureSubject} subject @param {number} launch @param {Options} options
  */
-export async function measurePicture(lab, { scene, round }, launch, { size, rounds, add }) {
+export async function measurePicture(lab, { scene, round: hasRound }, launch, { size, rounds, add }) {
   const { methods, cell, check } = await openSides(lab, scene, size);
-  if (launch === 0) await addErrors(methods, await truthsOf(lab, methods, cell, round), add);
+  if (launch === 0) await addErrors(methods, await truthsOf(lab, methods, cell, hasRound), add);
   const timed = methods.filter(({ name }) => !name.endsWith(CODES));
   for (const method of timed) if (method.name !== OURS) await time(method); // the first one compiles and allocates
-  /** @type {Record<string, number>[]} */
-  const samples = Array.from({ length: rounds }, () => ({}));
-  const done = new Map(timed.map((method) => [method, 0]));
-  await interleaved(timed, rounds, async (method) => {
-    const ofRound = done.get(method) ?? 0;
-    done.set(method, ofRound + 1);
-    const times = await time(method);
-    Object.assign(samples[ofRound] ?? {}, labelled(method, times));
-    return times.at(-1) ?? NaN;
-  });
+  const samples = await interleaved(timed, rounds, async (method) => labelled(method, await time(method)));
   check();
-  for (const values of samples) add(TIME, 'ms', baseLast(values));
+  for (let round = 0; round < rounds; round++)
+    add(TIME, 'ms', baseLast(Object.assign({}, ...samples.map((ofMethod) => ofMethod[round]))));
 }
 
 /** @param {import('../browser.mjs').Lab} lab @param {string} scene @param {readonly [number, number]} size */
@@ -73,8 +71,22 @@ async function truthsOf({ folder }, methods, cell, round) {
   return {
     plain: await truthOf(folder, pageOf(PLAIN), cell),
     fine: await truthOf(folder, pageOf(FINE), cell),
-    shape: round ? await truthOf(folder, pageOf(PLAIN), cell, { round }) : undefined,
+    shape: round ? await truthOf(folder, pageOf(PLAIN), cell, round) : undefined,
   };
+}
+
+/**
+ * r, g, b, a of each pixel, viewer by viewer: the exact means of the triangles that they show now, or of the round shapes that these stand for.
+ * @param {string} folder of the built pages @param {Page} page @param {import('../pages/picture.js').Cell} cell @param {boolean} [round]
+ */
+async function truthOf(folder, page, { width, height }, round = false) {
+  const code = readFileSync(join(folder, CASTER), 'utf8');
+  const scenes = await page.evaluate((shapes) => window.picture.scenes(shapes), round);
+  const means = new Float64Array(4 * width * height * scenes.length);
+  const samples = TRUTH_SAMPLES;
+  for (const [i, scene] of scenes.entries())
+    means.set(await castPicture(scene, { width, height, samples }, code), 4 * width * height * i);
+  return means;
 }
 
 /** @param {Method} method @returns {Promise<number[]>} */

@@ -58,10 +58,8 @@ async function startOf(lab, path, pageSays) {
   if (!pageSays) await page.addInitScript(watchFirstPicture);
   const before = await busySeconds(browser);
   await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
-  await page.waitForFunction(() => window.firstPicture !== undefined, undefined, {
-    polling: 20,
-    timeout: PATIENCE_MS,
-  });
+  const waiting = { polling: 20, timeout: PATIENCE_MS };
+  await page.waitForFunction(() => window.firstPicture !== undefined, undefined, waiting);
   const cpuMs = ((await busySeconds(browser)) - before) * 1000;
   const ms = await page.evaluate(() => Number(window.firstPicture));
   await page.waitForTimeout(REST_MS);
@@ -116,15 +114,8 @@ function watchFirstPicture() {
     const target = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
     const row = new Uint8Array(4 * gl.drawingBufferWidth);
-    gl.readPixels(
-      0,
-      Math.round(0.55 * gl.drawingBufferHeight),
-      gl.drawingBufferWidth,
-      1,
-      gl.RGBA,
-      gl.UNSIGNED_BYTE,
-      row,
-    );
+    const y = Math.round(0.55 * gl.drawingBufferHeight);
+    gl.readPixels(0, y, gl.drawingBufferWidth, 1, gl.RGBA, gl.UNSIGNED_BYTE, row);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target);
     if (row.every((channel) => channel === 0)) return;
     window.firstPicture = performance.now();

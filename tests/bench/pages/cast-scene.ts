@@ -47,11 +47,6 @@ function textureOf(texture: Texture): CastTexture {
   const { data } = pictureOf(texture).getContext('2d')!.getImageData(0, 0, width, height);
   const wrap = (mode: Wrapping): Wrap =>
     mode === ClampToEdgeWrapping ? 'clamp' : mode === MirroredRepeatWrapping ? 'mirror' : 'repeat';
-  return {
-    width,
-    height,
-    data: new Uint8Array(data),
-    wrapS: wrap(texture.wrapS),
-    wrapT: wrap(texture.wrapT),
-  };
+  const wraps = { wrapS: wrap(texture.wrapS), wrapT: wrap(texture.wrapT) };
+  return { width, height, data: new Uint8Array(data), ...wraps };
 }

@@ -109,15 +109,10 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** A viewer that is removed closes its images. */
 function copyOf(texture: Texture): Texture {
+  const { wrapS, wrapT, magFilter, minFilter, generateMipmaps } = texture;
+  const sampling = { wrapS, wrapT, magFilter, minFilter, generateMipmaps };
   const copy = new CanvasTexture(pictureOf(texture));
-  copy.wrapS = texture.wrapS;
-  copy.wrapT = texture.wrapT;
-  copy.magFilter = texture.magFilter;
-  copy.minFilter = texture.minFilter;
-  copy.generateMipmaps = texture.generateMipmaps;
-  copy.colorSpace = NoColorSpace;
-  copy.flipY = false;
-  return copy;
+  return Object.assign(copy, sampling, { colorSpace: NoColorSpace, flipY: false });
 }
 
 export function pictureOf(texture: Texture): HTMLCanvasElement {

@@ -80,16 +80,10 @@ export function mixedLights(count: number, distance = 2): SceneLight[] {
     const height = between(-0.7, 0.9, halton(i, 3));
     const away = distance * between(1, 2, halton(i, 5));
     const flat = Math.sqrt(1 - height * height);
-    const [x, y, z] = [
-      away * flat * Math.sin(azimuth),
-      away * height,
-      away * flat * Math.cos(azimuth),
-    ] as const;
-    const color: Vec3 = [
-      full * between(0.5, 1, halton(i, 7)),
-      full * between(0.5, 1, halton(i, 11)),
-      full * between(0.5, 1, halton(i, 13)),
-    ];
+    const [x, z] = [away * flat * Math.sin(azimuth), away * flat * Math.cos(azimuth)];
+    const y = away * height;
+    const channel = (base: number): number => full * between(0.5, 1, halton(i, base));
+    const color: Vec3 = [channel(7), channel(11), channel(13)];
     const common = { ambient: [0, 0, 0], diffuse: color, specular: color } as const;
     const attenuation: Vec3 = [1, 0.05, 0.02];
     if (i % 3 === 0) return { ...common, position: [x, y, z, 0], ambient: [full / 10, full / 10, full / 10] };
@@ -103,32 +97,19 @@ export function mixedLights(count: number, distance = 2): SceneLight[] {
 function roomLights(count: number): SceneLight[] {
   return mixedLights(count, 0.9).map((light, i) => {
     if (light.position[3] === 0) return light;
-    const [x, y, z] = [2, 3, 5].map((base) => between(-1.5, 1.5, halton(i, base))) as [
-      number,
-      number,
-      number,
-    ];
-    return {
-      ...light,
-      position: [x, y, z, 1],
-      ...(light.axis === undefined ? {} : { axis: [x, -1, z], aperture: 60 }),
-    };
+    const place = (base: number): number => between(-1.5, 1.5, halton(i, base));
+    const [x, y, z] = [place(2), place(3), place(5)];
+    const cone = light.axis === undefined ? {} : { axis: [x, -1, z] as const, aperture: 60 };
+    return { ...light, position: [x, y, z, 1], ...cone };
   });
 }
 
 /** Equal shapes on a regular grid around the origin, `pitch` apart. */
 function grid([nx, ny, nz]: Vec3, pitch: number, shape: SceneMesh['shape'], scale: number): SceneMesh[] {
   return Array.from({ length: nx * ny * nz }, (_, i): SceneMesh => {
-    const at = [i % nx, Math.floor(i / nx) % ny, Math.floor(i / (nx * ny))] as const;
-    return {
-      shape,
-      scale,
-      position: [
-        pitch * (at[0] - (nx - 1) / 2),
-        pitch * (at[1] - (ny - 1) / 2),
-        pitch * (at[2] - (nz - 1) / 2),
-      ],
-    };
+    const at = (index: number, count: number): number => pitch * (index - (count - 1) / 2);
+    const [x, y] = [at(i % nx, nx), at(Math.floor(i / nx) % ny, ny)];
+    return { shape, scale, position: [x, y, at(Math.floor(i / (nx * ny)), nz)] };
   });
 }
 
@@ -173,25 +154,18 @@ export function sceneOf(name: string): Scene {
       return box(lights, 'toggle');
     case 'room':
       return {
-        lights: roomLights(lights),
-        meshes: [{ shape: 'box', scale: 4 }],
-        radius: 1,
-        motion: 'camera',
-        inside: true,
+        ...{ lights: roomLights(lights), meshes: [{ shape: 'box', scale: 4 }] },
+        ...{ radius: 1, motion: 'camera', inside: true },
       };
     case 'bunny':
       return {
-        lights: mixedLights(lights, 6),
-        meshes: [{ shape: 'bunny.glb' }],
-        radius: 2.9,
-        motion: 'camera',
+        ...{ lights: mixedLights(lights, 6), meshes: [{ shape: 'bunny.glb' }] },
+        ...{ radius: 2.9, motion: 'camera' },
       };
     case 'spheres':
       return {
-        lights: mixedLights(lights, 40),
-        meshes: grid([8, 8, 1], 1, 'sphere', 0.9),
-        radius: 10.2,
-        motion: 'camera',
+        ...{ lights: mixedLights(lights, 40), meshes: grid([8, 8, 1], 1, 'sphere', 0.9) },
+        ...{ radius: 10.2, motion: 'camera' },
       };
     case 'boxes':
       return boxes(lights, [20, 10, 10], 'camera');
@@ -203,11 +177,8 @@ export function sceneOf(name: string): Scene {
       return box(lights, 'lights');
     case 'beside-a-million':
       return {
-        lights: mixedLights(lights),
-        meshes: [{ shape: 'box' }, { shape: 'grid.glb' }],
-        radius: 4,
-        motion: 'mesh',
-        autoFit: true,
+        ...{ lights: mixedLights(lights), meshes: [{ shape: 'box' }, { shape: 'grid.glb' }] },
+        ...{ radius: 4, motion: 'mesh', autoFit: true },
       };
     default:
       throw new RangeError(`no scene is called ${name}`);

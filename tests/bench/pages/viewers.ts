@@ -29,16 +29,13 @@ document.body.append(...viewers);
 window.viewersReady = Promise.all(viewers.map((viewer) => viewer.ready));
 window.frameRate = async (ms) => {
   const counts = viewers.map(() => 0);
-  const listeners = viewers.map((viewer, i) => {
-    const count = (): void => {
-      counts[i]! += 1;
-    };
-    viewer.addEventListener('render', count);
-    return () => viewer.removeEventListener('render', count);
-  });
+  const listening = new AbortController();
+  viewers.forEach((viewer, i) =>
+    viewer.addEventListener('render', () => (counts[i]! += 1), { signal: listening.signal }),
+  );
   const start = performance.now();
   await new Promise((resolve) => setTimeout(resolve, ms));
   const seconds = (performance.now() - start) / 1000;
-  for (const remove of listeners) remove();
+  listening.abort();
   return Math.min(...counts) / seconds;
 };
