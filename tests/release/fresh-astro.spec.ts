@@ -2,7 +2,6 @@
 // without and with hydration. Installs from the registry, so it is slow: @release.
 
 import { join } from 'node:path';
-import type { Page } from '@playwright/test';
 import type { PhongLight, PhongViewer } from '../../src/index.js';
 import { expect, pixelAt, pixels, test } from '../support/test.js';
 import { expectHeard, useFreshProject } from './fresh-project.js';
@@ -66,24 +65,22 @@ test.describe('the packed tarball in a fresh Astro project @release', () => {
     write('src/watched.jsx', watched);
     run('npx astro build');
   });
-  // Astro's own islands start from inline scripts.
-  const open = (page: Page) => project().open(page, join(project().folder, 'dist'), '');
 
-  for (const id of ['markup', 'still', 'hydrated']) {
-    test(`#${id} shows arrays and false as they were written`, async ({ page }) => {
-      await open(page);
+  test('shows arrays and false as they were written, and dispatches events on hydrated markup', async ({
+    page,
+  }) => {
+    // Astro's own islands start from inline scripts.
+    await project().open(page, join(project().folder, 'dist'), '');
+    for (const id of ['markup', 'still', 'hydrated']) {
       const viewer = page.locator(`#${id}`);
       const found = await viewer.evaluate(({ orbit, gui, lights }: PhongViewer) => [
         ...[orbit, gui],
         ...lights.map(({ active, ambient }: PhongLight) => [active, ambient]),
       ]);
-      expect(found).toEqual([false, false, [false, [0, 0, 255]], [true, [200, 100, 50]]]);
-      expect(pixelAt(await pixels(viewer, { width: 60, height: 40 }), 30, 20)).toEqual([200, 100, 50, 255]);
-    });
-  }
-
-  test('dispatches events on hydrated markup', async ({ page }) => {
-    await open(page);
+      expect(found, id).toEqual([false, false, [false, [0, 0, 255]], [true, [200, 100, 50]]]);
+      const picture = await pixels(viewer, { width: 60, height: 40 });
+      expect(pixelAt(picture, 30, 20), id).toEqual([200, 100, 50, 255]);
+    }
     await expectHeard(page, page.locator('#hydrated'));
   });
 });

@@ -3,26 +3,18 @@
 
 import { cpSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import type { PhongViewer } from '../element/support/viewer.js';
-import { useFreshProject } from './fresh-project.js';
+import { pageOf, repository, useFreshProject } from './fresh-project.js';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
 const body =
   '<script type="module" src="./main.js"></script>' +
   '<phong-viewer alt="A bunny" src="bunny.glb"></phong-viewer><phong-viewer alt="A picture" src="ktx2.glb"></phong-viewer>';
-const index = `<!doctype html><html lang="en"><head><link rel="icon" href="data:,"></head><body>${body}</body></html>`;
+const index = pageOf(body);
 
-interface Shown {
-  readonly loaded: readonly boolean[];
-  /** How many workers are there for the models. Draco's is only where WebAssembly is. */
-  readonly workers: number;
-}
-
-/** What the page shows, and where it was unpacked. */
-async function shown(page: Page): Promise<Shown> {
+/** Which models the page shows, and how many workers it has for them. Draco's is only where WebAssembly is. */
+async function shown(page: Page) {
   const loaded = await page.evaluate(async () => {
     await customElements.whenDefined('phong-viewer');
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];

@@ -7,7 +7,7 @@ import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import type { PhongLight, PhongViewer } from '../../src/index.js';
 import { allReady, expect, pixelAt, pixels, strictPolicy, test } from '../support/test.js';
-import { expectHeard, strictOptions, useFreshProject } from './fresh-project.js';
+import { expectHeard, pageOf, strictOptions, useFreshProject } from './fresh-project.js';
 
 interface Framework {
   readonly name: string;
@@ -23,13 +23,8 @@ interface Framework {
   readonly sent?: readonly string[];
 }
 
-const page = (script: string): string => `<!doctype html>
-<html lang="en">
-  <head><meta charset="utf-8" /><title>Fresh</title><link rel="icon" href="data:," /></head>
-  <body><div id="app"></div><script type="module" src="${script}"></script></body>
-</html>`;
-
-const ALL_TERMS = ['ambient', 'diffuse', 'specular'];
+const appOf = (script: string): string =>
+  pageOf(`<div id="app"></div><script type="module" src="${script}"></script>`);
 
 const vite = ['three', '@types/three', 'typescript', 'vite'];
 
@@ -49,7 +44,7 @@ const vue: Framework = {
       { jsx: 'preserve', skipLibCheck: true },
       { vueCompilerOptions: { strictTemplates: true } },
     ),
-    'index.html': page('/src/main.ts'),
+    'index.html': appOf('/src/main.ts'),
     'src/main.ts': `
       import { createApp } from 'vue';
       import App from './App.vue';
@@ -111,7 +106,7 @@ const svelte: Framework = {
       export default { plugins: [svelte()] };
     `,
     'tsconfig.json': typescript({ verbatimModuleSyntax: true, skipLibCheck: true }),
-    'index.html': page('/src/main.ts'),
+    'index.html': appOf('/src/main.ts'),
     'src/main.ts': `
       import { mount } from 'svelte';
       import App from './App.svelte';
@@ -166,7 +161,7 @@ const solid: Framework = {
       export default { plugins: [solid()] };
     `,
     'tsconfig.json': typescript({ jsx: 'preserve', jsxImportSource: 'solid-js' }),
-    'index.html': page('/src/main.tsx'),
+    'index.html': appOf('/src/main.tsx'),
     'src/main.tsx': `
       import 'phong-viewer';
       import type { PhongViewer } from 'phong-viewer';
@@ -228,36 +223,21 @@ const angular: Framework = {
     ),
   ],
   files: {
-    'angular.json': JSON.stringify({
-      version: 1,
-      cli: { analytics: false },
-      projects: {
-        fresh: {
-          projectType: 'application',
-          root: '',
-          sourceRoot: 'src',
-          architect: {
-            build: {
-              builder: '@angular/build:application',
-              options: {
-                browser: 'src/main.ts',
-                index: 'src/index.html',
-                tsConfig: 'tsconfig.json',
-                optimization: { scripts: true, styles: false, fonts: false },
-              },
-            },
-          },
-        },
-      },
-    }),
+    'angular.json': `{ "version": 1, "cli": { "analytics": false }, "projects": { "fresh": {
+      "projectType": "application", "root": "", "sourceRoot": "src", "architect": { "build": {
+        "builder": "@angular/build:application",
+        "options": {
+          "browser": "src/main.ts", "index": "src/index.html", "tsConfig": "tsconfig.json",
+          "optimization": { "scripts": true, "styles": false, "fonts": false }
+        }
+      } }
+    } } }`,
     'tsconfig.json': JSON.stringify({
       compilerOptions: { ...strictOptions, noEmit: false, experimentalDecorators: true },
       angularCompilerOptions: { strictTemplates: true },
       files: ['src/main.ts'],
     }),
-    'src/index.html':
-      '<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">' +
-      '</head><body><app-root></app-root></body></html>',
+    'src/index.html': pageOf('<app-root></app-root>'),
     'src/main.ts': `
       import 'phong-viewer';
       import type { PhongViewer } from 'phong-viewer';
@@ -425,11 +405,12 @@ for (const framework of [vue, svelte, solid, angular, nuxt, svelteKit]) {
         [true, [200, 100, 50]],
       ]);
       await allReady(page);
-      const values = ({ orbit, gui, colorInterpolation, terms, ka }: PhongViewer) => [
-        ...[orbit, gui, colorInterpolation, terms, ka],
-      ];
-      const [space, terms] = sent === undefined ? ['linear', ['ambient']] : ['srgb', ALL_TERMS];
-      expect(await viewer.evaluate(values)).toEqual([false, false, space, terms, [255, 255, 255]]);
+      const values = ({ orbit, gui, colorInterpolation: space, terms, ka }: PhongViewer) => ({
+        ...{ orbit, gui, space, terms, ka },
+      });
+      const own = sent === undefined ? { space: 'linear', terms: ['ambient'] } : {};
+      const expected = { orbit: false, gui: false, ka: [255, 255, 255], ...own };
+      expect(await viewer.evaluate(values)).toMatchObject(expected);
       expect(pixelAt(await pixels(viewer, { width: 60, height: 40 }), 30, 20)).toEqual([200, 100, 50, 255]);
 
       await expectHeard(page, viewer);

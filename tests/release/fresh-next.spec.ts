@@ -43,11 +43,7 @@ export function Watched({ children }: { readonly children: ReactNode }) {
   return (
     <>
       <PhongViewer
-        ref={viewer}
-        id="watched"
-        theta={theta}
-        orbit={false}
-        className="picture"
+        ref={viewer} id="watched" theta={theta} orbit={false} className="picture"
         onCameraChange={({ detail }) => setMoved(detail.source + ' to ' + String(viewer.current?.camera.theta))}
       >
         {children}
@@ -70,14 +66,12 @@ test.describe('the packed tarball in a fresh Next project @release', () => {
     origin = await project.serve('next/dist/bin/next', ['start', '--port', '0']);
   });
 
-  test('sends every value as text', async ({ request }) => {
-    const markup = await (await request.get(origin)).text();
+  test('sends every value as text, draws it, and dispatches events on hydrated markup', async ({ page }) => {
+    const markup = await (await page.request.get(origin)).text();
     expect(markup).toContain('<phong-light name="off" active="false" diffuse="0 0 255" ambient="0 0 255">');
     expect(markup).toContain('<phong-mesh geometry="box" scale="1 2 1">');
     expect(markup).toContain(' orbit="false"');
-  });
 
-  test('draws what a server component says, and dispatches events on hydrated markup', async ({ page }) => {
     await page.goto(origin);
     await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);

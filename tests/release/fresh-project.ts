@@ -12,26 +12,13 @@ import type { PhongViewer } from '../../src/index.js';
 import { startSite, strictPolicy } from '../support/site.js';
 import { allReady, expect, test } from '../support/test.js';
 
-const repository = fileURLToPath(new URL('../..', import.meta.url));
+export const repository = fileURLToPath(new URL('../..', import.meta.url));
 
-export interface FreshProject {
-  readonly folder: string;
-  write(path: string, text: string): void;
-  /** Returns the command's output. Throws with all of it if the command fails. */
-  run(command: string): string;
-  /** The same without blocking this process. */
-  runBeside(command: string): Promise<string>;
-  /**
-   * Starts a server by a script of an installed package, until the project is removed. Gives the address that it prints,
-   * such as `http://localhost:40123`.
-   */
-  serve(script: string, args: readonly string[]): Promise<string>;
-  /** Builds a page with this body by Vite. Returns the output folder. */
-  build(body: string): string;
-  /** Opens the index page of a folder under this policy, and waits until its viewers are drawn. */
-  open(page: Page, folder: string, policy?: string): Promise<void>;
-  remove(): Promise<void>;
-}
+export const manifest = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+  readonly version: string;
+  readonly devDependencies: Readonly<Record<string, string>>;
+  readonly peerDependencies: Readonly<Record<string, string>>;
+};
 
 /**
  * For the tests of the describe block it is called in, which then run in order: makes the project before the first and
@@ -65,39 +52,43 @@ export async function expectHeard(page: Page, viewer: Locator): Promise<void> {
 }
 
 /** @param packages names of this repository's devDependencies, or `name@range`. */
-export function freshProject(packages: readonly string[]): FreshProject {
+export function freshProject(packages: readonly string[]) {
   const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-fresh-'));
   const ends: (() => unknown)[] = [];
-  const project: FreshProject = {
+  const project = {
     folder,
-    write(path, text) {
+    write(path: string, text: string): void {
       mkdirSync(dirname(join(folder, path)), { recursive: true });
       writeFileSync(join(folder, path), text);
     },
-    run: (command) => run(command, folder),
-    runBeside: (command) => runBeside(command, folder),
-    serve(script, args) {
+    /** Returns the command's output. Throws with all of it if the command fails. */
+    run: (command: string) => run(command, folder),
+    /** The same without blocking this process. */
+    runBeside: (command: string) => runBeside(command, folder),
+    /**
+     * Starts a server by a script of an installed package, until the project is removed. Gives the address that it
+     * prints, such as `http://localhost:40123`.
+     */
+    serve(script: string, args: readonly string[]): Promise<string> {
       const { origin, stop } = serve(join(folder, 'node_modules', script), args, folder);
       ends.push(stop);
       return origin;
     },
-    build(body) {
-      const head = '<meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">';
-      project.write(
-        'index.html',
-        `<!doctype html><html lang="en"><head>${head}</head><body>${body}</body></html>`,
-      );
+    /** Builds a page with this body by Vite. Returns the output folder. */
+    build(body: string): string {
+      project.write('index.html', pageOf(body));
       project.run('npx vite build --base ./ --logLevel warn');
       return join(folder, 'dist');
     },
-    async open(page, root, policy = strictPolicy) {
+    /** Opens the index page of a folder under this policy, and waits until its viewers are drawn. */
+    async open(page: Page, root: string, policy = strictPolicy): Promise<void> {
       const site = await startSite({ '/': root }, policy);
       ends.push(() => site.close());
       await page.goto(`${site.origin}/`);
       await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
       await allReady(page);
     },
-    async remove() {
+    async remove(): Promise<void> {
       for (const end of ends) await end();
       rmSync(folder, { recursive: true, force: true });
     },
@@ -107,6 +98,13 @@ export function freshProject(packages: readonly string[]): FreshProject {
   project.run(`npm install --no-audit --no-fund ${wanted.join(' ')}`);
   return project;
 }
+
+type FreshProject = ReturnType<typeof freshProject>;
+
+/** A page without a request for an icon. */
+export const pageOf = (body: string): string =>
+  '<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Fresh</title>' +
+  `<link rel="icon" href="data:,"></head><body>${body}</body></html>`;
 
 /** Compiler options of a strict project that also checks the types of libraries. */
 export const strictOptions = {
@@ -132,13 +130,13 @@ export function readmeSample(heading: string): string {
 }
 
 /** The scripts of the README and of its page about frameworks that import the elements, in their order. */
-export function readmeScripts(): string[] {
-  const text = ['README.md', 'src/FRAMEWORKS.md']
-    .map((page) => readFileSync(join(repository, page), 'utf8'))
-    .join('\n');
-  const blocks = [...text.matchAll(/```(?:ts|js)\n([^]*?)```/g)].map(([, code = '']) => code);
-  return blocks.filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
-}
+export const readmeScripts = (): string[] =>
+  ['README.md', 'src/FRAMEWORKS.md']
+    .flatMap((page) => [
+      ...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g),
+    ])
+    .map(([, code = '']) => code)
+    .filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
 
 /** Packs a copy, because PHONG_VIEWER_OUT may put dist/ elsewhere than beside package.json. */
 function pack(folder: string): string {
@@ -149,18 +147,12 @@ function pack(folder: string): string {
   cpSync(outputFolder('dist'), join(staged, 'dist'), { recursive: true });
   run(`npm pack --ignore-scripts --pack-destination ${JSON.stringify(folder)}`, staged);
   rmSync(staged, { recursive: true });
-  const { version } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
-    version: string;
-  };
-  return `./phong-viewer-${version}.tgz`;
+  return `./phong-viewer-${manifest.version}.tgz`;
 }
 
 function versioned(name: string): string {
   if (name.lastIndexOf('@') > 0) return name;
-  const { devDependencies } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
-    devDependencies: Readonly<Record<string, string>>;
-  };
-  const range = devDependencies[name];
+  const range = manifest.devDependencies[name];
   if (range === undefined) throw new Error(`${name} is not a devDependency: add a range`);
   return `${name}@${range}`;
 }

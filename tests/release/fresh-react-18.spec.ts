@@ -60,13 +60,10 @@ test('the React components work with React 18, in types, on a server and hydrate
   const project = freshProject(['three', '@types/three', 'typescript', 'vite', ...react]);
   const compilerOptions = { ...strictOptions, jsx: 'react-jsx' };
   project.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['types.tsx'] }));
-  for (const [path, text] of Object.entries({
-    'app.js': app,
-    'server.js': server,
-    'client.js': client,
-    'types.tsx': types,
-  }))
-    project.write(path, text);
+  project.write('app.js', app);
+  project.write('server.js', server);
+  project.write('client.js', client);
+  project.write('types.tsx', types);
   project.run('npx tsc -p .');
 
   const markup = project.run('node server.js');

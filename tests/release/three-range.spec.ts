@@ -2,17 +2,11 @@
 // lights (uniforms) and many (a texture), a model with a texture, and an object of the page's own.
 // PHONG_VIEWER_THREE=~0.183.0 tries that release instead. Installs from the registry, so it is slow: @release.
 
-import { cpSync, readFileSync } from 'node:fs';
+import { cpSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import type { PhongViewer } from '../../src/index.js';
 import { expect, pixelAt, pixels, test } from '../support/test.js';
-import { strictOptions, useFreshProject } from './fresh-project.js';
-
-const repository = fileURLToPath(new URL('../..', import.meta.url));
-const { peerDependencies } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
-  peerDependencies: Readonly<Record<string, string>>;
-};
+import { manifest, repository, strictOptions, useFreshProject } from './fresh-project.js';
 
 /** Light number `i` of many: all light up a plane seen from above. */
 const lamp = (_: unknown, i: number): string =>
@@ -41,8 +35,11 @@ scene.add(new Mesh(new PlaneGeometry(2, 2), new MeshBasicMaterial({ color: 0x336
 Object.assign(window, { revision: REVISION, core: [LightSet, LightState, PhongLighting, PhongMaterial] });
 `;
 
-const range = peerDependencies['three']!;
+const range = manifest.peerDependencies['three']!;
 const oldest = /^>=(\d+\.\d+\.\d+) /.exec(range)![1]!;
+
+/** Pixels that are compared with `shadeAt`. */
+const PLACES = [[150, 75], [140, 60], [165, 85]] as const; // prettier-ignore
 
 const asked = process.env['PHONG_VIEWER_THREE'];
 
@@ -75,11 +72,7 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
         const [width, height] = [300, 150];
         const check = async (): Promise<void> => {
           const picture = await pixels(viewer, { width, height });
-          for (const [x, y] of [
-            [150, 75],
-            [140, 60],
-            [165, 85],
-          ] as const) {
+          for (const [x, y] of PLACES) {
             const color = await viewer.evaluate(
               async (element: PhongViewer, [x, y]) => (await element.shadeAt(x + 0.5, y + 0.5))?.color,
               [x, y] as const,

@@ -1,107 +1,85 @@
 // A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of every interpolation. As
 // a data: address.
 export interface BarOptions {
-  /** Rings of vertices along the bar. Default 6. */
-  readonly rings?: number;
   /** Whether the bar has joints. Default true. */
   readonly skinned?: boolean;
   /** Whether it has morph targets. Default true. */
   readonly morphed?: boolean;
   /** Whether it has normals; without, it is flat. Default true. */
   readonly normals?: boolean;
-  /** Defaults: `bend` (rotation, linear), `slide` (translation, step; scale, cubic), `swell` (weights, linear). */
-  readonly animations?: readonly unknown[];
   /** Replaces the times 0, 1, 2. */
   readonly times?: readonly number[];
 }
 
+/** Of vertices, along the bar. */
+const RINGS = 6;
 const FLOAT = 5126;
 const USHORT = 5123;
 const TYPES = ['', 'SCALAR', 'VEC2', 'VEC3', 'VEC4'] as const;
 
-/** The document; a bar of height 2 and width 0.5 about y, from y = 0. Joint 0 is at its foot, joint 1 at y = 1. */
+/**
+ * The document; a bar of height 2 and width 0.5 about y, from y = 0. Joint 0 is at its foot, joint 1 at y = 1. Animations:
+ * `bend` (rotation, linear), `slide` (translation, step; scale, cubic), `swell` (weights, linear).
+ */
 export function bar(options: BarOptions = {}): Record<string, unknown> {
-  const { rings = 6, skinned = true, morphed = true, normals = true, times = [0, 1, 2] } = options;
+  const { skinned = true, morphed = true, normals = true, times = [0, 1, 2] } = options;
   const views: Buffer[] = [];
   const accessors: object[] = [];
-  const add = (values: readonly number[], items: number, integer = false): number => {
+  const add = (items: number, values: readonly number[], integer = false): number => {
     views.push(Buffer.from((integer ? new Uint16Array(values) : new Float32Array(values)).buffer));
     const type = items === 16 ? 'MAT4' : TYPES[items];
-    accessors.push({
-      bufferView: accessors.length,
-      componentType: integer ? USHORT : FLOAT,
-      count: values.length / items,
-      type,
-    });
+    const [componentType, count] = [integer ? USHORT : FLOAT, values.length / items];
+    accessors.push({ bufferView: accessors.length, componentType, count, type });
     return accessors.length - 1;
   };
-  const vertices = Array.from({ length: rings * 4 }, (_, i) => {
-    const y = (2 * Math.floor(i / 4)) / (rings - 1);
+  const vertices = Array.from({ length: RINGS * 4 }, (_, i) => {
+    const y = (2 * Math.floor(i / 4)) / (RINGS - 1);
     const angle = ((i % 4) * Math.PI) / 2;
     return { y, x: Math.cos(angle), z: Math.sin(angle) };
   });
-  const indices = Array.from({ length: (rings - 1) * 4 }, (_, i) => {
+  type Vertex = (typeof vertices)[number];
+  const perVertex = (items: number, of: (vertex: Vertex) => readonly number[], integer = false): number =>
+    add(items, vertices.flatMap(of), integer);
+  const indices = Array.from({ length: (RINGS - 1) * 4 }, (_, i) => {
     const a = Math.floor(i / 4) * 4 + (i % 4);
     const b = Math.floor(i / 4) * 4 + ((i + 1) % 4);
     return [a, a + 4, b, b, a + 4, b + 4];
   }).flat();
   const attributes: Record<string, number> = {
-    POSITION: add(
-      vertices.flatMap(({ x, y, z }) => [0.25 * x, y, 0.25 * z]),
-      3,
-    ),
+    POSITION: perVertex(3, ({ x, y, z }) => [0.25 * x, y, 0.25 * z]),
   };
-  if (normals)
-    attributes['NORMAL'] = add(
-      vertices.flatMap(({ x, z }) => [x, 0, z]),
-      3,
-    );
+  if (normals) attributes['NORMAL'] = perVertex(3, ({ x, z }) => [x, 0, z]);
   if (skinned) {
-    attributes['JOINTS_0'] = add(
-      vertices.flatMap(() => [0, 1, 0, 0]),
-      4,
-      true,
-    );
-    attributes['WEIGHTS_0'] = add(
-      vertices.flatMap(({ y }) => [1 - y / 2, y / 2, 0, 0]),
-      4,
-    );
+    attributes['JOINTS_0'] = perVertex(4, () => [0, 1, 0, 0], true);
+    attributes['WEIGHTS_0'] = perVertex(4, ({ y }) => [1 - y / 2, y / 2, 0, 0]);
   }
-  const thicker = add(
-    vertices.flatMap(({ x, z }) => [0.5 * x, 0, 0.5 * z]),
-    3,
-  );
-  const leaning = add(
-    vertices.flatMap(({ y }) => [y * y, 0, 0]),
-    3,
-  );
-  const tilted = add(
-    vertices.flatMap(({ x }) => [0, -x / 2, 0]),
-    3,
-  );
+  const thicker = perVertex(3, ({ x, z }) => [0.5 * x, 0, 0.5 * z]);
+  const leaning = perVertex(3, ({ y }) => [y * y, 0, 0]);
+  const tilted = perVertex(3, ({ x }) => [0, -x / 2, 0]);
   const targets = [{ POSITION: thicker }, { POSITION: leaning, ...(normals ? { NORMAL: tilted } : {}) }];
-  const order = add(indices, 1, true);
-  const inverses = add([...IDENTITY, ...IDENTITY.slice(0, 13), -1, 0, 1], 16);
-  const input = add(times, 1);
+  const order = add(1, indices, true);
+  const inverses = add(16, [...IDENTITY, ...IDENTITY.slice(0, 13), -1, 0, 1]);
+  const input = add(1, times);
   const half = Math.SQRT1_2;
+  const scales = [
+    ...[0, 0, 0, 1, 1, 1, 0.5, 0, 0],
+    ...[0, 1, 0, 2, 1, 0.5, 0, 0, 1],
+    ...[0, 0, 0, 1, -1, 1, 0, 0, 0],
+  ];
+  const turns = [0, 0, 0, 1, 0, 0, half, half, 0, 0, -0.6, 0.8];
   const samplers = {
-    bend: { input, output: add([0, 0, 0, 1, 0, 0, half, half, 0, 0, -0.6, 0.8], 4), interpolation: 'LINEAR' },
-    slide: { input, output: add([0, 0, 0, 3, 0, 0, 0, 0, 2], 3), interpolation: 'STEP' },
-    grow: {
-      input,
-      output: add(
-        [...[0, 0, 0, 1, 1, 1, 0.5, 0, 0], ...[0, 1, 0, 2, 1, 0.5, 0, 0, 1], ...[0, 0, 0, 1, -1, 1, 0, 0, 0]],
-        3,
-      ),
-      interpolation: 'CUBICSPLINE',
-    },
-    swell: { input, output: add([0, 0, 1, 0.25, 0, 1], 1) },
+    bend: { input, output: add(4, turns), interpolation: 'LINEAR' },
+    slide: { input, output: add(3, [0, 0, 0, 3, 0, 0, 0, 0, 2]), interpolation: 'STEP' },
+    grow: { input, output: add(3, scales), interpolation: 'CUBICSPLINE' },
+    swell: { input, output: add(1, [0, 0, 1, 0.25, 0, 1]) },
   };
+  const [foot, knee] = skinned ? [1, 2] : [0, 0];
   const clip = (name: string, ...channels: readonly [number, string, object][]): object => ({
     name,
     samplers: channels.map(([, , sampler]) => sampler),
     channels: channels.map(([node, path], sampler) => ({ sampler, target: { node, path } })),
   });
+  const bytes = Buffer.concat(views).toString('base64');
   let end = 0;
   const offsets = views.map(({ byteLength }) => (end += byteLength) - byteLength);
   return {
@@ -116,27 +94,18 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
     ...(skinned ? { skins: [{ joints: [1, 2], inverseBindMatrices: inverses }] } : {}),
     meshes: [
       {
-        primitives: [{ attributes, indices: order, ...(morphed ? { targets } : {}) }],
-        ...(morphed ? { weights: [0, 0] } : {}),
+        primitives: [{ attributes, indices: order, ...(morphed && { targets }) }],
+        ...(morphed && { weights: [0, 0] }),
       },
     ],
-    animations: options.animations ?? [
-      clip('bend', [skinned ? 2 : 0, 'rotation', samplers.bend]),
-      clip(
-        'slide',
-        [skinned ? 1 : 0, 'translation', samplers.slide],
-        [skinned ? 2 : 0, 'scale', samplers.grow],
-      ),
+    animations: [
+      clip('bend', [knee, 'rotation', samplers.bend]),
+      clip('slide', [foot, 'translation', samplers.slide], [knee, 'scale', samplers.grow]),
       ...(morphed ? [clip('swell', [0, 'weights', samplers.swell])] : []),
     ],
     accessors,
     bufferViews: views.map(({ byteLength }, i) => ({ buffer: 0, byteOffset: offsets[i], byteLength })),
-    buffers: [
-      {
-        byteLength: end,
-        uri: `data:application/octet-stream;base64,${Buffer.concat(views).toString('base64')}`,
-      },
-    ],
+    buffers: [{ byteLength: end, uri: `data:application/octet-stream;base64,${bytes}` }],
   };
 }
 

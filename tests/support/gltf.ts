@@ -52,21 +52,13 @@ export function patch(options: PatchOptions): string {
   let end = 0;
   const offsets = views.map(({ byteLength }) => (end += byteLength) - byteLength);
   const data = (type: string, bytes: Buffer): string => `data:${type};base64,${bytes.toString('base64')}`;
+  const attributes = Object.fromEntries(names.map((name, i) => [name, i]));
+  const primitive = { attributes, indices: names.length, material: 0 };
   const document = {
     asset: { version: '2.0' },
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0, ...(matrix === undefined ? {} : { matrix }) }],
-    meshes: [
-      {
-        primitives: [
-          {
-            attributes: Object.fromEntries(names.map((name, i) => [name, i])),
-            indices: names.length,
-            material: 0,
-          },
-        ],
-      },
-    ],
+    meshes: [{ primitives: [primitive] }],
     materials: [{ doubleSided: true, ...material }],
     textures: textures.map((_, source) => ({ source, sampler: 0 })),
     samplers: [{ magFilter: LINEAR, minFilter: mipmaps ? LINEAR_MIPMAP_LINEAR : LINEAR }],

@@ -14,7 +14,7 @@ export interface Picture {
   readonly data: Uint8Array;
 }
 
-export interface Difference {
+interface Difference {
   /** Largest difference of a channel, in codes. */
   readonly max: number;
   /** Share (0-1) of the channels that differ by more than the tolerance. */
@@ -24,7 +24,7 @@ export interface Difference {
 }
 
 /** How far a picture may be from its baseline: rasterization and rounding differ between machines. */
-export const baselineTolerance = { codes: 2, share: 0.005 } as const;
+const baselineTolerance = { codes: 2, share: 0.005 } as const;
 
 /** The part of `<phong-viewer>` that the helpers use. */
 export interface ViewerLike extends HTMLElement {

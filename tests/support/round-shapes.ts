@@ -50,7 +50,7 @@ const curve = (angle: number): Vec3 => {
 };
 
 /** In three.js's size. */
-export const knotInThree: Surface = (a, b) => {
+const knotInThree: Surface = (a, b) => {
   const angle = 4 * Math.PI * a;
   const here = curve(angle);
   const next = curve(angle + 0.01);
@@ -80,7 +80,7 @@ function through(samples: readonly [Vec3, Vec3, Vec3, Vec3], t: number): { p: Ve
 }
 
 /** In three.js's size 1. */
-export function teapotInThree(): Surface[] {
+function teapotInThree(): Surface[] {
   const places = new TeapotGeometry(1, DIVISIONS).getAttribute('position');
   const at = (i: number): Vec3 => [places.getX(i), places.getY(i), places.getZ(i)];
   return Array.from({ length: 32 }, (_, patch): Surface => (a, b) => {
@@ -135,8 +135,7 @@ export function roundShapes(): Readonly<Record<RoundName, readonly Piece[]>> {
   const half = (n: number): number => Math.round(n / 2);
   const once = (): number => 1;
   const same = (n: number): number => n;
-  const [[low, high]] = boxOf([knotInThree], 200) as [[number, number], [number, number]];
-  const [, [bottom, top]] = boxOf([knotInThree], 200) as [[number, number], [number, number]];
+  const [[low, high], [bottom, top]] = boxOf([knotInThree], 200) as [[number, number], [number, number]];
   const knot = placed(knotInThree, (low + high) / 2, top - bottom);
   const patches = teapotInThree();
   const [[left, right]] = boxOf(patches, 20) as [[number, number]];
@@ -172,25 +171,13 @@ export function deviations(
   for (let i = 0; i < r; i++) {
     for (let j = 0; j < c; j++) {
       const corner = (k: number): readonly [number, number] => [(i + (k >> 1)) / r, (j + (k & 1)) / c];
-      for (const triangle of diagonal === 'main'
-        ? [
-            [0, 1, 3],
-            [0, 3, 2],
-          ]
-        : [
-            [0, 2, 1],
-            [2, 3, 1],
-          ]) {
-        // prettier-ignore
+      for (const triangle of TRIANGLES[diagonal]) {
         const at = triangle.map(corner);
-        const places = at.map(([a, b]) => surface(a, b).p) as [Vec3, Vec3, Vec3];
+        const places = at.map(([a, b]) => surface(a, b).p);
         for (const weights of WEIGHTS) {
           const mixed = (axis: 0 | 1): number => weights.reduce((sum, w, k) => sum + w * at[k]![axis], 0);
           const { p, N } = surface(mixed(0), mixed(1));
-          const point = places.reduce<Vec3>(
-            (sum, place, k) => add(sum, scale(place, weights[k]!)),
-            [0, 0, 0],
-          );
+          const point = places.map((place, k) => scale(place, weights[k]!)).reduce(add);
           const inside = dot(subtract(p, point), N);
           low = Math.min(low, inside);
           high = Math.max(high, inside);
@@ -200,6 +187,13 @@ export function deviations(
   }
   return [low, high];
 }
+
+/** Corners of the two triangles of a quadrangle. */
+// prettier-ignore
+const TRIANGLES = {
+  main: [[0, 1, 3], [0, 3, 2]],
+  other: [[0, 2, 1], [2, 3, 1]],
+} as const;
 
 /** Points of a triangle: corners, and points that divide its sides into four. */
 const WEIGHTS: readonly Vec3[] = [0, 1, 2, 3, 4].flatMap((i) =>

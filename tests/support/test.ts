@@ -19,10 +19,10 @@ import { SharedPage } from './shared-page.js';
 import { startSite, testMounts, type PageOptions, type Site } from './site.js';
 
 export { expect };
-export { compare, expectPicture, pixelAt, pixels, type Difference, type Picture } from './picture.js';
+export { compare, expectPicture, pixelAt, pixels, type Picture } from './picture.js';
 export { type Site, strictPolicy } from './site.js';
 
-export interface MountOptions extends PageOptions {
+interface MountOptions extends PageOptions {
   /** CSS pixels of every viewer on the page, the first of which lies at the page's top left; default 600 × 400. */
   readonly width?: number;
   readonly height?: number;
@@ -123,14 +123,8 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
 });
 
 async function mount(page: Page, site: Site, markup: string, options: MountOptions = {}): Promise<Locator> {
-  const {
-    width = 600,
-    height = 400,
-    css = '',
-    head = '',
-    deviceScaleFactor = 1,
-    waitForReady = true,
-  } = options;
+  const { width = 600, height = 400, css = '', head = '' } = options;
+  const { deviceScaleFactor = 1, waitForReady = true } = options;
   const address = site.page(markup, {
     ...options,
     css: `body { margin: 0 } phong-viewer { display: block; width: ${width}px; height: ${height}px }\n${css}`,

@@ -2,7 +2,7 @@
 // arithmetic's error, the second the tessellation's. In 8-bit codes.
 import type { Picture } from '../support/picture.js';
 import { length, cross, dot, type Vec3 } from '../../src/math/vector.js';
-import { around, CONE_EDGE, outside } from './against-reference.js';
+import { around, CONE_EDGE, type Errors, outside } from './against-reference.js';
 import { caster, type DeclaredScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
 import { castTriangles } from './triangle-cast.js';
@@ -17,16 +17,9 @@ const hitsOf = remembered((scene, width: number, height: number, shading: string
   castTriangles(scene, width, height, shading),
 );
 
-export interface TriangleErrors {
-  /** Largest difference of a channel inside triangles, and where. */
-  max: number;
-  at: string;
-  /** Channels inside triangles, those exactly right, and those a code or more off only because vertices are snapped. */
-  compared: number;
-  exact: number;
+/** Of channels inside triangles. `snapped`: those more than a code off, which snapped vertices may explain. */
+interface TriangleErrors extends Errors {
   snapped: number;
-  /** The same on edges between triangles, where up to four samples of several triangles are mixed. */
-  edges: { max: number; compared: number; exact: number };
 }
 
 /**
@@ -42,43 +35,30 @@ export function compareWithTriangles(
 ): TriangleErrors {
   const { width, height, data } = picture;
   const hits = hitsOf(scene, width, height, shading);
-  const errors: TriangleErrors = {
-    max: 0,
-    at: '',
-    compared: 0,
-    exact: 0,
-    snapped: 0,
-    edges: { max: 0, compared: 0, exact: 0 },
-  };
+  const errors: TriangleErrors = { max: 0, at: '', compared: 0, exact: 0, snapped: 0 };
   const reach = 2 ** -subpixelBits / 2;
-  for (let y = 1; y < height - 1; y++) {
-    for (let x = 1; x < width - 1; x++) {
-      const i = y * width + x;
-      const hit = hits[i];
-      if (!hit || hit.coneMargin < CONE_EDGE) continue;
-      const inside = hit.edge >= WHOLE;
-      const onOutline = [-1, 0, 1].some((dy) => [-1, 0, 1].some((dx) => !hits[i + dy * width + dx]));
-      if (!inside && onOutline) continue;
-      const found = inside ? errors : errors.edges;
-      for (let channel = 0; channel < 3; channel++) {
-        const actual = data[4 * i + channel]!;
-        let error = Math.abs(actual - code(hit.color, channel));
-        found.compared += 1;
-        if (error === 0) found.exact += 1;
-        if (inside && error > 1) {
-          const near = around(reach, (dx, dy) => hit.beside(dx, dy));
-          error = outside(
-            actual,
-            [...near, hit.color].map((color) => code(color, channel)),
-          );
-          errors.snapped += 1;
-        }
-        if (inside && error > errors.max)
-          errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * hit.color[channel]!}`;
-        found.max = Math.max(found.max, error);
+  hits.forEach((hit, i) => {
+    const [x, y] = [i % width, Math.floor(i / width)];
+    const isBorder = x === 0 || y === 0 || x === width - 1 || y === height - 1;
+    if (isBorder || hit === null || hit.edge < WHOLE || hit.coneMargin < CONE_EDGE) return;
+    for (let channel = 0; channel < 3; channel++) {
+      const actual = data[4 * i + channel]!;
+      let error = Math.abs(actual - code(hit.color, channel));
+      errors.compared += 1;
+      if (error === 0) errors.exact += 1;
+      if (error > 1) {
+        const near = around(reach, (dx, dy) => hit.beside(dx, dy));
+        error = outside(
+          actual,
+          [...near, hit.color].map((color) => code(color, channel)),
+        );
+        errors.snapped += 1;
       }
+      if (error > errors.max)
+        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * hit.color[channel]!}`;
+      errors.max = Math.max(errors.max, error);
     }
-  }
+  });
   return errors;
 }
 

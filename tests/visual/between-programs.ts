@@ -89,11 +89,6 @@ export async function picturesBy(
   return pictures;
 }
 
-export interface TwoPictures {
-  readonly general: Picture;
-  readonly specialised: Picture;
-}
-
 /**
  * Each viewer's picture by the general and by the specialised program. `markups`: at most A_PAGE viewers of one mesh
  * each.
@@ -102,7 +97,7 @@ export async function bothPictures(
   page: Page,
   markups: readonly string[],
   size: { readonly width: number; readonly height: number },
-): Promise<TwoPictures[]> {
+) {
   const viewers = await showAll(page, markups);
   const general = await picturesBy(page, viewers, 'general', size);
   const programs = await programsOf(viewers[0]!);
@@ -114,5 +109,5 @@ export async function bothPictures(
 }
 
 /** Number of the page's programs, by a viewer's stats. */
-export const programsOf = (viewer: Locator): Promise<number> =>
+const programsOf = (viewer: Locator): Promise<number> =>
   viewer.evaluate((element: PhongViewer) => element.stats.programs);

@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test';
 import type { Drawn, Step } from '../glsl/page/core.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { expect } from '../support/test.js';
-import { Dice, randomLight } from './random-scene.js';
+import { Dice, dimmed, randomLight } from './random-scene.js';
 
 export const SIZE = { width: 56, height: 42 };
 
@@ -52,9 +52,7 @@ export const tellingChannels = ({ codes }: Drawn): number =>
 export function mixedLights(count: number, seed = 1): Partial<LightValues>[] {
   const dice = new Dice(seed);
   return Array.from({ length: count }, (_, i) => {
-    const light = randomLight(dice);
-    const dim = (c: readonly number[]) =>
-      c.map((x) => x * Math.min(1, 6 / count)) as unknown as LightValues['diffuse'];
+    const light = dimmed(randomLight(dice), Math.min(1, 6 / count));
     const [x, y, z] = light.position;
     return {
       ...light,
@@ -63,9 +61,6 @@ export function mixedLights(count: number, seed = 1): Partial<LightValues>[] {
       ...(i % 3 === 2
         ? { aperture: [45, 80, 120][(i % 9) % 3]!, cutoff: [0, 1, 4][i % 3]! }
         : { aperture: 180, cutoff: 0 }),
-      ambient: dim(light.ambient),
-      diffuse: dim(light.diffuse),
-      specular: dim(light.specular),
     };
   });
 }

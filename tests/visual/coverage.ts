@@ -2,11 +2,9 @@
 // by one colour each, without shading. Pixels at an outline, and those where two meshes are too close for a depth
 // buffer, are left out.
 import { expect, type Page } from '@playwright/test';
-import type { BufferGeometry } from 'three';
 import type { PhongViewer } from '../../src/index.js';
-import type { Pose } from '../../src/camera/orbit.js';
-import { dot, type Vec3 } from '../../src/math/vector.js';
-import { type CastMesh, caster, lens } from './ray-cast.js';
+import type { Vec3 } from '../../src/math/vector.js';
+import { type CastMesh, caster } from './ray-cast.js';
 
 /** A scene of shapes, told apart by colour. */
 export interface CoverageScene {
@@ -26,16 +24,7 @@ export interface CoverageMesh {
   readonly scale?: Vec3;
 }
 
-export interface Coverage {
-  /** Pixels that were compared. */
-  readonly compared: number;
-  /** Pixels where a mesh should be and nothing is. */
-  readonly holes: number;
-  /** Pixels that show another mesh, or a mesh where nothing should be. */
-  readonly others: number;
-}
-
-export interface PictureSize {
+interface PictureSize {
   readonly width: number;
   readonly height: number;
 }
@@ -57,7 +46,7 @@ export const markupOf = ({ theta, phi, radius, target, fov, meshes }: CoverageSc
   `${meshes.map(meshMarkup).join('')}</phong-viewer>`;
 
 /** The codes r, g, b, a of each scene's picture, one viewer after the other on this page. */
-export const drawAll = (
+const drawAll = (
   page: Page,
   scenes: readonly CoverageScene[],
   size: PictureSize,
@@ -100,12 +89,11 @@ export async function expectNoHoles(
 /** Relative difference of two distances below which either mesh may be seen. */
 const CLOSE = 1e-2;
 
-/** Compares a picture with the caster's. */
-export function coverageOf(
-  codes: readonly number[],
-  scene: CoverageScene,
-  { width, height }: PictureSize,
-): Coverage {
+/**
+ * Compares a picture with the caster's. `compared`: pixels that were compared. `holes`: those where a mesh should be and
+ * nothing is. `others`: those that show another mesh, or a mesh where nothing should be.
+ */
+function coverageOf(codes: readonly number[], scene: CoverageScene, { width, height }: PictureSize) {
   const seen = seenBy(scene, width, height);
   const result = { compared: 0, holes: 0, others: 0 };
   for (let y = 1; y < height - 1; y++) {
@@ -167,48 +155,4 @@ function nearest(hits: readonly ReturnType<ReturnType<typeof caster>>[]): Seen {
   const t = hits[mesh]?.t ?? Infinity;
   const close = hits.some((hit, i) => i !== mesh && hit !== null && hit.t < t * (1 + CLOSE));
   return { mesh, face: `${String(mesh)} ${hits[mesh]?.face ?? ''}`, close };
-}
-
-/** 1 where the ray through a pixel's centre meets a triangle, from either side. All of it lies before the eye. */
-export function coveredBy(
-  geometry: BufferGeometry,
-  pose: Pose,
-  fov: number,
-  { width, height }: PictureSize,
-): Uint8Array {
-  const { axes, eyeOffset, pixel } = lens({ pose, fov, meshes: [], lights: [], options: {} }, width, height);
-  const position = geometry.getAttribute('position');
-  /** In pixels, a centre at whole numbers. */
-  const onPicture = (corner: number): readonly [number, number] => {
-    const vertex = geometry.index?.getX(corner) ?? corner;
-    const p = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
-    const d = p.map((x, i) => x - pose.target[i]! - eyeOffset[i]!) as unknown as Vec3;
-    const depth = -dot(d, axes.back) * pixel;
-    return [dot(d, axes.right) / depth + (width - 1) / 2, (height - 1) / 2 - dot(d, axes.up) / depth];
-  };
-  const covered = new Uint8Array(width * height);
-  for (let corner = 0; corner + 2 < (geometry.index ?? position).count; corner += 3)
-    fill(covered, width, height, [onPicture(corner), onPicture(corner + 1), onPicture(corner + 2)]);
-  return covered;
-}
-
-type Point = readonly [number, number];
-
-/** Marks the pixels whose centres a triangle holds. */
-function fill(
-  covered: Uint8Array,
-  width: number,
-  height: number,
-  [a, b, c]: readonly [Point, Point, Point],
-): void {
-  const side = ([px, py]: Point, [qx, qy]: Point, x: number, y: number): number =>
-    (qx - px) * (y - py) - (qy - py) * (x - px);
-  const low = (axis: 0 | 1): number => Math.max(0, Math.ceil(Math.min(a[axis], b[axis], c[axis])));
-  const high = (axis: 0 | 1, size: number): number => Math.min(size - 1, Math.floor(Math.max(a[axis], b[axis], c[axis]))); // prettier-ignore
-  for (let y = low(1); y <= high(1, height); y++) {
-    for (let x = low(0); x <= high(0, width); x++) {
-      const sides = [side(a, b, x, y), side(b, c, x, y), side(c, a, x, y)];
-      if (sides.every((s) => s >= 0) || sides.every((s) => s <= 0)) covered[y * width + x] = 1;
-    }
-  }
 }

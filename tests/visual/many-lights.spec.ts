@@ -11,7 +11,7 @@ import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import { caster, type DeclaredScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
-import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
+import { Dice, dimmed, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 
 const SIZE = { width: 60, height: 42 };
 
@@ -30,19 +30,15 @@ const samplesOf = remembered((scene: DeclaredScene, width: number, height: numbe
     const [x, y] = [2 + (at % (width - 4)), 2 + Math.floor(at / (width - 4))];
     const hit = cast(x, y);
     if (hit === null) return [];
-    if ([-2, 2].some((by) => cast(x + by, y)?.face !== hit.face || cast(x, y + by)?.face !== hit.face))
-      return [];
-    return hit.coneMargin < CONE_EDGE ? [] : [{ x, y, hit }];
+    const isInside = [-2, 2].every((by) => cast(x + by, y)?.face === hit.face && cast(x, y + by)?.face === hit.face); // prettier-ignore
+    return isInside && hit.coneMargin >= CONE_EDGE ? [{ x, y, hit }] : [];
   }).flat();
 });
 
 /**
  * The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared.
  */
-function sampled(
-  { width, height, data }: Picture,
-  scene: DeclaredScene,
-): { readonly max: number; readonly compared: number } {
+function sampled({ width, height, data }: Picture, scene: DeclaredScene) {
   const samples = samplesOf(scene, width, height);
   let max = 0;
   for (const { x, y, hit } of samples) {
@@ -61,17 +57,8 @@ function sampled(
 function crowd(count: number, seed: number): LightValues[] {
   const dice = new Dice(seed);
   return Array.from({ length: count }, (_, i) => {
-    const light = randomLight(dice);
-    const dim = (c: readonly number[]) =>
-      c.map((x) => Number((x / count).toFixed(5))) as unknown as LightValues['diffuse'];
-    return {
-      ...light,
-      active: true,
-      aperture: i < 8 ? light.aperture : 180,
-      ambient: dim(light.ambient),
-      diffuse: dim(light.diffuse),
-      specular: dim(light.specular),
-    };
+    const light = dimmed(randomLight(dice), 1 / count);
+    return { ...light, active: true, aperture: i < 8 ? light.aperture : 180 };
   });
 }
 

@@ -12,30 +12,14 @@ import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 export const SIZE = { width: 84, height: 60 };
 
-const LIGHTS: readonly LightValues[] = [
-  lightWith({
-    ambient: [20, 25, 30],
-    diffuse: [120, 110, 100],
-    specular: [90, 90, 90],
-    position: [1, 2, 1, 0],
-  }),
-  lightWith({
-    ambient: [5, 0, 0],
-    diffuse: [90, 120, 160],
-    specular: [120, 60, 60],
-    position: [-1.5, 1.2, 1, 1],
-    attenuation: [0.8, 0.1, 0.05],
-  }),
-  lightWith({
-    ambient: [0, 10, 0],
-    diffuse: [160, 90, 60],
-    specular: [80, 160, 80],
-    position: [0.5, 2, 0.5, 1],
-    axis: [-0.2, -1, -0.2],
-    aperture: 35,
-    cutoff: 3,
-  }),
-];
+// prettier-ignore
+const LIGHTS: readonly LightValues[] = ([
+  { ambient: [20, 25, 30], diffuse: [120, 110, 100], specular: [90, 90, 90], position: [1, 2, 1, 0] },
+  { ambient: [5, 0, 0], diffuse: [90, 120, 160], specular: [120, 60, 60], position: [-1.5, 1.2, 1, 1],
+    attenuation: [0.8, 0.1, 0.05] },
+  { ambient: [0, 10, 0], diffuse: [160, 90, 60], specular: [80, 160, 80], position: [0.5, 2, 0.5, 1],
+    axis: [-0.2, -1, -0.2], aperture: 35, cutoff: 3 },
+] as const).map((light) => lightWith(light));
 
 const SPHERE: CastMesh = {
   geometry: 'sphere',
@@ -109,14 +93,8 @@ export const subpixelBitsOf = (page: Page): Promise<number> =>
     return Number(gl?.getParameter(gl.SUBPIXEL_BITS));
   });
 
-interface Drawn {
-  readonly scene: DeclaredScene;
-  readonly shading: string;
-  readonly seed: number;
-}
-
 /** A random scene of any shape that the reference can compute. */
-function drawnScene(seed: number): Drawn {
+function drawnScene(seed: number) {
   const dice = new Dice(seed);
   const geometry = dice.pick(['plane', 'box', 'sphere'] as const);
   const shading = dice.pick(['phong', 'phong', 'flat', 'gouraud'] as const);

@@ -1,7 +1,7 @@
 // Random scenes as data and as markup, from a seed that failures print. Values are what authors write: moderate
 // numbers with a few decimals.
 import type { LightValues } from '../../src/light/light-state.js';
-import type { Vec3, Vec4 } from '../../src/math/vector.js';
+import { scale, type Vec3, type Vec4 } from '../../src/math/vector.js';
 import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 /** Uniform numbers from a seed: mulberry32. */
@@ -73,6 +73,14 @@ export function randomLight(dice: Dice): LightValues {
     space: dice.chance(0.2) ? 'camera' : 'world',
   };
 }
+
+/** With a share of its intensities. */
+export const dimmed = (light: LightValues, share: number): LightValues => ({
+  ...light,
+  ambient: scale(light.ambient, share),
+  diffuse: scale(light.diffuse, share),
+  specular: scale(light.specular, share),
+});
 
 export function randomMesh(dice: Dice, geometry: CastMesh['geometry']): CastMesh {
   const size = dice.from(1, 4);

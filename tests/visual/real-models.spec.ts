@@ -50,14 +50,11 @@ test('@release each model covers the pixels of the other picture, in similar col
   expect(warnings.map((text) => text.replace(/^warning: /, '')).sort()).toEqual(expected.sort());
 });
 
-interface Compared {
-  readonly covered: number;
-  /** Means over the pixels that both cover. */
-  readonly colours: readonly [readonly number[], readonly number[]];
-}
-
-/** Runs in the page: the viewer's picture and the one beside it. */
-async function compared(item: Element): Promise<Compared> {
+/**
+ * Runs in the page: the viewer's picture and the one beside it. The share of covered pixels that both cover, and the mean
+ * colours of these.
+ */
+async function compared(item: Element) {
   const image = item.querySelector('img')!;
   image.loading = 'eager';
   await image.decode();
@@ -70,10 +67,7 @@ async function compared(item: Element): Promise<Compared> {
   const blob = await (item.querySelector('phong-viewer') as ViewerLike).toBlob(size);
   const pictures = [texels(await createImageBitmap(blob)), texels(image)] as const;
   let [both, either] = [0, 0];
-  const sums = [
-    [0, 0, 0],
-    [0, 0, 0],
-  ] as const satisfies readonly number[][];
+  const sums = [[0, 0, 0], [0, 0, 0]] as const satisfies readonly number[][]; // prettier-ignore
   for (let i = 3; i < pictures[0].length; i += 4) {
     const [ours, other] = pictures.map((data) => data[i]! > 127) as [boolean, boolean];
     if (ours || other) either += 1;
@@ -82,5 +76,5 @@ async function compared(item: Element): Promise<Compared> {
     pictures.forEach((data, k) => [0, 1, 2].forEach((c) => (sums[k]![c]! += data[i - 3 + c]!)));
   }
   const mean = (sum: readonly number[]): number[] => sum.map((c) => Math.round(c / both));
-  return { covered: both / either, colours: [mean(sums[0]), mean(sums[1])] };
+  return { covered: both / either, colours: [mean(sums[0]), mean(sums[1])] as const };
 }

@@ -1,6 +1,7 @@
 // Does skipping work change no picture? Compares the same scenes drawn by general and by specialised programs, with and
 // without lights that reach nothing, and all of them with float64.
 
+import { fullOr } from '../support/repeats.js';
 import { expect, pixels, test } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glSpent, logGl } from '../element/support/gl-log.js';
@@ -8,20 +9,20 @@ import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { compareWithReference } from './against-reference.js';
 import { compareWithTriangles } from './against-triangles.js';
 import { betweenPrograms, bothPictures, DifferenceSum, expectDrawnBy, picturesBy, showAll } from './between-programs.js'; // prettier-ignore
-import { compareRandomScenes } from './program-scenes.js';
+import { compareRandomScenes, look, LOOKS, SIZE, subpixelBitsOf } from './program-scenes.js';
 import { sceneMarkup } from './random-scene.js';
-import { look, LOOKS, SIZE, subpixelBitsOf } from './program-scenes.js';
 
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+const SCENES = fullOr(300, 6);
 
-test('random scenes differ by a code on few channels between general and specialised programs, and no more from float64', async ({
+test(`random scenes differ by a code on few channels between general and specialised programs, and no more from float64 (seeds from ${FIRST})`, async ({
   page,
   mount,
 }) => {
-  test.setTimeout(120_000);
+  test.setTimeout(1_800_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
-  await compareRandomScenes(page, FIRST, 6);
+  await compareRandomScenes(page, FIRST, SCENES);
 });
 
 test('every kind of surface and light differs as little between the two programs', async ({

@@ -4,7 +4,7 @@
 import type { BufferGeometry } from 'three';
 import { flatGeometry } from '../../src/material/flat-geometry.js';
 import { srgbEncode } from '../../src/math/color.js';
-import { add, cross, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
+import { add, cross, dot, map, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Shaded } from '../../src/reference/equation.js';
 import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
 import { type CastMesh, type DeclaredScene, coneMargin, lens, placement } from './ray-cast.js';
@@ -151,6 +151,7 @@ type Color = (triangle: Triangle, shares: Vec3) => Omit<TriangleHit, 'edge' | 'b
 const mix = (corners: readonly Vec3[], shares: Vec3): Vec3 =>
   corners.map((v, i) => scale(v, shares[i]!)).reduce(add);
 
+/** The reference at a place relative to the target. */
 function shader(scene: DeclaredScene, { axes, eyeOffset }: Lens): (place: Vec3, normal: Vec3) => Shaded {
   const { target } = scene.pose;
   const eye = add(target, eyeOffset);
@@ -173,9 +174,9 @@ function perFragment(scene: DeclaredScene, view: Lens): Color {
 /** Gouraud: the vertices' colours are interpolated before they are clamped and, for linear light, encoded. */
 function perVertex(scene: DeclaredScene, view: Lens): Color {
   const at = shader(scene, view);
+  // One picture of a sphere never shows both sides of a vertex.
   const known = new Map<Vertex, { readonly sum: Vec3; readonly margin: number }>();
   const shadeVertex = (vertex: Vertex, front: boolean) => {
-    // One picture of a sphere never shows both sides of a vertex.
     const present = known.get(vertex);
     if (present) return present;
     const shaded = at(vertex.place, front ? vertex.normal : scale(vertex.normal, -1));
@@ -187,10 +188,9 @@ function perVertex(scene: DeclaredScene, view: Lens): Color {
   return ({ corners, front }, shares) => {
     const shaded = corners.map((corner) => shadeVertex(corner, front));
     const sum = mix(shaded.map((s) => s.sum), shares); // prettier-ignore
-    const channel = (x: number): number =>
-      Math.min(Math.max(scene.options.linear === true ? srgbEncode(x) : x, 0), 1);
+    const encoded = scene.options.linear === true ? map(sum, srgbEncode) : sum;
     return {
-      color: [channel(sum[0]), channel(sum[1]), channel(sum[2])],
+      color: map(encoded, (x) => Math.min(Math.max(x, 0), 1)),
       normal: [0, 0, 0],
       coneMargin: Math.min(...shaded.map((s) => s.margin)),
     };

@@ -32,28 +32,17 @@ export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
     }
   }, frames);
 
-/** Whether all lit draws of one more frame use such programs. */
-async function allAre(page: Page, wanted: (one: GlProgram) => boolean): Promise<boolean> {
-  await glSpent(page);
-  await drawFrames(page, 1);
-  const lit = (await drawnWith(page)).filter(isLit);
-  return lit.length > 0 && lit.every(wanted);
-}
-
 /** Draws until all lit draws use specialised programs, or programs as `wanted`. Returns the number of frames. */
 export async function drawUntilSpecialised(
   page: Page,
   wanted: (one: GlProgram) => boolean = isSpecialised,
 ): Promise<number> {
   for (let frames = 0; frames < MOST_FRAMES; frames += 8) {
-    if (await allAre(page, wanted)) return frames;
+    await glSpent(page);
+    await drawFrames(page, 1);
+    const lit = (await drawnWith(page)).filter(isLit);
+    if (lit.length > 0 && lit.every(wanted)) return frames;
     await drawFrames(page, 7);
   }
-  throw new Error(`No specialised programs after ${MOST_FRAMES} frames: ${await programsDrawnWith(page)}`);
-}
-
-async function programsDrawnWith(page: Page): Promise<string> {
-  await glSpent(page);
-  await drawFrames(page, 1);
-  return (await drawnWith(page)).map((one) => (isSpecialised(one) ? 'specialised' : 'general')).join();
+  throw new Error(`No specialised programs after ${MOST_FRAMES} frames`);
 }

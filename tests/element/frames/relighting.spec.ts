@@ -77,11 +77,7 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
   'one light fewer': (element) => element.lights[0]!.remove(),
   'one light more': (element) => element.append(element.lights[0]!.cloneNode()),
   'another kind of light': (element) => (element.lights[0]!.position = [1, 1, 0.5, 1]),
-  'a mesh': (element) =>
-    element.insertAdjacentHTML(
-      'beforeend',
-      '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>',
-    ),
+  'a mesh': (element) => (element.innerHTML += '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>'), // prettier-ignore
   'its place': (element) => (element.meshes[0]!.position = [0.2, 0.3, 0.3]),
   'an object of one’s own': (element) => {
     element.scene.children[0]!.visible = false;
@@ -98,10 +94,8 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
 async function expectWhole(viewer: Locator, which: string, { picture, programs }: Shown): Promise<void> {
   const whole = await pixels(viewer);
   const same = programsOf(await drawnWith(viewer.page())) === programs;
-  expect(
-    picture.data.some((code) => code > 40 && code < 250),
-    which,
-  ).toBe(true);
+  const isLit = picture.data.some((code) => code > 40 && code < 250);
+  expect(isLit, which).toBe(true);
   // To the bit by the same programs; one that was compiled meanwhile may differ by a code.
   if (same) expect(compare(picture, whole).max, which).toBe(0);
   else expect(betweenPrograms(picture, whole).max, which).toBeLessThanOrEqual(1);
@@ -144,33 +138,26 @@ for (const [lights, which, tag] of [
   });
 }
 
-test('lights that move beside another drawing viewer, and alone again, show the whole scene', async ({
+test('lights that move beside another drawing viewer, alone again or after a context was restored show the whole scene', async ({
   page,
   mount,
 }) => {
   await logGl(page);
+  await holdContext(page);
   const viewer = await mount(markup(6), size);
+  const expectWholeMoves = async (which: string, others: readonly Locator[] = []): Promise<void> => {
+    for (let frame = 0; frame < 3; frame++)
+      for (const one of [viewer, ...others]) await expectWhole(one, which, await shownAfter(one, moveLights));
+  };
   await settle(page, viewer);
   await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(3));
   const other = page.locator('phong-viewer').nth(1);
   await other.evaluate((element: PhongViewer) => element.ready);
-  for (let turn = 0; turn < 3; turn++) {
-    await expectWhole(viewer, 'beside', await shownAfter(viewer, moveLights));
-    await expectWhole(other, 'the other', await shownAfter(other, moveLights));
-  }
+  await expectWholeMoves('beside', [other]);
   await other.evaluate((element) => element.remove());
-  for (let frame = 0; frame < 3; frame++)
-    await expectWhole(viewer, 'alone', await shownAfter(viewer, moveLights));
-});
-
-test('lights that move after a context was restored show the whole scene', async ({ page, mount }) => {
-  await logGl(page);
-  await holdContext(page);
-  const viewer = await mount(markup(6), size);
-  await settle(page, viewer);
+  await expectWholeMoves('alone');
   await loseAndRestore(page, viewer, () =>
     viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [0, 2, 1, 0])),
   );
-  for (let frame = 0; frame < 3; frame++)
-    await expectWhole(viewer, 'restored', await shownAfter(viewer, moveLights));
+  await expectWholeMoves('restored');
 });

@@ -45,55 +45,50 @@ async function show(viewer: Locator, scene: DeclaredScene): Promise<void> {
 
 const statsOf = (viewer: Locator) => viewer.evaluate((element: PhongViewer) => element.stats);
 
-test.describe('a light', () => {
-  /** Beside a sun: what is declared, and how many lights the loop then runs over in all. */
-  const cases: Readonly<Record<string, readonly [lights: readonly LightValues[], sent: number]>> = {
-    'that is inactive': [[{ ...LAMP, active: false }], 1],
-    'that is black': [[{ ...LAMP, diffuse: [0, 0, 0], specular: [0, 0, 0] }], 1],
-    'of ambient light alone, which is summed beforehand': [[{ ...LAMP, ambient: [20, 30, 40], diffuse: [0, 0, 0], specular: [0, 0, 0] }], 1], // prettier-ignore
-    'whose cone points away': [[{ ...SPOT, axis: [0, 1, 0] }], 1],
-    'whose cone passes by': [[{ ...SPOT, axis: [1, -0.3, 0], aperture: 10 }], 1],
-    'that is a sun with a cone that misses it': [[{ ...SUN, axis: [1, 2, 1], aperture: 60 }], 1],
-    'of a direction of no length': [[{ ...SUN, position: [0, 0, 0, 0] }], 1],
-    'that does reach': [[LAMP], 2],
-    'whose cone reaches in part': [[SPOT], 2],
-    'of each sort at once': [[LAMP, SPOT, { ...LAMP, active: false }, { ...SPOT, axis: [0, 1, 0] }], 3],
-  };
+/** Shows this scene and holds it against the equation. Returns the viewer's `stats`. */
+async function showsTheEquation(viewer: Locator, scene: DeclaredScene, which: string) {
+  await show(viewer, scene);
+  const errors = compareWithReference(await pixels(viewer, size), scene);
+  expect(errors.max, `${which}: ${errors.at}`).toBeLessThanOrEqual(1);
+  expect(errors.compared, which).toBeGreaterThan(1000);
+  return statsOf(viewer);
+}
 
-  test('without effect is not sent, and the picture is the same', async ({ page, mount }) => {
-    await logGl(page);
-    const viewer = await mount('<phong-viewer></phong-viewer>', size);
-    for (const [which, [lights, sent]] of Object.entries(cases)) {
-      const scene = sceneOf([SUN, ...lights]);
-      await show(viewer, scene);
-      const { lightsSent, lightsSentByMesh, lightsActive, lightsDeclared } = await statsOf(viewer);
-      expect({ which, lightsSent, lightsSentByMesh }).toEqual({ which, lightsSent: sent, lightsSentByMesh: [sent] }); // prettier-ignore
-      expect(lightsDeclared, which).toBe(1 + lights.length);
-      expect(lightsActive, which).toBe(1 + lights.filter(({ active }) => active).length);
-      const errors = compareWithReference(await pixels(viewer, size), scene);
-      expect(errors.max, `${which}: ${errors.at}`).toBeLessThanOrEqual(1);
-      expect(errors.compared).toBeGreaterThan(1000);
-    }
-  });
+/** Beside a sun: what is declared, and how many lights the loop then runs over in all. */
+const BESIDE_A_SUN: Readonly<Record<string, readonly [lights: readonly LightValues[], sent: number]>> = {
+  'that is inactive': [[{ ...LAMP, active: false }], 1],
+  'that is black': [[{ ...LAMP, diffuse: [0, 0, 0], specular: [0, 0, 0] }], 1],
+  'of ambient light alone, which is summed beforehand': [[{ ...LAMP, ambient: [20, 30, 40], diffuse: [0, 0, 0], specular: [0, 0, 0] }], 1], // prettier-ignore
+  'whose cone points away': [[{ ...SPOT, axis: [0, 1, 0] }], 1],
+  'whose cone passes by': [[{ ...SPOT, axis: [1, -0.3, 0], aperture: 10 }], 1],
+  'that is a sun with a cone that misses it': [[{ ...SUN, axis: [1, 2, 1], aperture: 60 }], 1],
+  'of a direction of no length': [[{ ...SUN, position: [0, 0, 0, 0] }], 1],
+  'that does reach': [[LAMP], 2],
+  'whose cone reaches in part': [[SPOT], 2],
+  'of each sort at once': [[LAMP, SPOT, { ...LAMP, active: false }, { ...SPOT, axis: [0, 1, 0] }], 3],
+};
 
-  test('that reaches only one of two meshes is left out of the other’s draw', async ({ mount }) => {
-    const viewer = await mount('<phong-viewer></phong-viewer>', size);
-    const over = (x: number): LightValues => ({ ...SPOT, position: [x, 1, 0, 1], aperture: 40 });
-    const meshes = [floorAt(-1.5), floorAt(1.5)];
-    const scene = sceneOf([over(-1.5), over(1.5)], meshes);
-    await show(viewer, scene);
-    expect(await statsOf(viewer)).toMatchObject({ lightsSent: 2, lightsSentByMesh: [1, 1] });
-    const errors = compareWithReference(await pixels(viewer, size), scene);
-    expect(errors.max, errors.at).toBeLessThanOrEqual(1);
-    // The first one's light turned to the second: it has none left.
-    const turned: DeclaredScene = { ...scene, lights: [over(1.5), over(1.5)] };
-    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [1.5, 1, 0, 1]));
-    await viewer.evaluate((element: PhongViewer) => element.ready);
-    expect(await statsOf(viewer)).toMatchObject({ lightsSent: 2, lightsSentByMesh: [0, 2] });
-    const after = compareWithReference(await pixels(viewer, size), turned);
-    expect(after.max, after.at).toBeLessThanOrEqual(1);
-    expect(after.compared).toBeGreaterThan(2000);
-  });
+test('a light without effect is not sent, and the picture is the same', async ({ mount }) => {
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  for (const [which, [lights, sent]] of Object.entries(BESIDE_A_SUN)) {
+    const stats = await showsTheEquation(viewer, sceneOf([SUN, ...lights]), which);
+    const active = 1 + lights.filter((one) => one.active).length;
+    const declared = 1 + lights.length;
+    expect(stats, which).toMatchObject({ lightsSent: sent, lightsSentByMesh: [sent], lightsActive: active, lightsDeclared: declared }); // prettier-ignore
+  }
+});
+
+test('a light that reaches only one of two meshes is left out of the other’s draw', async ({ mount }) => {
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  const over = (x: number): LightValues => ({ ...SPOT, position: [x, 1, 0, 1], aperture: 40 });
+  const meshes = [floorAt(-1.5), floorAt(1.5)];
+  for (const [x, sent] of [
+    [-1.5, [1, 1]],
+    [1.5, [0, 2]],
+  ] as const) {
+    const stats = await showsTheEquation(viewer, sceneOf([over(x), over(1.5)], meshes), `over ${x}`);
+    expect(stats).toMatchObject({ lightsSent: 2, lightsSentByMesh: sent });
+  }
 });
 
 /** Ten directional lights, fifteen points and fifteen spots, in this order; together they declare every feature. */
@@ -147,14 +142,9 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
         if (what === 'add') element.append(light.cloneNode());
       }
       await rest();
-      const { frames, uploads, lightsSent } = element.stats;
-      const spent = window.glLog.take();
-      return {
-        ...spent,
-        frames: frames - before.frames,
-        viewerUploads: uploads - before.uploads,
-        sent: lightsSent,
-      };
+      const { frames, uploads, lightsSent: sent } = element.stats;
+      const viewerUploads = uploads - before.uploads;
+      return { ...window.glLog.take(), frames: frames - before.frames, viewerUploads, sent };
     },
     [change, count] as const,
   );
@@ -223,4 +213,14 @@ test('the first light with a new kind or feature compiles at most one program, t
     }
     expect([which, ...links]).toEqual([which, which === 'spot with all of it' ? 0 : 1, 0]);
   }
+});
+
+test('the first pictures of equal spheres send one level of them, once', async ({ page, mount }) => {
+  await logGl(page);
+  const sphere = '<phong-viewer geometry="sphere"></phong-viewer>';
+  await mount(sphere + sphere, { width: 120, height: 120 });
+  const [around, rows] = [64, 32];
+  // Of a vertex the place, normal and texture coordinates as floats; indices of 16 bits.
+  const bufferBytes = 4 * (3 + 3 + 2) * (around + 1) * (rows + 1) + 2 * 3 * 2 * around * (rows - 1);
+  expect(await glSpent(page)).toMatchObject({ draws: 2, bufferBytes });
 });

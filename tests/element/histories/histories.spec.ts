@@ -5,33 +5,13 @@
 import { test } from '../../support/test.js';
 import { expectAsNew, seedsFrom } from './history.js';
 
-test('a page shows the same after random changes as a new page', async ({
-  page,
-  mount,
-  site,
-  consoleGuard,
-}) => {
-  test.slow();
-  // One history of each mix.
-  await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 4), 6, 23], 3);
-});
-
-test('a page shows the same after changes with unusual trees and values as a new page', async ({
-  page,
-  mount,
-  site,
-  consoleGuard,
-}) => {
-  test.slow();
-  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 2), 3, 'trees');
-});
-
-test('a picture shows the same after changes in the middle of its samples as a new one', async ({
-  page,
-  mount,
-  site,
-  consoleGuard,
-}) => {
-  test.slow();
-  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 2), 2, 'still');
-});
+for (const [what, seeds, looks, mix] of [
+  ['random changes', [...seedsFrom(1, 4), 6, 23], 3, undefined], // one history of each mix
+  ['changes with unusual trees and values', seedsFrom(1, 2), 3, 'trees'],
+  ['changes in the middle of its samples', seedsFrom(1, 2), 2, 'still'],
+] as const) {
+  test(`a page shows the same after ${what} as a new page`, async ({ page, mount, site, consoleGuard }) => {
+    test.slow();
+    await expectAsNew({ page, mount, site, consoleGuard }, seeds, looks, mix);
+  });
+}

@@ -148,16 +148,7 @@ interface Maker {
 }
 
 /** Attributes that select other programs. */
-const STYLE = [
-  'terms',
-  'terms',
-  'ks',
-  'shininess',
-  'shininess',
-  'shading',
-  'reflection',
-  'color-interpolation',
-];
+const STYLE = 'terms terms ks shininess shininess shading reflection color-interpolation'.split(' ');
 
 function styled(dice: Dice): Partial<Step> {
   const key = dice.pick(STYLE);
@@ -189,11 +180,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 3, make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }) },
   { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // prettier-ignore
   { weight: 6, more: { 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // prettier-ignore
-  {
-    weight: 2,
-    more: { motion: 3, 'many lights': 3 },
-    make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }),
-  },
+  { weight: 2, more: { motion: 3, 'many lights': 3 }, make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }) }, // prettier-ignore
   { weight: 4, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // prettier-ignore
   { weight: 1, make: (dice) => ({ what: 'turn', value: dice.pick(['50', '-300']) }) },
   { weight: 3, more: { motion: 2 }, make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }) },
@@ -218,11 +205,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 0.7, make: () => ({ what: 'own object away' }) },
   { weight: 0.7, make: (dice) => ({ what: 'set attribute', tag: 'phong-viewer', key: 'gui', value: dice.pick(['', 'false', 'false']) }) }, // prettier-ignore
   { weight: 0.3, more: { page: 2 }, make: () => ({ what: 'print' }) },
-  {
-    weight: 0.3,
-    more: { page: 2 },
-    make: (dice) => ({ what: 'ratio', value: dice.pick(['1', '1.5', '2']) }),
-  },
+  { weight: 0.3, more: { page: 2 }, make: (dice) => ({ what: 'ratio', value: dice.pick(['1', '1.5', '2']) }) }, // prettier-ignore
 ];
 
 const made = (dice: Dice): Step => ({

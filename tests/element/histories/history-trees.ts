@@ -39,26 +39,15 @@ export function installTrees(): void {
       yield* under(child);
     }
   }
-  const parentsIn = (viewer: PhongViewer): Parent[] => {
-    const parents: Parent[] = [viewer];
-    for (const element of under(viewer)) {
-      const shadow = shadows.get(element);
-      if (shadow !== undefined) parents.push(shadow);
-      parents.push(element);
-    }
-    return parents;
-  };
+  const parentsIn = (viewer: PhongViewer): Parent[] => [
+    viewer,
+    ...[...under(viewer)].flatMap((element) => [shadows.get(element) ?? [], element].flat()),
+  ];
   const wrappersIn = (viewer: PhongViewer): Element[] =>
     [...under(viewer)].filter(({ localName }) => !localName.startsWith('phong-'));
-  const contains = (outer: Node, inner: Node): boolean => {
-    for (
-      let at: Node | null = inner;
-      at !== null;
-      at = at.parentNode ?? (at as Partial<ShadowRoot>).host ?? null
-    )
-      if (at === outer) return true;
-    return false;
-  };
+  const contains = (outer: Node, inner: Node | null): boolean =>
+    inner !== null &&
+    (inner === outer || contains(outer, inner.parentNode ?? (inner as Partial<ShadowRoot>).host ?? null));
   function insert(parent: Parent | undefined, element: Element | undefined, how: string | undefined): void {
     if (parent === undefined || element === undefined || contains(element, parent)) return;
     const before = { prepend: parent.firstChild, between: parent.children[1] ?? null }[how ?? ''] ?? null;
@@ -71,28 +60,29 @@ export function installTrees(): void {
     if (kind === 'open' || kind === 'closed') shadows.set(element, element.attachShadow({ mode: kind }));
     return element;
   }
-  const target = (step: Step, at: string | undefined): Parent | undefined => {
+  /** Where and how a step inserts, by its value, and the kind of element that it makes. */
+  const targetOf = (step: Step) => {
+    const [how, at, kind] = step.value.split(' ');
     const viewer = round(viewers(), step.viewer + Number(step.key));
-    return viewer && round(parentsIn(viewer), Number(at));
+    return { how, kind, parent: viewer && round(parentsIn(viewer), Number(at)) };
   };
 
   const deeds: Record<string, Deed> = {
     make: (_, step) => {
-      const [how, at, kind] = step.value.split(' ');
-      if (!isFull()) insert(target(step, at), made(kind), how);
+      const { how, kind, parent } = targetOf(step);
+      if (!isFull()) insert(parent, made(kind), how);
     },
     carry: (viewer, step) => {
-      const [how, at] = step.value.split(' ');
-      insert(target(step, at), round([...under(viewer)], step.child), how);
+      const { how, parent } = targetOf(step);
+      insert(parent, round([...under(viewer)], step.child), how);
     },
     copy: (viewer, step) => {
-      const [how, at] = step.value.split(' ');
+      const { how, parent } = targetOf(step);
       const pattern = round([...under(viewer)], step.child);
-      if (!isFull()) insert(target(step, at), pattern?.cloneNode(true) as Element | undefined, how);
+      if (!isFull()) insert(parent, pattern?.cloneNode(true) as Element | undefined, how);
     },
     nest: (viewer, step) => {
-      const [how, at] = step.value.split(' ');
-      const parent = target(step, at);
+      const { how, parent } = targetOf(step);
       // Viewers inside shadow trees would not be found again.
       if (parent !== undefined && document.contains(parent)) insert(parent, viewer, how);
     },
@@ -100,14 +90,14 @@ export function installTrees(): void {
       const element = round([...under(viewer)], step.child);
       if (element === undefined || viewers().some((other) => element.contains(other))) return;
       document.createElement('template').content.append(element);
-      const [how, at] = step.value.split(' ');
-      insert(target(step, at), element, how);
+      const { how, parent } = targetOf(step);
+      insert(parent, element, how);
     },
     unwrap: (viewer, { child }) => {
       const wrapper = round(wrappersIn(viewer), child);
       wrapper?.replaceWith(...wrapper.childNodes);
     },
-    'wrapper away': (viewer, { child }) => {
+    'wrapper-away': (viewer, { child }) => {
       const wrapper = round(wrappersIn(viewer), child);
       if (wrapper?.querySelector('phong-viewer') === null) wrapper.remove();
     },
@@ -159,18 +149,18 @@ export function installTrees(): void {
     const found: string[] = [];
     for (const viewer of viewers()) {
       const wanted = belonging(viewer);
-      const lights = wanted.filter(({ localName }) => localName === 'phong-light');
-      const meshes = wanted.filter(({ localName }) => localName === 'phong-mesh');
-      const same = (a: readonly Element[], b: readonly Element[]): boolean =>
-        a.length === b.length && a.every((element, i) => element === b[i]);
-      if (!same(viewer.lights, lights))
-        found.push(`lights ${viewer.lights.length}, not ${lights.length}, or another order`);
-      if (!same(viewer.meshes, meshes))
-        found.push(`meshes ${viewer.meshes.length}, not ${meshes.length}, or another order`);
+      for (const [kind, listed] of [
+        ['light', viewer.lights],
+        ['mesh', viewer.meshes],
+      ] as const) {
+        const own = wanted.filter(({ localName }) => localName === `phong-${kind}`);
+        if (own.length !== listed.length || own.some((element, i) => element !== listed[i]))
+          found.push(`${listed.length} of kind ${kind}, not ${own.length}, or another order`);
+      }
       for (const element of [viewer, ...wanted])
         found.push(...notFinite(element).map((name) => `<${element.localName}> ${name} is not finite`));
-      const { eye, target: at, up, theta, phi, radius } = viewer.camera;
-      if (![...eye, ...at, ...up, theta, phi, radius].every(Number.isFinite))
+      const { eye, target, up, theta, phi, radius } = viewer.camera;
+      if (![...eye, ...target, ...up, theta, phi, radius].every(Number.isFinite))
         found.push('the camera is not finite');
     }
     return found;
@@ -180,37 +170,11 @@ export function installTrees(): void {
 }
 
 const HOW = ['append', 'append', 'prepend', 'between', 'moveBefore', 'moveBefore'];
-const KINDS = [
-  'div',
-  'div',
-  'open',
-  'closed',
-  'slotted',
-  'slotted',
-  'phong-light',
-  'phong-light',
-  'phong-mesh',
-];
+const KINDS = 'div div open closed slotted slotted phong-light phong-light phong-mesh'.split(' ');
 /** Malformed or barely valid values. */
 const JUNK = [
-  'x'.repeat(2000),
-  '😀'.repeat(300),
-  'color-mix('.repeat(30),
-  'rgb('.repeat(5e4),
-  '1 '.repeat(3000),
-  ...[
-    '\0',
-    ' ',
-    '1e309',
-    '-1e-320',
-    '1,2,3',
-    '1;2',
-    'NaN NaN NaN',
-    'calc(1)',
-    'rgb(1 2 3',
-    '1e15 -1e15 1e15',
-    '-0',
-  ],
+  ...['x'.repeat(2000), '😀'.repeat(300), 'color-mix('.repeat(30), 'rgb('.repeat(5e4), '1 '.repeat(3000)],
+  ...['\0', ' ', '1e309', '-1e-320', '1,2,3', '1;2', 'NaN NaN NaN', 'calc(1)', 'rgb(1 2 3', '-0', '１２３'],
   ...[
     'constructor',
     '__proto__',
@@ -219,11 +183,11 @@ const JUNK = [
     'null',
     '[object Object]',
     '0x10',
-    '１２３',
     '1 2 3 0',
     '1e6',
     '0 0 0',
   ],
+  '1e15 -1e15 1e15',
 ];
 const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // prettier-ignore
 const STRAYS = ['difuse', 'shadng', 'color', 'constructor', '__proto__', 'autorotate', 'x'.repeat(300)];
@@ -234,7 +198,7 @@ export function treeStep(dice: Dice, keys: readonly string[]): Partial<Step> {
     key: dice.pick(['0', '0', '0', '1']),
     value: `${dice.pick(HOW)} ${Math.floor(dice.from(0, 60))}`,
   };
-  const what = dice.pick(['make', 'make', 'make', 'make', 'carry', 'carry', 'carry', 'carry', 'copy', 'nest', 'adopt', 'unwrap', 'wrapper away', 'reverse', 'junk', 'junk', 'junk']); // prettier-ignore
+  const what = dice.pick('make make make make carry carry carry carry copy nest adopt unwrap wrapper-away reverse junk junk junk'.split(' ')); // prettier-ignore
   if (what === 'make') return { what, ...where, value: `${where.value} ${dice.pick(KINDS)}` };
   if (what !== 'junk') return { what, ...where };
   const key = dice.pick(keys);

@@ -81,15 +81,7 @@ function wrapEverything(): void {
   const gl = WebGL2RenderingContext.prototype;
   for (const name of Object.getOwnPropertyNames(gl))
     if (!name.startsWith('delete')) wrap(gl, name, () => count('gl'));
-  for (const kind of [
-    'Texture',
-    'Buffer',
-    'Program',
-    'Shader',
-    'Framebuffer',
-    'Renderbuffer',
-    'VertexArray',
-  ]) {
+  for (const kind of 'Texture Buffer Program Shader Framebuffer Renderbuffer VertexArray'.split(' ')) {
     const key = `${kind[0]!.toLowerCase()}${kind.slice(1)}s`;
     const gone = new WeakSet();
     wrap(gl, `create${kind}`, () => count(key));

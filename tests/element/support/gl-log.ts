@@ -11,8 +11,6 @@ export interface GlSpent {
   /** Links and compilations of general programs. */
   readonly links: number;
   readonly compiles: number;
-  /** Links of specialised programs, which are compiled in the background. */
-  readonly specialisedLinks: number;
   /** Calls that write into an existing texture or buffer, and their bytes. */
   readonly uploads: number;
   readonly bytes: number;
@@ -20,7 +18,6 @@ export interface GlSpent {
   readonly allocations: number;
   /** Bytes of buffers that were allocated: geometries. */
   readonly bufferBytes: number;
-  readonly uniforms: number;
 }
 
 export interface GlProgram {
@@ -80,18 +77,7 @@ function wrapGl(limits: Limits): void {
     draws: number;
   }
   const gl = WebGL2RenderingContext.prototype;
-  const none = () => ({
-    calls: 0,
-    draws: 0,
-    links: 0,
-    compiles: 0,
-    specialisedLinks: 0,
-    uploads: 0,
-    bytes: 0,
-    allocations: 0,
-    bufferBytes: 0,
-    uniforms: 0,
-  });
+  const none = () => ({ calls: 0, draws: 0, links: 0, compiles: 0, uploads: 0, bytes: 0, allocations: 0, bufferBytes: 0 }); // prettier-ignore
   let spent = none();
   const wrap = (name: string, before: (given: unknown[], self: WebGL2RenderingContext) => void): void => {
     const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call | undefined;
@@ -101,15 +87,6 @@ function wrapGl(limits: Limits): void {
       return Reflect.apply(real, this, given);
     });
   };
-  const wrapAfter = (name: string, after: (given: unknown[], self: WebGL2RenderingContext) => void): void => {
-    const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call;
-    Reflect.set(gl, name, function (this: WebGL2RenderingContext, ...given: unknown[]) {
-      const answer = Reflect.apply(real, this, given);
-      after(given, this);
-      return answer;
-    });
-  };
-
   const named = new Map(
     Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]),
   );
@@ -120,7 +97,6 @@ function wrapGl(limits: Limits): void {
 
   for (const name of Object.getOwnPropertyNames(gl)) {
     wrap(name, () => (spent.calls += 1));
-    if (/^uniform\d|^uniformMatrix/.test(name)) wrap(name, () => (spent.uniforms += 1));
     if (/^draw(?!ingBuffer|Buffers)/.test(name)) wrap(name, (_, self) => draw(self));
     if (/^tex(Image|Storage)/.test(name)) wrap(name, () => (spent.allocations += 1));
   }
@@ -161,18 +137,18 @@ function wrapGl(limits: Limits): void {
     if (program === null) current.delete(self);
     else current.set(self, program as WebGLProgram);
   });
-  wrapAfter('linkProgram', ([given], self) => {
-    const program = given as WebGLProgram;
+  const { linkProgram } = gl;
+  gl.linkProgram = function (program) {
+    linkProgram.call(this, program);
     const of = (kind: number): string =>
       (stages.get(program) ?? [])
-        .filter((shader) => self.getShaderParameter(shader, gl.SHADER_TYPE) === kind)
+        .filter((shader) => this.getShaderParameter(shader, gl.SHADER_TYPE) === kind)
         .map((shader) => texts.get(shader) ?? '')
         .join('');
     const text = { vertex: of(gl.VERTEX_SHADER), fragment: of(gl.FRAGMENT_SHADER) };
-    if (isSpecialisedText(text.fragment)) spent.specialisedLinks += 1;
-    else spent.links += 1;
-    linked.set(program, { ...text, ...sizes(program, self), live: true, draws: 0 });
-  });
+    if (!isSpecialisedText(text.fragment)) spent.links += 1;
+    linked.set(program, { ...text, ...sizes(program, this), live: true, draws: 0 });
+  };
   wrap('deleteProgram', ([program]) => {
     const one = linked.get(program as WebGLProgram);
     if (one !== undefined) one.live = false;

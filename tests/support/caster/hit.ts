@@ -1,5 +1,6 @@
 // Where a ray meets a surface. Rays start at the eye and are `t · direction`; `t` is the depth, since directions have
-// length 1 along the view. One record is written over and over: nothing is allocated per ray.
+// length 1 along the view. One record is written over and over.
+import type { Vec3 } from '../../../src/math/vector.js';
 
 export interface Hit {
   /** Infinity: nothing is met. */
@@ -21,14 +22,5 @@ export const newHit = (): Hit => ({
   ...{ front: true, u: 0, v: 0, object: -1 },
 });
 
-/** Finds the first hit nearer than `hit.t` and writes it there; back faces only where `culled` is false. */
-export type Intersect = (
-  ox: number,
-  oy: number,
-  oz: number,
-  dx: number,
-  dy: number,
-  dz: number,
-  culled: boolean,
-  hit: Hit,
-) => boolean;
+/** Finds the first hit nearer than `hit.t` of a ray from `o` along `d`, and writes it there. */
+export type Intersect = (o: Vec3, d: Vec3, hit: Hit) => boolean;

@@ -3,7 +3,7 @@
 import { dot, type Vec3 } from '../../../src/math/vector.js';
 import type { Tracer } from './tracer.js';
 
-export interface OutlineErrors {
+interface OutlineErrors {
   /** The largest distance, across the outline. */
   readonly worst: number;
   /** Points of outlines that were compared, and those that have no counterpart within a pixel. */

@@ -18,11 +18,9 @@ const AROUND = [-1 / 8, 1 / 2, 9 / 8].flatMap((x) =>
   [-1 / 8, 1 / 2, 9 / 8].filter((y) => x !== 1 / 2 || y !== 1 / 2).map((y) => [x, y] as const),
 );
 
-export const DEFAULT_SAMPLES = 1024;
-
 /** The means of rows `from` to `to` (excluded): r, g, b, a of each pixel; see {@link castPicture}. */
 export function castRows(tracer: Tracer, options: CastOptions, from: number, to: number): Float64Array {
-  const { width, samples = DEFAULT_SAMPLES, everywhere = false } = options;
+  const { width, samples = 1024 } = options;
   const side = Math.sqrt(samples);
   if (!Number.isInteger(side) || side < 1)
     throw new RangeError('samples must be the square of a whole number');
@@ -32,7 +30,7 @@ export function castRows(tracer: Tracer, options: CastOptions, from: number, to:
       if (!tracer.mayMeet(column, row)) continue;
       const mean = means.subarray(4 * ((row - from) * width + column)).subarray(0, 4);
       const pixel = row * width + column;
-      const few = everywhere ? [] : FEW.filter((least) => least < side);
+      const few = FEW.filter((least) => least < side);
       if (isQuiet(tracer, column, row, few, randomFrom(~pixel), mean)) continue;
       mean.fill(0);
       forSamples(tracer, column, row, side, randomFrom(pixel), ({ color }) => {

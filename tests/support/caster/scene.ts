@@ -45,22 +45,21 @@ export interface TrianglesShape {
 
 /**
  * The true shapes of `geometry`, in their own space. `sphere`: radius 1/2. `cylinder` and `cone`: radius 1/2, y from
- * −1/2 to 1/2, with their flat ends. `torus`: a tube of radius `tube` (default 0.15) around a circle of radius `ring`
- * (default 0.35) in the plane of x and y.
+ * −1/2 to 1/2, with their flat ends. `torus`: a tube of radius 0.15 around a circle of radius 0.35 in the plane of x and
+ * y.
  */
-export type TrueShape =
-  | { readonly kind: 'sphere' | 'cylinder' | 'cone' }
-  | { readonly kind: 'torus'; readonly ring?: number; readonly tube?: number };
+export interface TrueShape {
+  readonly kind: 'sphere' | 'cylinder' | 'cone' | 'torus';
+}
 
 export type CastShape = TrianglesShape | TrueShape;
 
+/** Back faces are shaded with their normal flipped. */
 export interface CastObject {
   readonly shape: CastShape;
   /** To world space: 16 numbers by columns, as three.js has them, not singular. Default: the identity. */
   readonly matrix?: ArrayLike<number>;
   readonly material: CastMaterial;
-  /** Back faces are not there. Default false: they are shaded with their normal flipped. */
-  readonly culled?: boolean;
 }
 
 export interface CastScene extends Omit<ReferenceOptions, 'camera'> {
@@ -77,6 +76,4 @@ export interface CastOptions {
    * the pixels that need fewer.
    */
   readonly samples?: number;
-  /** True: every pixel gets all samples. Default false. */
-  readonly everywhere?: boolean;
 }

@@ -1,8 +1,8 @@
 // What a ray from the eye sees of a scene: the nearest surface, and its colour by the reference equation.
 import { type LightShare, shade, type Surface } from '../../../src/reference/index.js';
-import { cross, dot, length, multiply, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
+import { add, cross, dot, length, multiply, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
 import { type Hit, type Intersect, newHit } from './hit.js';
-import type { CastObject, CastScene, CastShape } from './scene.js';
+import type { CastScene } from './scene.js';
 import { Screen } from './screen.js';
 import { colorOf } from './texture.js';
 import { columnsOf, times, Triangles, type Vec3Matrix } from './triangles.js';
@@ -12,7 +12,6 @@ import { trueShape } from './true-shapes.js';
 interface Solid {
   readonly intersect: Intersect;
   readonly object: number;
-  readonly culled: boolean;
   /** Directions and normals between world and shape. */
   readonly toShape: Vec3Matrix;
   readonly toWorld: Vec3Matrix;
@@ -48,8 +47,8 @@ export class Tracer {
     scene.objects.forEach((object, i) => {
       const { shape } = object;
       const matrix = columnsOf(object.matrix);
-      if (shape.kind === 'triangles') this.#triangles.add(shape, object, i, matrix);
-      else this.#solids.push(solidOf(object, trueShape(shape), i, matrix, scene.camera.eye));
+      if (shape.kind === 'triangles') this.#triangles.add(shape, i, matrix);
+      else this.#solids.push(solidOf(trueShape(shape), i, matrix, scene.camera.eye));
     });
     this.#triangles.sort();
   }
@@ -75,14 +74,10 @@ export class Tracer {
     const column = Math.min(Math.max(Math.floor(x), 0), width - 1);
     const row = Math.min(Math.max(Math.floor(y), 0), height - 1);
     const direction = this.screen.direction(x, y);
-    this.#triangles.intersect(row * width + column, direction[0], direction[1], direction[2], hit);
-    for (const { intersect, object, culled, toShape, toWorld, eye } of this.#solids) {
-      const d = times(toShape, direction);
-      if (!intersect(eye[0], eye[1], eye[2], d[0], d[1], d[2], culled, hit)) continue;
-      const normal = times(toWorld, [hit.nx, hit.ny, hit.nz]);
-      hit.nx = normal[0];
-      hit.ny = normal[1];
-      hit.nz = normal[2];
+    this.#triangles.intersect(row * width + column, direction, hit);
+    for (const { intersect, object, toShape, toWorld, eye } of this.#solids) {
+      if (!intersect(eye, times(toShape, direction), hit)) continue;
+      [hit.nx, hit.ny, hit.nz] = times(toWorld, [hit.nx, hit.ny, hit.nz]);
       hit.object = object;
     }
     return hit;
@@ -100,19 +95,13 @@ export class Tracer {
     const { camera, lights, objects } = this.#scene;
     const { material } = objects[hit.object]!;
     const direction = this.screen.direction(x, y);
-    const p: Vec3 = [
-      camera.eye[0] + hit.t * direction[0],
-      camera.eye[1] + hit.t * direction[1],
-      camera.eye[2] + hit.t * direction[2],
-    ];
+    const p = add(camera.eye, scale(direction, hit.t));
     const normal = scale([hit.nx, hit.ny, hit.nz], hit.front ? 1 : -1);
-    const surface: Surface =
-      material.texture === undefined
-        ? material
-        : {
-            ...material,
-            baseColor: multiply(material.baseColor ?? WHITE, colorOf(material.texture, hit.u, hit.v)),
-          };
+    let surface: Surface = material;
+    if (material.texture !== undefined) {
+      const texel = colorOf(material.texture, hit.u, hit.v);
+      surface = { ...material, baseColor: multiply(material.baseColor ?? WHITE, texel) };
+    }
     const shaded = shade({ p, normal, eye: camera.eye }, surface, lights, this.#scene);
     for (let i = 0; i < 3; i++) color[i as 0] = 255 * shaded.color[i as 0];
     color[3] = 255;
@@ -130,18 +119,7 @@ function pieceOf({ object, front }: Hit, shares: readonly (LightShare | null)[])
   return piece | 0;
 }
 
-/** The distance of a true shape's farthest point from its middle, at most. */
-function farthest(shape: CastShape): number {
-  return shape.kind === 'torus' ? (shape.ring ?? 0.35) + (shape.tube ?? 0.15) : Math.SQRT1_2;
-}
-
-function solidOf(
-  { shape, culled = false }: CastObject,
-  intersect: Intersect,
-  object: number,
-  matrix: Vec3Matrix,
-  eye: Vec3,
-): Solid {
+function solidOf(intersect: Intersect, object: number, matrix: Vec3Matrix, eye: Vec3): Solid {
   const { x, y, z } = matrix;
   const rows = [cross(y, z), cross(z, x), cross(x, y)] as const; // of the adjugate
   const determinant = dot(x, rows[0]);
@@ -155,15 +133,8 @@ function solidOf(
   const column = (i: 0 | 1 | 2): Vec3 => [toWorld.x[i], toWorld.y[i], toWorld.z[i]];
   const toShape = { x: column(0), y: column(1), z: column(2), origin: matrix.origin };
   const center = subtract(matrix.origin, eye);
-  const radius = farthest(shape) * Math.hypot(length(x), length(y), length(z));
-  return {
-    intersect,
-    object,
-    culled,
-    toShape,
-    toWorld,
-    eye: times(toShape, scale(center, -1)),
-    center,
-    radius,
-  };
+  // No point of a true shape is farther from its middle than √½.
+  const radius = Math.SQRT1_2 * Math.hypot(length(x), length(y), length(z));
+  const inShape = times(toShape, scale(center, -1));
+  return { intersect, object, toShape, toWorld, eye: inShape, center, radius };
 }

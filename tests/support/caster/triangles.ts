@@ -3,7 +3,7 @@
 // names the triangles whose box meets it.
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
 import type { Hit } from './hit.js';
-import type { CastObject, TrianglesShape } from './scene.js';
+import type { TrianglesShape } from './scene.js';
 import type { Screen } from './screen.js';
 
 /** Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, and a·(b×c). */
@@ -19,7 +19,6 @@ export class Triangles {
   readonly #corners: number[] = [];
   /** Index of the object. */
   readonly #objects: number[] = [];
-  readonly #culled: boolean[] = [];
   readonly #mirrored: boolean[] = [];
   /** Left, right, top and bottom pixel of each triangle. */
   readonly #boxes: number[] = [];
@@ -30,7 +29,7 @@ export class Triangles {
     this.#screen = screen;
   }
 
-  add(shape: TrianglesShape, object: CastObject, at: number, matrix: Vec3Matrix): void {
+  add(shape: TrianglesShape, at: number, matrix: Vec3Matrix): void {
     const { positions, normals, uvs, index } = shape;
     const { eye } = this.#screen.camera;
     const count = (index ?? positions).length / (index === undefined ? 9 : 3);
@@ -60,7 +59,6 @@ export class Triangles {
       for (const vertex of [i, j, k])
         this.#corners.push(...turned[vertex]!, uvs?.[2 * vertex] ?? 0, uvs?.[2 * vertex + 1] ?? 0);
       this.#objects.push(at);
-      this.#culled.push(object.culled === true);
       this.#mirrored.push(mirrored);
       this.#boxes.push(...box);
     }
@@ -92,7 +90,7 @@ export class Triangles {
   }
 
   /** Writes the nearest hit of the pixel's ray with this direction, if it is nearer than `hit`'s. */
-  intersect(pixel: number, dx: number, dy: number, dz: number, hit: Hit): boolean {
+  intersect(pixel: number, [dx, dy, dz]: Vec3, hit: Hit): void {
     const volumes = this.#volumes;
     let nearest = -1;
     let [wa, wb, wc] = [0, 0, 0];
@@ -107,13 +105,12 @@ export class Triangles {
       const t = volumes[at + 9]! / sum;
       if (!(t > 0 && t < hit.t)) continue;
       const front = sum < 0 !== this.#mirrored[triangle];
-      if (!front && this.#culled[triangle] === true) continue;
       hit.t = t;
       hit.front = front;
       nearest = triangle;
       [wa, wb, wc] = [a / sum, b / sum, c / sum];
     }
-    if (nearest < 0) return false;
+    if (nearest < 0) return;
     const corners = this.#corners;
     const mixed = (k: number): number =>
       wa * corners[15 * nearest + k]! +
@@ -125,7 +122,6 @@ export class Triangles {
     hit.u = mixed(3);
     hit.v = mixed(4);
     hit.object = this.#objects[nearest]!;
-    return true;
   }
 
   /** The pixels whose rays may meet the triangle; null if none do. Behind the eye nothing is sure: all of them. */

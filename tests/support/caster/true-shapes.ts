@@ -1,166 +1,116 @@
 // Rays against the true round shapes, in closed form and in the shapes' own space.
+import { add, dot, scale, type Vec3 } from '../../../src/math/vector.js';
 import type { Hit, Intersect } from './hit.js';
 import { rootsIn } from './polynomial.js';
 import type { TrueShape } from './scene.js';
 
 const RADIUS = 0.5;
 const HALF_HEIGHT = 0.5;
+/** Of the torus: the circle in its tube's middle, and the tube. */
+const RING = 0.35;
+const TUBE = 0.15;
 
-export function trueShape(shape: TrueShape): Intersect {
-  switch (shape.kind) {
-    case 'sphere':
-      return sphere;
-    case 'cylinder':
-      return cylinder;
-    case 'cone':
-      return cone;
-    case 'torus':
-      return torus(shape.ring ?? 0.35, shape.tube ?? 0.15);
-  }
-}
+export const trueShape = ({ kind }: TrueShape): Intersect => ({ sphere, cylinder, cone, torus })[kind];
 
-/** Writes a hit if it is the nearest so far, before the eye, and on a side that is there. */
-function offer(
-  hit: Hit,
-  culled: boolean,
-  t: number,
-  nx: number,
-  ny: number,
-  nz: number,
-  facing: number,
-): boolean {
-  const front = facing < 0;
-  if (!(t > 0 && t < hit.t) || (culled && !front)) return false;
+/** The place at `t` on a ray. */
+const at = (o: Vec3, d: Vec3, t: number): Vec3 => add(o, scale(d, t));
+
+/** Writes a hit if it is the nearest so far and before the eye. `d`: the ray's direction; `n`: the normal. */
+function offer(hit: Hit, t: number, d: Vec3, n: Vec3): boolean {
+  if (!(t > 0 && t < hit.t)) return false;
   hit.t = t;
-  hit.nx = nx;
-  hit.ny = ny;
-  hit.nz = nz;
-  hit.front = front;
+  [hit.nx, hit.ny, hit.nz] = n;
+  hit.front = dot(n, d) < 0;
   return true;
 }
 
-const sphere: Intersect = (ox, oy, oz, dx, dy, dz, culled, hit) => {
-  const a = dx * dx + dy * dy + dz * dz;
-  const middle = -(ox * dx + oy * dy + oz * dz) / a;
+const sphere: Intersect = (o, d, hit) => {
+  const a = dot(d, d);
+  const middle = -dot(o, d) / a;
   // From the sphere's centre to the ray's nearest point: the discriminant without cancellation.
-  const mx = ox + middle * dx;
-  const my = oy + middle * dy;
-  const mz = oz + middle * dz;
-  const inside = RADIUS * RADIUS - (mx * mx + my * my + mz * mz);
+  const m = at(o, d, middle);
+  const inside = RADIUS * RADIUS - dot(m, m);
   if (inside < 0) return false;
   const half = Math.sqrt(inside / a);
-  const at = (t: number): boolean => {
-    const x = ox + t * dx;
-    const y = oy + t * dy;
-    const z = oz + t * dz;
-    return offer(hit, culled, t, x, y, z, x * dx + y * dy + z * dz);
-  };
-  return at(middle - half) || at(middle + half);
+  return [middle - half, middle + half].some((t) => offer(hit, t, d, at(o, d, t)));
 };
 
-/** A flat end at this y, whose normal points up or down. */
-function end(
-  y: number,
-  up: 1 | -1,
-  ...[ox, oy, oz, dx, dy, dz, culled, hit]: Parameters<Intersect>
-): boolean {
-  const t = (y - oy) / dy;
-  const [x, z] = [ox + t * dx, oz + t * dz];
-  return x * x + z * z <= RADIUS * RADIUS && offer(hit, culled, t, 0, up, 0, up * dy);
+/** A flat end at the top or bottom, whose normal points up or down. */
+function end(up: 1 | -1, o: Vec3, d: Vec3, hit: Hit): boolean {
+  const t = (up * HALF_HEIGHT - o[1]) / d[1];
+  const [x, , z] = at(o, d, t);
+  return x * x + z * z <= RADIUS * RADIUS && offer(hit, t, d, [0, up, 0]);
 }
 
 /** Roots of a t² + 2 b t + c, in ascending order. */
-function forQuadratic(a: number, b: number, c: number, at: (t: number) => boolean): boolean {
+function forQuadratic(a: number, b: number, c: number, offered: (t: number) => boolean): boolean {
   const discriminant = b * b - a * c;
   if (!(discriminant >= 0)) return false;
   const q = -(b + Math.sign(b || 1) * Math.sqrt(discriminant));
   const [first, second] = [q / a, c / q];
-  const near = at(Math.min(first, second));
-  return at(Math.max(first, second)) || near;
+  const near = offered(Math.min(first, second));
+  return offered(Math.max(first, second)) || near;
 }
 
-const cylinder: Intersect = (ox, oy, oz, dx, dy, dz, culled, hit) => {
-  const side = forQuadratic(
-    dx * dx + dz * dz,
-    ox * dx + oz * dz,
-    ox * ox + oz * oz - RADIUS * RADIUS,
-    (t) => {
-      const x = ox + t * dx;
-      const y = oy + t * dy;
-      const z = oz + t * dz;
-      return Math.abs(y) <= HALF_HEIGHT && offer(hit, culled, t, x, 0, z, x * dx + z * dz);
-    },
-  );
-  const top = end(HALF_HEIGHT, 1, ox, oy, oz, dx, dy, dz, culled, hit);
-  return end(-HALF_HEIGHT, -1, ox, oy, oz, dx, dy, dz, culled, hit) || top || side;
+const cylinder: Intersect = (o, d, hit) => {
+  const [ox, , oz] = o;
+  const [dx, , dz] = d;
+  const c = ox * ox + oz * oz - RADIUS * RADIUS;
+  const side = forQuadratic(dx * dx + dz * dz, ox * dx + oz * dz, c, (t) => {
+    const [x, y, z] = at(o, d, t);
+    return Math.abs(y) <= HALF_HEIGHT && offer(hit, t, d, [x, 0, z]);
+  });
+  const top = end(1, o, d, hit);
+  return end(-1, o, d, hit) || top || side;
 };
 
 /** The apex is at the top: x² + z² = (k (h − y))². */
-const cone: Intersect = (ox, oy, oz, dx, dy, dz, culled, hit) => {
+const cone: Intersect = (o, d, hit) => {
   const slope = RADIUS / (2 * HALF_HEIGHT);
   const k = slope * slope;
+  const [ox, oy, oz] = o;
+  const [dx, dy, dz] = d;
   const below = HALF_HEIGHT - oy;
-  const side = forQuadratic(
-    dx * dx + dz * dz - k * dy * dy,
-    ox * dx + oz * dz + k * below * dy,
-    ox * ox + oz * oz - k * below * below,
-    (t) => {
-      const x = ox + t * dx;
-      const y = oy + t * dy;
-      const z = oz + t * dz;
-      if (!(Math.abs(y) <= HALF_HEIGHT)) return false; // the other half of the double cone, too
-      const out = k * (HALF_HEIGHT - y);
-      return offer(hit, culled, t, x, out, z, x * dx + out * dy + z * dz);
-    },
-  );
-  return end(-HALF_HEIGHT, -1, ox, oy, oz, dx, dy, dz, culled, hit) || side;
+  const a = dx * dx + dz * dz - k * dy * dy;
+  const b = ox * dx + oz * dz + k * below * dy;
+  const c = ox * ox + oz * oz - k * below * below;
+  const side = forQuadratic(a, b, c, (t) => {
+    const [x, y, z] = at(o, d, t);
+    if (!(Math.abs(y) <= HALF_HEIGHT)) return false; // the other half of the double cone, too
+    return offer(hit, t, d, [x, k * (HALF_HEIGHT - y), z]);
+  });
+  return end(-1, o, d, hit) || side;
 };
 
+const roots = new Float64Array(4);
+
 /** (|p|² + R² − r²)² = 4 R² (x² + y²). */
-function torus(ring: number, tube: number): Intersect {
-  const roots = new Float64Array(4);
-  const outer = ring + tube;
-  return (ox, oy, oz, dx, dy, dz, culled, hit) => {
-    const a = dx * dx + dy * dy + dz * dz;
-    // From the ray's point nearest to the centre, in units of its direction made unit: coefficients stay near 1.
-    const middle = -(ox * dx + oy * dy + oz * dz) / a;
-    const mx = ox + middle * dx;
-    const my = oy + middle * dy;
-    const mz = oz + middle * dz;
-    const squared = mx * mx + my * my + mz * mz;
-    if (squared > outer * outer) return false;
-    const length = Math.sqrt(a);
-    const ux = dx / length;
-    const uy = dy / length;
-    const uz = dz / length;
-    const reach = Math.sqrt(outer * outer - squared);
-    const least = Math.min(Math.abs(mz - reach * uz), Math.abs(mz + reach * uz));
-    if (least > tube && mz * mz > reach * reach * uz * uz) return false;
-    const k = squared + ring * ring - tube * tube;
-    const four = 4 * ring * ring;
-    const count = rootsIn(
-      [
-        k * k - four * (mx * mx + my * my),
-        -2 * four * (mx * ux + my * uy),
-        2 * k - four * (ux * ux + uy * uy),
-        0,
-        1,
-      ],
-      -reach - tube,
-      reach + tube,
-      roots,
-    );
-    for (let i = 0; i < count; i++) {
-      const s = roots[i]!;
-      const x = mx + s * ux;
-      const y = my + s * uy;
-      const z = mz + s * uz;
-      const across = Math.hypot(x, y);
-      const shrink = 1 - ring / across;
-      const nx = x * shrink;
-      const ny = y * shrink;
-      if (offer(hit, culled, middle + s / length, nx, ny, z, nx * ux + ny * uy + z * uz)) return true;
-    }
-    return false;
-  };
-}
+const torus: Intersect = (o, d, hit) => {
+  const outer = RING + TUBE;
+  // From the ray's point nearest to the centre, in units of its direction made unit: coefficients stay near 1.
+  const middle = -dot(o, d) / dot(d, d);
+  const m = at(o, d, middle);
+  const [mx, my, mz] = m;
+  const squared = dot(m, m);
+  if (squared > outer * outer) return false;
+  const length = Math.sqrt(dot(d, d));
+  const u = scale(d, 1 / length);
+  const [ux, uy, uz] = u;
+  const reach = Math.sqrt(outer * outer - squared);
+  const least = Math.min(Math.abs(mz - reach * uz), Math.abs(mz + reach * uz));
+  if (least > TUBE && mz * mz > reach * reach * uz * uz) return false;
+  const k = squared + RING * RING - TUBE * TUBE;
+  const four = 4 * RING * RING;
+  const c = [
+    k * k - four * (mx * mx + my * my),
+    -2 * four * (mx * ux + my * uy),
+    2 * k - four * (ux * ux + uy * uy),
+    ...[0, 1],
+  ];
+  const count = rootsIn(c, -reach - TUBE, reach + TUBE, roots);
+  return roots.subarray(0, count).some((s) => {
+    const [x, y, z] = at(m, u, s);
+    const shrink = 1 - RING / Math.hypot(x, y);
+    return offer(hit, middle + s / length, d, [x * shrink, y * shrink, z]);
+  });
+};
