@@ -1,6 +1,6 @@
 // Are round shapes as round as the screen shows, by default, in pictures, files and comparisons? Also: a viewer keeps to
 // its limit of triangles. The long forms are in
-// release/round-films.spec.ts and round-shapes.spec.ts.
+// release/round-films.spec.ts and round-films.spec.ts.
 
 import type { Locator } from '@playwright/test';
 import { expect, pixels, test } from '../../support/test.js';
