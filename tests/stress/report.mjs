@@ -2,7 +2,7 @@
 // `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each stack: REPORT.md here,
 // and one sentence of the README between its markers. Nothing in them is typed by hand.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
@@ -21,13 +21,7 @@ const WORST = ['up', 'down', 'either'];
  * import('./measure.js').Measured[] }} Result
  * @typedef {{ name: string, renderer: string, browser: string, contract:
  * import('../glsl/page/page.js').Report['contract'], loop?: string, drivers: Record<string, Result> }} Stack
- * @typedef {{ scenes: number, table: { segments: number, rmse: number, percentile999: number, max: number }[] }}
- * Tessellation
  */
-
-/** How far drawn spheres are from ideal ones. @returns {Tessellation} */
-export const readTessellation = () =>
-  JSON.parse(readFileSync(join(repository, 'tests/visual/tessellation.json'), 'utf8'));
 
 /** What lies in a folder's results/, by name. @returns {Stack[]} */
 export const readStacks = (folder = here) =>
@@ -39,10 +33,9 @@ export const readStacks = (folder = here) =>
 /**
  * The whole report.
  * @param {readonly Stack[]} stacks
- * @param {Tessellation} tessellation
  * @param {string} loop - the mark of the loop as it is now
  */
-export function reportText(stacks, tessellation, loop) {
+export function reportText(stacks, loop) {
   const names = [...stacks.map(({ name }) => name), 'worst drivers'];
   return `# How exact the light loop is: the measured contract
 
@@ -54,8 +47,8 @@ The shipped GLSL with the shipped packing, on fragments whose point and normal a
 intensities times the largest of Ka, Kd and Ks).
 
 For every value that an attribute accepts, a pixel inside a face differs from the equation by at most one 8-bit step, except
-right at jumps of the equation itself, such as a cone's edge. Nothing is ever NaN. The largest error is elsewhere: a curved shape
-is only as round as its triangles ([figures for spheres](#curved-shapes)).
+right at jumps of the equation itself, such as a cone's edge. Nothing is ever NaN. A curved shape is as round as its triangles: with
+\`segments="auto"\`, the default, its shading stays within one step of the true shape's; with a number of segments it is what they are.
 
 ${summary(stacks)}
 
@@ -127,21 +120,6 @@ ${table(
     ),
   ]),
 )}
-
-## Curved shapes
-
-Beside arithmetic, a curved mesh differs from the shape that it stands for. A sphere as it is drawn against the ideal
-one, both in float64, in 8-bit codes, over ${tessellation.scenes} random scenes (tests/visual/sphere.spec.ts;
-\`UPDATE_PICTURES=1\` records it anew):
-
-${table(
-  ['segments', 'RMSE', '99.9 % within', 'largest'],
-  tessellation.table.map(({ segments, ...errors }) => [
-    String(segments),
-    ...[errors.rmse, errors.percentile999, errors.max].map(digits),
-  ]),
-)}
-
 `;
 }
 
@@ -358,7 +336,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { runnerImport } = await import('vite');
   /** @type {{ module: typeof import('../glsl/loop-mark.js') }} */
   const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));
-  const report = reportText(stacks, readTessellation(), module.LOOP_MARK);
+  const report = reportText(stacks, module.LOOP_MARK);
   writeFileSync(join(values.folder, 'REPORT.md'), report);
   if (values.folder === here) writePart(readmeText(stacks));
   console.log(`REPORT.md from ${stacks.length} stacks`);

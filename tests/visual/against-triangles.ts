@@ -1,9 +1,8 @@
-// How far is a picture from its own triangles in float64, and how far are those from the ideal shape? The first is the
-// arithmetic's error, the second the tessellation's. In 8-bit codes.
+// How far is a picture from its own triangles in float64? In 8-bit codes.
 import type { Picture } from '../support/picture.js';
-import { length, cross, dot, type Vec3 } from '../../src/math/vector.js';
+import type { Vec3 } from '../../src/math/vector.js';
 import { around, CONE_EDGE, type Errors, outside } from './against-reference.js';
-import { caster, type DeclaredScene } from './ray-cast.js';
+import type { DeclaredScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
 import { castTriangles } from './triangle-cast.js';
 
@@ -63,50 +62,3 @@ export function compareWithTriangles(
 }
 
 const code = (color: Vec3, channel: number): number => Math.round(color[channel]! * 255);
-
-export interface TessellationErrors {
-  /** Of channels, in codes, not rounded. */
-  readonly rmse: number;
-  readonly percentile999: number;
-  readonly max: number;
-  /** Angle between the two normals, degrees: half of the pixels have less. */
-  readonly medianNormal: number;
-  readonly pixels: number;
-  /** Pixels that only one of the two covers; not counted above. */
-  readonly outline: number;
-}
-
-/** The triangles of `segments` against the ideal shape, both in float64, wherever both are seen. */
-export function compareWithIdeal(
-  scene: DeclaredScene,
-  segments: number,
-  size: { readonly width: number; readonly height: number },
-): TessellationErrors {
-  const { width, height } = size;
-  const coarse = { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, segments })) };
-  const ideal = caster(scene, width, height);
-  const errors: number[] = [];
-  const angles: number[] = [];
-  let outline = 0;
-  castTriangles(coarse, width, height).forEach((hit, i) => {
-    const whole = ideal(i % width, Math.floor(i / width));
-    if (hit === null || whole === null) {
-      if (hit !== null || whole !== null) outline += 1;
-      return;
-    }
-    hit.color.forEach((x, c) => errors.push(255 * Math.abs(x - whole.shaded.color[c]!)));
-    const { N } = whole.shaded;
-    angles.push((Math.atan2(length(cross(hit.normal, N)), dot(hit.normal, N)) * 180) / Math.PI);
-  });
-  errors.sort((a, b) => a - b);
-  angles.sort((a, b) => a - b);
-  const at = (list: readonly number[], share: number): number => list[Math.floor(share * (list.length - 1))]!;
-  return {
-    rmse: Math.sqrt(errors.reduce((sum, e) => sum + e * e, 0) / errors.length),
-    percentile999: at(errors, 0.999),
-    max: at(errors, 1),
-    medianNormal: at(angles, 0.5),
-    pixels: angles.length,
-    outline,
-  };
-}

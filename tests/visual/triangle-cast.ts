@@ -1,6 +1,6 @@
 // What the element must draw of its own triangles, in float64: the nearest triangle through each pixel's centre, place
-// and normal interpolated over it, and the equation there. Against the ideal shape of ray-cast.ts it tells how much of
-// an error is the tessellation's. World space relative to the camera's target; knows nothing of WebGL.
+// and normal interpolated over it, and the equation there. World space relative to the camera's target; knows nothing of
+// WebGL.
 import type { BufferGeometry } from 'three';
 import { flatGeometry } from '../../src/material/flat-geometry.js';
 import { srgbEncode } from '../../src/math/color.js';
@@ -12,8 +12,6 @@ import { type CastMesh, type DeclaredScene, coneMargin, lens, placement } from '
 export interface TriangleHit {
   /** 0–1. */
   readonly color: Vec3;
-  /** Interpolated, turned to the eye's side, not of unit length; zero under Gouraud, which has none. */
-  readonly normal: Vec3;
   /** Pixels from the pixel's centre to the nearest edge of its triangle. */
   readonly edge: number;
   /** The colour of the same triangle's plane so many pixels to the right and down. */
@@ -165,9 +163,8 @@ function perFragment(scene: DeclaredScene, view: Lens): Color {
   return ({ corners, front }, shares) => {
     const place = mix(corners.map((corner) => corner.place), shares); // prettier-ignore
     const outside = mix(corners.map((corner) => corner.normal), shares); // prettier-ignore
-    const normal = front ? outside : scale(outside, -1);
-    const shaded = at(place, normal);
-    return { color: shaded.color, normal, coneMargin: coneMargin(scene.lights, shaded) };
+    const shaded = at(place, front ? outside : scale(outside, -1));
+    return { color: shaded.color, coneMargin: coneMargin(scene.lights, shaded) };
   };
 }
 
@@ -191,7 +188,6 @@ function perVertex(scene: DeclaredScene, view: Lens): Color {
     const encoded = scene.options.linear === true ? map(sum, srgbEncode) : sum;
     return {
       color: map(encoded, (x) => Math.min(Math.max(x, 0), 1)),
-      normal: [0, 0, 0],
       coneMargin: Math.min(...shaded.map((s) => s.margin)),
     };
   };
