@@ -82,15 +82,12 @@ async function differences({ file, event, attributes = {}, checks }: Case): Prom
 }
 
 for (const format of ['gltf', 'obj', 'ply', 'stl'])
-  test(`${format}: each file shows what its format says`, async ({ page, site, consoleGuard }) => {
+  test(`${format}: each file shows what its format says`, async ({ page, mount, consoleGuard }) => {
     test.setTimeout(120_000);
     // Each file that is left out is named; a missing one is the browser's error too.
     // Those of STL are shown without a word.
     if (format !== 'stl') consoleGuard.allow(/^warning: |Failed to load resource/);
-    await page.goto(
-      site.page('', { head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>' }),
-    );
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+    await mount('');
     for (const one of firstOf(cases, FIRST).filter(({ file }) => file.startsWith(`${format}/`)))
       expect.soft(await page.evaluate(differences, one), `${one.id} (${one.why})`).toEqual([]);
   });

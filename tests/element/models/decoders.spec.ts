@@ -1,10 +1,10 @@
-// Where are compressed models unpacked? In one worker for any number of models, by WebAssembly, or on the main thread if
-// it cannot start or may not compile, with the same bits. The worker ends after an abort or an idle time. The tests'
-// server allows its files no WebAssembly; `shown` mounts from one that does.
+// Where are compressed models and KTX2 textures unpacked? In one worker for any number of models, by WebAssembly, or on
+// the main thread if it cannot start or may not compile, with the same bits. The worker ends after an abort or an idle
+// time. The tests' server allows its files no WebAssembly; `shown` mounts from one that does.
 
 import type { Locator, Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';
-import { expect, strictPolicy, test } from '../../support/test.js';
+import { compare, expect, pixels, type Picture, strictPolicy, test } from '../../support/test.js';
 import { startSite, testMounts, wasmPolicy } from '../../support/site.js';
 import { dracoGlb } from '../../fuzz/models.js';
 import { type PhongViewer, settled } from '../support/viewer.js';
@@ -18,13 +18,25 @@ const workerFile = /\/draco-worker[^/]*\.js$/;
 const allowing = await startSite(testMounts, wasmPolicy);
 test.afterAll(() => allowing.close());
 
-/** Mounts where WebAssembly is allowed. */
+/** Mounts where WebAssembly is allowed, in workers too. */
 async function shown(page: Page, markup: string): Promise<Locator> {
   const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
   await page.goto(allowing.page(markup, { csp: wasmPolicy, head }));
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   return page.locator('phong-viewer');
 }
+
+/** `load`, or the code and message of the error. */
+const outcomeOf = (viewer: Locator, src: string): Promise<string> =>
+  viewer.evaluate(
+    (element: PhongViewer, address) =>
+      new Promise<string>((resolve) => {
+        element.addEventListener('error', ({ detail }) => resolve(`${detail.code}: ${detail.message}`));
+        element.addEventListener('load', () => resolve('load'));
+        element.src = address;
+      }),
+    src,
+  );
 
 /** A hash of each array of each geometry. */
 const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
@@ -52,14 +64,11 @@ function workersOf(page: Page): readonly string[] {
   return started;
 }
 
-/** Counts of files of the Draco decoder that the page has requested, by name. */
-function requestsOf(page: Page): Readonly<Record<string, number>> {
-  const counts: Record<string, number> = {};
-  page.on('request', (request) => {
-    const [name] = /draco[a-z_-]*(?=[-.])|draco_decoder(?=\.wasm)/.exec(request.url()) ?? [];
-    if (name !== undefined) counts[name] = (counts[name] ?? 0) + 1;
-  });
-  return counts;
+/** The address of every file that the page requests. */
+function requestsOf(page: Page): readonly string[] {
+  const requested: string[] = [];
+  page.on('request', (request) => requested.push(request.url()));
+  return requested;
 }
 
 test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({
@@ -77,42 +86,35 @@ test('a model is the same from WebAssembly in a worker and without it on the mai
   const requested = requestsOf(page);
   expect(await fingerprint(await mount(meshes, size))).toEqual(compiled);
   // Refused before the file is fetched.
-  expect(Object.keys(requested).filter((name) => name.includes('decoder'))).toEqual([]);
+  expect(requested.filter((url) => /draco[a-z_-]*decoder/.test(url))).toEqual([]);
 
   await page.route(workerFile, (route) => route.abort());
   expect(await fingerprint(await mount(meshes, size))).toEqual(compiled);
 });
 
-test('the main thread stands in where the WebAssembly is missing', async ({ page }) => {
+test('the main thread stands in where the WebAssembly is missing, and where the policy allows no worker', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/worker-src/);
   await page.route(/draco_decoder\.wasm$/, (route) => route.fulfill({ status: 404 }));
   const viewer = await shown(page, scene);
   await settled(viewer);
   expect(await loaded(viewer)).toBe(true);
+  const workerless = await mount(scene, { ...size, csp: `${strictPolicy}; worker-src 'none'` });
+  expect(await loaded(workerless)).toBe(true);
 });
 
 test('damaged data give the same error from both', async ({ page, site, mount }) => {
   const damaged = dracoGlb(1, 3, { faces: 1, points: 3 });
-  const outcome = (viewer: Locator, address: string): Promise<string> =>
-    viewer.evaluate(
-      (element: PhongViewer, src) =>
-        new Promise<string>((resolve) => {
-          element.addEventListener('error', ({ detail }) => resolve(`${detail.code}: ${detail.message}`));
-          element.src = src;
-        }),
-      address,
-    );
-  const threaded = await outcome(await shown(page, '<phong-viewer></phong-viewer>'), allowing.file(damaged));
+  const worked = await shown(page, '<phong-viewer></phong-viewer>');
+  const threaded = await outcomeOf(worked, allowing.file(damaged));
   expect(threaded).toMatch(/^bad-model: .*Draco data/);
   const empty = await mount('<phong-viewer></phong-viewer>', size);
   // Each address is named in the message.
   const name = /\([^()]*\)\.?$/;
-  expect((await outcome(empty, site.file(damaged))).replace(name, '')).toBe(threaded.replace(name, ''));
-});
-
-test('a model is shown under a policy that allows no worker', async ({ mount, consoleGuard }) => {
-  consoleGuard.allow(/worker-src/);
-  const viewer = await mount(scene, { ...size, csp: `${strictPolicy}; worker-src 'none'` });
-  expect(await loaded(viewer)).toBe(true);
+  expect((await outcomeOf(empty, site.file(damaged))).replace(name, '')).toBe(threaded.replace(name, ''));
 });
 
 test('twenty models at once use one worker', async ({ page }) => {
@@ -166,4 +168,68 @@ test('an idle worker ends', async ({ page }) => {
   expect(page.workers()).toHaveLength(1);
   await page.clock.fastForward(6000);
   await ended;
+});
+
+test.describe('a KTX2 texture', () => {
+  // textured.glb has the same texels in a PNG.
+  const ktx2 = { width: 120, height: 90, csp: wasmPolicy };
+  const model = (name: string): string => `/fixtures/models/${name}`;
+  const sceneOf = (name: string): string =>
+    `<phong-viewer src="${model(name)}" theta="0" phi="90" ka="255" kd="0" ks="0">
+      <phong-light ambient="255 255 255"></phong-light></phong-viewer>`;
+
+  test('from the worker has exactly the texels of its file', async ({ page }) => {
+    const pictureOf = async (name: string): Promise<Picture> => {
+      const viewer = await shown(page, sceneOf(name));
+      await settled(viewer);
+      return pixels(viewer, { width: 120, height: 90 });
+    };
+    const [started, requested] = [workersOf(page), requestsOf(page)];
+    const png = await pictureOf('textured.glb');
+    expect(started).toHaveLength(0);
+    expect(requested.filter((url) => /ktx2|basis/.test(url))).toEqual([]);
+    expect(compare(await pictureOf('ktx2.glb'), png).max).toBe(0);
+    expect(started).toEqual([expect.stringMatching(/ktx2-worker/)]);
+    // ETC1S is lossy: five bits per channel.
+    expect(compare(await pictureOf('ktx2-etc1s.glb'), png).max).toBeLessThan(12);
+  });
+
+  test('is the same from the main thread, if the worker may not use WebAssembly; shadeAt reads it too', async ({
+    page,
+    mount,
+  }) => {
+    const png = await pixels(await mount(sceneOf('textured.glb'), ktx2));
+    const code = page.waitForRequest(/\/ktx2-(?!worker)[^/]*\.js$/);
+    const viewer = await mount(sceneOf('ktx2.glb'), ktx2);
+    await code;
+    expect(compare(await pixels(viewer), png).max).toBe(0);
+    const color = await viewer.evaluate(
+      async (element: PhongViewer) => (await element.shadeAt(50, 40))?.color,
+    );
+    expect(color?.map((channel) => Math.round(channel * 1e9) / 1e9)).toEqual([1, 0, 0]);
+  });
+
+  test('under a policy without WebAssembly gives an error that says what to allow', async ({
+    mount,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(/wasm|WebAssembly/);
+    const viewer = await mount('<phong-viewer></phong-viewer>', size);
+    expect(await outcomeOf(viewer, model('ktx2.glb'))).toMatch(/^csp: .*KTX2.*'wasm-unsafe-eval'/);
+  });
+
+  test('that is damaged is left out with a warning; a transcoder that did not come is fetched by the next use', async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(/ktx2-damaged\.glb is shown without 1 .* images\[0\] is a damaged KTX2 file/, 1);
+    consoleGuard.allow(/error: Failed to load resource/);
+    const viewer = await mount('<phong-viewer></phong-viewer>', ktx2);
+    await page.route(/\.wasm$/, (route) => route.abort());
+    expect(await outcomeOf(viewer, model('ktx2.glb'))).toMatch(/^load-failed: The decoder of KTX2 textures/);
+    await page.unroute(/\.wasm$/);
+    expect(await outcomeOf(viewer, model('ktx2-damaged.glb'))).toBe('load');
+    expect(await outcomeOf(viewer, model('ktx2.glb'))).toBe('load');
+  });
 });

@@ -3,10 +3,11 @@
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../../support/test.js';
-import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+import { expect, type Mount, test } from '../../support/test.js';
+import { assign, nextFrame, type PhongViewer, set, settled } from '../support/viewer.js';
 
 const size = { width: 300, height: 200 };
+const POSTER = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>";
 const model = '/fixtures/models/no-normals.glb';
 
 declare global {
@@ -69,6 +70,25 @@ const sendNext = async (page: Page): Promise<void> => {
   await page.waitForFunction(() => window.loads.send.length > 0);
   await page.evaluate(() => window.loads.send.shift()?.());
 };
+const sendAll = async (page: Page, viewer: Locator): Promise<void> => {
+  await sendNext(page);
+  await sendNext(page);
+  await settled(viewer);
+};
+/** A viewer of the slow model, which has begun to load. */
+async function mountSlow(
+  page: Page,
+  mount: Mount,
+  { attributes = '', inner = '', sizeIsKnown = true, width = 300, height = 200 } = {},
+): Promise<Locator> {
+  await slowDown(page, sizeIsKnown);
+  const markup = `<phong-viewer alt="A model" src="${slow}" ${attributes}>${inner}</phong-viewer>`;
+  return mount(markup, { width, height, waitForReady: false });
+}
+const axeViolations = async (page: Page): Promise<string[]> => {
+  const { violations } = await axeOn(page).include('phong-viewer').analyze();
+  return violations.map(({ id }) => id);
+};
 const statesOf = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element) =>
     ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)),
@@ -78,21 +98,18 @@ test('shows a progress bar with a name and a value once loading has taken 300 ms
   page,
   mount,
 }) => {
-  await slowDown(page);
-  const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {
-    ...size,
-    waitForReady: false,
-  });
+  const viewer = await mountSlow(page, mount);
   const surface = viewer.locator('[part=surface]');
   await expect(surface).toHaveAttribute('aria-busy', 'true');
   await expect(barOf(viewer)).toHaveCount(0);
   await delayOver(page);
   await expect(barOf(viewer)).toBeVisible();
   await expect(barOf(viewer)).toHaveAccessibleName('Loading');
+  await assign(viewer, { texts: { Loading: 'Lädt' } });
+  await expect(barOf(viewer)).toHaveAccessibleName('Lädt');
   await sendNext(page);
   await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
-  const { violations } = await axeOn(page).include('phong-viewer').analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await axeViolations(page)).toEqual([]);
   await sendNext(page);
   await settled(viewer);
   await expect(barOf(viewer)).toHaveCount(0);
@@ -103,11 +120,7 @@ test('the bar of a load of unknown size moves, except with reduced motion; paper
   page,
   mount,
 }) => {
-  await slowDown(page, false);
-  const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {
-    ...size,
-    waitForReady: false,
-  });
+  const viewer = await mountSlow(page, mount, { sizeIsKnown: false });
   await delayOver(page);
   await sendNext(page);
   await expect(barOf(viewer)).toBeVisible();
@@ -129,18 +142,12 @@ test('a faster load shows no progress bar, and shapes start no timer', async ({ 
   expect(await timers()).toBe(0);
   await assign(viewer, { src: slow });
   await expect.poll(timers).toBe(1);
-  await sendNext(page);
-  await sendNext(page);
-  await settled(viewer);
+  await sendAll(page, viewer);
   expect(await timers()).toBe(0);
 });
 
 test('progress does not decrease when one of several loads ends', async ({ page, mount }) => {
-  await slowDown(page);
-  const viewer = await mount(
-    `<phong-viewer alt="Models" src="${slow}"><phong-mesh src="${slow}2"></phong-mesh></phong-viewer>`,
-    { ...size, waitForReady: false },
-  );
+  const viewer = await mountSlow(page, mount, { inner: `<phong-mesh src="${slow}2"></phong-mesh>` });
   await page.waitForFunction(() => window.loads.send.length === 4);
   await delayOver(page);
   await sendNext(page);
@@ -157,18 +164,12 @@ test('an author’s own element in the slot progress takes the bar’s place, fo
   page,
   mount,
 }) => {
-  await slowDown(page);
-  const viewer = await mount(
-    `<phong-viewer alt="A model" src="${slow}"><b slot="progress">Wait</b></phong-viewer>`,
-    { ...size, waitForReady: false },
-  );
+  const viewer = await mountSlow(page, mount, { inner: '<b slot="progress">Wait</b>' });
   await expect(viewer.locator('b')).toBeHidden();
   await delayOver(page);
   await expect(viewer.locator('b')).toBeVisible();
   await expect(viewer.locator('[part=progress]')).toBeHidden();
-  await sendNext(page);
-  await sendNext(page);
-  await settled(viewer);
+  await sendAll(page, viewer);
   await expect(viewer.locator('b')).toBeHidden();
 });
 
@@ -179,12 +180,9 @@ test('CSS can select viewers that are loading, failed or empty', async ({ page, 
   expect(await statesOf(viewer)).toEqual(['empty']);
   await assign(viewer, { src: slow });
   await expect.poll(() => statesOf(viewer)).toEqual(['loading']);
-  await sendNext(page);
-  await sendNext(page);
-  await settled(viewer);
+  await sendAll(page, viewer);
   expect(await statesOf(viewer)).toEqual([]);
-  await assign(viewer, { src: '/none.glb' });
-  await settled(viewer);
+  await set(viewer, { src: '/none.glb' });
   expect(await statesOf(viewer)).toEqual(['error']);
   await assign(viewer, { src: null });
   await expect.poll(() => statesOf(viewer)).toEqual(['empty']);
@@ -227,11 +225,10 @@ test('the first picture has all shapes that the markup names but those that fail
     await new Promise<void>((resolve) => (send = resolve));
     return route.continue();
   });
-  const poster = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>";
   const shapes = ['sphere', 'torus', 'teapot', 'cone', 'box'];
   const meshes = shapes.map((shape) => `<phong-mesh geometry="${shape}"></phong-mesh>`).join('');
   const viewer = await mount(
-    `<phong-viewer alt="Shapes" poster="${poster}" auto-rotate="30">${meshes}</phong-viewer>`,
+    `<phong-viewer alt="Shapes" poster="${POSTER}" auto-rotate="30">${meshes}</phong-viewer>`,
     { ...size, waitForReady: false },
   );
   await expect.poll(() => send !== undefined).toBe(true);
@@ -257,22 +254,15 @@ test('the first picture has all shapes that the markup names but those that fail
 });
 
 test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({ page, mount }) => {
-  await slowDown(page);
-  const viewer = await mount(
-    `<phong-viewer alt="A model" poster="data:image/png,none" src="${slow}"></phong-viewer>`,
-    { ...size, waitForReady: false },
-  );
+  const viewer = await mountSlow(page, mount, { attributes: 'poster="data:image/png,none"' });
   const poster = viewer.locator('[part=poster]');
   await expect(poster).toHaveCount(0);
   await assign(viewer, { alt: 'The model' });
   await expect(viewer.getByRole('application', { name: 'The model' })).toHaveCount(1);
   await expect(poster).toHaveCount(0);
-  const good = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>";
-  await assign(viewer, { poster: good });
+  await assign(viewer, { poster: POSTER });
   await expect(poster).toHaveCount(1);
-  await sendNext(page);
-  await sendNext(page);
-  await settled(viewer);
+  await sendAll(page, viewer);
   await expect(poster).toHaveCount(0);
 });
 
@@ -295,8 +285,7 @@ test('the button of the message repeats what failed, and the focus stays in the 
   const box = (await retry.boundingBox())!;
   expect(box.height).toBeGreaterThanOrEqual(24);
   expect(box.width).toBeGreaterThanOrEqual(24);
-  const { violations } = await axeOn(page).include('phong-viewer').analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await axeViolations(page)).toEqual([]);
   await retry.click();
   await settled(viewer);
   await expect(retry).toBeVisible();
@@ -308,24 +297,6 @@ test('the button of the message repeats what failed, and the focus stays in the 
   expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('phong-viewer');
   await page.emulateMedia({ media: null });
-});
-
-test('`texts` replaces texts at once, and null restores all', async ({ page, mount, consoleGuard }) => {
-  consoleGuard.allow(/404/);
-  await slowDown(page);
-  const viewer = await mount('<phong-viewer alt="A model" src="/none.glb"></phong-viewer>', size);
-  const notice = viewer.locator('[part=notice]');
-  const own = await notice.textContent();
-  await assign(viewer, { texts: { 'Try again': 'Nochmal', 'load-failed': 'Die Datei fehlt.' } });
-  await expect(notice).toHaveText('Die Datei fehlt.');
-  await expect(viewer.getByRole('button', { name: 'Nochmal' })).toBeVisible();
-  expect(await viewer.evaluate(({ texts }: PhongViewer) => [texts?.['Try again'], Object.isFrozen(texts)])).toEqual(['Nochmal', true]); // prettier-ignore
-  await assign(viewer, { texts: { Loading: 'Lädt', 'Try again': undefined }, src: slow });
-  await delayOver(page);
-  await expect(barOf(viewer)).toHaveAccessibleName('Lädt');
-  await assign(viewer, { texts: null, src: '/none.glb' });
-  await expect(notice).toHaveText(own!);
-  await expect(viewer.getByRole('button', { name: 'Try again' })).toBeVisible();
 });
 
 test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
@@ -363,12 +334,7 @@ test('invalid `texts` throw, or give a warning if set before the upgrade', async
 });
 
 test('under dir="rtl" the bar grows from the right and the panel is on the left', async ({ page, mount }) => {
-  await slowDown(page);
-  const viewer = await mount(`<phong-viewer dir="rtl" alt="A model" gui src="${slow}"></phong-viewer>`, {
-    width: 600,
-    height: 400,
-    waitForReady: false,
-  });
+  const viewer = await mountSlow(page, mount, { attributes: 'dir="rtl" gui', width: 600, height: 400 });
   await delayOver(page);
   await sendNext(page);
   await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
@@ -383,15 +349,33 @@ test('under dir="rtl" the bar grows from the right and the panel is on the left'
   expect(await slider.evaluate((part) => getComputedStyle(part).backgroundPositionX)).toBe('100%');
 });
 
-test('in forced colours the filled part of the bar differs from the rest', async ({ page, mount }) => {
-  await page.emulateMedia({ forcedColors: 'active' });
-  await slowDown(page);
-  const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {
-    ...size,
-    waitForReady: false,
-  });
+test('the bar’s empty part is near the ground of a light or dark page, its full part is not, nor in forced colours', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mountSlow(page, mount);
   await delayOver(page);
   await sendNext(page);
+  await expect(barOf(viewer)).toBeVisible();
+  for (const scheme of ['light', 'dark']) {
+    const [ground, empty, full] = await barOf(viewer).evaluate((bar, value) => {
+      document.documentElement.style.colorScheme = value;
+      const pixel = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;
+      const green = (color: string): number => {
+        pixel.fillStyle = color;
+        pixel.fillRect(0, 0, 1, 1);
+        return pixel.getImageData(0, 0, 1, 1).data[1]!;
+      };
+      const { backgroundColor, color } = getComputedStyle(bar);
+      document.body.style.color = 'Canvas';
+      const canvas = getComputedStyle(document.body).color;
+      return [green(canvas), green(backgroundColor), green(color)] as const;
+    }, scheme);
+    expect(ground > 127).toBe(scheme === 'light');
+    expect(Math.abs(ground - empty), scheme).toBeLessThan(60);
+    expect(Math.abs(empty - full), scheme).toBeGreaterThan(90);
+  }
+  await page.emulateMedia({ forcedColors: 'active' });
   const colors = await barOf(viewer).evaluate((bar) =>
     [bar, bar.firstElementChild!].map((part) => getComputedStyle(part).backgroundColor),
   );

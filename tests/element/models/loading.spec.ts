@@ -1,7 +1,9 @@
-// Which events do loads dispatch, and what stays on screen when one fails? Real files from the page's own server.
+// Which events do loads dispatch, what stays on screen when one fails, and what do messages say? Real files from the
+// page's own server.
 
+import { addressOf } from '../../support/animated-gltf.js';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
-import { assign, type PhongViewer, record, settled } from '../support/viewer.js';
+import { assign, type PhongViewer, record, set, settled } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
@@ -22,7 +24,9 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   await expect.poll(async () => (await pixels(viewer)).data.some((code) => code > 0)).toBe(true);
   expect(compare(await pixels(viewer), empty).share).toBeGreaterThan(0.1);
   const heard = await events.take();
-  const shares = heard.filter(({ type }) => type === 'progress').map(({ detail }) => (detail as { totalProgress: number }).totalProgress); // prettier-ignore
+  const shares = heard.flatMap(({ type, detail }) =>
+    type === 'progress' ? [(detail as { totalProgress: number }).totalProgress] : [],
+  );
   expect(shares.at(-1)).toBe(1);
   expect(shares.every((share, i) => share >= 0 && share <= 1 && share >= (shares[i - 1] ?? 0))).toBe(true);
   expect(heard.filter(({ type }) => type !== 'progress')).toEqual([
@@ -30,34 +34,14 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   ]);
 });
 
-test('a model’s file is requested while the code that reads it is still on the way', async ({
-  page,
-  mount,
-}) => {
-  let letGo = (): void => undefined;
-  const free = new Promise<void>((resolve) => (letGo = resolve));
-  await page.route(/model-content/, async (route) => {
-    await free;
-    await route.continue();
-  });
-  const requested = page.waitForRequest(/textured\.glb/);
-  const viewer = await mount(`<phong-viewer src="${model('textured.glb')}"></phong-viewer>`, {
-    ...size,
-    waitForReady: false,
-  });
-  await requested;
-  letGo();
-  await settled(viewer);
-  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
-});
-
+const refusal = /CSP report|violates the following|Content Security Policy/;
 for (const [what, src, code, allowed] of [
   ['that is not there', '/none.glb', 'load-failed', /error: Failed to load resource.*404/],
   ['whose address is none', 'http://[', 'load-failed', null],
   ['that is cut short', model('truncated.glb'), 'bad-model', null],
   ['that is no model', model('wrong-magic.glb'), 'bad-model', null],
   ['that unpacks to too much', model('claims-zeros.glb'), 'too-large', null],
-  ['of another origin under a strict policy', 'http://127.0.0.1:9/x.glb', 'csp', /CSP report|violates the following|Content Security Policy/], // prettier-ignore
+  ['of another origin under a strict policy', 'http://127.0.0.1:9/x.glb', 'csp', refusal],
 ] as const) {
   test(`a model ${what} is an error of code ${code}; what was shown stays, with a message`, async ({
     mount,
@@ -67,8 +51,7 @@ for (const [what, src, code, allowed] of [
     const viewer = await mount(`<phong-viewer src="${model('no-normals.glb')}"></phong-viewer>`, size);
     const before = await pixels(viewer);
     const events = await record(viewer, 'error', 'load');
-    await assign(viewer, { src });
-    await settled(viewer);
+    await set(viewer, { src });
     const [event, ...more] = await events.take();
     expect(event).toMatchObject({ type: 'error', detail: { code } });
     expect((event?.detail as { message: string }).message.length).toBeGreaterThan(10);
@@ -76,12 +59,46 @@ for (const [what, src, code, allowed] of [
     same(await pixels(viewer), before);
     const notice = viewer.locator('[part=notice]');
     await expect(notice).toBeVisible();
-    await assign(viewer, { src: model('no-normals.glb') });
-    await settled(viewer);
+    await set(viewer, { src: model('no-normals.glb') });
     await expect(notice).toHaveCount(0);
     same(await pixels(viewer), before);
   });
 }
+
+test('messages repeat a part of long texts in files and addresses', async ({ mount, consoleGuard }) => {
+  consoleGuard.allow(/error: Failed to load resource/);
+  consoleGuard.allow(/warning: .*Save it without that extension\./, 2);
+  const viewer = await mount('<phong-viewer></phong-viewer>');
+  const errors = await record(viewer, 'error');
+  const [word, words] = ['x'.repeat(1e5), 'x '.repeat(5e4)];
+  const linked = {
+    buffers: [{ uri: `/${word}`, byteLength: 36 }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    nodes: [{ mesh: 0 }],
+    scenes: [{ nodes: [0] }],
+  };
+  const sources = [
+    ...[word, words].map((version) => addressOf({ asset: { version } })),
+    ...[word, words].map((name) => addressOf({ asset: { version: '2.0' }, extensionsRequired: [name] })),
+    addressOf({ asset: { version: '2.0' }, ...linked }),
+    `/${'x'.repeat(5000)}.glb`,
+  ];
+  for (const [i, src] of sources.entries()) {
+    await set(viewer, { src });
+    const [error, ...more] = await errors.take();
+    expect(more, `source ${i}`).toEqual([]);
+    const { message } = error!.detail as { message: string };
+    const shown = (await viewer.locator('[part=notice]').textContent())!;
+    expect(shown.slice(0, 100), `source ${i}`).toBe(message.slice(0, 100));
+    for (const text of [message, shown]) {
+      expect(text.length, `source ${i}`).toBeLessThan(530);
+      expect(Math.max(...text.split(/\s+/).map(({ length }) => length)), `source ${i}`).toBeLessThan(105);
+      expect(text, `source ${i}`).toContain('...');
+    }
+  }
+});
 
 test('a newer src wins, whichever arrives first', async ({ mount }) => {
   const viewer = await mount(`<phong-viewer src="${model('no-normals.glb')}"></phong-viewer>`, size);
@@ -89,8 +106,7 @@ test('a newer src wins, whichever arrives first', async ({ mount }) => {
   const events = await record(viewer, 'load', 'error');
   await assign(viewer, { src: bunny });
   await viewer.evaluate(() => Promise.resolve());
-  await assign(viewer, { src: model('no-normals.glb') });
-  await settled(viewer);
+  await set(viewer, { src: model('no-normals.glb') });
   same(await pixels(viewer), wanted);
   expect((await events.take()).filter(({ type }) => type === 'error')).toEqual([]);
 });
@@ -121,21 +137,9 @@ test('without a poster the first picture does not move the page', async ({ mount
   expect(pending).toBe(false);
 });
 
-test('lazy loads nothing until the viewer can be seen', async ({ page, mount }) => {
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
-  const viewer = await mount(
-    `<div class="tall"></div><phong-viewer loading="lazy" src="${bunny}"></phong-viewer>`,
-    { ...size, css: '.tall { height: 5000px }' },
-  );
-  expect(requests).not.toContain(bunny);
-  await viewer.scrollIntoViewIfNeeded();
-  await expect.poll(() => requests.filter((path) => path === bunny).length).toBe(1);
-  await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
-});
-
 test('moving a viewer loads nothing again', async ({ page, mount }) => {
-  const viewer = await mount(`<phong-viewer src="${bunny}"><phong-mesh src="${model('no-normals.glb')}"></phong-mesh></phong-viewer><aside></aside>`, size); // prettier-ignore
+  const mesh = `<phong-mesh src="${model('no-normals.glb')}"></phong-mesh>`;
+  const viewer = await mount(`<phong-viewer src="${bunny}">${mesh}</phong-viewer><aside></aside>`, size);
   const before = await pixels(viewer);
   const requests: string[] = [];
   page.on('request', (request) => requests.push(request.url()));

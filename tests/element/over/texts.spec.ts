@@ -99,20 +99,14 @@ test('texts relabels an open panel without changing its state', async ({ page, m
     camera: 'Kamera',
     Camera: 'Kameraordner',
     'add light': 'Licht hinzufügen',
-    'move up': 'nach oben',
   };
   await assign(viewer, { texts: german });
   await expect(titleOf(viewer, 'Licht 2')).toHaveAttribute('aria-expanded', 'true');
   await expect(viewer.getByRole('checkbox', { name: 'Licht 2 an' })).toBeVisible();
   await expect(row(sun, 'Lage')).toBeVisible();
   await expect(field(sun, 'Lage: y')).toBeFocused();
-  await expect(field(sun, 'Lage: y')).toHaveAttribute('title', 'Lage: y');
   expect(await listOf(viewer).evaluate((list) => list.scrollTop)).toBe(60);
-  expect(await choice(sun, 'Raum').locator('option').allTextContents()).toEqual(['Welt', 'Kamera']);
   await expect(titleOf(viewer, 'Kameraordner')).toHaveAttribute('aria-expanded', 'true');
-  await expect(button(sun, 'nach oben')).toHaveText('↑');
-  const last = folderOf(viewer, 'Licht 2');
-  await expect(field(last, 'name')).toHaveAttribute('placeholder', 'Licht 2');
   await choice(sun, 'Raum').selectOption('Kamera');
   expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]!.space)).toBe('camera');
   await button(viewer, 'Licht hinzufügen').click();
@@ -123,7 +117,9 @@ test('texts relabels an open panel without changing its state', async ({ page, m
   await expect(titleOf(viewer, 'light 4')).toBeVisible();
   await expect(field(sun, 'position y')).toBeVisible();
   await expect(second).toHaveCount(1);
-  expect((await textsIn(viewer)).filter((text) => /Licht|Lage|Welt|Raum/.test(text))).toEqual([]);
+  // The description follows a second later.
+  const left = async () => (await textsIn(viewer)).filter((text) => /Licht|Lage|Welt|Raum/.test(text));
+  await expect.poll(left).toEqual([]);
 });
 
 test('texts replaces temporary labels of the panel’s buttons', async ({ page, mount }) => {
@@ -155,7 +151,7 @@ test('a panel that is removed while the clipboard is written leaves nothing behi
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
-test('texts replaces announcements, and messages by their code, with the cause and the address', async ({
+test('texts replaces announcements, and messages by their code, with cause and address; null restores them', async ({
   page,
   mount,
   consoleGuard,
@@ -166,7 +162,11 @@ test('texts replaces announcements, and messages by their code, with the cause a
   const message = (await alert.locator('[part=notice]').textContent())!;
   await assign(viewer, { texts: { ...bracketed, 'load-failed': 'Nicht da: {url} ({message})' } });
   await expect(alert).toContainText(`Nicht da: ${new URL('/none.glb', page.url()).href} (${message})`);
+  await expect(alert.getByRole('button', { name: '[Try again]' })).toBeVisible();
   await viewer.focus();
   await page.keyboard.press('ArrowLeft');
   await expect(viewer.locator('[aria-live]')).toHaveText(/^\[Camera: azimuth \d+°/);
+  await assign(viewer, { texts: null });
+  await expect(alert.locator('[part=notice]')).toHaveText(message);
+  await expect(alert.getByRole('button', { name: 'Try again', exact: true })).toBeVisible();
 });

@@ -97,42 +97,31 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
     ).toBe(name);
 });
 
-test('`probe-change` comes without `probe` where `probe-at` is set', async ({ mount }) => {
-  const viewer = await mount(scene(''));
-  const red = await viewer.evaluate(
-    (element: PhongViewer) =>
-      new Promise<number | undefined>((resolve) => {
-        element.addEventListener('probe-change', ({ detail }) => resolve(detail.fragment?.kd[0]));
-        element.kd = [100, 100, 100];
-      }),
-  );
-  expect(red).toBeCloseTo(100 / 255, 6);
-  await expect(box(viewer)).toHaveCount(0);
-});
-
-test('`probe-change` says the same place with and without `probe`, inside CSS zoom, and none where no picture is', async ({
+test('`probe-change` says the same with and without `probe`, inside CSS zoom, and no place where no picture is', async ({
   mount,
 }) => {
   const viewer = await mount(scene(''), { css: 'phong-viewer { zoom: 2 }' });
-  const places = await viewer.evaluate(async (element: PhongViewer) => {
-    const next = (change: object): Promise<unknown> =>
+  const { without, boxes, probed, gone } = await viewer.evaluate(async (element: PhongViewer) => {
+    type Detail = PhongViewerEventMap['probe-change']['detail'];
+    const next = (change: object): Promise<Detail> =>
       new Promise((resolve) => {
-        const listen = ({ detail: { fragment, x, y } }: PhongViewerEventMap['probe-change']): void => {
-          if (fragment !== null) resolve([x, y].map((place) => Math.round(place!)));
-        };
-        element.addEventListener('probe-change', listen, { once: true });
+        element.addEventListener('probe-change', ({ detail }) => resolve(detail), { once: true });
         Object.assign(element, change);
       });
-    const without = await next({ kd: [100, 100, 100] });
-    const probed = await next({ probe: true });
+    const told = ({ fragment, x, y }: Detail): readonly number[] => [
+      fragment!.kd[0],
+      Math.round(x!),
+      Math.round(y!),
+    ];
+    const without = told(await next({ kd: [100, 100, 100] }));
+    const boxes = element.shadowRoot!.querySelectorAll('[part=probe]').length;
+    const probed = told(await next({ probe: true }));
     element.probe = false;
     element.style.display = 'none';
-    const gone = new Promise((resolve) =>
-      element.addEventListener('probe-change', ({ detail }) => resolve(detail), { once: true }),
-    );
-    element.kd = [90, 90, 90];
-    return { without, probed, gone: await gone };
+    return { without, boxes, probed, gone: await next({ kd: [90, 90, 90] }) };
   });
-  expect(places.without).toEqual(places.probed);
-  expect(places.gone).toEqual({ fragment: null, x: null, y: null, pinned: true });
+  expect(without[0]).toBeCloseTo(100 / 255, 6);
+  expect(without).toEqual(probed);
+  expect(boxes).toBe(0);
+  expect(gone).toEqual({ fragment: null, x: null, y: null, pinned: true });
 });

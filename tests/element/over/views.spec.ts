@@ -1,12 +1,10 @@
-// Do `view` and `view-light` behave as documented: legend, lights by name, what is fetched and compiled, measuring the
-// error?
+// Do `view` and `view-light` behave as documented: legend, lights by name, what is compiled, measuring the error?
 
 import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/material/views.js';
 import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
-import { Requests } from '../../package/requests.js';
 import { choice, flag, opened, button, panelOf } from '../panel/panel-rows.js';
-import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+import { assign, loseContext, nextFrame, type PhongViewer, set, settled } from '../support/viewer.js';
 
 const SIZE = { width: 300, height: 240 };
 const lights = `
@@ -25,15 +23,7 @@ const legendText = async (viewer: Locator): Promise<string[]> => {
   return texts.map((text) => text.trim());
 };
 
-test('without a view there is no legend, and nothing is fetched', async ({ page, mount }) => {
-  const requests = new Requests(page);
-  const viewer = await mount(scene(''), SIZE);
-  await nextFrame(page);
-  expect(requests.take()).toEqual(['phong-viewer.standalone.js']);
-  await expect(legendOf(viewer)).toHaveCount(0);
-});
-
-test('each view has a legend that says what its colours mean', async ({ mount }) => {
+test('each view has a legend that says what its colours mean, to a screen reader too', async ({ mount }) => {
   const viewer = await mount(scene(''), SIZE);
   const expected: Partial<Record<(typeof VIEWS)[number], readonly string[]>> = {
     ambient: ['Ambient term', 'all lights'],
@@ -47,18 +37,21 @@ test('each view has a legend that says what its colours mean', async ({ mount })
     triangles: ['Triangles'],
   };
   for (const [view, texts] of Object.entries(expected)) {
-    await assign(viewer, { view });
-    await settled(viewer);
+    await set(viewer, { view });
     expect(await legendText(viewer), view).toEqual(texts);
   }
-  await assign(viewer, { view: 'r-dot-v', reflection: 'blinn-phong', viewLight: 'light 3' });
-  await settled(viewer);
+  await set(viewer, { view: 'n-dot-l' });
+  await expect(viewer.getByRole('group', { name: 'Legend' })).toMatchAriaSnapshot(`
+    - group "Legend":
+      - paragraph: N · L
+      - paragraph: sun
+      - text: 0 0.5 1
+  `);
+  await set(viewer, { view: 'r-dot-v', reflection: 'blinn-phong', viewLight: 'light 3' });
   expect(await legendText(viewer)).toEqual(['N · H', 'light 3', '0 0.5 1']);
-  await assign(viewer, { view: null, viewLight: 'lamp' });
-  await settled(viewer);
+  await set(viewer, { view: null, viewLight: 'lamp' });
   expect(await legendText(viewer)).toEqual(['Shaded', 'lamp']);
-  await assign(viewer, { viewLight: null });
-  await settled(viewer);
+  await set(viewer, { viewLight: null });
   await expect(legendOf(viewer)).toHaveCount(0);
 });
 
@@ -91,11 +84,11 @@ test('`ready` and `toBlob` wait until the view is shown, and leaving it restores
 test('follows lights that are renamed, switched off, added and removed', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
   const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), SIZE);
-  const write = (values: Readonly<Record<string, string | boolean>>) =>
-    viewer.evaluate((element: PhongViewer, given) => {
-      Object.assign(element.querySelector('#lamp')!, given);
-      return element.ready;
-    }, values);
+  const lamp = viewer.locator('#lamp');
+  const write = async (values: Readonly<Record<string, string | boolean>>): Promise<void> => {
+    await assign(lamp, values);
+    await settled(viewer);
+  };
   expect(await legendText(viewer)).toContain('lamp');
   await write({ active: false });
   expect(await legendText(viewer)).toContain('lamp (not active)');
@@ -106,25 +99,18 @@ test('follows lights that are renamed, switched off, added and removed', async (
   expect(await legendText(viewer)).toContain('no light has the name lamp');
   await write({ name: 'lamp' });
   expect(await legendText(viewer)).toContain('lamp');
-  await viewer.evaluate((element: PhongViewer) => {
-    element.querySelector('#lamp')!.remove();
-    return element.ready;
-  });
+  await lamp.evaluate((light) => light.remove());
+  await settled(viewer);
   expect(await legendText(viewer)).toContain('no light has the name lamp');
   // Without a name it is the first active light.
-  await assign(viewer, { viewLight: null });
-  await settled(viewer);
+  await set(viewer, { viewLight: null });
   expect(await legendText(viewer)).toContain('sun');
-  await viewer.evaluate((element: PhongViewer) => {
-    for (const one of element.lights) one.active = false;
-    return element.ready;
-  });
+  await viewer.evaluate((element: PhongViewer) => element.lights.forEach((one) => (one.active = false)));
+  await settled(viewer);
   expect(await legendText(viewer)).toContain('no light is active');
   expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
-  await viewer.evaluate((element: PhongViewer) => {
-    element.replaceChildren();
-    return element.ready;
-  });
+  await viewer.evaluate((element) => element.replaceChildren());
+  await settled(viewer);
   expect(await legendText(viewer)).toContain('head-light');
 });
 
@@ -133,8 +119,7 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
   const rounds: number[] = [];
   for (let round = 0; round < 3; round++) {
     for (const view of VIEWS) {
-      await assign(viewer, { view });
-      await settled(viewer);
+      await set(viewer, { view });
       await nextFrame(page);
     }
     rounds.push(await viewer.evaluate((element: PhongViewer) => element.stats.programs));
@@ -144,42 +129,34 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
   expect(rounds).toEqual([rounds[0], rounds[0], rounds[0]]);
 });
 
-test('the legend can be styled and hidden, speaks the page’s language, and stays inside small viewers', async ({
-  page,
-  mount,
-}) => {
+test('the legend can be styled and hidden, and stays inside small viewers', async ({ page, mount }) => {
   const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), {
     ...SIZE,
     css: 'phong-viewer::part(legend) { border-width: 3px } .quiet::part(legend) { display: none }',
   });
   await expect(legendOf(viewer)).toHaveCSS('border-top-width', '3px');
-  await viewer.evaluate(
-    (element: PhongViewer) => (element.texts = { Legend: 'Legende', 'N · L': 'N mal L' }),
-  );
-  await expect(legendOf(viewer)).toContainText('N mal L');
-  await expect(legendOf(viewer)).toHaveAttribute('aria-label', 'Legende');
-  const inside = async (): Promise<boolean> => {
-    const [inner, outer] = [await legendOf(viewer).boundingBox(), await viewer.boundingBox()];
+  const isInside = async (): Promise<boolean> => {
+    const [inner, outer] = [(await legendOf(viewer).boundingBox())!, (await viewer.boundingBox())!];
     return (
-      inner !== null &&
-      outer !== null &&
       inner.x >= outer.x &&
       inner.y >= outer.y &&
       inner.x + inner.width <= outer.x + outer.width &&
       inner.y + inner.height <= outer.y + outer.height
     );
   };
-  expect(await inside()).toBe(true);
+  const resize = (width: string, height: string): Promise<unknown> =>
+    viewer.evaluate((element, size) => Object.assign(element.style, size), { width, height });
+  expect(await isInside()).toBe(true);
   await page.evaluate(() => (document.documentElement.dir = 'rtl'));
-  expect(await inside()).toBe(true);
+  expect(await isInside()).toBe(true);
   const box = (await legendOf(viewer).boundingBox())!;
   expect(box.x).toBeGreaterThan((await viewer.boundingBox())!.x + 100);
-  await viewer.evaluate((element) => Object.assign(element.style, { width: '120px', height: '90px' }));
+  await resize('120px', '90px');
   await expect(legendOf(viewer)).toBeVisible();
-  expect(await inside()).toBe(true);
-  await viewer.evaluate((element) => Object.assign(element.style, { width: '60px', height: '40px' }));
+  expect(await isInside()).toBe(true);
+  await resize('60px', '40px');
   await expect(legendOf(viewer)).toBeHidden();
-  await viewer.evaluate((element) => Object.assign(element.style, { width: '', height: '' }));
+  await resize('', '');
   await expect(legendOf(viewer)).toBeVisible();
   await viewer.evaluate((element) => element.classList.add('quiet'));
   await expect(legendOf(viewer)).toBeHidden();
@@ -188,33 +165,28 @@ test('the legend can be styled and hidden, speaks the page’s language, and sta
 test('is restored after the element was removed, and after its context was lost', async ({ page, mount }) => {
   const viewer = await mount(scene('view="triangles"'), SIZE);
   const before = await pixels(viewer);
-  await viewer.evaluate((element: PhongViewer) => {
-    const parent = element.parentNode!;
-    element.remove();
-    return new Promise((resolve) => setTimeout(resolve)).then(() => {
-      parent.append(element);
-      return element.ready;
-    });
-  });
+  /** Takes the viewer off the page, for a task or within one, and back with this view. */
+  const comeBack = (view: PhongViewer['view'], pause: boolean): Promise<unknown> =>
+    viewer.evaluate(
+      async (element: PhongViewer, [next, waits]) => {
+        const parent = element.parentNode!;
+        element.remove();
+        if (waits) await new Promise((resolve) => setTimeout(resolve));
+        element.view = next;
+        parent.append(element);
+        await element.ready;
+      },
+      [view, pause] as const,
+    );
+  await comeBack('triangles', true);
   await expect(legendOf(viewer)).toHaveCount(1);
   expect(compare(before, await pixels(viewer)).max).toBe(0);
-  await viewer.evaluate((element: PhongViewer) => {
-    const parent = element.parentNode!;
-    element.remove();
-    element.view = 'shaded';
-    parent.append(element);
-    return element.ready;
-  });
+  await comeBack('shaded', false);
   expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
-  await assign(viewer, { view: 'triangles' });
-  await settled(viewer);
-  await viewer.evaluate(async (element: PhongViewer) => {
-    const canvas = element.shadowRoot!.querySelector('canvas')!;
-    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
-    extension.loseContext();
-    await new Promise((resolve) => setTimeout(resolve, 50));
-    extension.restoreContext();
-  });
+  await set(viewer, { view: 'triangles' });
+  const restore = await loseContext(viewer);
+  await page.waitForTimeout(50);
+  await restore();
   await expect.poll(async () => compare(before, await pixels(viewer).catch(() => before)).max).toBe(0);
   await nextFrame(page);
   expect(compare(before, await pixels(viewer)).max).toBe(0);
@@ -236,8 +208,7 @@ test('a name that no light has is black with one warning, and a light that comes
   };
   expect(await legendText(viewer)).toContain('no light has the name lampe');
   for (const view of ['shaded', 'diffuse', 'n-dot-l'] as const) {
-    await assign(viewer, { view });
-    await settled(viewer);
+    await set(viewer, { view });
     expect(await brightest(), view).toBe(0);
   }
   await nextFrame(page);
@@ -257,16 +228,6 @@ test('a name that no light has is black with one warning, and a light that comes
   expect(await brightest()).toBeGreaterThan(100);
 });
 
-test('a screen reader finds the legend with its title, light and numbers', async ({ mount }) => {
-  const viewer = await mount(scene('alt="A ball" view="n-dot-l"'), SIZE);
-  await expect(viewer.getByRole('group', { name: 'Legend' })).toMatchAriaSnapshot(`
-    - group "Legend":
-      - paragraph: N · L
-      - paragraph: sun
-      - text: 0 0.5 1
-  `);
-});
-
 test('the markup keeps the view, and the panel writes and follows it', async ({ mount, consoleGuard }) => {
   const warnings = consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
   const viewer = await mount(scene('gui view="decay" view-light="lamp"'), { width: 900, height: 700 });
@@ -284,12 +245,7 @@ test('the markup keeps the view, and the panel writes and follows it', async ({ 
   for (let step = 0; step < 4; step++) await button(panelOf(viewer), 'undo').click();
   expect(await values()).toEqual(['decay', 'lamp', [], false]);
   await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.name = 'torch'));
-  await expect(choice(folder, 'view light').locator('option')).toHaveText([
-    'all, or the first',
-    'sun',
-    'torch',
-    'light 3',
-    'lamp',
-  ]);
+  const names = ['all, or the first', 'sun', 'torch', 'light 3', 'lamp'];
+  await expect(choice(folder, 'view light').locator('option')).toHaveText(names);
   await expect.poll(() => warnings.length).toBe(1);
 });

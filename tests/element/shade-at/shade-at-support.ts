@@ -20,6 +20,23 @@ export interface Compared {
   readonly steepness: number;
 }
 
+/** Replaces the viewer and waits until this one is ready. */
+export const show = (viewer: Locator, markup: string): Promise<void> =>
+  viewer.evaluate((element: PhongViewer, text) => {
+    element.outerHTML = text;
+    return document.querySelector<PhongViewer>('phong-viewer')!.ready;
+  }, markup);
+
+/**
+ * Whether the pixel can be compared. The rasteriser snaps vertices to sixteenths of a pixel: so near a cone's edge or a
+ * light's horizon the pixel may be on either side, and where colours change faster it may be another one's.
+ */
+export const isClear = ({ edgeMargin, steepness }: Compared): boolean => edgeMargin >= 3e-3 && steepness <= 8;
+
+/** Largest difference of a channel, in codes. */
+export const errorOf = ({ drawn, explained }: Compared): number =>
+  Math.max(...[0, 1, 2].map((channel) => Math.abs(Math.round(explained[channel]!) - drawn[channel]!)));
+
 /**
  * Every `step`-th pixel across and down whose eight neighbours show the same triangle: there the pixel is one fragment,
  * and no mixture of several at an edge.
@@ -41,20 +58,15 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
         if (here === null) continue;
         let inside = true;
         let steepness = 0;
-        for (const [dx, dy] of [
-          [-1, -1],
-          [0, -1],
-          [1, -1],
-          [-1, 0],
-          [1, 0],
-          [-1, 1],
-          [0, 1],
-          [1, 1],
-        ] as const) {
-          const there = await at(column + dx, row + dy);
+        for (let neighbour = 0; neighbour < 9; neighbour++) {
+          if (neighbour === 4) continue; // itself
+          const there = await at(column + (neighbour % 3) - 1, row + Math.floor(neighbour / 3) - 1);
           inside &&= there?.object === here.object && there.triangle === here.triangle;
-          for (const i of [0, 1, 2] as const)
-            steepness = Math.max(steepness, 255 * Math.abs((there?.color[i] ?? 0) - here.color[i]));
+          for (const channel of [0, 1, 2] as const)
+            steepness = Math.max(
+              steepness,
+              255 * Math.abs((there?.color[channel] ?? 0) - here.color[channel]),
+            );
         }
         if (!inside) continue;
         let edgeMargin = Infinity;

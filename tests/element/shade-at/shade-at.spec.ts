@@ -16,21 +16,23 @@ const DECAY = ((HALF + 1) / 2) ** 2;
 const DIFFUSE = 0.2 * (0.4 * HALF + DECAY / 3 + 0.4);
 const OTHER_TERMS = DIFFUSE + 0.4 * (0.5 + DECAY / 3 + 0.2);
 
-/**
- * A floor seen from straight above by an eye 3 over it: its middle is the world's origin, plus `at` along each axis.
- */
-const floor = (lights = '', attributes = '', at = 0): string =>
-  `<phong-viewer theta="0" phi="0" radius="3" target="${at} ${at} ${at}" fov="40" ${attributes}>
-     <phong-mesh name="floor" geometry="plane" position="${at} ${at} ${at}" scale="2" ka="255 204 0" kd="51" ks="102" shininess="2"></phong-mesh>
+/** A floor around the world's origin, seen from straight above by an eye 3 over it. */
+const floor = (lights = '', attributes = ''): string =>
+  `<phong-viewer theta="0" phi="0" radius="3" target="0 0 0" fov="40" ${attributes}>
+     <phong-mesh name="floor" geometry="plane" position="0 0 0" scale="2" ka="255 204 0" kd="51" ks="102" shininess="2"></phong-mesh>
      ${lights}
    </phong-viewer>`;
 
-const LIGHTS = (at = 0): string => `
+const LIGHTS = `
   <phong-light name="sun" position="0 1 1 0" ambient="51" diffuse="102" specular="255"></phong-light>
   <phong-light name="off" active="false"></phong-light>
-  <phong-light position="${at} ${2 + at} ${at} 1" axis="0 -1 1" aperture="60" cutoff="2" attenuation="1 0.5 0.25" ambient="255"></phong-light>
-  <phong-light position="${at} ${2 + at} ${at} 1" axis="0 1 0" aperture="10" ambient="255"></phong-light>
+  <phong-light position="0 2 0 1" axis="0 -1 1" aperture="60" cutoff="2" attenuation="1 0.5 0.25" ambient="255"></phong-light>
+  <phong-light position="0 2 0 1" axis="0 1 0" aperture="10" ambient="255"></phong-light>
   <phong-light space="camera" position="0 0 0 1" diffuse="102" specular="51"></phong-light>`;
+
+/** Within roundings of float64. */
+const close = (x: number): unknown => expect.closeTo(x, 12);
+const grey = (x: number): unknown[] => [x, x, x].map(close);
 
 /** The result of shadeAt, with elements as their names and without three.js's object. */
 const explained = (viewer: Locator, x: number, y: number) =>
@@ -51,7 +53,7 @@ const explained = (viewer: Locator, x: number, y: number) =>
 
 test.describe('shadeAt returns', () => {
   test('every quantity of the equation, worked out by hand', async ({ mount }) => {
-    const viewer = await mount(floor(LIGHTS()), FLOOR);
+    const viewer = await mount(floor(LIGHTS), FLOOR);
     const fragment = (await explained(viewer, MIDDLE, MIDDLE))!;
     const { shares, ...rest } = fragment;
     expect(rest).toEqual({
@@ -62,8 +64,8 @@ test.describe('shadeAt returns', () => {
       object: 'floor',
       triangle: expect.any(Number) as unknown,
       ka: [1, 0.8, 0],
-      kd: [0.2, 0.2, 0.2].map(close),
-      ks: [0.4, 0.4, 0.4].map(close),
+      kd: grey(0.2),
+      ks: grey(0.4),
       shininess: 2,
       baseColor: [1, 1, 1],
       emissive: [0, 0, 0],
@@ -75,7 +77,6 @@ test.describe('shadeAt returns', () => {
       color: [1, 1, close(OTHER_TERMS)],
     });
     const black = [0, 0, 0];
-    const grey = (x: number): unknown[] => [x, x, x].map(close);
     expect(shares).toEqual([
       {
         light: 0,
@@ -147,20 +148,19 @@ test.describe('shadeAt returns', () => {
     expect(shares).toEqual([
       expect.objectContaining({ light: -1, name: 'head-light', d: Infinity, NoL: close(1) }),
     ]);
-    expect(color).toEqual([0.6, 0.6, 0.6].map(close));
+    expect(color).toEqual(grey(0.6));
   });
 
   test('terms that add up to the sum, encoded in linear light, under every shading', async ({ mount }) => {
     for (const shading of ['phong', 'flat', 'gouraud']) {
-      const viewer = await mount(floor(LIGHTS(), `color-interpolation="linear" shading="${shading}"`), FLOOR);
+      const viewer = await mount(floor(LIGHTS, `color-interpolation="linear" shading="${shading}"`), FLOOR);
       const { shares, sum, ka } = (await explained(viewer, 20, 70))!;
       expect(ka).toEqual([1, close(decoded(0.8)), 0]);
       for (const channel of [0, 1, 2]) {
-        const total = shares.reduce(
-          (all, share) =>
-            all + (share ? share.ambient[channel]! + share.diffuse[channel]! + share.specular[channel]! : 0),
-          0,
+        const terms = shares.flatMap((share) =>
+          share ? [share.ambient, share.diffuse, share.specular] : [],
         );
+        const total = terms.reduce((all, term) => all + term[channel]!, 0);
         expect(decoded(sum[channel]!), shading).toBeCloseTo(total, 12);
       }
     }
@@ -174,17 +174,12 @@ test.describe('shadeAt returns', () => {
     const viewer = await mount(floor(lamp, 'shading="gouraud"'), FLOOR);
     const [share] = (await explained(viewer, MIDDLE, MIDDLE))!.shares;
     expect(share).toMatchObject({ NoL: close(1), d: close(1) });
-    expect(share!.diffuse).toEqual([1, 1, 1].map(() => close(0.2 / Math.sqrt(3))));
+    expect(share!.diffuse).toEqual(grey(0.2 / Math.sqrt(3)));
   });
 
   test('the mesh whose surface it is: the nearest child, or the viewer’s own', async ({ mount }) => {
-    const viewer = await mount(
-      floor(
-        '<phong-mesh name="stone" geometry="sphere" scale="0.5" position="0 0.5 0"></phong-mesh>',
-        'geometry="box"',
-      ),
-      FLOOR,
-    );
+    const stone = '<phong-mesh name="stone" geometry="sphere" scale="0.5" position="0 0.5 0"></phong-mesh>';
+    const viewer = await mount(floor(stone, 'geometry="box"'), FLOOR);
     expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({ mesh: 'stone', object: 'stone' });
     expect(await explained(viewer, 40, 40)).toMatchObject({ mesh: 'viewer', object: 'box' });
     expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'floor' });
@@ -196,25 +191,24 @@ test.describe('shadeAt returns', () => {
   });
 
   test('the fragment at a pixel’s centre, or with `exact` the very point', async ({ mount }) => {
-    const viewer = await mount(floor(LIGHTS()), FLOOR);
-    const places = await viewer.evaluate(async (element: PhongViewer) => {
-      const place = async (x: number, exact?: boolean): Promise<number> =>
-        (await element.shadeAt(x, 50.5, exact === undefined ? {} : { exact }))!.p[0];
-      return [await place(40.9), await place(40.5, true), await place(40.9, true), await place(41.5)];
-    });
-    const [centre, exact, beside, next] = places as [number, number, number, number];
+    const viewer = await mount(floor(LIGHTS), FLOOR);
+    const place = (x: number, options = {}): Promise<number> =>
+      viewer.evaluate(
+        async (element: PhongViewer, given) => (await element.shadeAt(given.x, 50.5, given.options))!.p[0],
+        { x, options },
+      );
+    const [centre, next] = [await place(40.9), await place(41.5)];
+    const [exact, beside] = [await place(40.5, { exact: true }), await place(40.9, { exact: true })];
     expect(exact).toBe(centre);
     expect((beside - centre) / (next - centre)).toBeCloseTo(0.4, 10);
   });
 });
 
-/** Within roundings of float64. */
-const close = (x: number): unknown => expect.closeTo(x, 12);
 const decoded = (x: number): number => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
 test.describe('shadeAt is null', () => {
   test('beside the shape and beside the picture', async ({ mount }) => {
-    const viewer = await mount(floor(LIGHTS()), FLOOR);
+    const viewer = await mount(floor(LIGHTS), FLOOR);
     for (const [x, y] of [
       [1, 50],
       [50, 1],
@@ -229,7 +223,7 @@ test.describe('shadeAt is null', () => {
   });
 
   test('where an own object of the page’s author is nearer', async ({ mount }) => {
-    const viewer = await mount(floor(LIGHTS()), FLOOR);
+    const viewer = await mount(floor(LIGHTS), FLOOR);
     const found = await viewer.evaluate(async (element: PhongViewer) => {
       const own = element.scene.getObjectByProperty('isMesh', true)!.clone();
       own.matrixAutoUpdate = true;
@@ -249,7 +243,7 @@ test.describe('shadeAt is null', () => {
 test('explains the scene at the time of the call, including earlier writes and no later ones', async ({
   mount,
 }) => {
-  const viewer = await mount(floor(LIGHTS()), FLOOR);
+  const viewer = await mount(floor(LIGHTS), FLOOR);
   const [pending, earlier, appended] = await viewer.evaluate(async (element: PhongViewer) => {
     const mesh = element.meshes[0]!;
     mesh.shininess = 7;
@@ -268,7 +262,7 @@ test('explains the scene at the time of the call, including earlier writes and n
 });
 
 test('works before the first frame and off screen, and is null outside the page', async ({ page, mount }) => {
-  const viewer = await mount(floor(LIGHTS()), FLOOR);
+  const viewer = await mount(floor(LIGHTS), FLOOR);
   const before = await explained(viewer, 30, 40);
   const early = await viewer.evaluate(async (element: PhongViewer) => {
     const copy = element.cloneNode(true) as PhongViewer;

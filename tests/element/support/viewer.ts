@@ -79,6 +79,23 @@ export async function nextFrame(page: Page): Promise<void> {
 export const settled = (viewer: Locator): Promise<void> =>
   viewer.evaluate((element: PhongViewer) => element.ready);
 
+/** Assigns the viewer's properties in one task, and waits for its `ready`. */
+export async function set(viewer: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
+  await assign(viewer, values);
+  await settled(viewer);
+}
+
+/** Loses the WebGL context of a viewer that is alone on its page. Returns what restores it. */
+export async function loseContext(viewer: Locator): Promise<() => Promise<void>> {
+  const loss = await viewer.evaluateHandle((element) => {
+    const context = element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!;
+    const extension = context.getExtension('WEBGL_lose_context')!;
+    extension.loseContext();
+    return extension;
+  });
+  return () => loss.evaluate((extension) => extension.restoreContext());
+}
+
 /** Moves the pointer off the viewers. A headless shell moves it to the corner of each page that has loaded. */
 export const pointerAway = (page: Page): Promise<void> => page.mouse.move(900, 650);
 
