@@ -1,5 +1,6 @@
 // Lays out the viewers of a <phong-compare>: each in a pane of its own, clipped by the dividers on both sides of it, or
 // beside the others.
+import { sameValue } from '../../fields/field-store.js';
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
 import type { CompareValues } from '../fields/compare-fields.js';
@@ -8,14 +9,14 @@ import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf, placed } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
 import panelColumn from '../page/panel-column.css?inline';
-import { CORNER_STYLES, CORNER_MARKS, PictureCorners } from '../page/picture-box.js';
+import { CORNER_STYLES, CORNER_MARKS, pictureBox } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
 import { AWAITED, OPEN_PANEL, WIDE_PANEL } from '../viewer/viewer-panel.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './divider-positions.js';
-import { SharedTouch } from './shared-touch.js';
+import { shareTouch } from './shared-touch.js';
 
 /** The text over a viewer; `isName`: the viewer itself has it as its name. */
 interface Label {
@@ -55,7 +56,7 @@ export class Comparison implements DividerHost, ReactiveController {
     // The direction of the text may have changed, which no event reports.
     for (const type of ['pointerover', 'focusin'] as const)
       root.addEventListener(type, () => this.#element.requestUpdate(), { signal });
-    new SharedTouch(root, signal);
+    shareTouch(root, signal);
   }
 
   hostDisconnected(): void {
@@ -67,8 +68,7 @@ export class Comparison implements DividerHost, ReactiveController {
   /** The panes are there: assigns the viewers to them, unless they have them already. */
   hostUpdated(): void {
     const { viewers } = this.#element;
-    if (viewers.length === this.#viewers.length && viewers.every((viewer, i) => viewer === this.#viewers[i]))
-      return;
+    if (sameValue(viewers, this.#viewers)) return;
     this.#viewers = viewers;
     const slots = this.#element.shadowRoot!.querySelectorAll<HTMLSlotElement>('.pane > slot');
     viewers.forEach((viewer, i) => slots[i]?.assign(viewer));
@@ -77,7 +77,7 @@ export class Comparison implements DividerHost, ReactiveController {
   }
 
   measure(): PictureBox {
-    return new PictureCorners(this.#element.shadowRoot!.querySelector('.box')!).box;
+    return pictureBox(this.#element.shadowRoot!.querySelector('.box')!);
   }
 
   get vertical(): boolean {
@@ -97,7 +97,7 @@ export class Comparison implements DividerHost, ReactiveController {
   move(divider: Divider, place: number): void {
     const places = this.#places;
     const at = withMoved(places, this.#dividers.indexOf(divider), place);
-    if (at.every((each, i) => each === places[i])) return;
+    if (sameValue(at, places)) return;
     fieldsOf(this.#element).set('at', at);
     const detail = { at: Object.freeze([...at]) };
     this.#element.dispatchEvent(new CustomEvent('divider-change', { detail }));
@@ -136,8 +136,8 @@ export class Comparison implements DividerHost, ReactiveController {
   }
 
   /**
-   * `range`: what the dividers leave of the pane, in percent; null for all, beside the others. `panel`: the place of the
-   * viewer's open panel among `panels`; -1 while it is not open.
+   * `range`: what the dividers leave of the pane, in percent; null for all, beside the others. `panel`: the place of
+   * the viewer's open panel among `panels`; -1 while it is not open.
    */
   #paneTemplate(
     index: number,

@@ -2,7 +2,7 @@
 // of the box, along its own axes.
 import { html, type TemplateResult } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
-import { keepDrag } from '../../camera/kept-drag.js';
+import { followDrag } from '../page/followed-drag.js';
 import { dividerStep } from './divider-positions.js';
 
 export interface DividerHost {
@@ -19,20 +19,10 @@ export interface DividerHost {
   reset(): void;
 }
 
-/** From where a drag is measured: client coordinates, percent. */
-interface Press {
-  readonly pointerId: number;
-  readonly x: number;
-  readonly y: number;
-  readonly place: number;
-  readonly release: (moved: boolean) => void;
-}
-
 export class Divider {
   readonly #host: DividerHost;
-  /** What was pressed, and is moved. */
-  #handle: HTMLElement | null = null;
-  #press: Press | null = null;
+  /** A drag in progress, and the place where it began, percent. */
+  #drag: { readonly from: number; readonly end: () => void } | null = null;
 
   constructor(host: DividerHost) {
     this.#host = host;
@@ -58,10 +48,6 @@ export class Divider {
         aria-controls=${panes}
         .style=${at}
         @pointerdown=${this.#onPress}
-        @pointermove=${this.#onMove}
-        @pointerup=${this.#onLift}
-        @pointercancel=${this.#onLift}
-        @lostpointercapture=${this.#onLift}
         @keydown=${this.#onKey}
         @dblclick=${this.#onDoubleClick}
       ></div>
@@ -69,46 +55,19 @@ export class Divider {
   }
 
   readonly #onPress = (event: PointerEvent): void => {
-    const { button, pointerId, clientX: x, clientY: y } = event;
-    if (button !== 0 || this.#press !== null) return;
-    const handle = (this.#handle = event.currentTarget as HTMLElement);
-    // The button may be released in another window, which no event reports.
-    const view = handle.ownerDocument.defaultView;
-    view?.addEventListener('blur', this.#end);
-    this.#press = { pointerId, x, y, place: this.#host.placeOf(this).place, release: keepDrag(view) };
+    if (event.button !== 0 || this.#drag !== null) return;
+    const handle = event.currentTarget as HTMLElement;
+    const { place: from } = this.#host.placeOf(this);
+    // Without slop: a press on a divider is never a click for the page.
+    const end = followDrag(handle, event, 0, {
+      moved: (dx, dy) => {
+        const travel = this.#travel(dx, dy);
+        if (travel !== null) this.#host.move(this, from + travel);
+      },
+      ended: () => (this.#drag = null),
+    });
+    this.#drag = { from, end };
     handle.focus({ preventScroll: true });
-    try {
-      handle.setPointerCapture(pointerId);
-    } catch {
-      // The pointer was made by a script: moves over the handle still count.
-    }
-  };
-
-  readonly #onMove = ({ pointerId, clientX, clientY, buttons }: PointerEvent): void => {
-    const press = this.#press;
-    if (pointerId !== press?.pointerId) return;
-    // The button was released without an event, over another window or under a menu.
-    if ((buttons & 1) === 0) this.#end();
-    else {
-      const travel = this.#travel(clientX - press.x, clientY - press.y);
-      if (travel !== null) this.#host.move(this, press.place + travel);
-    }
-  };
-
-  readonly #onLift = ({ pointerId }: PointerEvent): void => {
-    if (pointerId === this.#press?.pointerId) this.#end();
-  };
-
-  /** Ends a drag. */
-  readonly #end = (): void => {
-    const handle = this.#handle;
-    const press = this.#press;
-    const id = press?.pointerId;
-    // A press on a divider is never a click for the page.
-    press?.release(true);
-    this.#press = null;
-    handle?.ownerDocument.defaultView?.removeEventListener('blur', this.#end);
-    if (id !== undefined && handle?.hasPointerCapture(id) === true) handle.releasePointerCapture(id);
   };
 
   readonly #onDoubleClick = (): void => this.#host.reset();
@@ -132,10 +91,10 @@ export class Divider {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = dividerStep(event, this.#host.vertical, this.#host.isRtl());
     const { place, range } = this.#host.placeOf(this);
-    if (event.key === 'Escape' && this.#press !== null) {
-      const { place: start } = this.#press;
-      this.#end();
-      this.#host.move(this, start);
+    if (event.key === 'Escape' && this.#drag !== null) {
+      const { from, end } = this.#drag;
+      end();
+      this.#host.move(this, from);
     } else if (step === 'min') this.#host.move(this, range[0]);
     else if (step === 'max') this.#host.move(this, range[1]);
     else if (step !== undefined) this.#host.move(this, place + step);

@@ -2,50 +2,40 @@
 // pinch across a divider zooms. Otherwise each finger would turn the linked cameras on its own.
 import type { PhongViewer } from '../elements.js';
 
-export class SharedTouch {
+/** Listens to everything in `root`, the comparison's shadow root. */
+export function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
+  const early = { signal, capture: true, passive: false };
   /** Fingers on pictures, by pointer. */
-  readonly #fingers = new Set<number>();
+  const fingers = new Set<number>();
   /** The picture under the first finger. */
-  #surface: Element | null = null;
+  let first: Element | null = null;
   /** A finger on another picture has joined. */
-  #joined = false;
-
-  /** Listens to everything in `root`, the comparison's shadow root. */
-  constructor(root: ShadowRoot, signal: AbortSignal) {
-    const early = { signal, capture: true, passive: false };
-    root.addEventListener('pointerdown', (event) => this.#onPress(event as PointerEvent), early);
-    for (const type of ['pointerup', 'pointercancel'] as const)
-      root.addEventListener(type, (event) => this.#onLift(event as PointerEvent), early);
-    // The pictures prevent scrolling by two fingers themselves, but count only their own.
-    for (const type of ['touchstart', 'touchmove'] as const)
-      root.addEventListener(
-        type,
-        (event) => {
-          if (this.#joined && event.cancelable) event.preventDefault();
-        },
-        early,
-      );
-  }
-
-  #onPress(event: PointerEvent): void {
+  let joined = false;
+  const press = (event: PointerEvent): void => {
     // The event that is dispatched below comes by here, too.
     if (event.pointerType !== 'touch' || !event.isTrusted) return;
     const surface = linkedSurface(event);
     if (surface === null) return;
-    if (this.#surface?.isConnected !== true) this.#fingers.clear();
-    if (this.#fingers.size === 0) this.#surface = surface;
-    this.#fingers.add(event.pointerId);
-    if (surface === this.#surface) return;
-    this.#joined = true;
+    if (first?.isConnected !== true) fingers.clear();
+    if (fingers.size === 0) first = surface;
+    fingers.add(event.pointerId);
+    if (surface === first) return;
+    joined = true;
     event.stopPropagation();
     // It captures the pointer, whose later events then come to it by themselves.
-    this.#surface?.dispatchEvent(new PointerEvent('pointerdown', event));
-  }
-
-  #onLift({ pointerId }: PointerEvent): void {
-    this.#fingers.delete(pointerId);
-    if (this.#fingers.size === 0) this.#joined = false;
-  }
+    first?.dispatchEvent(new PointerEvent('pointerdown', event));
+  };
+  const lift = (event: Event): void => {
+    fingers.delete((event as PointerEvent).pointerId);
+    if (fingers.size === 0) joined = false;
+  };
+  // The pictures prevent scrolling by two fingers themselves, but count only their own.
+  const keep = (event: Event): void => {
+    if (joined && event.cancelable) event.preventDefault();
+  };
+  root.addEventListener('pointerdown', (event) => press(event as PointerEvent), early);
+  for (const type of ['pointerup', 'pointercancel']) root.addEventListener(type, lift, early);
+  for (const type of ['touchstart', 'touchmove']) root.addEventListener(type, keep, early);
 }
 
 /** The picture that was pressed, of a viewer whose camera is linked to those of the comparison. */

@@ -13,27 +13,17 @@ export const CORNER_MARKS = html`<i class="corner"></i><i class="corner right"><
 
 export const CORNER_STYLES = styles;
 
-export class PictureCorners {
-  readonly #surface: HTMLElement;
-  readonly #corners: readonly Element[];
-
-  /** `surface` contains {@link CORNER_MARKS}. */
-  constructor(surface: HTMLElement) {
-    this.#surface = surface;
-    this.#corners = [...surface.querySelectorAll(':scope > .corner')];
-  }
-
-  /**
-   * As it is now. Under a perspective, where pixels differ in size, the top and left edges count. No axes while it is
-   * hidden.
-   */
-  get box(): PictureBox {
-    const { clientWidth: width, clientHeight: height } = this.#surface;
-    const [start, right, down] = this.#corners.map((corner) => corner.getBoundingClientRect());
-    if (start === undefined || right === undefined || down === undefined || width === 0 || height === 0)
-      return { width, height };
-    const rightward = [(right.left - start.left) / width, (right.top - start.top) / width] as const;
-    const downward = [(down.left - start.left) / height, (down.top - start.top) / height] as const;
-    return { width, height, axes: [...rightward, ...downward] };
-  }
+/**
+ * The box of a surface that contains {@link CORNER_MARKS}, as it is now. Under a perspective, where pixels differ in
+ * size, the top and left edges count. No axes while it is hidden.
+ */
+export function pictureBox(surface: HTMLElement): PictureBox {
+  const { clientWidth: width, clientHeight: height } = surface;
+  const corners = [...surface.querySelectorAll(':scope > .corner')];
+  const [start, right, down] = corners.map((corner) => corner.getBoundingClientRect());
+  if (start === undefined || right === undefined || down === undefined || width === 0 || height === 0)
+    return { width, height };
+  const rightward = [(right.left - start.left) / width, (right.top - start.top) / width] as const;
+  const downward = [(down.left - start.left) / height, (down.top - start.top) / height] as const;
+  return { width, height, axes: [...rightward, ...downward] };
 }

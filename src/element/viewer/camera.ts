@@ -8,7 +8,7 @@ import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Framing } from '../../scene/auto-fit.js';
 import type { CameraSource, CameraState } from '../elements.js';
-import { PictureCorners } from '../page/picture-box.js';
+import { pictureBox } from '../page/picture-box.js';
 import type { CameraValues } from '../fields/viewer-fields.js';
 import type { ViewerContext } from './viewer-context.js';
 
@@ -108,7 +108,7 @@ export class ViewerCamera implements ReactiveController {
       const { picture } = this.#context;
       picture.orbit.set(pose);
       if (framing !== picture.fit.framing) picture.fit.framing = framing;
-      this.#fit();
+      this.#context.picture.fit.settle();
     };
     this.#move(source, write, linked);
   }
@@ -132,7 +132,7 @@ export class ViewerCamera implements ReactiveController {
         const kept = picture.fit.framing ?? orbit.pose;
         picture.fit.framing =
           key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
-        this.#fit();
+        this.#context.picture.fit.settle();
       }
     });
   }
@@ -144,7 +144,7 @@ export class ViewerCamera implements ReactiveController {
     this.#move(source, () => {
       picture.orbit.set({ theta, phi });
       picture.fit.framing = { radius, target };
-      this.#fit();
+      this.#context.picture.fit.settle();
     });
   }
 
@@ -197,12 +197,6 @@ export class ViewerCamera implements ReactiveController {
     if (this.moving) this.#context.viewport.animate();
   };
 
-  /** Fits at once. Unlike the viewport's own `settle` it reports no move: the caller does. */
-  #fit(): void {
-    const { picture } = this.#context;
-    picture.fit.settle();
-  }
-
   /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
   #move(source: CameraSource, write: () => void, linked = false): void {
     const { picture } = this.#context;
@@ -225,10 +219,9 @@ export class ViewerCamera implements ReactiveController {
 
   #inputHost(surface: HTMLElement): OrbitInputHost {
     const { picture, values } = this.#context;
-    const corners = new PictureCorners(surface);
     return {
       orbit: picture.orbit,
-      size: () => corners.box,
+      size: () => pictureBox(surface),
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
       fov: () => picture.fit.fov,
