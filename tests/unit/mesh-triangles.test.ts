@@ -3,7 +3,6 @@ import { type BufferGeometry, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import type { MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import type { SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
-import { Budget } from '../../src/model/budget.js';
 import { meshHost, meshOf } from './scene-host.js';
 
 /** A sphere of 64 segments, and its flat copy. */
@@ -11,14 +10,13 @@ const SMOOTH = 3968;
 const FLAT = 13_605;
 
 function setUp(limit: number) {
-  const budget = new Budget();
-  budget.limit = limit;
   const failed = new Map<SceneMesh, string>();
   const host = meshHost({
-    budget,
     ended: (mesh, _, error) => error !== null && failed.set(mesh, (error as { code: string }).code),
     dropped: (mesh) => failed.delete(mesh),
   });
+  const { budget } = host.picture;
+  budget.limit = limit;
   const scene = new Scene();
   const add = (segments: number, shading: MeshValues['shading']) => {
     const made = meshOf(host, scene, { geometry: 'sphere', segments, shading });

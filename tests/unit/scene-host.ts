@@ -12,14 +12,14 @@ const quiet = (): void => undefined;
 
 /** A host that reports nothing but to `own`. */
 export const meshHost = (own: Partial<MeshHost> = {}): MeshHost => ({
-  ...{
+  picture: {
     materials: new SharedMaterials(new PhongLighting()),
     animations: new Animations(),
     budget: new Budget(),
+    ...{ invalidate: quiet, reshaped: quiet, fit: { moved: quiet } },
   },
   ...{ crossOrigin: null, mayLoad: true, shown: () => false },
-  ...{ changed: quiet, reshaped: quiet, moved: quiet, began: quiet, progress: quiet },
-  ...{ ended: quiet, dropped: quiet, removed: quiet },
+  ...{ began: quiet, progress: quiet, ended: quiet, dropped: quiet, removed: quiet },
   ...own,
 });
 

@@ -31,18 +31,18 @@ it.each([1, 2])(
     const scene = new Scene();
     const { mesh } = meshOf(host, scene);
     const [first, second] = [content(2), content(2)];
-    mesh.arrived(first, host.budget.claim(mesh), url, true);
+    mesh.arrived(first, host.picture.budget.claim(mesh), url, true);
     expect(ended).toHaveBeenLastCalledWith(mesh, url, null);
     const [shown, ...others] = scene.children;
     expect(others).toEqual([]);
-    const acquire = host.materials.acquire.bind(host.materials);
+    const acquire = host.picture.materials.acquire.bind(host.picture.materials);
     let calls = 0;
-    const release = vi.spyOn(host.materials, 'release');
-    vi.spyOn(host.materials, 'acquire').mockImplementation((appearance) => {
+    const release = vi.spyOn(host.picture.materials, 'release');
+    vi.spyOn(host.picture.materials, 'acquire').mockImplementation((appearance) => {
       if (++calls === nth) throw new RangeError('Array buffer allocation failed');
       return acquire(appearance);
     });
-    mesh.arrived(second, host.budget.claim(mesh), url, true);
+    mesh.arrived(second, host.picture.budget.claim(mesh), url, true);
     expect(ended).toHaveBeenLastCalledWith(mesh, url, expect.any(RangeError));
     expect(scene.children).toEqual([shown]);
     expect(release).toHaveBeenCalledTimes(nth - 1);
@@ -53,7 +53,7 @@ it.each([1, 2])(
 
 it('makes the materials of 2,000 looks before the model arrives, in more than one task', async () => {
   const host = meshHost();
-  const { materials } = host;
+  const { materials } = host.picture;
   const { mesh } = meshOf(host, new Scene());
   let tasks = 0;
   const counting = setInterval(() => (tasks += 1));
@@ -71,7 +71,7 @@ it('makes the materials of 2,000 looks before the model arrives, in more than on
   expect(made).toBe(2000);
   expect(tasks).toBeGreaterThan(2);
   const release = vi.spyOn(materials, 'release');
-  mesh.arrived(model, host.budget.claim(mesh), url, true);
+  mesh.arrived(model, host.picture.budget.claim(mesh), url, true);
   expect(release).toHaveBeenCalledTimes(2000);
   mesh.dispose();
   expect(release).toHaveBeenCalledTimes(4000);

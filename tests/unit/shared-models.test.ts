@@ -54,7 +54,7 @@ function viewerOf() {
     added.add(one.mesh);
     return one;
   };
-  return { budget: host.budget, errors, add };
+  return { budget: host.picture.budget, errors, add };
 }
 
 const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void> =>

@@ -1,16 +1,13 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors.
 import type { ReactiveController } from 'lit';
-import type { Mesh } from 'three';
 import { clipMessage } from '../../fields/clip.js';
-import type { Animations } from '../../scene/mesh/animation.js';
 import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../model/request-file.js';
-import type { Budget } from '../../model/budget.js';
+import type { Picture } from '../../scene/picture.js';
 import { nameOf } from '../../model/file-name.js';
 import { ModelError } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
-import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';
 import type { LoadDetail, ViewerErrorDetail } from '../events.js';
 import type { ViewerErrorCode } from '../fields/text-list.js';
@@ -95,16 +92,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     takeDrops(viewer);
   }
 
-  get materials(): SharedMaterials {
-    return this.#context.picture.materials;
-  }
-
-  get animations(): Animations {
-    return this.#context.picture.animations;
-  }
-
-  get budget(): Budget {
-    return this.#context.picture.budget;
+  get picture(): Picture {
+    return this.#context.picture;
   }
 
   get crossOrigin(): CrossOrigin {
@@ -113,18 +102,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   get mayLoad(): boolean {
     return !this.#suspended && (this.#near || this.#context.values.loading !== 'lazy');
-  }
-
-  changed(): void {
-    this.#context.picture.invalidate();
-  }
-
-  reshaped(): void {
-    this.#context.picture.reshaped();
-  }
-
-  moved(mesh: Mesh): void {
-    this.#context.picture.fit.moved(mesh);
   }
 
   shown(mesh: SceneMesh): boolean {
@@ -215,7 +192,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** Something to show is declared. */
   get wanted(): boolean {
-    for (const mesh of this.#context.picture.meshes) if (mesh.wanted) return true;
+    for (const mesh of this.picture.meshes) if (mesh.wanted) return true;
     return false;
   }
 
@@ -226,7 +203,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** A picture would show nothing, but something is on its way. */
   get #isEmpty(): boolean {
-    const { children, background } = this.#context.picture.scene;
+    const { children, background } = this.picture.scene;
     return this.pending && children.length === 0 && background === null;
   }
 
@@ -296,7 +273,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   #meshes(): SceneMesh[] {
-    return [...this.#context.picture.meshes];
+    return [...this.picture.meshes];
   }
 }
 

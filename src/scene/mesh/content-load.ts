@@ -33,7 +33,7 @@ export interface ContentOwner {
 /** Follows the loads of all owners. */
 export interface LoadHost<Owner> {
   readonly crossOrigin: CrossOrigin;
-  readonly budget: Budget;
+  readonly picture: { readonly budget: Budget };
   /**
    * Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was
    * removed.
@@ -80,7 +80,7 @@ export class ContentLoad<Owner extends ContentOwner> {
     if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
     this.drop();
     this.#request = key;
-    const claim = this.#host.budget.claim(this.#owner);
+    const claim = this.#host.picture.budget.claim(this.#owner);
     if (src !== '') {
       const url = addressOf(src);
       this.#await(url, claim, (signal) => this.#loadModel(url, { src, type }, claim, signal));

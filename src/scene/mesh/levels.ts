@@ -1,6 +1,6 @@
 // Gives the round shapes of a picture as many segments as its pixels show, and flat ones more where they are large for
-// the eye's distance. The choice follows from camera, transforms and size alone: the same scene at the same size has the
-// same triangles.
+// the eye's distance. The choice follows from camera, transforms and size alone: the same scene at the same size has
+// the same triangles.
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Frame } from '../frame.js';
@@ -57,8 +57,8 @@ export class Levels {
   }
 
   /**
-   * Chooses for a picture of so many device pixels, and builds and shows what is chosen. With more than one sample it is
-   * one of a still picture's. World matrices must be up to date.
+   * Chooses for a picture of so many device pixels, and builds and shows what is chosen. With more than one sample it
+   * is one of a still picture's. World matrices must be up to date.
    */
   choose({ view, height, samples }: Pick<Frame, 'view' | 'height' | 'samples'>): void {
     const isFixed = this.shared?.isFixed ?? false;
@@ -75,7 +75,9 @@ export class Levels {
     }
   }
 
-  /** `count`: of round shapes. Finer levels than the coarsest one, which the mesh has claimed, take what room is left. */
+  /**
+   * `count`: of round shapes. Finer levels than the coarsest one, which the mesh has claimed, take what room is left.
+   */
   #levelOf(
     { parts, level }: SceneMesh,
     name: GeometryName,
@@ -105,9 +107,9 @@ const LARGE_SEGMENTS = 64;
 
 /**
  * A flat shape is large if its longest side is more than this many times the eye's distance from its box. Rasterisers
- * interpolate positions over a triangle with errors that grow with the triangle. In SwiftShader, under near lamps, 17 of
- * 68,805 channels are off by more than one code at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up to 134
- * and 19 codes, at 1,000 34 % are off and 0.01 %.
+ * interpolate positions over a triangle with errors that grow with the triangle. In SwiftShader, under near lamps, 17
+ * of 68,805 channels are off by more than one code at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up
+ * to 134 and 19 codes, at 1,000 34 % are off and 0.01 %.
  */
 const LARGE = 8;
 
@@ -246,8 +248,8 @@ export function segmentsIn(
 }
 
 /**
- * The nearest outline that counts, in radii of the bounding sphere. An eye so close sees faces, most outlines are farther
- * away, and slivers narrower than a pixel are shaded worse than wider triangles.
+ * The nearest outline that counts, in radii of the bounding sphere. An eye so close sees faces, most outlines are
+ * farther away, and slivers narrower than a pixel are shaded worse than wider triangles.
  */
 const NEAREST = 1 / 8;
 

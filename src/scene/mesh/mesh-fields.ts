@@ -38,14 +38,15 @@ export interface ShapeValues extends SurfaceValues {
   type: ModelType | null;
   /**
    * A built-in shape, centred on the origin: `box` (1 × 1 × 1), `sphere` (⌀ 1), `cylinder`, `cone` and `pyramid` (⌀ 1,
-   * height 1), `torus` (outer ⌀ 1), `torus-knot` and `teapot` (in a unit box), `plane` (1 × 1, facing +y). Null for none.
+   * height 1), `torus` (outer ⌀ 1), `torus-knot` and `teapot` (in a unit box), `plane` (1 × 1, facing +y). Null for
+   * none.
    */
   geometry: GeometryName | null;
   /**
-   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's outline (1/4 of a device
-   * pixel) and the shading of its faces (one code) need, within what its pixels allow; shapes with flat faces have 1, or
-   * 64 where they are large for the eye's distance. Under other shading the shape's own number. Framing and zoom always
-   * measure the round shape. Default auto.
+   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's outline (1/4 of a
+   * device pixel) and the shading of its faces (one code) need, within what its pixels allow; shapes with flat faces
+   * have 1, or 64 where they are large for the eye's distance. Under other shading the shape's own number. Framing and
+   * zoom always measure the round shape. Default auto.
    */
   segments: number | 'auto';
   /**

@@ -258,9 +258,8 @@ function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
 const smooth = new WeakMap<BaseLook, BaseLook>();
 
 /**
- * Gives a part the material for how it looks now. False if that is as before, unless `restyled`.
- * Throws if there is no memory for it: the part keeps the material that it has, and is not tried again for the same
- * values.
+ * Gives a part the material for how it looks now. False if that is as before, unless `restyled`. Throws if there is no
+ * memory for it: the part keeps the material that it has, and is not tried again for the same values.
  */
 export function dress(
   part: Part,
@@ -277,5 +276,6 @@ export function dress(
   return true;
 }
 
+/** By identity: defaults are the same objects in all meshes. */
 const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
   a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;

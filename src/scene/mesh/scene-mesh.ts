@@ -10,10 +10,11 @@ import type { MeshState } from './mesh-fields.js';
 import type { ShownContent } from './parts.js';
 import { FIXED } from './shapes/shared-shapes.js';
 import { effectiveSegments } from './shapes/shapes.js';
-import { type ShownHost, ShownMesh } from './shown-mesh.js';
+import { type MeshPicture, ShownMesh } from './shown-mesh.js';
 
-/** The picture that shows a mesh. */
-export interface MeshHost extends LoadHost<SceneMesh>, ShownHost {
+/** The viewer of a mesh. */
+export interface MeshHost extends LoadHost<SceneMesh> {
+  readonly picture: MeshPicture;
   /**
    * The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content
    * before is kept.
@@ -33,7 +34,7 @@ export class SceneMesh extends ShownMesh implements ContentOwner {
   readonly #held: PhongMaterial[] = [];
 
   constructor(state: MeshState, host: MeshHost) {
-    super(state, host);
+    super(state, host.picture);
     this.#host = host;
     this.#load = new ContentLoad<SceneMesh>(this, host);
   }
@@ -56,13 +57,13 @@ export class SceneMesh extends ShownMesh implements ContentOwner {
     await slices.pause(); // the last task of the reader
     await slices.map(parts, (part) => {
       const appearance = this.appearanceOf(part, { shading, reflection });
-      this.#held.push(this.#host.materials.acquire(appearance));
+      this.#held.push(this.#host.picture.materials.acquire(appearance));
     });
     await slices.pause();
   }
 
   #letGo(): void {
-    for (const material of this.#held.splice(0)) this.#host.materials.release(material);
+    for (const material of this.#held.splice(0)) this.#host.picture.materials.release(material);
   }
 
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {

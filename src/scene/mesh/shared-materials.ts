@@ -29,8 +29,6 @@ export class SharedMaterials {
   readonly #byKey = new Map<string, Shared>();
   readonly #byMaterial = new Map<PhongMaterial, Shared>();
   readonly #unused = new Set<Shared>();
-  /** Acquired last: most meshes of a page look like the one before them. */
-  #last: Shared | null = null;
   #style: ShadingStyle = DEFAULT_STYLE;
 
   constructor(lighting: PhongLighting) {
@@ -55,9 +53,8 @@ export class SharedMaterials {
 
   /** A material for one more user, who gives it back by {@link release}. */
   acquire(appearance: Appearance): PhongMaterial {
-    const last = this.#last;
-    const shared = last !== null && isSame(last.appearance, appearance) ? last : this.#find(appearance);
-    this.#last = shared;
+    const key = keyOf(appearance);
+    const shared = this.#byKey.get(key) ?? this.#create(appearance, key);
     shared.users += 1;
     this.#unused.delete(shared);
     return shared.material;
@@ -97,18 +94,12 @@ export class SharedMaterials {
   /** After a drawing: frees the materials without users. */
   sweep(): void {
     if (this.#unused.size === 0) return;
-    this.#last = null;
     for (const { key, material } of this.#unused) {
       this.#byKey.delete(key);
       this.#byMaterial.delete(material);
       material.dispose();
     }
     this.#unused.clear();
-  }
-
-  #find(appearance: Appearance): Shared {
-    const key = keyOf(appearance);
-    return this.#byKey.get(key) ?? this.#create(appearance, key);
   }
 
   #create(appearance: Appearance, key: string): Shared {
@@ -132,17 +123,6 @@ export class SharedMaterials {
     return { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
   }
 }
-
-/** By identity: defaults are the same objects in all meshes. */
-const isSame = (a: Appearance, b: Appearance): boolean =>
-  a.look === b.look &&
-  a.sides === b.sides &&
-  a.shading === b.shading &&
-  a.reflection === b.reflection &&
-  a.surface.ka === b.surface.ka &&
-  a.surface.kd === b.surface.kd &&
-  a.surface.ks === b.surface.ks &&
-  a.surface.shininess === b.surface.shininess;
 
 function keyOf({ look, sides, surface, shading, reflection }: Appearance): string {
   const { ka, kd, ks, shininess } = surface;

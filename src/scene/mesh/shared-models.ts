@@ -1,5 +1,5 @@
-// The models that meshes show now. Equal sources are one download and one content for the whole page, as built-in shapes
-// are; users are counted. A model that moves gets matrices and moving vertices of its own for each mesh.
+// The models that meshes show now. Equal sources are one download and one content for the whole page, as built-in
+// shapes are; users are counted. A model that moves gets matrices and moving vertices of its own for each mesh.
 import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
 import type { LoadOptions } from '../../model/model-content.js';
 import type { Content } from '../../model/model.js';
@@ -89,7 +89,6 @@ class SharedModel {
         },
       };
     } catch (error) {
-      this.#waiting.delete(user);
       this.#release();
       throw error;
     } finally {

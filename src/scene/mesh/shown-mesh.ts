@@ -1,7 +1,7 @@
 // What shows a mesh in the scene: its content, with level of detail, pose, place and style.
 import type { Mesh, Object3D } from 'three';
 import type { ShadingStyle } from '../../material/material-values.js';
-import type { Claim, Need } from '../../model/budget.js';
+import type { Budget, Claim, Need } from '../../model/budget.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import type { Content, ContentPart } from '../../model/model.js';
 import { type Animated, type Animations, MeshAnimation } from './animation.js';
@@ -26,22 +26,25 @@ import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js
 import type { GeometryName, LoadedShape } from './shapes/shapes.js';
 
 /** The picture that it is in. */
-export interface ShownHost {
+export interface MeshPicture {
   readonly materials: SharedMaterials;
   readonly animations: Animations;
+  readonly budget: Budget;
   /** The mesh looks different: draw again. */
-  changed(): void;
+  invalidate(): void;
   /** The mesh's geometry or place is different: measure again. */
   reshaped(): void;
-  /** The mesh, which is this one, was put elsewhere; its world matrix still says where it was. */
-  moved(mesh: Mesh): void;
+  readonly fit: {
+    /** The mesh, which is this one, was put elsewhere; its world matrix still says where it was. */
+    moved(mesh: Mesh): void;
+  };
 }
 
 type Shading = ShadingStyle['shading'];
 
 export abstract class ShownMesh implements Animated {
   readonly #state: MeshState;
-  readonly #host: ShownHost;
+  readonly #picture: MeshPicture;
   #parent: Object3D | null = null;
   #shown = EMPTY;
   /** Shown before the present content, which has not been drawn yet. */
@@ -57,9 +60,9 @@ export abstract class ShownMesh implements Animated {
   #effective: Shading | null = null;
   #reflection: ShadingStyle['reflection'] | null = null;
 
-  constructor(state: MeshState, host: ShownHost) {
+  constructor(state: MeshState, picture: MeshPicture) {
     this.#state = state;
-    this.#host = host;
+    this.#picture = picture;
   }
 
   /** What is shown, from `url`, cannot be as the values say. */
@@ -138,7 +141,7 @@ export abstract class ShownMesh implements Animated {
 
   /** The present content has been drawn. */
   drawn(): void {
-    if (this.#before !== null) freeShown(this.#before, this.#host.materials);
+    if (this.#before !== null) freeShown(this.#before, this.#picture.materials);
     this.#before = null;
   }
 
@@ -165,7 +168,7 @@ export abstract class ShownMesh implements Animated {
     this.#replace(this.#before ?? EMPTY);
     this.#pose();
     this.#before = null;
-    freeShown(failed, this.#host.materials);
+    freeShown(failed, this.#picture.materials);
     this.#effective = null;
     this.settle();
     return failed.url;
@@ -176,7 +179,7 @@ export abstract class ShownMesh implements Animated {
     this.#parent = null;
     const before = this.#shown;
     this.#replace(EMPTY);
-    freeShown(before, this.#host.materials);
+    freeShown(before, this.#picture.materials);
     this.drawn();
   }
 
@@ -192,7 +195,7 @@ export abstract class ShownMesh implements Animated {
     for (const part of this.#shown.parts) {
       const appearance = this.appearanceOf(part.source, { shading, reflection });
       try {
-        if (dress(part, appearance, this.#host.materials, restyled)) exchanged = true;
+        if (dress(part, appearance, this.#picture.materials, restyled)) exchanged = true;
       } catch (error) {
         failure = error;
       }
@@ -200,7 +203,7 @@ export abstract class ShownMesh implements Animated {
     if (failure !== null) this.ended(this.url, failure);
     else if (exchanged && this.#notRestyled) this.dropped();
     if (failure !== null || exchanged) this.#notRestyled = failure !== null;
-    this.#host.changed();
+    this.#picture.invalidate();
   }
 
   /**
@@ -238,7 +241,7 @@ export abstract class ShownMesh implements Animated {
       claim?.add(needs);
       // Before a flat copy is made of a finer level.
       if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, auto, FIXED, false);
-      this.#host.reshaped(); // another level may be needed
+      this.#picture.reshaped(); // another level may be needed
     }
     const { content, parts } = this.#shown;
     setGeometries(parts, geometriesOf(content, flat, needs === null ? claim : null));
@@ -259,11 +262,11 @@ export abstract class ShownMesh implements Animated {
   }
 
   get #ownShading(): Shading {
-    return this.values.shading ?? this.#host.materials.style.shading;
+    return this.values.shading ?? this.#picture.materials.style.shading;
   }
 
   get #wantedShading(): Shading {
-    return this.#host.materials.geometryShading(this.values.shading ?? null);
+    return this.#picture.materials.geometryShading(this.values.shading ?? null);
   }
 
   /** In the style that its values, not the picture, say. */
@@ -278,8 +281,8 @@ export abstract class ShownMesh implements Animated {
     if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
     const { known } = this.#placement;
     if (!this.#placement.put(root, this.values)) return;
-    if (known && part?.mesh === root) this.#host.moved(part.mesh);
-    else this.#host.reshaped();
+    if (known && part?.mesh === root) this.#picture.fit.moved(part.mesh);
+    else this.#picture.reshaped();
   }
 
   /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
@@ -293,7 +296,7 @@ export abstract class ShownMesh implements Animated {
     const auto = isAuto && content.parts[0]?.name === geometry ? (geometry as LoadedShape) : null;
     const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
     const geometries = geometriesOf(content, this.wantsFlat, auto === null ? claim : null);
-    const parts = partsOf(content, geometries, this.#host.materials, (source) =>
+    const parts = partsOf(content, geometries, this.#picture.materials, (source) =>
       this.appearanceOf(source, { shading, reflection }),
     );
     const root = rootOf(parts, motion !== null);
@@ -312,7 +315,7 @@ export abstract class ShownMesh implements Animated {
     if (kept && this.#before === null) {
       this.#before = before;
     } else {
-      freeShown(before, this.#host.materials); // it was never drawn, or nothing goes back to it
+      freeShown(before, this.#picture.materials); // it was never drawn, or nothing goes back to it
       if (!kept) this.drawn();
     }
   }
@@ -322,7 +325,7 @@ export abstract class ShownMesh implements Animated {
     this.#shown = next;
     if (next.root !== null) this.#parent?.add(next.root);
     this.#placement.forget(); // the new root has no place yet
-    if (next.animation === null) this.#host.animations.delete(this);
-    else this.#host.animations.add(this);
+    if (next.animation === null) this.#picture.animations.delete(this);
+    else this.#picture.animations.add(this);
   }
 }

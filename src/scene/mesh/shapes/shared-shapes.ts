@@ -94,7 +94,9 @@ function add(text: string, entry: Shared): void {
   );
 }
 
-/** Ends one use; the last one frees the geometry, that of a level a second later. More releases than uses do nothing. */
+/**
+ * Ends one use; the last one frees the geometry, that of a level a second later. More releases than uses do nothing.
+ */
 export function releaseGeometry(key: ShapeKey): void {
   const text = keyOf(key);
   const entry = shared.get(text);
