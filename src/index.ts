@@ -1,6 +1,6 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>` and
- * `<phong-control>`. Importing it without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>` and `<phong-control>`.
+ * Importing it without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
  */
 // First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';

@@ -47,7 +47,7 @@ export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
 
 /**
  * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`,
- * `onProbeChange` and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but
+ * `onProbeChange`, `onAnswer` and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but
  * `ref.current.loaded` is true.
  */
 export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(

@@ -1,6 +1,6 @@
-// Pointer, wheel and key events on a picture, turned into camera moves. The only file in this folder that knows the
-// DOM: it turns events into numbers for the pure functions and notifies the host. Each event is handled synchronously;
-// no frame is requested and nothing is drawn. CSS pixels.
+// Pointer, wheel and key events on a picture, turned into camera moves. With `kept-drag` the only file in this folder
+// that knows the DOM: it turns events into numbers for the pure functions and notifies the host. Each event is handled
+// synchronously; no frame is requested and nothing is drawn. CSS pixels.
 
 import { type GestureHost, PointerGesture } from './gesture.js';
 import { keepDrag, SLOP } from './kept-drag.js';

@@ -11,7 +11,7 @@ export const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTM
 /** Registers a light or mesh with the nearest viewer around it, if any. Does nothing for other elements. */
 export let register: (element: Element) => void;
 
-/** The binding of a light or mesh, found faster than by {@link bindingOf}. */
+/** The binding of a light or mesh, found faster than by `bindingOf`. */
 export let childBinding: (element: HTMLElement) => FieldBinding<Record<string, unknown>>;
 
 export abstract class ChildElement<V extends object> extends Base {

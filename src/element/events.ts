@@ -69,7 +69,10 @@ export interface AnswerDetail {
     | null;
 }
 
-/** Events of `<phong-viewer>`. None bubbles; several of one type in a task become one. */
+/**
+ * Events of `<phong-viewer>`. None bubbles. `progress`, `camera-change` and `light-change` come once for a task,
+ * however many there were.
+ */
 export interface PhongViewerEventMap {
   /**
    * A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from, `detail.missing` what it is

@@ -52,8 +52,8 @@ export interface FragmentExplanation {
   /** The colour is the base colour, whatever the lights; ka, kd and ks are black. */
   readonly unlit: boolean;
   /**
-   * The picture averages texels here, because a texture is drawn smaller than it is; this answer reads the texture at the
-   * one point `p`. So `color` can be another one than the picture's.
+   * The picture averages texels here, because a texture is drawn smaller than it is; this answer reads the texture at
+   * the one point `p`. So `color` can be another one than the picture's.
    */
   readonly filtered: boolean;
   /** How much of `color` the picture shows, 0–1; the rest comes from what lies behind. */

@@ -23,9 +23,9 @@ interface LightElement extends LightProperties {
 }
 
 /**
- * A light of the nearest `<phong-viewer>` around it: in wrapper elements, in shadow trees, or in another light or mesh, so
- * that `<phong-light … />` works. A viewer without lights gets one at the eye. Its properties have the attributes' names.
- * A bad attribute value warns and gives the default; a bad property value throws.
+ * A light of the nearest `<phong-viewer>` around it: in wrapper elements, in shadow trees, or in another light or mesh,
+ * so that `<phong-light … />` works. A viewer without lights gets one at the eye. Its properties have the attributes'
+ * names. A bad attribute value warns and gives the default; a bad property value throws.
  */
 class LightElement extends ChildElement<LightValues> implements PublicLight {
   static readonly observedAttributes: readonly string[] = attributesOf(LIGHT_FIELDS);

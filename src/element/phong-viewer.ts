@@ -48,8 +48,8 @@ interface ViewerElement extends ViewerProperties {
 }
 
 /**
- * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its end tag. CSS sets its
- * size, 300 × 150 pixels if it sets none. Where nothing is drawn the canvas is transparent. Properties have the
+ * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its end tag. CSS sets
+ * its size, 300 × 150 pixels if it sets none. Where nothing is drawn the canvas is transparent. Properties have the
  * attributes' names in camel case. A bad attribute value warns and gives the default; a bad property value throws.
  *
  * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is displayed

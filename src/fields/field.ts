@@ -116,7 +116,7 @@ export function numbersField(expected: string, min: number, max: number): Field<
   const at = numberCheck({ min, max }, expected);
   return {
     kind: 'numbers',
-    fallback: [],
+    fallback: Object.freeze([]),
     expected,
     check(value) {
       if (isList(value) ? value.length === 0 || value.length > MOST_WORDS : typeof value !== 'number')

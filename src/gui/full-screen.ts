@@ -2,38 +2,23 @@
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { explain } from './label.js';
 
-export class FullScreenButton {
-  readonly #viewer: PhongViewer;
-  readonly #button = document.createElement('button');
-
-  /** Adds the button after `title`. */
-  constructor(title: HTMLElement, viewer: PhongViewer) {
-    this.#viewer = viewer;
-    if (!viewer.ownerDocument.fullscreenEnabled) return;
-    this.#button.type = 'button';
-    this.#button.className = 'full-screen';
-    this.#button.addEventListener('click', this.#toggle);
-    viewer.addEventListener('fullscreenchange', this.#update);
-    title.after(this.#button);
-    this.#update();
-  }
-
-  readonly #update = (): void => explain(this.#button, this.#isOn ? 'Leave full screen' : 'Full screen');
-
-  dispose(): void {
-    this.#viewer.removeEventListener('fullscreenchange', this.#update);
-    this.#button.remove();
-  }
-
-  get #isOn(): boolean {
-    return this.#viewer.matches(':fullscreen');
-  }
-
-  readonly #toggle = (): void => {
-    const change = this.#isOn
-      ? this.#viewer.ownerDocument.exitFullscreen()
-      : this.#viewer.requestFullscreen();
+/** Adds the button after `title`. Returns a function that removes it. */
+export function addFullScreen(title: HTMLElement, viewer: PhongViewer): () => void {
+  if (!viewer.ownerDocument.fullscreenEnabled) return () => undefined;
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.className = 'full-screen';
+  const isOn = (): boolean => viewer.matches(':fullscreen');
+  const update = (): void => explain(button, isOn() ? 'Leave full screen' : 'Full screen');
+  button.addEventListener('click', () => {
     // The browser may refuse. Then the page stays as it is.
-    change.catch(() => undefined);
+    (isOn() ? viewer.ownerDocument.exitFullscreen() : viewer.requestFullscreen()).catch(() => undefined);
+  });
+  viewer.addEventListener('fullscreenchange', update);
+  title.after(button);
+  update();
+  return () => {
+    viewer.removeEventListener('fullscreenchange', update);
+    button.remove();
   };
 }

@@ -14,7 +14,7 @@ import { chooseModel } from './files-row.js';
 import {
   button,
   color,
-  drawnReadout,
+  readout,
   NO_ROW,
   number,
   oneOf,
@@ -50,7 +50,7 @@ export const SURFACE_ROWS = {
 
 /** How many segments the shape has; under `auto`: what that gives now. */
 export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
-  ...drawnReadout('segments', (element: PhongMesh | PhongViewer) =>
+  ...readout('segments', (element: PhongMesh | PhongViewer) =>
     String(sceneMeshes.get(element)?.segments ?? ''),
   ),
   shown: ({ src, geometry }) => src === '' && geometry !== null,

@@ -20,7 +20,7 @@ import panelColumn from '../element/page/panel-column.css?inline';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
 import { FlatRows } from './flat-rows.js';
-import { FullScreenButton } from './full-screen.js';
+import { addFullScreen } from './full-screen.js';
 import { addGroup, Folder, withoutAnimation } from './folder.js';
 import { label, relabel } from './label.js';
 import { LightFolder } from './light-folder.js';
@@ -100,7 +100,6 @@ class ControlPanel implements Panel {
     this.#viewer.removeEventListener('load', this.#loaded);
     this.#stopWaiting();
     this.#content.dispose();
-    this.#gui.$title.closest('.panel')?.removeAttribute(OPEN_PANEL);
     this.#gui.destroy();
     removeStyles(this.#root, STYLES);
   }
@@ -139,16 +138,14 @@ class Folders implements Content {
   /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
   readonly #surface: Folder<PhongViewer>;
   readonly #files: ReturnType<typeof addFiles>;
-  readonly #fullScreen: FullScreenButton;
-  readonly #stopHistory: () => void;
+  readonly #stops: readonly (() => void)[];
   #meshList: readonly PhongMesh[] = [];
 
   constructor(viewer: PhongViewer, gui: GUI, range: SceneRange, open: readonly GuiFolder[]) {
     this.#viewer = viewer;
     this.#gui = gui;
     this.#range = range;
-    this.#fullScreen = new FullScreenButton(gui.$title, viewer);
-    this.#stopHistory = addUndo(gui, viewer);
+    this.#stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
     this.#lightGroup = addGroup(gui, 'Lights');
     this.#lights = this.#addLights();
     this.#camera = this.#folder('Camera');
@@ -202,8 +199,8 @@ class Folders implements Content {
   }
 
   update(change: PanelChange): void {
-    if (change === 'light' || change === 'lights') this.#lights.update(this.#viewer.lights);
-    else if (change === 'mesh' || change === 'meshes') this.#updateMeshes();
+    if (change === 'lights') this.#lights.update(this.#viewer.lights);
+    else if (change === 'meshes') this.#updateMeshes();
     else this.#camera.update();
     if (change !== 'camera') this.#show.update();
     if (change !== 'viewer') return;
@@ -224,9 +221,8 @@ class Folders implements Content {
   }
 
   dispose(): void {
-    this.#stopHistory();
+    for (const stop of this.#stops) stop();
     this.#files.dispose();
-    this.#fullScreen.dispose();
   }
 
   #updateMeshes(): void {

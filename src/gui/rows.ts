@@ -22,7 +22,7 @@ import {
 } from './number-controls.js';
 import type { SceneRange } from './scene-range.js';
 import { SelectControl } from './select-control.js';
-import { DrawnReadout, Readout, TextControl } from './text-control.js';
+import { Readout, TextControl } from './text-control.js';
 import type { SliderScale } from './travel.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
@@ -243,16 +243,9 @@ export const oneName = <E>(
 });
 
 /** Text that the user cannot edit. */
-export const readout = <E>(label: ViewerText, read: (element: E) => string): Row<unknown, E> => ({
-  add: (gui, { element }) => {
-    new Readout(gui, () => read(element), label);
-  },
-});
-
-/** As {@link readout}, for what may change with each picture. */
-export const drawnReadout = <T, E>(label: ViewerText, read: (element: E) => string): Row<T, E> => ({
+export const readout = <T, E>(label: ViewerText, read: (element: E) => string): Row<T, E> => ({
   add: (gui, { element, viewer }) => {
-    new DrawnReadout(gui, () => read(element), label, viewer);
+    new Readout(gui, () => read(element), label, viewer);
   },
 });
 

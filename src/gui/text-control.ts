@@ -1,5 +1,6 @@
 // Rows of text: a field that writes while the user types, and text that the user cannot edit.
 import { Controller, type GUI } from 'lil-gui';
+import { write } from '../element/dom.js';
 import type { ViewerText } from '../element/fields/text-list.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { nameRow } from './label.js';
@@ -30,17 +31,29 @@ export class TextControl extends Controller {
   }
 }
 
+/** Text that follows the pictures of a viewer. */
 export class Readout extends Controller {
-  constructor(folder: GUI, text: () => string, name: ViewerText) {
+  readonly #viewer: HTMLElement;
+
+  constructor(folder: GUI, text: () => string, name: ViewerText, viewer: HTMLElement) {
     super(folder, bound(text), 'value', 'readout');
+    this.#viewer = viewer;
     nameRow(this, name);
-    this.updateDisplay();
+    viewer.addEventListener('render', this.#update);
+    this.#update();
   }
 
   override updateDisplay(): this {
-    this.$widget.textContent = this.getValue() as string;
+    this.#update();
     return this;
   }
+
+  override destroy(): void {
+    this.#viewer.removeEventListener('render', this.#update);
+    super.destroy();
+  }
+
+  readonly #update = (): void => write(this.$widget, this.getValue() as string);
 }
 
 interface TextBinding {
@@ -93,26 +106,5 @@ export class TextField {
   set #valid(valid: boolean) {
     if (valid) this.input.removeAttribute('aria-invalid');
     else this.input.setAttribute('aria-invalid', 'true');
-  }
-}
-
-/** One that follows the pictures of a viewer. */
-export class DrawnReadout extends Readout {
-  readonly #viewer: HTMLElement;
-  readonly #read: () => string;
-  readonly #drawn = (): void => {
-    if (this.$widget.textContent !== this.#read()) this.updateDisplay();
-  };
-
-  constructor(folder: GUI, text: () => string, name: ViewerText, viewer: HTMLElement) {
-    super(folder, text, name);
-    this.#viewer = viewer;
-    this.#read = text;
-    viewer.addEventListener('render', this.#drawn);
-  }
-
-  override destroy(): void {
-    this.#viewer.removeEventListener('render', this.#drawn);
-    super.destroy();
   }
 }

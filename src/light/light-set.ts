@@ -1,4 +1,5 @@
 // Which lights there are, in which order, and whether anything about them has changed.
+import { sameValue } from '../fields/field-store.js';
 import type { LightState, LightValues } from './light-state.js';
 
 /** The lights of one picture, in order. */
@@ -36,8 +37,7 @@ export class LightSet {
 
   /** Makes these the lights, in this order. A light notifies only the set that took it last. */
   assign(lights: readonly LightState[]): void {
-    if (lights.length === this.#lights.length && lights.every((light, i) => light === this.#lights[i]))
-      return;
+    if (sameValue(lights, this.#lights)) return;
     for (const [light, listener] of this.#listeners) light.unlisten(listener);
     this.#listeners.clear();
     this.#lights.splice(0, Infinity, ...lights);

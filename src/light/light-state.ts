@@ -71,18 +71,18 @@ type Test = (light: Values) => boolean;
 /** How shading takes a value. */
 export interface Shaded<T> {
   /**
-   * The numbers in the rows. `color`: r g b, 255 is 1. `light`: the same, times what its own cone and decay leave of a
+   * The numbers in the rows. `light`: r g b, 255 is 1, times what its own cone and decay leave of a
    * directional light. `place`: where the light is, or the unit vector to a directional one. `axis`: a unit vector.
    * `numbers`: three, in the w of this row and of the next two. A function: one, in the row's w.
    */
-  readonly as: 'color' | 'light' | 'place' | 'axis' | 'numbers' | ((value: T) => number);
+  readonly as: 'light' | 'place' | 'axis' | 'numbers' | ((value: T) => number);
   /** Its row in each kind of light that holds it, relative to the light's first. */
   readonly rows: { readonly [K in LightKind]?: number };
   /** The terms that it enters. Without these its features are left out. */
   readonly terms: readonly Term[];
   /**
-   * Code that only some of these lights need, a bit each: `now`, whether this light needs it, and `ever`, whether it may
-   * with another colour, cone or cutoff.
+   * Code that only some of these lights need, a bit each: `now`, whether this light needs it, and `ever`, whether it
+   * may with another colour, cone or cutoff.
    */
   readonly features: Readonly<Record<string, readonly [now: Test, ever?: Test]>>;
 }

@@ -157,11 +157,10 @@ function writeValue(
   }
   // By index: taking an array apart costs more than all of the rest.
   const v = light[key] as Vec3;
-  if (as === 'light' || as === 'color') {
-    const times = as === 'light' ? factor : 1;
-    data[at] = channel(v[0], space.linear) * times;
-    data[at + 1] = channel(v[1], space.linear) * times;
-    data[at + 2] = channel(v[2], space.linear) * times;
+  if (as === 'light') {
+    data[at] = channel(v[0], space.linear) * factor;
+    data[at + 1] = channel(v[1], space.linear) * factor;
+    data[at + 2] = channel(v[2], space.linear) * factor;
   } else if (as === 'numbers') {
     data[at] = v[0];
     data[at + 4] = v[1];

@@ -1,6 +1,6 @@
 // A geometry's triangles with a normal of their own each, for flat shading without derivatives in the shader.
 // Positions stay as they are, in the geometry's own space. Made once a source, and freed with it.
-import { BufferAttribute, BufferGeometry, Triangle, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry } from 'three';
 
 const made = new WeakMap<BufferGeometry, BufferGeometry>();
 const sources = new WeakMap<BufferGeometry, BufferGeometry>();
@@ -9,10 +9,9 @@ const sources = new WeakMap<BufferGeometry, BufferGeometry>();
 export const smoothGeometry = (geometry: BufferGeometry): BufferGeometry => sources.get(geometry) ?? geometry;
 
 /**
- * A non-indexed copy of `source` in which the three vertices of a triangle carry that triangle's unit normal, turned
- * by the winding (counter-clockwise is outside) and computed in float64. A triangle without area gets a zero normal,
- * which shades as ambient only. Other attributes are kept. Cached by source; disposing of the source disposes of the
- * copy.
+ * A non-indexed copy of `source` in which the three vertices of a triangle carry that triangle's unit normal, turned by
+ * the winding (counter-clockwise is outside) and computed in float64. A triangle without area gets a zero normal, which
+ * shades as ambient only. Other attributes are kept. Cached by source; disposing of the source disposes of the copy.
  */
 export function flatGeometry(source: BufferGeometry): BufferGeometry {
   const present = made.get(source);
@@ -68,17 +67,37 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
     const { usage } = attributes[name] as Partial<BufferAttribute>;
     if (usage !== undefined) (attribute as BufferAttribute).setUsage(usage);
   }
-  return flat.setAttribute('normal', faceNormals(flat.getAttribute('position') as BufferAttribute));
+  const positions = flat.getAttribute('position').array;
+  const normals = new Float32Array(positions.length);
+  writeFaceNormals(positions, normals, 0, Math.floor(positions.length / 9));
+  return flat.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 
-const triangle = /* @__PURE__ */ new Triangle();
-const normal = /* @__PURE__ */ new Vector3();
-
-function faceNormals(position: BufferAttribute): BufferAttribute {
-  const normals = new Float32Array(3 * position.count);
-  for (let i = 0; i + 2 < position.count; i += 3) {
-    triangle.setFromAttributeAndIndices(position, i, i + 1, i + 2).getNormal(normal);
-    for (let corner = i; corner < i + 3; corner++) normal.toArray(normals, 3 * corner);
+/**
+ * Writes the unit normal of every triangle from `from` to before `to`, three times each: counter-clockwise is outside.
+ * A triangle without area gets zero, which shades as ambient only. `positions`: x, y, z of three corners per triangle.
+ */
+export function writeFaceNormals(
+  positions: ArrayLike<number>,
+  normals: Float32Array,
+  from: number,
+  to: number,
+): void {
+  for (let at = from * 9; at < to * 9; at += 9) {
+    const ux = positions[at + 3]! - positions[at]!;
+    const uy = positions[at + 4]! - positions[at + 1]!;
+    const uz = positions[at + 5]! - positions[at + 2]!;
+    const vx = positions[at + 6]! - positions[at]!;
+    const vy = positions[at + 7]! - positions[at + 1]!;
+    const vz = positions[at + 8]! - positions[at + 2]!;
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    const size = Math.hypot(x, y, z);
+    for (let corner = at; corner < at + 9; corner += 3) {
+      normals[corner] = size > 0 ? x / size : 0;
+      normals[corner + 1] = size > 0 ? y / size : 0;
+      normals[corner + 2] = size > 0 ? z / size : 0;
+    }
   }
-  return new BufferAttribute(normals, 3);
 }

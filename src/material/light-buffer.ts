@@ -12,7 +12,8 @@ const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
 let revisions = 0;
 
 export class LightBuffer {
-  readonly packed: PackedLights;
+  /** Written to by the owner, who then calls {@link changed}. */
+  readonly packed: PackedLights = emptyPack();
   /** What the GPU is to hold: a copy of the packed rows, in lines of the texture. */
   #data = new Float32Array(TEXTURE_WIDTH * 4);
   #rows = this.#data.subarray(0, 0);
@@ -28,11 +29,6 @@ export class LightBuffer {
   #owner: { readonly renderer: WebGLRenderer; readonly properties: object } | null = null;
   /** Rows that changed since they were sent to the texture: from, and up to but without. */
   #stale = { from: 0, to: 0 };
-
-  /** `packed` is written to by the owner, who then calls {@link changed}. */
-  constructor(packed = emptyPack()) {
-    this.packed = packed;
-  }
 
   /** 1 / the texture's width and height. */
   readonly textureScale = new Vector2(1 / TEXTURE_WIDTH, 1);

@@ -43,7 +43,11 @@ export class PhongLighting {
   /** Specialised programs of this picture. */
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();
-  #view: PictureView | null = null;
+  /**
+   * What is shown in place of the shaded colour; null, the default, for that. Materials need a call of `setStyle`
+   * afterwards.
+   */
+  view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
   #declared = 0;
   /** What the lights were last packed for; null: nothing yet. */
@@ -74,18 +78,6 @@ export class PhongLighting {
 
   set linear(linear: boolean) {
     this.#space.linear = linear;
-  }
-
-  /**
-   * What is shown in place of the shaded colour; null, the default, for that. Materials need a call of `setStyle`
-   * afterwards.
-   */
-  get view(): PictureView | null {
-    return this.#view;
-  }
-
-  set view(view: PictureView | null) {
-    this.#view = view;
   }
 
   /** World position that fragments are shaded relative to. */
@@ -140,7 +132,7 @@ export class PhongLighting {
     this.programs.begin();
     this.#changed = false;
     const { lights, kinds, view, linear } = this.#packedFor ?? NEVER;
-    const isOther = view !== this.#view || linear !== this.linear;
+    const isOther = view !== this.view || linear !== this.linear;
     const { version, kindVersion } = this.lights;
     if (kinds !== kindVersion) this.#declare();
     if (isOther || moved || this.#followsCamera || lights !== version)
@@ -233,9 +225,9 @@ export class PhongLighting {
     const space = this.#space;
     writeColumns(space.worldToShading, X, Y, Z, -origin[0], -origin[1], -origin[2]);
     writeColumns(space.cameraToShading, right, up, back, eye[0], eye[1], eye[2]);
-    if (this.#view !== null) this.#view.pack(values, space, packed);
+    if (this.view !== null) this.view.pack(values, space, packed);
     else if (all || !moveLights(space, packed)) packLights(values, space, packed);
-    this.#packedFor = { lights: version, kinds: kindVersion, view: this.#view, linear: space.linear };
+    this.#packedFor = { lights: version, kinds: kindVersion, view: this.view, linear: space.linear };
     this.#fit();
     buffer.changed();
     this.#changed = buffer.revision !== revision;

@@ -134,16 +134,12 @@ class CulledLights {
   #bounds: Box3 | null = null;
   #origin: Vec3 = [0, 0, 0];
   readonly #matrix = new Matrix4();
-  #box: Box | null = null;
+  /** Bounds in shading space; null where the mesh has none. */
+  box: Box | null = null;
 
   constructor(mesh: Mesh, all: LightBuffer) {
     this.#mesh = mesh;
     this.buffer = all;
-  }
-
-  /** Bounds in shading space; null where the mesh has none. */
-  get box(): Box | null {
-    return this.#box;
   }
 
   /** Whether bounds changed since the last call. */
@@ -158,7 +154,7 @@ class CulledLights {
     this.#geometry = geometry;
     this.#origin = origin;
     this.#matrix.copy(matrixWorld);
-    this.#box = boundsOf(this.#mesh, origin);
+    this.box = boundsOf(this.#mesh, origin);
     this.#bounds = geometry.boundingBox;
     return true;
   }

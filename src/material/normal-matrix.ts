@@ -1,6 +1,6 @@
 // Normals from model to shading space: the cofactor matrix, which unlike the inverse transpose is defined for
 // flattened meshes, times the determinant's sign, which keeps normals outside on mirrored ones. Float64, scaled to
-// a largest entry of 1, so that any scale fits a float32. See shared formulas: cofactor(M) = det(M) · M^-T.
+// a largest entry of 1, so that any scale fits a float32. cofactor(M) = det(M) · M^-T.
 import type { Matrix3, Matrix4 } from 'three';
 
 /** Writes the normal matrix of `model` into `out`; zero where the model is flattened to a line or a point. */

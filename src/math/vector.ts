@@ -19,6 +19,13 @@ export const negate = (a: Vec3): Vec3 => [-a[0], -a[1], -a[2]];
 
 export const multiply = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
+/** A place (w = 1) or a direction (w = 0) through a matrix that keeps w. */
+export const transformed = (m: Mat4, x: number, y: number, z: number, w = 1): Vec3 => [
+  m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w,
+  m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w,
+  m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w,
+];
+
 /** `f` of each component. */
 export const map = (a: Vec3, f: (x: number) => number): Vec3 => [f(a[0]), f(a[1]), f(a[2])];
 

@@ -1,4 +1,5 @@
-// Formats that people bring and that cannot be read. For error messages only. Knows beginnings and extensions, no content.
+// Formats that people bring and that cannot be read. For error messages only. Knows beginnings and extensions, no
+// content.
 
 export interface ForeignFormat {
   /** Such as `an FBX file`. */

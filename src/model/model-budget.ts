@@ -9,7 +9,9 @@ export class ModelBudget {
   #claimed = NO_CLAIMS;
   readonly #onClaim: ((claimed: Amounts) => void) | undefined;
 
-  /** @param onClaim called with all that is claimed so far. What it throws ends the load: for what other models take. */
+  /**
+   * @param onClaim called with all that is claimed so far. What it throws ends the load: for what other models take.
+   */
   constructor(onClaim?: (claimed: Amounts) => void) {
     this.#onClaim = onClaim;
   }

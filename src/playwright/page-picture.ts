@@ -1,4 +1,5 @@
-// A viewer's picture, and what shadeAt explains of it. Runs inside the page. Positions are device pixels from the top left.
+// A viewer's picture, and what shadeAt explains of it. Runs inside the page. Positions are device pixels from the top
+// left.
 import type { PhongViewer } from '../index.js';
 
 /** What shadeAt gives for a point of a surface. */

@@ -86,7 +86,9 @@ export class AutoFit {
     this.#refit();
   }
 
-  /** A mesh has moved; its world matrix is where it was. Inside the bounds at both places it leaves them as they are. */
+  /**
+   * A mesh has moved; its world matrix is where it was. Inside the bounds at both places it leaves them as they are.
+   */
   moved(mesh: Mesh): void {
     if (this.#staysInside(mesh)) this.#changed();
     else this.reshaped();

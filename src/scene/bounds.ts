@@ -1,7 +1,7 @@
 // The size of a scene: the centre of its box and its farthest vertex, in world space and float64. A mesh that is not
 // turned is measured by its geometry's box.
 import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
-import type { Vec3 } from '../math/vector.js';
+import { transformed, type Vec3 } from '../math/vector.js';
 import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
 
 /** Centre of a scene's box, and its farthest vertex from any point; `empty` where it shows nothing. */
@@ -198,12 +198,6 @@ function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
   }
   return farthest;
 }
-
-const transformed = (m: readonly number[], x: number, y: number, z: number): Triple => [
-  m[0]! * x + m[4]! * y + m[8]! * z + m[12]!,
-  m[1]! * x + m[5]! * y + m[9]! * z + m[13]!,
-  m[2]! * x + m[6]! * y + m[10]! * z + m[14]!,
-];
 
 /** The mesh's axes are not the world's. */
 const isTurned = (m: readonly number[]): boolean =>

@@ -8,9 +8,8 @@ export interface Framed {
   /** Phase 1: reads the page's layout. Nothing writes to the page before all pictures have read. */
   prepare(): void;
   /**
-   * Phase 2: advances motion such as a turning camera; true requests another frame. `now` is the animation
-   * frame's time in milliseconds. Pictures that move must all be out of date before the first one draws: only those
-   * share an atlas.
+   * Phase 2: advances motion such as a turning camera; true requests another frame. `now` is the animation frame's time
+   * in milliseconds. Pictures that move must all be out of date before the first one draws: only those share an atlas.
    */
   advance(now: number): boolean;
   /** Phase 3: draws if the picture is out of date. */
@@ -25,20 +24,13 @@ export class FrameLoop {
   /** The pictures of the running frame; empty between frames. */
   #running = new Set<Framed>();
   #pending = 0;
-  #latest: Framed | null = null;
 
   constructor(source: FrameSource) {
     this.#source = source;
   }
 
-  /** The picture of the latest request that is still to be served; requesting it again would change nothing. */
-  get latest(): Framed | null {
-    return this.#latest;
-  }
-
   /** Requests a frame for `picture`. Any number of requests in one task make one frame. */
   request(picture: Framed): void {
-    this.#latest = picture;
     this.#waiting.add(picture);
     if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
   }
@@ -46,7 +38,6 @@ export class FrameLoop {
   /** Withdraws a request. Without any request left the animation frame is cancelled too. */
   cancel(picture: Framed): void {
     this.#waiting.delete(picture);
-    if (picture === this.#latest) this.#latest = null;
     if (this.#waiting.size > 0 || this.#pending === 0) return;
     this.#source.cancelAnimationFrame(this.#pending);
     this.#pending = 0;
@@ -54,7 +45,6 @@ export class FrameLoop {
 
   readonly #run = (now: number): void => {
     this.#pending = 0;
-    this.#latest = null;
     [this.#waiting, this.#running] = [this.#running, this.#waiting];
     this.#each((picture) => picture.prepare());
     this.#each((picture) => {

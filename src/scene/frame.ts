@@ -1,5 +1,5 @@
-// What one drawing of a picture shows, whatever it is for: its size, its samples and its camera. The matrices are written
-// from the orbit's own basis, without an up vector or an inverse: poles and distant targets lose no accuracy.
+// What one drawing of a picture shows, whatever it is for: its size, its samples and its camera. The matrices are
+// written from the orbit's own basis, without an up vector or an inverse: poles and distant targets lose no accuracy.
 import { type Object3D, PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange, nearBefore } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';

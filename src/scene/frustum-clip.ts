@@ -63,8 +63,8 @@ const coordinate = (m: Rows, row: number, x: number, y: number, z: number): numb
 export const depthOf = (m: Rows, x: number, y: number, z: number): number => coordinate(m, 8, x, y, z);
 
 /**
- * Less than the depth of whatever a sphere has in view, if that is less than `before`; otherwise `before`. The sphere is
- * in the space of an object with the world matrix `m`.
+ * Less than the depth of whatever a sphere has in view, if that is less than `before`; otherwise `before`. The sphere
+ * is in the space of an object with the world matrix `m`.
  */
 export function sphereDepth(
   { frame, slopeX, slopeY }: View,

@@ -1,5 +1,5 @@
-// What one viewer shows: scene, lights and camera. `make` computes a frame of it and `draw` draws that, for the page, for
-// files and for samples alike.
+// What one viewer shows: scene, lights and camera. `make` computes a frame of it and `draw` draws that, for the page,
+// for files and for samples alike.
 import { Scene, type Mesh, type WebGLRenderer, type Object3D, type ShaderMaterial, Texture } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
@@ -188,10 +188,10 @@ export class Picture {
 }
 
 /**
- * Levels of maps suit a whole pixel, and a sample stands for a share of it. Left so, a floor whose texture is minified 2
- * to 16 times is 10.1 codes (RMSE) off the exact mean, whatever the number of samples; by this formula 1.7, 0.50 and 0.33
- * with 16, 64 and 256 (H200). −1/2, the share's side, leaves 1.3 times the error with 64: a level's texels reach farther
- * than the share. GPUs may stop at −2.
+ * Levels of maps suit a whole pixel, and a sample stands for a share of it. Left so, a floor whose texture is minified
+ * 2 to 16 times is 10.1 codes (RMSE) off the exact mean, whatever the number of samples; by this formula 1.7, 0.50 and
+ * 0.33 with 16, 64 and 256 (H200). −1/2, the share's side, leaves 1.3 times the error with 64: a level's texels reach
+ * farther than the share. GPUs may stop at −2.
  */
 const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
 

@@ -1,5 +1,5 @@
-// The objects of a scene, their order, and where they are. Meshes come first, in document order, because of surfaces in
-// one place the last one drawn shows; then the page author's own objects.
+// The objects of a scene, their order, and where they are. Meshes come first, in document order: where surfaces
+// coincide, the last one drawn shows. Then the page author's own objects.
 import type { Object3D, Scene } from 'three';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 

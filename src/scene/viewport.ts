@@ -116,8 +116,7 @@ export class Viewport implements StageClient, Framed {
 
   /** Requests a frame for motion; {@link ViewportSignals.moveTo} says whether it goes on. */
   animate(): void {
-    // Moving lights come by one by one: the first question is the cheapest.
-    if (this.#loop?.latest !== this && this.drawable) this.#loop?.request(this);
+    if (this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
@@ -190,12 +189,12 @@ export class Viewport implements StageClient, Framed {
   }
 
   /**
-   * The picture now, at exactly this size in pixels: the plain one unless `shown`, for what is shown at this size.
+   * The picture now, at exactly this size in pixels: the mean that is shown if it has this size, else a plain one.
    * Throws RangeError if no canvas can hold it.
    */
-  capture(size: Size, shown = false): HTMLCanvasElement {
+  capture(size: Size): HTMLCanvasElement {
     const { picture, still, width, height } = this;
-    const isMean = shown && still.samples > 0 && size.width === width && size.height === height;
+    const isMean = still.samples > 0 && size.width === width && size.height === height;
     if (!isMean) picture.make(size, 1);
     this.releaseUnlessAttached();
     return stage.capture(size, (renderer, part) => {

@@ -2,7 +2,7 @@
 // as they are.
 import type { WebGLRenderer } from 'three';
 import { expect, it, vi } from 'vitest';
-import { LinkCheck } from '../../src/scene/gpu/link-check.js';
+import { checkLinks } from '../../src/scene/gpu/link-check.js';
 
 /** A renderer whose programs have linked, or have not. */
 function drawn(links: boolean) {
@@ -14,13 +14,13 @@ function drawn(links: boolean) {
     getAttachedShaders: () => [],
     getProgramInfoLog: () => 'broken by hand',
   };
-  const renderer = { debug: {}, info: { programs: [program] }, getContext: () => gl };
+  const renderer = { info: { programs: [program] }, getContext: () => gl };
   return { attributes, renderer: renderer as unknown as WebGLRenderer };
 }
 
 it('freezes the list of a program’s attributes', () => {
   const { attributes, renderer } = drawn(true);
-  new LinkCheck(renderer).check(renderer);
+  checkLinks(renderer);
   expect(Object.isExtensible(attributes)).toBe(false);
 });
 
@@ -28,9 +28,8 @@ it('reports a program that does not link, once', () => {
   const reported = vi.fn();
   vi.stubGlobal('reportError', reported);
   const { renderer } = drawn(false);
-  const check = new LinkCheck(renderer);
-  check.check(renderer);
-  check.check(renderer);
+  checkLinks(renderer);
+  checkLinks(renderer);
   expect(reported).toHaveBeenCalledTimes(1);
   expect(String(reported.mock.calls[0]?.[0])).toContain('broken by hand');
   vi.unstubAllGlobals();
@@ -47,7 +46,7 @@ it('does not report a program whose context is lost while it links', () => {
     lost = true;
     return null;
   };
-  new LinkCheck(renderer).check(renderer);
+  checkLinks(renderer);
   expect(reported).not.toHaveBeenCalled();
   vi.unstubAllGlobals();
 });

@@ -3,7 +3,9 @@ import { choiceField, numberField, optional, textField } from '../../fields/fiel
 import type { Fields } from '../../fields/field-store.js';
 
 export interface ControlValues {
-  /** Ids of viewers, lights or meshes, separated by spaces. All get the value; the first one's is shown. Default empty. */
+  /**
+   * Ids of viewers, lights or meshes, separated by spaces. All get the value; the first one's is shown. Default empty.
+   */
   for: string;
   /** The attribute to edit: any that these elements have. Default empty. */
   attribute: string;

@@ -80,8 +80,8 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
   colorInterpolation: ColorInterpolation;
   /**
-   * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that stands still converges to the mean over each pixel; until then, and while anything moves,
-   * like `edges`. Default edges.
+   * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that stands still converges
+   * to the mean over each pixel; until then, and while anything moves, like `edges`. Default edges.
    */
   antialias: Antialias;
   /** Samples per pixel of `antialias="full"`. Whole, 16–1,024. Default 64. */
@@ -99,8 +99,8 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** What the picture shows: the shaded colours, or one quantity of the equation with a legend. Default shaded. */
   view: View;
   /**
-   * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and the picture is black.
-   * Empty, the default: all lights, or the first active one where a view is of one.
+   * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and the picture is
+   * black. Empty, the default: all lights, or the first active one where a view is of one.
    */
   viewLight: string;
   /**

@@ -1,5 +1,6 @@
 // The lights and meshes of a viewer. Follows its registry: children take effect when they register, and are brought
 // into document order once, before the next frame or when a script reads them.
+import { sameValue } from '../../fields/field-store.js';
 import { LightState } from '../../light/light-state.js';
 import type { MeshHost } from '../../scene/mesh/scene-mesh.js';
 import { register } from '../child-element.js';
@@ -120,7 +121,7 @@ export class ViewerChildren implements ChildListener {
   }
 
   #sortLights(lights: readonly PhongLight[]): void {
-    if (sameList(lights, this.#lights)) return;
+    if (sameValue(lights, this.#lights)) return;
     this.#lights = Object.freeze(lights);
     if (lights.length === 0) return;
     this.#context.lightSet.assign(lights.map((light) => fieldsOf(light).store as LightState));
@@ -154,7 +155,7 @@ export class ViewerChildren implements ChildListener {
   }
 
   #sortMeshes(meshes: readonly PhongMesh[]): void {
-    if (sameList(meshes, this.#meshes)) return;
+    if (sameValue(meshes, this.#meshes)) return;
     this.#meshes = Object.freeze(meshes);
     this.#context.picture.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
     this.#context.signals.meshesChanged.emit();
@@ -174,6 +175,3 @@ export class ViewerChildren implements ChildListener {
 /** By name, which only the elements of this package have in a registry. */
 const isLight = (child: HTMLElement): child is PhongLight => child.localName === 'phong-light';
 const isMesh = (child: HTMLElement): child is PhongMesh => child.localName === 'phong-mesh';
-
-const sameList = (a: readonly unknown[], b: readonly unknown[]): boolean =>
-  a.length === b.length && a.every((item, i) => item === b[i]);

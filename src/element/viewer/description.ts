@@ -74,8 +74,8 @@ const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
 /**
- * In the language of the texts. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is
- * used.
+ * In the language of the texts. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign
+ * is used.
  */
 const numbers = (values: readonly number[], texts: ViewerTexts | null): string =>
   values

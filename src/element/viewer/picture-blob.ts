@@ -16,9 +16,9 @@ export interface PictureOptions {
   /**
    * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes a while, during
    * which the page goes on. A picture whose scene changes begins again, the fourth time in one task: the scene is that
-   * of the last beginning. Report changes to the page's own objects in `scene` by `requestRender`. Pictures are drawn one
-   * after the other. Default: the picture as the page shows it, where it has this size; otherwise one with smooth edges
-   * only.
+   * of the last beginning. Report changes to the page's own objects in `scene` by `requestRender`. Pictures are drawn
+   * one after the other. Default: the picture as the page shows it, where it has this size; otherwise one with smooth
+   * edges only.
    */
   readonly samples?: number;
 }

@@ -1,17 +1,14 @@
 // Explains one fragment of a viewer's picture: what a pixel shows, with each light's terms by the equation in float64.
 // That code is fetched with the first explanation.
 import type { Mesh } from 'three';
-import type { LightValues } from '../../light/light-state.js';
 import { add, map, type Vec3 } from '../../math/vector.js';
-import type { LightShare, Shaded } from '../../reference/index.js';
+import type { LightShare } from '../../reference/index.js';
 import { lazyCode } from '../../model/lazy-code.js';
-import { cornersOf } from '../../scene/snapshot/corners.js';
 import { type Hit, pick, pickNear } from '../../scene/snapshot/pick.js';
-import { type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
 import type { PhongMesh, PhongViewer } from '../elements.js';
 import type { FragmentExplanation, ShadeOptions } from '../explanation.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
-import { type Equation, relative, shadeHit } from './shade-hit.js';
+import { relative, shadeHit } from './shade-hit.js';
 
 const referenceCode = lazyCode(() => import('../../reference/index.js'), 'shadeAt');
 
@@ -46,7 +43,7 @@ async function explained(
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
   const equation = await referenceCode();
-  const { surface, shaded } = shadedAt(
+  const { surface, shaded } = shadeHit(
     equation,
     hit,
     lights.map(({ values }) => relative(values, hit.frame.origin)),
@@ -80,19 +77,6 @@ async function explained(
     color: frozen(shaded.color),
   });
 }
-
-/** What the picture shows of a hit, and its surface. `lights` are relative to the frame's origin. */
-function shadedAt(
-  equation: Equation,
-  hit: Hit,
-  lights: readonly LightValues[],
-): { readonly surface: SurfaceHere; readonly shaded: Shaded } {
-  const { phong, geometry } = hit.drawn;
-  const surface = surfaceAt(phong, geometry, hit, hit.base);
-  return { surface, shaded: shadeHit(equation, { hit, corners: cornersOf(hit), surface }, lights) };
-}
-
-export { pick, relative };
 
 /** The device pixel at CSS pixel `at`; the GPU draws the fragment at its centre. `exact`: the place from there. */
 function pixel(name: string, at: unknown, size: number, pixels: number, exact: boolean): number {

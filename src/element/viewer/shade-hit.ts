@@ -1,10 +1,10 @@
 // Shades one hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners, interpolated.
 import type { LightValues, Term } from '../../light/light-state.js';
 import { add, scale, subtract, type Vec3, type Vec4 } from '../../math/vector.js';
-import type { shade as Shade, Shaded, sumOf as SumOf, Surface } from '../../reference/index.js';
-import type { Corner } from '../../scene/snapshot/corners.js';
+import type { shade as Shade, Shaded, sumOf as SumOf } from '../../reference/index.js';
+import { cornersOf } from '../../scene/snapshot/corners.js';
 import type { Hit } from '../../scene/snapshot/pick.js';
-import { mappedNormalAt } from '../../scene/snapshot/surface-at.js';
+import { mappedNormalAt, type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
 
 /** The equation's code, which is loaded with the first explanation. */
 export interface Equation {
@@ -12,21 +12,19 @@ export interface Equation {
   readonly sumOf: typeof SumOf;
 }
 
-/** The hit, and the surface there. */
-export interface HitSurface {
-  readonly hit: Hit;
-  readonly corners: readonly [Corner, Corner, Corner];
-  readonly surface: Surface;
-}
-
 /**
- * Lights are relative to the frame's origin, like the hit. Under Gouraud shading only the terms and their sum come from
- * the corners; everything else is the fragment's own.
+ * The surface at a hit, and what the picture shows there. Lights are relative to the frame's origin, like the hit.
+ * Under Gouraud shading only the terms and their sum come from the corners; everything else is the fragment's own.
  */
-export function shadeHit(equation: Equation, subject: HitSurface, lights: readonly LightValues[]): Shaded {
-  const { hit, corners, surface } = subject;
+export function shadeHit(
+  equation: Equation,
+  hit: Hit,
+  lights: readonly LightValues[],
+): { readonly surface: SurfaceHere; readonly shaded: Shaded } {
   const { frame, weights } = hit;
   const { phong, geometry } = hit.drawn;
+  const corners = cornersOf(hit);
+  const surface = surfaceAt(phong, geometry, hit, hit.base);
   const { style, linear } = phong;
   const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
   const at = (p: Vec3, normal: Vec3): Shaded =>
@@ -34,7 +32,7 @@ export function shadeHit(equation: Equation, subject: HitSurface, lights: readon
   const [a, b, c] = corners;
   const N = weighted(weights, [a.N, b.N, c.N]);
   const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));
-  if (style.shading !== 'gouraud') return here;
+  if (style.shading !== 'gouraud') return { surface, shaded: here };
   // All corners use the fragment's base colour, so that it is not interpolated.
   const shaded = [at(a.p, a.N), at(b.p, b.N), at(c.p, c.N)] as const;
   const shares = here.shares.map((share, i) => {
@@ -45,7 +43,7 @@ export function shadeHit(equation: Equation, subject: HitSurface, lights: readon
     };
     return { ...share, ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
   });
-  return { ...here, shares, ...equation.sumOf(shares, surface, linear) };
+  return { surface, shaded: { ...here, shares, ...equation.sumOf(shares, surface, linear) } };
 }
 
 /** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
@@ -58,7 +56,7 @@ export function relative(values: LightValues, origin: Vec3): LightValues {
 const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
   add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
 
-function tangentAt(weights: Vec3, corners: HitSurface['corners']): Vec4 | null {
+function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
   const [a, b, c] = corners.map(({ tangent }) => tangent);
   if (!a || !b || !c) return null;
   const mix = (i: 0 | 1 | 2 | 3): number => a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];

@@ -18,7 +18,7 @@ export class ViewerPanel {
 
   constructor({ viewer, signals }: ViewerContext) {
     this.#viewer = viewer;
-    signals.lightChanged.listen((light) => this.changed(light === null ? 'lights' : 'light'));
+    signals.lightChanged.listen(() => this.changed('lights'));
     signals.meshesChanged.listen(() => this.changed('meshes'));
     signals.cameraMoved.listen(() => this.changed('camera'));
   }
@@ -68,7 +68,7 @@ export const AWAITED = 'awaited';
 export const WIDE_PANEL = 640;
 
 /** What has changed, so that a panel updates only that. */
-export type PanelChange = 'camera' | 'light' | 'lights' | 'mesh' | 'meshes' | 'viewer';
+export type PanelChange = 'camera' | 'lights' | 'meshes' | 'viewer';
 
 /** What the element needs of a control panel. */
 export interface Panel {

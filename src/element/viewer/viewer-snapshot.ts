@@ -1,5 +1,6 @@
 // What shadeAt explains and toBlob encodes, copied when they are called: their code may still have to be fetched, and
 // the scene changes meanwhile.
+import type { ViewerExtras } from './extras.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
 import type { Size } from '../../scene/gpu/atlas.js';
@@ -63,10 +64,7 @@ export function viewerSnapshot(
 /** The picture as a file, with what `extras` draw over it. Waits for their code. */
 export async function blobOf(
   viewport: Viewport,
-  extras: {
-    readonly pending: Promise<unknown> | null;
-    drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void>;
-  },
+  extras: Pick<ViewerExtras, 'pending' | 'drawOver'>,
   options: PictureOptions,
 ): Promise<Blob> {
   const { pending } = extras;
@@ -82,7 +80,7 @@ export async function blobOf(
 /** The picture at this size, by default the canvas's own; null for an invalid size. */
 function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
   const size = sizeOf(viewport, options);
-  return size && viewport.capture(size, true);
+  return size && viewport.capture(size);
 }
 
 /** The same with `samples`. */

@@ -54,7 +54,7 @@ export class ProgramCache {
   #frame = 0;
   /** {@link takeOvers} at the start of this frame and of the last one. */
   #seen = { now: 0, before: 0 };
-  /** Draws that asked for a program in this frame. */
+  /** The first draw in this frame that asked for a program. */
   #request: { entry: Entry; draw: Draw; specialise: () => Variant } | null = null;
   #compiling: Entry | null = null;
 

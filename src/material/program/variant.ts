@@ -27,7 +27,7 @@ export interface Variant extends Shaders {
 }
 
 /**
- * The variant for any number of lights. `declared`: {@link declaredFeatures}. `capacity`: rows of its uniform array, or
+ * The variant for any number of lights. `declared`: `declaredFeatures`. `capacity`: rows of its uniform array, or
  * 0 for a texture.
  */
 export function generalVariant(

@@ -5,7 +5,7 @@ import { packLights, packNothing, type PackSpace } from '../../light/pack-lights
 import type { View, PictureView } from '../views.js';
 import { type Shows, viewEntry, viewValue } from './view-table.js';
 import { Vector4 } from 'three';
-import { type Mat4, normalize, type Vec3 } from '../../math/vector.js';
+import { normalize, transformed, type Vec3 } from '../../math/vector.js';
 import trianglesVertex from '../../../shaders/view_triangles.vert.glsl?raw';
 import { type Variant, variantOf } from '../program/variant.js';
 
@@ -66,23 +66,16 @@ function writeQuantityLight(
   const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
   const [x, y, z, w] = light.position;
   const place: Vec3 = w === 0 ? normalize([x, y, z]) : [x, y, z];
-  uViewPosition.value.set(...through(matrix, place, w), w);
-  uViewAxis.value.set(...through(matrix, normalize(light.axis), 0), light.cutoff);
+  uViewPosition.value.set(...transformed(matrix, ...place, w), w);
+  uViewAxis.value.set(...transformed(matrix, ...normalize(light.axis), 0), light.cutoff);
   uViewAttenuation.value.set(...light.attenuation, 1);
 }
-
-const through = (m: Mat4, [x, y, z]: Vec3, w: number): Vec3 => [
-  m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w,
-  m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w,
-  m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w,
-];
 
 /** What a view shows by programs of its own. */
 type OwnProgram = Exclude<Shows, { by: 'equation' }>;
 
 /**
- * Quantities are of the fragment itself, not encoded, and the same whether a surface is lit or emits
- * light.
+ * Quantities are of the fragment itself, not encoded, and the same whether a surface is lit or emits light.
  */
 const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HAS_EMISSIVE_MAP'];
 

@@ -38,8 +38,8 @@ export interface ViewEntry {
   /** The same with `reflection="blinn-phong"`, where that differs. */
   readonly blinnTitle?: string;
   /**
-   * The legend's scale. `unit`: a number from 0 to 1 in grey; the picture can be all white or all black, as the page behind
-   * it can, so it has an outline. `axes`: a colour, −1 to 1 for each axis.
+   * The legend's scale. `unit`: a number from 0 to 1 in grey; the picture can be all white or all black, as the page
+   * behind it can, so it has an outline. `axes`: a colour, −1 to 1 for each axis.
    */
   readonly scale: 'none' | 'unit' | 'axes';
 }

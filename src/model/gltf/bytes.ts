@@ -1,4 +1,5 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
+import { requireAtMost } from '../budget.js';
 import { lazyCode } from '../lazy-code.js';
 import { isDataUri } from '../request-file.js';
 import type { ModelSource } from '../model-reader.js';
@@ -65,7 +66,7 @@ export function gltfBytes(
       const size = length + (view?.byteStride ?? 0);
       copied += size;
       // Views may overlap or be compressed, so a small file can claim any size.
-      if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 256 MiB.');
+      requireAtMost(copied, BYTE_LIMIT, 'bytes once they are unpacked');
       const copy = new Uint8Array(size);
       copy.set(meshopt ? await (await meshoptDecoder())(bytes, meshopt) : bytes);
       return copy.buffer;

@@ -1,7 +1,7 @@
 // The vertices of a mesh with joints or morph targets, computed on the CPU, at load and whenever the pose changes, so
 // that bounds, culling and picking read the vertices that are drawn.
 import { Box3, BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
-import { writeFaceNormals } from '../face-normals.js';
+import { writeFaceNormals } from '../../material/flat-geometry.js';
 import type { Slices } from '../slices.js';
 import { COORDINATE_LIMIT, type Attribute } from './attributes.js';
 import type { JointPose } from './joint-pose.js';

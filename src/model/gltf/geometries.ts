@@ -200,8 +200,8 @@ export class Geometries {
   }
 
   /**
-   * Normals of the file that have no direction are computed anew. If all of them, they count as absent. Gives 1 for each
-   * corner that takes its face's own normal; null for none.
+   * Normals of the file that have no direction are computed anew. If all of them, they count as absent. Gives 1 for
+   * each corner that takes its face's own normal; null for none.
    */
   async #completeNormals(
     attributes: Map<string, Attribute>,

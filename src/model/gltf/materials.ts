@@ -119,10 +119,10 @@ function readMetalRough(
   what: string,
 ): MaterialValues['metalRough'] {
   const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = metallic;
-  const glossiness = share(glossy['glossinessFactor'], `${what}.glossinessFactor`, 1);
+  const glossiness = share(glossy['glossinessFactor'], `${what}.glossinessFactor`);
   if (glossiness < 1) return { metalness: 0, roughness: 1 - glossiness };
-  const metalness = share(metallicFactor, `${what}.metallicFactor`, 1);
-  const roughness = share(roughnessFactor, `${what}.roughnessFactor`, 1);
+  const metalness = share(metallicFactor, `${what}.metallicFactor`);
+  const roughness = share(roughnessFactor, `${what}.roughnessFactor`);
   if (metallicRoughnessTexture !== undefined) return { metalness, roughness };
   return metalness === 1 && roughness === 1
     ? null
@@ -138,13 +138,12 @@ const MOST_METAL = 0.5;
 function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): readonly number[] | null {
   const color = specular['specularColorFactor'] ?? glossy['specularFactor'];
   if (color === undefined && specular['specularFactor'] === undefined) return null;
-  const factor = share(specular['specularFactor'], `${what}.specularFactor`, 1);
+  const factor = share(specular['specularFactor'], `${what}.specularFactor`);
   return (numbersAt(color, 3, `${what}.specularColorFactor`) ?? WHITE).map((c) => c * factor);
 }
 
-/** A number clamped to 0–1. */
-const share = (value: unknown, what: string, fallback: number): number =>
-  Math.min(Math.max(numberAt(value, what, fallback), 0), 1);
+/** A number clamped to 0–1; 1 by default. */
+const share = (value: unknown, what: string): number => Math.min(Math.max(numberAt(value, what, 1), 0), 1);
 
 function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: string): JsonObject {
   const use = optionalObject(value, what);

@@ -1,8 +1,8 @@
 // Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material each belongs to. Lines,
 // points, curves and surfaces are skipped, and so is a face that refers to what is not there.
+import { requireAtMost } from '../budget.js';
 import type { LeftOut, LeftOutKind } from '../left-out.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
-import { ModelError } from '../model.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { unquoted } from './material-names.js';
@@ -71,7 +71,9 @@ class ObjReader {
   #inFace = false;
   /** What the last piece took, as {@link Slices.took} counts it. */
   #work = 0;
-  /** Names in force, or where they are: one without a face is not read. Millions of strings would stop the collector. */
+  /**
+   * Names in force, or where they are: one without a face is not read. Millions of strings would stop the collector.
+   */
   readonly #names: Record<'o' | 'g' | 'usemtl', string | number> = { o: '', g: '', usemtl: '' };
   #smoothing = UNSTATED;
   /** First corner of the run. */
@@ -283,21 +285,11 @@ class ObjReader {
   #endRun(): void {
     const end = this.#lists.corners.length;
     if (end > this.#runStart) {
-      if (this.#runs.length >= RUN_LIMIT) {
-        throw new ModelError(
-          'too-large',
-          `The model changes its object or material more than ${RUN_LIMIT.toLocaleString('en')} times.`,
-        );
-      }
+      requireAtMost(this.#runs.length + 1, RUN_LIMIT, 'changes of its object or material');
       const material = this.#nameOf('usemtl');
       this.#materials.add(material);
       // At least one draw each.
-      if (this.#materials.size > PART_LIMIT) {
-        throw new ModelError(
-          'too-large',
-          `The model has more than ${PART_LIMIT.toLocaleString('en')} materials.`,
-        );
-      }
+      requireAtMost(this.#materials.size, PART_LIMIT, 'materials');
       const object = this.#nameOf('o') || this.#nameOf('g');
       this.#runs.push({ object, material, start: this.#runStart, end });
     }

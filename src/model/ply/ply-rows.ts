@@ -1,5 +1,5 @@
-// Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each. Lists of millions of
-// items are read in slices.
+// Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each. Lists of millions
+// of items are read in slices.
 import { clip } from '../../fields/clip.js';
 import type { LeftOut } from '../left-out.js';
 import { CORNER_LIMIT } from '../limits.js';

@@ -1,9 +1,9 @@
 // The triangles of a text STL file: `solid name`, then `facet` … `vertex x y z` … `endfacet`, then `endsolid`. Stated
 // normals are skipped, and a facet without three sound vertices is left out. Words may be upper case, and anywhere on a
 // line.
+import { requireAtMost } from '../budget.js';
 import type { LeftOut } from '../left-out.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
-import { ModelError } from '../model.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
@@ -89,10 +89,7 @@ class StlTextReader {
     const scanner = this.#scanner;
     if (this.#corners === 3) this.#spoil('a facet has more than three vertices', at);
     if (!this.#isSound) return;
-    if (this.#total === CORNER_LIMIT) {
-      const most = CORNER_LIMIT.toLocaleString('en');
-      throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
-    }
+    requireAtMost(this.#total + 1, CORNER_LIMIT, 'triangle corners');
     const start = scanner.at;
     const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
     this.#corners = (this.#corners ?? 0) + 1;
@@ -125,9 +122,7 @@ class StlTextReader {
       color: [1, 1, 1],
       opacity: 1,
     });
-    if (this.#solids.length > PART_LIMIT) {
-      throw new ModelError('too-large', `The model has more than ${PART_LIMIT.toLocaleString('en')} solids.`);
-    }
+    requireAtMost(this.#solids.length, PART_LIMIT, 'solids');
     this.#places = new Positions();
   }
 

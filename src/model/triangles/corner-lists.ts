@@ -1,9 +1,9 @@
 // A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
 // their own, as OBJ writes them.
+import { requireAtMost } from '../budget.js';
 import { Matrix4 } from 'three';
 import { LIMITS } from '../../light/light-state.js';
 import { CORNER_LIMIT, free } from '../limits.js';
-import { ModelError } from '../model.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
 export const UNSTATED = -1;
@@ -63,10 +63,7 @@ export class CornerLists {
 
   /** @throws ModelError `too-large` for too many triangles. Call before the corners of each. */
   beginTriangle(joined: boolean): void {
-    if (this.corners.length + 3 > CORNER_LIMIT) {
-      const most = CORNER_LIMIT.toLocaleString('en');
-      throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
-    }
+    requireAtMost(this.corners.length + 3, CORNER_LIMIT, 'triangle corners');
     this.joined.push(joined ? 1 : 0);
   }
 
@@ -210,10 +207,7 @@ export class Growing<A extends NumberArray> {
 
   /** @throws ModelError `too-large` past {@link LONGEST}. */
   #grow(least: number): void {
-    if (least > LONGEST) {
-      const most = LONGEST.toLocaleString('en');
-      throw new ModelError('too-large', `The model has a list of more than ${most} numbers.`);
-    }
+    requireAtMost(least, LONGEST, 'numbers in one list');
     const wanted = Math.max(least, this.array.length * 2, this.#first);
     const larger = new this.#make(Math.min(wanted, LONGEST));
     larger.set(this.array);

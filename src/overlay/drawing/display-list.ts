@@ -53,7 +53,7 @@ export const outlineOf = (shape: Stroke | Disc): number =>
 /** On and off, CSS pixels. */
 export const DASHES = [5, 4] as const;
 
-/** The font of labels. The line's height is what {@link placeLabels} keeps free. `size`: a length in CSS. */
+/** The font of labels. The line's height is what `placeLabels` keeps free. `size`: a length in CSS. */
 export const labelFont = (size: string): string => `600 ${size} system-ui, sans-serif`;
 
 /** Length and half the width of an arrow's head, CSS pixels. */

@@ -1,5 +1,6 @@
 // Draws the helpers over a viewer's picture. Follows drawn frames, recomputes only what has changed, and shows it as
 // SVG, or in a picture file as the same list. Knows what each part is for, not how it looks.
+import { sameValue } from '../../fields/field-store.js';
 import { create } from '../../element/dom.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
@@ -106,7 +107,7 @@ class Helpers implements Extra {
     const { orbit, fit } = picture;
     const bounds = picture.measure();
     const seen = [bounds, fit.fov, orbit.pose, width, height, size.width, size.height];
-    if (this.#view === null || seen.some((value, i) => value !== this.#seen[i])) {
+    if (this.#view === null || !sameValue(seen, this.#seen)) {
       this.#seen = seen;
       this.#scene = ballOf(this.#host);
       this.#svg.over(size);

@@ -1,5 +1,6 @@
 // The helpers of the scene itself: axes, grid, bounds and normals. Computed again only where the view, the scene's
 // ball, a mesh, or what hides something has changed.
+import { sameValue } from '../../fields/field-store.js';
 import type { Mesh, Object3D } from 'three';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import type { Helper } from '../../element/fields/viewer-fields.js';
@@ -36,7 +37,7 @@ export class SceneHelpers {
     }
     const meshes = meshesIn(this.#host.viewport.picture.scene);
     const seen = [view, scene, helpers, ...meshes.flatMap(stateOf)];
-    const changed = seen.length !== this.#seen.length || seen.some((value, i) => value !== this.#seen[i]);
+    const changed = !sameValue(seen, this.#seen);
     if (!changed && !this.#hidingChanged) return this.#drawing;
     this.#seen = seen;
     this.#hidingChanged = false;

@@ -4,7 +4,17 @@ import { Matrix3, type Mesh } from 'three';
 import { normalMatrix } from '../../material/normal-matrix.js';
 import { PhongMaterial } from '../../material/phong-material.js';
 import { niceCeil } from '../../math/round-number.js';
-import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  scale,
+  subtract,
+  transformed,
+  type Vec3,
+} from '../../math/vector.js';
 import { arrowHead, type DrawnItem, type Stroke } from '../drawing/display-list.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import type { Name } from './labels.js';
@@ -161,7 +171,7 @@ function boxEdges(
       number,
       number,
     ];
-    return place(e, x, y, z);
+    return transformed(e, x, y, z);
   };
   /** A face is in front if the eye is on its outer side: farther along its axis than the opposite one. */
   const isFront = (axis: number, bit: number): boolean => {
@@ -182,12 +192,6 @@ function boxEdges(
     }
   }
 }
-
-const place = (e: ArrayLike<number>, x: number, y: number, z: number): Vec3 => [
-  e[0]! * x + e[4]! * y + e[8]! * z + e[12]!,
-  e[1]! * x + e[5]! * y + e[9]! * z + e[13]!,
-  e[2]! * x + e[6]! * y + e[10]! * z + e[14]!,
-];
 
 /** Normals of all meshes together. More would cover the picture. */
 const MOST_NORMALS = 400;
@@ -263,7 +267,7 @@ function normalsOf({ geometry, matrixWorld, material }: Mesh): (vertex: number) 
   const e = matrixWorld.elements;
   const m = turn.elements;
   const placeOf = (vertex: number): Vec3 =>
-    place(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
+    transformed(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
   return (vertex) => {
     const [x, y, z] = [normal.getX(vertex), normal.getY(vertex), normal.getZ(vertex)];
     const N = normalize([

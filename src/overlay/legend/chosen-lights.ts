@@ -2,6 +2,7 @@
 // light where a view is of one light, or all.
 import { clipMessage } from '../../fields/clip.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
+import { listed } from '../../model/listed.js';
 import { viewEntry } from '../../material/view/view-table.js';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';
@@ -50,21 +51,14 @@ export function chosenLightsText(host: ExtraHost): string {
   return state.values.active ? light : phrase(viewer.texts, '{light} (not active)', { light });
 }
 
-/** Names that a warning lists at most. */
-const MOST_LISTED = 10;
-
 /** What is wrong with `view-light`, and its cure; null where it names a light or is empty. */
 export function unknownLightText(host: ExtraHost): string | null {
   const { values, viewport, children } = host;
   if (values.viewLight === '' || namedIndex(host) >= 0) return null;
   const { lights } = viewport.picture.lighting.lights;
-  const names = lights
-    .slice(0, MOST_LISTED)
-    .map((state, i) => JSON.stringify(lightName(children.lightOf(state), state, i)));
-  const more = lights.length - names.length;
-  const list = more > 0 ? `${names.join(', ')} and ${String(more)} more` : names.join(', ');
+  const names = lights.map((state, i) => JSON.stringify(lightName(children.lightOf(state), state, i)));
   const value = JSON.stringify(values.viewLight);
   return clipMessage(
-    `<phong-viewer view-light=${value}>: no light has this name, so none is shown. Names of lights: ${list}.`,
+    `<phong-viewer view-light=${value}>: no light has this name, so none is shown. Names of lights: ${listed(names)}.`,
   );
 }

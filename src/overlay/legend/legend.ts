@@ -1,5 +1,6 @@
 // Shows a view: what the picture draws in place of the shaded colours, and the legend over it. Follows `view` and
 // `view-light`.
+import { sameValue } from '../../fields/field-store.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';
@@ -69,8 +70,7 @@ class ViewExtra implements Extra {
     const { view, reflection } = host.values;
     const { texts } = host.viewer;
     const key = [view, texts, document.documentElement.lang];
-    if (key.some((value, i) => value !== this.#scale.key[i]))
-      this.#scale = { key, bars: barsOf(view, texts) };
+    if (!sameValue(key, this.#scale.key)) this.#scale = { key, bars: barsOf(view, texts) };
     this.#legend.show({
       label: phrase(texts, 'Legend'),
       title: phrase(texts, viewTitle(view, reflection === 'blinn-phong')),

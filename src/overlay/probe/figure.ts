@@ -3,7 +3,17 @@
 // angle between R and V has no arc: it would lie on R itself.
 import type { FragmentExplanation } from '../../element/explanation.js';
 import type { ViewerTexts } from '../../element/fields/texts.js';
-import { add, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import {
+  add,
+  dot,
+  length,
+  map,
+  normalize,
+  scale,
+  subtract,
+  transformed,
+  type Vec3,
+} from '../../math/vector.js';
 import { byShare, type Sum, type SumRow } from './sum.js';
 import { lobeWords, normalWords } from './words.js';
 
@@ -109,8 +119,6 @@ export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[
   const e = matrixWorld.elements;
   return [0, 1, 2].map((corner): Vec3 => {
     const vertex = index === null ? 3 * triangle + corner : index.getX(3 * triangle + corner);
-    const [x, y, z] = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
-    const along = (row: 0 | 1 | 2): number => e[row] * x + e[4 + row]! * y + e[8 + row]! * z + e[12 + row]!;
-    return [along(0), along(1), along(2)];
+    return transformed(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
   });
 }

@@ -60,6 +60,7 @@ export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   } finally {
     setConsoleFunction(log as ConsoleFunction);
   }
+  renderer.debug.checkShaderErrors = false; // see checkLinks
   renderer.autoClear = false; // the stage clears once for all pictures of a frame
   renderer.setOpaqueSort(byScene);
   renderer.setTransparentSort(fromBehind);

@@ -11,27 +11,21 @@ type Program = ThreeProgram & {
   getAttributes(): object;
 };
 
+const checked = new WeakSet<Program>();
+
 /**
- * Replaces three.js's own check, which reads three logs of each program and blocks for each. After a program has drawn,
- * the browser knows its link status without blocking. The logs are read only after a failure.
+ * Call after drawing. Reports each failed program once. Stands in place of three.js's own check (`checkShaderErrors`),
+ * which reads three logs of each program and blocks for each. After a program has drawn, the browser knows its link
+ * status without blocking. The logs are read only after a failure.
  */
-export class LinkCheck {
-  readonly #checked = new WeakSet<Program>();
-
-  constructor(renderer: WebGLRenderer) {
-    renderer.debug.checkShaderErrors = false;
-  }
-
-  /** Call after drawing. Reports each failed program once. */
-  check(renderer: WebGLRenderer): void {
-    const gl = renderer.getContext();
-    for (const program of (renderer.info.programs ?? []) as Program[]) {
-      if (this.#checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
-      this.#checked.add(program);
-      if (gl.isContextLost()) continue;
-      if (gl.getProgramParameter(program.program, gl.LINK_STATUS) === true) sealAttributes(program);
-      else reportLinkFailure(gl, program.program);
-    }
+export function checkLinks(renderer: WebGLRenderer): void {
+  const gl = renderer.getContext();
+  for (const program of (renderer.info.programs ?? []) as Program[]) {
+    if (checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
+    checked.add(program);
+    if (gl.isContextLost()) continue;
+    if (gl.getProgramParameter(program.program, gl.LINK_STATUS) === true) sealAttributes(program);
+    else reportLinkFailure(gl, program.program);
   }
 }
 

@@ -12,7 +12,7 @@ import {
   rendererOf,
   SAFE_SIDE,
 } from './context.js';
-import { LinkCheck } from './link-check.js';
+import { checkLinks } from './link-check.js';
 
 interface ContextEvents {
   /** The GPU has lost everything. */
@@ -40,7 +40,6 @@ export class SharedContext {
   /** Null unless open or lost. */
   #gl: WebGL2RenderingContext | null = null;
   #renderer: WebGLRenderer | null = null;
-  #linkCheck: LinkCheck | null = null;
   #limit = NO_LIMIT;
 
   constructor(events: ContextEvents) {
@@ -102,7 +101,7 @@ export class SharedContext {
 
   /** Reports programs that do not link. Call after drawing. */
   checkLinks(): void {
-    if (this.#renderer !== null) this.#linkCheck?.check(this.#renderer);
+    if (this.#renderer !== null) checkLinks(this.#renderer);
   }
 
   /**
@@ -138,7 +137,6 @@ export class SharedContext {
       this.#limit = { ...this.#limit, side: largestSideOf(gl) };
       this.#renderer = rendererOf(gl);
       deviceOf(this.#renderer); // in the first frame the answer would wait for the commands before it
-      this.#linkCheck = new LinkCheck(this.#renderer);
     } catch (error) {
       if (!this.noticeLoss()) throw error;
     }
@@ -166,7 +164,6 @@ export class SharedContext {
   #disposeRenderer(): void {
     this.#renderer?.dispose();
     this.#renderer = null;
-    this.#linkCheck = null;
   }
 
   readonly #onVisible = (): void => {

@@ -266,7 +266,7 @@ class Stage {
 
   /**
    * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a
-   * while. False like {@link #resize}.
+   * while. False where there is no memory for it, as {@link SharedContext.resize} says.
    */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;

@@ -25,7 +25,9 @@ export interface Sampled extends Size, Captured {
   animate(): void;
 }
 
-/** Animation frames without a change before the first sample of a drag: a slow one has frames in which nothing moves. */
+/**
+ * Animation frames without a change before the first sample of a drag: a slow one has frames in which nothing moves.
+ */
 const STILL_FRAMES = 3;
 
 /** A change is no part of a drag after a picture with all its samples, or so long after the last standstill began. */
@@ -197,8 +199,8 @@ export class ConvergingPicture {
   }
 
   /**
-   * Draws one batch where the last one has ended, and ends what is complete with it. `shown`: the page can show the mean
-   * now, and then waits for what is still being drawn.
+   * Draws one batch where the last one has ended, and ends what is complete with it. `shown`: the page can show the
+   * mean now, and then waits for what is still being drawn.
    */
   #advance(renderer: WebGLRenderer, run: Run, shown: boolean): void {
     const { batches, sum, tiles } = run;

@@ -1,5 +1,5 @@
-// A picture for `toBlob({ samples })`: the mean of its samples at any size, tile by tile, in batches that leave the page
-// its frames. Works in hidden documents, where animation frames do not come.
+// A picture for `toBlob({ samples })`: the mean of its samples at any size, tile by tile, in batches that leave the
+// page its frames. Works in hidden documents, where animation frames do not come.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { newTarget } from '../gpu/capture-target.js';

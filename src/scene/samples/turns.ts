@@ -1,6 +1,7 @@
 // Pictures of a page converge one after the other: the first is finished sooner, and one set of float buffers serves
-// all of them. The set is made for the first picture of a queue and freed some time after the last. Pictures in view come before
-// those that are only near it, and otherwise in the order in which they stood still: mostly that of the document.
+// all of them. The set is made for the first picture of a queue and freed some time after the last. Pictures in view
+// come before those that are only near it, and otherwise in the order in which they stood still: mostly that of the
+// document.
 import type { WebGLRenderer } from 'three';
 import { SampleSum } from './sample-sum.js';
 
