@@ -1,14 +1,6 @@
 // As much of three.js's renderer as light data and programs need: textures with the calls that fill them, and programs
-// that compile in the background. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
-import type { ExternalTexture, Material, Mesh, WebGLRenderer } from 'three';
-
-/** One texSubImage2D: a rectangle of texels. */
-export interface Patch {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
+// that link at once. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
+import type { BufferGeometry, ExternalTexture, Material, Mesh, WebGLRenderer } from 'three';
 
 interface Texels {
   width: number;
@@ -16,61 +8,29 @@ interface Texels {
   data: Float32Array;
 }
 
-/** What the browser reports about the device. */
-export interface FakeDevice {
-  readonly name: string;
-  /** Has KHR_parallel_shader_compile. */
-  readonly tells: boolean;
-  readonly uniformVectors: number;
-}
-
-const GPU: FakeDevice = { name: 'NVIDIA', tells: true, uniformVectors: 1024 };
-
 export class FakeRenderer {
-  patches: Patch[] = [];
-  /** Whether programs have linked, and whether they do at all. */
-  ready = true;
-  links = true;
-  /** Materials whose programs were compiled, and of these the ones that were disposed of. */
+  /** Rectangles of texels that were sent, one a call. */
+  patches: object[] = [];
+  /** Materials whose programs were compiled. */
   readonly compiled: Material[] = [];
-  readonly disposed: Material[] = [];
-  /** Programs whose shaders were deleted by hand. */
-  readonly withoutShaders: object[] = [];
-  readonly #device: FakeDevice;
-  /** The unpack settings, which an upload must set for itself. */
-  readonly unpack = new Map<number, number | boolean>();
   /** How textures are sampled. */
   readonly sampling = new Map<string, string>();
+  readonly renderer: WebGLRenderer;
   /** By the object that represents a texture in WebGL. */
   readonly #held = new Map<object, Texels>();
   #bound: object = {};
   readonly #programs = new Map<Material, object>();
 
-  constructor(device: Partial<FakeDevice> = {}) {
-    this.#device = { ...GPU, ...device };
-  }
-
-  /** Always the same object. */
-  get renderer(): WebGLRenderer {
-    return (this.#renderer ??= this.#make());
-  }
-
-  #renderer: WebGLRenderer | null = null;
-
-  #make(): WebGLRenderer {
-    const { name, tells, uniformVectors } = this.#device;
+  /** `name`: of the device, as the browser reports it. */
+  constructor({ name = 'NVIDIA' }: { readonly name?: string } = {}) {
     const gl = {
       ...{ RENDERER: 7, LINK_STATUS: 8, MAX_FRAGMENT_UNIFORM_VECTORS: 9, MAX_VERTEX_UNIFORM_VECTORS: 9 },
       getExtension: () => null,
-      getParameter: (what: number) => (what === 7 ? name : uniformVectors),
-      getProgramParameter: () => this.links,
-      getProgramInfoLog: () => 'broken by hand',
-      getAttachedShaders: (program: object) => [{ of: program }],
-      getShaderInfoLog: () => '',
-      deleteShader: ({ of }: { of: object }) => this.withoutShaders.push(of),
+      getParameter: (what: number) => (what === 7 ? name : 1024),
+      getProgramParameter: () => true,
+      getAttachedShaders: () => [],
       isContextLost: () => false,
-      ...{ TEXTURE_2D: 1, RGBA: 2, FLOAT: 3, UNPACK_FLIP_Y_WEBGL: 4 },
-      ...{ UNPACK_PREMULTIPLY_ALPHA_WEBGL: 5, UNPACK_ALIGNMENT: 6 },
+      ...{ TEXTURE_2D: 1, RGBA: 2, FLOAT: 3 },
       createTexture: () => {
         const texture = {};
         this.#held.set(texture, { width: 0, height: 0, data: new Float32Array(0) });
@@ -86,21 +46,17 @@ export class FakeRenderer {
         this.texSubImage2D(...call);
       },
     };
-    return {
+    this.renderer = {
       state: {
         bindTexture: (_: number, texture: object) => (this.#bound = texture),
-        pixelStorei: (name: number, value: number | boolean) => this.unpack.set(name, value),
+        pixelStorei: () => undefined,
       },
       getContext: () => gl,
-      extensions: { has: () => tells },
-      properties: {
-        get: (material: Material) =>
-          this.compiled.includes(material) ? { currentProgram: this.programOf(material) } : {},
-      },
-      compile: ({ material }: Mesh) => {
-        const one = material as Material;
-        this.compiled.push(one);
-        one.addEventListener('dispose', () => this.disposed.push(one));
+      extensions: { has: () => true },
+      properties: { get: (material: Material) => ({ currentProgram: this.#programs.get(material) }) },
+      compile: ({ material }: Mesh<BufferGeometry, Material>) => {
+        this.compiled.push(material);
+        this.#programs.set(material, { program: material, isReady: () => true });
       },
     } as unknown as WebGLRenderer;
   }
@@ -118,13 +74,6 @@ export class FakeRenderer {
   /** Texels that the GPU has of a texture; none where it holds nothing. */
   pixels(texture: ExternalTexture): readonly number[] {
     return [...(this.#texelsOf(texture)?.data ?? [])];
-  }
-
-  /** The program that a compiled material has. */
-  programOf(material: Material): object {
-    const program = this.#programs.get(material) ?? { program: material, isReady: () => this.ready };
-    this.#programs.set(material, program);
-    return program;
   }
 
   texSubImage2D(

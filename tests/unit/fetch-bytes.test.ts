@@ -8,7 +8,6 @@ import { ModelBudget } from '../../src/model/model-budget.js';
 import { byteFetcher, SILENCE_LIMIT_MS } from '../../src/model/fetch-bytes.js';
 
 const LIMIT = 2 ** 22;
-
 vi.mock(import('../../src/model/limits.js'), async (original) => ({
   ...(await original()),
   BYTE_LIMIT: 2 ** 22,
@@ -60,14 +59,13 @@ const { signal: never } = new AbortController();
 
 /** Requests `path`; gives what it ends with, and the bytes so far. */
 function download(path: string, signal = never): { ended: Promise<unknown>; loaded: () => number } {
-  let bytes = 0;
-  const onProgress = (loaded: number): void => {
-    bytes = loaded;
-  };
+  const onProgress = vi.fn((loaded: number) => loaded);
   const fetchBytes = byteFetcher({ signal, crossOrigin: null, onProgress }, new ModelBudget());
   const ended = fetchBytes(new URL(path, origin), 'follow').catch((error: unknown) => error);
-  return { ended, loaded: () => bytes };
+  return { ended, loaded: () => onProgress.mock.lastCall?.[0] ?? 0 };
 }
+
+const failed = (message: unknown) => ({ code: 'load-failed', message });
 
 const hungUp = (): Promise<unknown> => expect.poll(() => responses[0]?.destroyed).toBe(true);
 
@@ -75,18 +73,13 @@ describe('a download', () => {
   it('that is refused has failed with its status, even where the body of the answer breaks off', async () => {
     for (let i = 0; i < 5; i += 1) {
       const { ended } = download('/cut-off');
-      expect(await ended).toMatchObject({
-        code: 'load-failed',
-        message: 'The server answered 404 Not Found for cut-off.',
-      });
+      expect(await ended).toMatchObject(failed('The server answered 404 Not Found for cut-off.'));
     }
     const cancel = (): Promise<never> => Promise.reject(new TypeError('network error'));
     const body = new ReadableStream({ cancel });
     vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { status: 404 }));
-    expect(await download('/gone.glb').ended).toMatchObject({
-      code: 'load-failed',
-      message: 'The server answered 404 for gone.glb.',
-    });
+    const { ended } = download('/gone.glb');
+    expect(await ended).toMatchObject(failed('The server answered 404 for gone.glb.'));
   });
 
   it('of a compressed file ends at the limit, before the rest is unpacked', async () => {
@@ -99,10 +92,9 @@ describe('a download', () => {
 
   it('gives all bytes, whatever length was announced', async () => {
     for (const announced of ['', '3', '7', '9']) {
-      const pieces = [new Uint8Array([1, 2]), new Uint8Array([3, 4, 5]), new Uint8Array([6, 7])];
       const body = new ReadableStream<Uint8Array>({
         start: (controller) => {
-          for (const piece of pieces) controller.enqueue(piece);
+          for (const piece of [[1, 2], [3, 4, 5], [6, 7]]) controller.enqueue(new Uint8Array(piece)); // prettier-ignore
           controller.close();
         },
       });
@@ -137,9 +129,6 @@ describe('a download', () => {
     }
     expect(await Promise.race([ended, tick('still waiting')])).toBe('still waiting');
     vi.advanceTimersByTime(1);
-    expect(await ended).toMatchObject({
-      code: 'load-failed',
-      message: expect.stringMatching(/60 seconds/) as unknown,
-    });
+    expect(await ended).toMatchObject(failed(expect.stringMatching(/60 seconds/)));
   });
 });

@@ -1,10 +1,10 @@
 // Do the readers of OBJ, MTL, STL and PLY return a model or throw a ModelError for every file, however broken? The
 // files are damaged valid ones and random sequences of the formats' words. The time of each is bounded by its size.
 import fc from 'fast-check';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it } from 'vitest';
 import { ModelError, type Content } from '../../src/model/model.js';
 import { repeats } from '../support/repeats.js';
-import { loadFiles, png, standInImages } from './model-files.js';
+import { heardWarnings, loadFiles, png, standInImages } from './model-files.js';
 
 /** Others: PHONG_VIEWER_SEED=1000. */
 const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -63,17 +63,22 @@ function plyBinary(big: boolean): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-const SOUND: Readonly<Record<string, Uint8Array<ArrayBuffer>>> = {
-  'a.obj': encoder.encode(objText),
-  'text.ply': encoder.encode(plyText),
-  'little.ply': plyBinary(false),
-  'big.ply': plyBinary(true),
-  'text.stl': encoder.encode(stlText),
-  'binary.stl': stlBinary(),
-};
+type Files = Readonly<Record<string, Uint8Array<ArrayBuffer>>>;
+
+const OBJ: Files = { 'a.obj': encoder.encode(objText), 'a.mtl': encoder.encode(mtlText) };
+
+const SOUND: readonly (readonly [damaged: string, Files])[] = [
+  ['a.obj', OBJ],
+  ['a.mtl', { ...OBJ, 'x.png': png() }],
+  ['text.ply', { 'text.ply': encoder.encode(plyText) }],
+  ['little.ply', { 'little.ply': plyBinary(false) }],
+  ['big.ply', { 'big.ply': plyBinary(true) }],
+  ['text.stl', { 'text.stl': encoder.encode(stlText) }],
+  ['binary.stl', { 'binary.stl': stlBinary() }],
+];
 
 /** Accepts a consistent model or a ModelError, nothing else. */
-async function requireOutcome(files: Readonly<Record<string, Uint8Array<ArrayBuffer>>>): Promise<void> {
+async function requireOutcome(files: Files): Promise<void> {
   const result: unknown = await loadFiles(files).catch((error: unknown) => error);
   if (result instanceof ModelError) {
     expect(result.message.length).toBeLessThan(600);
@@ -90,9 +95,8 @@ async function requireOutcome(files: Readonly<Record<string, Uint8Array<ArrayBuf
     }
     expect(geometry.index?.array.every((vertex) => vertex < count) ?? true).toBe(true);
     expect(matrix.elements.every(Number.isFinite)).toBe(true);
-    expect(
-      [look.opacity, ...(surface.kd ?? []), ...(look.map?.matrix.elements ?? [])].every(Number.isFinite),
-    ).toBe(true);
+    const values = [look.opacity, ...(surface.kd ?? []), ...(look.map?.matrix.elements ?? [])];
+    expect(values.every(Number.isFinite)).toBe(true);
   }
   model.dispose();
 }
@@ -117,40 +121,17 @@ function changed(bytes: Uint8Array<ArrayBuffer>, changes: readonly Change[]): Ui
   return Uint8Array.from(list);
 }
 
-beforeEach(() => {
-  standInImages();
-  vi.spyOn(console, 'warn').mockImplementation(() => undefined); // files that are missing
-});
-
-afterEach(() => {
-  vi.unstubAllGlobals();
-  vi.restoreAllMocks();
-});
+heardWarnings(); // of files that are missing
+beforeEach(() => void standInImages());
 
 describe('every file is a model or a ModelError', () => {
-  for (const [name, bytes] of Object.entries(SOUND)) {
-    it(`where ${name} is damaged (seed ${seed})`, async () => {
-      await requireOutcome({ [name]: bytes, 'a.mtl': encoder.encode(mtlText) });
-      await fc.assert(
-        fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 6 }), async (changes) => {
-          await requireOutcome({ [name]: changed(bytes, changes), 'a.mtl': encoder.encode(mtlText) });
-        }),
-        { seed, numRuns: repeats(20_000) },
-      );
-    });
-  }
-
-  it(`where the material library is damaged (seed ${seed})`, async () => {
-    const images = { 'x.png': png() };
+  it.each(SOUND)(`where %s is damaged (seed ${seed})`, async (damaged, files) => {
+    await requireOutcome(files);
     await fc.assert(
       fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 6 }), async (changes) => {
-        await requireOutcome({
-          'a.obj': encoder.encode(objText),
-          'a.mtl': changed(encoder.encode(mtlText), changes),
-          ...images,
-        });
+        await requireOutcome({ ...files, [damaged]: changed(files[damaged]!, changes) });
       }),
-      { seed, numRuns: repeats(10_000) },
+      { seed, numRuns: repeats(damaged === 'a.mtl' ? 10_000 : 20_000) },
     );
   });
 

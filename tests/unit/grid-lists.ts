@@ -1,5 +1,4 @@
-// Light grids as tests need them: numbered spots, lists read back as the GLSL reads them, its float32 included, and
-// what a light can add at a point by its values alone.
+// Light grids as tests need them: numbered spots, and lists read back as the GLSL reads them, its float32 included.
 
 import { expect } from 'vitest';
 import { divideLights } from '../../src/light/light-grid.js';
@@ -9,9 +8,10 @@ import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
 import { radians } from '../../src/math/angle.js';
-import { dot, length, normalize, subtract, type Vec3 } from '../../src/math/vector.js';
+import { subtract, type Vec3 } from '../../src/math/vector.js';
 import { float32, type Random } from '../stress/random.js';
 import { light } from './arbitraries.js';
+import { angleOf } from './cull-cases.js';
 import { pack } from './packed-reader.js';
 
 export const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -39,13 +39,8 @@ export function spotsOver(
   );
 }
 
-export interface Divided {
-  readonly into: PackedLights;
-  readonly size: Vec3;
-  readonly step: Vec3;
-}
-
-export function divided(lights: readonly LightValues[], box: Box): Divided {
+/** The grid of a box, the number of its cells along each axis, and the size of one. */
+export function divided(lights: readonly LightValues[], box: Box) {
   const into = emptyPack();
   expect(divideLights(pack(lights), box, into)).toBe(true);
   const size = float32(rowOf(into, gridOf(into) + GRID.size));
@@ -97,24 +92,9 @@ export function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
   return float32(p as unknown as Vec3);
 }
 
-/** An upper bound of what a light adds at p in any channel, for any normal. From its values, not from its rows. */
-export function most(
-  { position, axis, aperture, cutoff, attenuation, ...colors }: LightValues,
-  p: Vec3,
-): number {
-  const { ambient, diffuse, specular } = colors;
-  const channels = (factor: number, own: number): number =>
-    Math.max(...[0, 1, 2].map((k) => own * ambient[k]! + factor * (diffuse[k]! + specular[k]!))) / 255;
-  if (position[3] === 0) return channels(1, 0);
-  const from = subtract(p, [position[0], position[1], position[2]]);
-  const d = length(from);
-  const att = 1 / Math.max(attenuation[0] + d * (attenuation[1] + d * attenuation[2]), 1);
-  if (aperture === 180 && cutoff === 0) return channels(att, 0); // ambient is of all lamps together
-  const c = dot(normalize(from), normalize(axis));
-  if (aperture < 180 && Math.acos(Math.min(Math.max(c, -1), 1)) > radians(aperture)) return 0;
-  const decay = ((c + 1) / 2) ** cutoff;
-  return channels(att * decay, decay);
-}
+/** Whether p is within a spot's cone: by its values, not by its rows. */
+export const isLit = ({ position: [x, y, z], axis, aperture }: LightValues, p: Vec3): boolean =>
+  angleOf({ apex: [x, y, z], axis, aperture }, p) <= radians(aperture);
 
 /** The rows that each of `lights` has in `into`, found by its red ambient light, which is its number: spots alone. */
 export const rowByNumber = (into: PackedLights): Map<number, number> =>
@@ -146,10 +126,7 @@ export function cornerCase(
   const tilt = radians(20);
   const axis = outward.map((x) => -Math.sin(tilt) * x);
   axis[flat] = -Math.cos(tilt);
-  const lamp = light({
-    position: [wall[0]!, wall[1]!, wall[2]!, 1],
-    axis: axis as unknown as Vec3,
-    aperture: 20,
-  });
+  const position = [...wall, 1] as unknown as LightValues['position'];
+  const lamp = light({ position, axis: axis as unknown as Vec3, aperture: 20 });
   return { lamp, at: moved(-1.38 * pad), p: moved(0.3 * pad) };
 }

@@ -42,10 +42,7 @@ describe('the header of a KTX2 file', () => {
     expect(() => checkKtx2(bytes)).toThrow(message);
   });
 
-  it.each([
-    ['a PNG', Uint8Array.from([0x89, 0x50, 0x4e, 0x47])],
-    ['nothing', new Uint8Array()],
-  ])('is not found in %s', (_, bytes) => {
-    expect(isKtx2(bytes)).toBe(false);
+  it('is not found in a PNG, nor in nothing', () => {
+    for (const bytes of [[0x89, 0x50, 0x4e, 0x47], []]) expect(isKtx2(Uint8Array.from(bytes))).toBe(false);
   });
 });

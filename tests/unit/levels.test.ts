@@ -28,9 +28,8 @@ describe('the constants of round shapes', () => {
     const { gap, out } = roundOf(name)!;
     for (const segments of name === 'torus-knot' ? [64, 128] : [16, 32, 64]) {
       const pieces = SHAPES[name].filter(({ isHidden }: Piece) => isHidden !== true);
-      const ranges = pieces.map((piece) => deviations(piece, segments));
-      const low = segments ** 2 * Math.min(...ranges.map(([inside]) => inside));
-      const high = segments ** 2 * Math.max(...ranges.map(([, inside]) => inside));
+      const found = pieces.flatMap((piece) => deviations(piece, segments).map((off) => segments ** 2 * off));
+      const [low, high] = [Math.min(...found), Math.max(...found)];
       expect(high - out, String(segments)).toBeLessThanOrEqual(1.005 * gap);
       expect(low - out, String(segments)).toBeGreaterThanOrEqual(-1.005 * gap);
       // No more than it needs.
@@ -41,31 +40,23 @@ describe('the constants of round shapes', () => {
   it.each(NAMES)('say how large the round %s is', (name) => {
     const { half, radius } = roundOf(name)!;
     const surfaces = SHAPES[name].map(({ surface }) => surface);
-    boxOf(surfaces, name === 'teapot' ? 20 : 200).forEach(([low, high], axis) => {
+    const steps = name === 'teapot' ? 20 : 200;
+    boxOf(surfaces, steps).forEach(([low, high], axis) => {
       // Roundings of the constants, and of the search.
       expect(Math.abs(high - half[axis as 0]), `axis ${String(axis)}`).toBeLessThan(2e-6);
       expect(Math.abs(low + half[axis as 0]), `axis ${String(axis)}`).toBeLessThan(2e-6);
     });
-    const farthest = Math.max(
-      ...surfaces.map((surface) =>
-        highest((a, b) => Math.hypot(...surface(a, b).p), name === 'teapot' ? 20 : 200),
-      ),
-    );
-    expect(farthest).toBeCloseTo(radius, 5);
-  });
-
-  it.each(NAMES)('leave the %s at most 131,072 triangles', (name) => {
-    const { most } = roundOf(name)!;
-    expect(most % 8).toBe(0);
-    expect(trianglesOf(name, most)).toBeLessThanOrEqual(131_072);
+    const farthest = surfaces.map((surface) => highest((a, b) => Math.hypot(...surface(a, b).p), steps));
+    expect(Math.max(...farthest)).toBeCloseTo(radius, 5);
   });
 });
 
 describe('a level', () => {
   it.each(NAMES)(
-    'of the %s is a multiple of 8, at least as fine as needed, and at most a quarter finer',
+    'of the %s is a multiple of 8, as fine as needed, at most a quarter finer, and has at most 131,072 triangles',
     (name) => {
       const { most } = roundOf(name)!;
+      expect(trianglesOf(name, most)).toBeLessThanOrEqual(131_072);
       const least = name === 'torus-knot' ? 32 : 16;
       for (let segments = 0; segments < 2.5 * most; segments += 0.37) {
         const level = levelFor(segments, name);
@@ -91,16 +82,13 @@ describe('a level', () => {
       const plain = await createGeometry(name, 32, name === 'teapot');
       const level = await createGeometry(name, 32, true);
       const distance = out / 32 ** 2;
-      const [from, to] = [plain, level].map((geometry) => geometry.getAttribute('position').array) as [
-        Float32Array,
-        Float32Array,
-      ];
+      const from = plain.getAttribute('position').array;
+      const to = level.getAttribute('position').array;
       let most = 0;
-      for (let i = 0; i < from.length; i += 3)
-        most = Math.max(
-          most,
-          Math.hypot(to[i]! - from[i]!, to[i + 1]! - from[i + 1]!, to[i + 2]! - from[i + 2]!),
-        );
+      for (let i = 0; i < from.length; i += 3) {
+        const moved = [0, 1, 2].map((k) => to[i + k]! - from[i + k]!);
+        most = Math.max(most, Math.hypot(...moved));
+      }
       expect(most).toBeCloseTo(distance, 6);
       expect(level.index!.array).toEqual(plain.index!.array);
       // What is drawn lies within the bounds that culling uses.
@@ -121,8 +109,7 @@ function viewFrom(distance: number, fov = 45, aspect = 4 / 3): View {
   };
 }
 
-const at = (x: number, y: number, z: number, size: number) =>
-  new Matrix4().makeScale(size, size, size).setPosition(x, y, z).elements;
+const at = (x: number, y: number, z: number) => new Matrix4().setPosition(x, y, z).elements;
 
 describe('the number of segments that a shape needs', () => {
   const sphere = roundOf('sphere')!;
@@ -131,13 +118,9 @@ describe('the number of segments that a shape needs', () => {
     const corner = Math.hypot(1, 4 / 3) * Math.tan(Math.PI / 8);
     const filled = 0.5 / Math.sin(Math.atan(corner));
     const need = (share: number, x: number) =>
-      segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0, 1));
-    expect([need(0.99, 0), need(1.01, 0)! > 30, need(0.9, 0), need(0.9, 0.2)! > 30]).toEqual([
-      0,
-      true,
-      0,
-      true,
-    ]);
+      segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0));
+    expect([need(0.99, 0), need(0.9, 0)]).toEqual([0, 0]);
+    for (const n of [need(1.01, 0), need(0.9, 0.2)]) expect(n).toBeGreaterThan(30);
   });
 
   it('keeps the outline of a sphere within the tolerance wherever it is in the picture', () => {
@@ -146,24 +129,19 @@ describe('the number of segments that a shape needs', () => {
       for (const distance of [0.52, 0.7, 2, 30]) {
         const view = viewFrom(distance, fov);
         const pixels = height / (2 * view.slopeY);
-        for (const x of [0, 0.3, 0.9]) {
-          const n = segmentsIn(view, 4 * pixels, sphere, at(x * distance * view.slopeX, 0, 0, 1));
-          if (n === null) continue;
-          // Where the outline is in view: rays that touch the sphere, once with the radius that is drawn.
-          const gap = sphere.gap / n ** 2;
-          let worst = 0;
+        for (const share of [0, 0.3, 0.9]) {
+          const x = share * distance * view.slopeX;
+          const away = Math.hypot(x, distance);
+          const n = segmentsIn(view, 4 * pixels, sphere, at(x, 0, 0));
+          if (n === null || away <= 0.5) continue;
+          // Rays that touch the sphere on both sides, where they are in view, and once with the radius that is drawn.
           for (const sign of [-1, 1]) {
-            const place = (radius: number): number => {
-              const away = Math.hypot(x * distance * view.slopeX, distance);
-              const angle =
-                Math.atan2(x * distance * view.slopeX, distance) + sign * Math.asin(radius / away);
-              return Math.tan(angle);
-            };
-            if (Math.hypot(x * distance * view.slopeX, distance) <= 0.5 || Math.abs(place(0.5)) > view.slopeX)
-              continue;
-            worst = Math.max(worst, Math.abs(pixels * (place(0.5 - gap) - place(0.5))));
+            const place = (radius: number): number =>
+              Math.tan(Math.atan2(x, distance) + sign * Math.asin(radius / away));
+            if (Math.abs(place(0.5)) > view.slopeX) continue;
+            const error = Math.abs(pixels * (place(0.5 - sphere.gap / n ** 2) - place(0.5)));
+            expect(error, `${String(fov)}° ${String(distance)} ${String(share)}`).toBeLessThan(0.251);
           }
-          expect(worst, `${String(fov)}° ${String(distance)} ${String(x)}`).toBeLessThan(0.251);
         }
       }
   });
@@ -171,19 +149,18 @@ describe('the number of segments that a shape needs', () => {
   it('is no larger than that of a sphere that is seen whole', () => {
     // The outline of the default view at 400 pixels is 395 / 2 pixels from its middle.
     const view = viewFrom((1.05 * 0.5) / Math.sin(Math.PI / 8));
-    const n = segmentsIn(view, (4 * 400) / (2 * view.slopeY), sphere, at(0, 0, 0, 1))!;
+    const n = segmentsIn(view, (4 * 400) / (2 * view.slopeY), sphere, at(0, 0, 0))!;
     expect(n).toBeGreaterThan(60);
     expect(n).toBeLessThan(66);
   });
 
   it('is none out of view, and bounded where the eye is on the surface', () => {
     const view = viewFrom(3);
-    expect(segmentsIn(view, 1000, sphere, at(0, 0, 4, 1))).toBeNull();
-    expect(segmentsIn(view, 1000, sphere, at(9, 0, 0, 1))).toBeNull();
-    expect(segmentsIn(view, 1000, sphere, at(0, 9, 0, 1))).toBeNull();
-    expect(segmentsIn(view, 1000, sphere, at(0, 0, 2.5, 1))).toBeLessThan(250);
-    expect(segmentsIn(view, 1000, roundOf('torus')!, at(0, 0, 2.9, 1))).toBeLessThan(300);
-    expect(segmentsIn(view, 1000, sphere, at(0, 0, 3, 1))).toBeLessThan(200);
+    for (const place of [at(0, 0, 4), at(9, 0, 0), at(0, 9, 0)])
+      expect(segmentsIn(view, 1000, sphere, place)).toBeNull();
+    expect(segmentsIn(view, 1000, sphere, at(0, 0, 2.5))).toBeLessThan(250);
+    expect(segmentsIn(view, 1000, roundOf('torus')!, at(0, 0, 2.9))).toBeLessThan(300);
+    expect(segmentsIn(view, 1000, sphere, at(0, 0, 3))).toBeLessThan(200);
   });
 
   it('is a number in every direction, whatever is rounded', () => {
@@ -191,24 +168,22 @@ describe('the number of segments that a shape needs', () => {
       const { right, up, back } = basisOf({ theta, phi: 70 });
       const eye = back.map((x) => 1.3719 * x) as unknown as readonly [number, number, number];
       const view = { ...viewFrom(1), frame: { origin: [0, 0, 0] as const, eye, right, up, back } };
-      expect(segmentsIn(view, 1000, sphere, at(0, 0, 0, 1)), String(theta)).toBeGreaterThan(40);
+      expect(segmentsIn(view, 1000, sphere, at(0, 0, 0)), String(theta)).toBeGreaterThan(40);
     }
   });
 
   it('grows with the root of the resolution', () => {
     const view = viewFrom(3);
     for (const name of NAMES) {
-      const matrix = at(0.1, 0, 0, 1);
-      const one = segmentsIn(view, 1000, roundOf(name)!, matrix)!;
-      expect(segmentsIn(view, 4000, roundOf(name)!, matrix)! / one).toBeCloseTo(2, 9);
+      const needed = (finest: number) => segmentsIn(view, finest, roundOf(name)!, at(0.1, 0, 0))!;
+      expect(needed(4000) / needed(1000)).toBeCloseTo(2, 9);
     }
   });
 });
 
 describe('the level of a shape', () => {
-  const none = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   const level = (name: RoundName, distance: number, height: number, sampled = false, free = 2 ** 14) =>
-    levelIn(viewFrom(distance), height, sampled, name, none, free);
+    levelIn(viewFrom(distance), height, sampled, name, at(0, 0, 0), free);
 
   it('is as fine as the shading of its faces needs where it is small, and as its outline where it is large', () => {
     expect(level('sphere', 1.37, 60)).toBe(64);
@@ -241,13 +216,11 @@ describe('the level of a shape', () => {
 describe('a flat shape', () => {
   const isLarge = (name: 'plane' | 'box', size: Vec3, eye: Vec3): boolean => {
     const turn = new Matrix4().makeRotationFromEuler(new Euler(1, 2, 3)).setPosition(5, 6, 7);
-    const seen = new Vector3(...eye)
-      .applyMatrix4(turn)
-      .sub(new Vector3(1, 2, 3))
-      .toArray();
-    const matrix = turn.clone().scale(new Vector3(...size)).elements;
+    const origin = new Vector3(1, 2, 3);
+    const seen = new Vector3(...eye).applyMatrix4(turn).sub(origin);
     const view = viewFrom(1);
-    return isLargeFor({ ...view, frame: { ...view.frame, origin: [1, 2, 3], eye: seen } }, name, matrix);
+    const frame = { ...view.frame, origin: origin.toArray(), eye: seen.toArray() };
+    return isLargeFor({ ...view, frame }, name, turn.scale(new Vector3(...size)).elements);
   };
 
   it('is large if its longest side is more than 8 times the distance of the eye', () => {

@@ -20,7 +20,7 @@ import {
   addedAt,
   cornerCase,
   divided,
-  most,
+  isLit,
   pointIn,
   rowByNumber,
   rowOf,
@@ -46,7 +46,7 @@ describe('lights in a grid', () => {
       const p = pointIn(random, box, size);
       const added = new Set(addedAt(into, p));
       lights.forEach((one, k) => {
-        if (most(one, p) === 0) return;
+        if (!isLit(one, p)) return;
         found += 1;
         if (!added.has(rows.get(k + 1)!)) expect.fail(`light ${k} at ${String(p)}`);
       });
@@ -73,24 +73,22 @@ describe('lights in a grid', () => {
       );
       const rows = rowByNumber(into);
       cases.forEach(({ lamp, at, p }, i) => {
-        expect(most({ ...lamp, ambient: [255, 0, 0] }, at)).toBeGreaterThan(0);
+        expect(isLit(lamp, at)).toBe(true);
         expect(addedAt(into, p), `flat along ${flat}, at ${String(p)}`).toContain(rows.get(i + 1));
       });
     }
   });
 
   it('are listed in few cells that they do not reach', () => {
-    const spot = (i: number): LightValues =>
-      light({ position: [3 * (i % 6) - 7.5, 2, 3 * Math.floor(i / 6) - 7.5, 1], axis: DOWN, aperture: 20, ambient: [i + 1, 0, 0] }); // prettier-ignore
-    const { into, size, step } = divided(
-      Array.from({ length: 36 }, (_, i) => spot(i)),
-      FLOOR,
-    );
-    const lists = addedAt.bind(null, into);
+    const lights = Array.from({ length: 36 }, (_, i) => {
+      const [x, z] = [3 * (i % 6) - 7.5, 3 * Math.floor(i / 6) - 7.5];
+      return light({ position: [x, 2, z, 1], axis: DOWN, aperture: 20 });
+    });
+    const { into, size, step } = divided(lights, FLOOR);
     let listed = 0;
     for (let x = 0; x < size[0]; x++)
       for (let z = 0; z < size[2]; z++)
-        listed += lists([FLOOR[0] + (x + 0.5) * step[0], 0, FLOOR[2] + (z + 0.5) * step[2]]).length;
+        listed += addedAt(into, [FLOOR[0] + (x + 0.5) * step[0], 0, FLOOR[2] + (z + 0.5) * step[2]]).length;
     const circle = (radius: number): number => (36 * Math.PI * radius ** 2) / (step[0] * step[2]);
     const radius = 2 * Math.tan(radians(20));
     const diagonal = Math.hypot(step[0], step[2]);
@@ -172,49 +170,38 @@ describe('cells', () => {
   });
 });
 
-describe('no grid is made', () => {
+describe('a grid is made where it pays', () => {
   const random = new Random(SEED);
-  const isDivided = (lights: readonly LightValues[], box: Box = FLOOR): boolean =>
-    divideLights(pack(lights), box, emptyPack());
-  const sun = light({ position: [0, 1, 0, 0] });
-  const lamp = light({ position: [0, 1, 0, 1], attenuation: [1, 0, 1000] });
   const times = (count: number, one: LightValues): LightValues[] => Array.from({ length: count }, () => one);
+  const suns = (count: number) => times(count, light({ position: [0, 1, 0, 0] }));
+  const lamps = (count: number) => times(count, light({ position: [0, 1, 0, 1], attenuation: [1, 0, 1000] }));
+  const spots = (count: number) => spotsOver(FLOOR, count, random);
+  const wide = (count: number) => spotsOver(FLOOR, count, random, { axis: DOWN, aperture: 88 });
+  const above = (count: number, height: number, aperture: number) =>
+    spotsOver(FLOOR, count, random, { position: [0, height, 0, 1], axis: DOWN, aperture });
 
-  it('for few lights', () => {
-    expect(isDivided(spotsOver(FLOOR, LEAST_DIVIDED - 1, random))).toBe(false);
-    expect(isDivided(spotsOver(FLOOR, LEAST_DIVIDED, random))).toBe(true);
-    expect(isDivided([...spotsOver(FLOOR, LEAST_DIVIDED - 1, random), sun])).toBe(false);
+  it.each<[string, readonly LightValues[], boolean]>([
+    ['too few spots', spots(LEAST_DIVIDED - 1), false],
+    ['as many as it takes', spots(LEAST_DIVIDED), true],
+    ['too few and a sun', [...spots(LEAST_DIVIDED - 1), ...suns(1)], false],
+    ['somewhat less than half suns', [...spots(30), ...suns(26)], true],
+    ['more than half suns', [...spots(30), ...suns(31)], false],
+    ['more than half lamps', [...spots(30), ...lamps(31)], false],
+    ['spots that reach most cells', wide(40), false],
+    ['a quarter of such spots', [...wide(10), ...spots(30)], true],
+    ['one of them, and spots that reach nearly half of the cells', [...wide(1), ...above(30, 6.5, 48)], true],
+    ['ten of them, and such spots', [...wide(10), ...above(30, 6.5, 48)], false],
+    ['spots that reach 113 of 400 cells', above(40, 6, 45), true],
+    ['spots that reach 254 of 400 cells', above(40, 9, 45), false],
+  ])('%s', (_, lights, expected) => {
+    expect(divideLights(pack(lights), FLOOR, emptyPack())).toBe(expected);
   });
 
-  it('where half of the lights reach everywhere anyway', () => {
-    const spots = spotsOver(FLOOR, 30, random);
-    expect(isDivided([...spots, ...times(26, sun)])).toBe(true);
-    expect(isDivided([...spots, ...times(31, sun)])).toBe(false);
-    expect(isDivided([...spots, ...times(31, lamp)])).toBe(false);
-  });
-
-  it('where each light reaches most cells, or the lists are more than half full', () => {
-    const wide = (aperture: number): LightValues[] => spotsOver(FLOOR, 40, random, { aperture, axis: DOWN });
-    expect(isDivided(wide(88))).toBe(false);
-    expect(isDivided([...wide(88).slice(0, 10), ...spotsOver(FLOOR, 30, random)])).toBe(true);
-    // A quarter everywhere, and the others' lists of nearly half of the cells each.
-    const middling = spotsOver(FLOOR, 30, random, { position: [0, 6.5, 0, 1], axis: DOWN, aperture: 48 });
-    expect(isDivided([...wide(88).slice(0, 1), ...middling])).toBe(true);
-    expect(isDivided([...wide(88).slice(0, 10), ...middling])).toBe(false);
-    const half = (height: number): LightValues[] =>
-      spotsOver(FLOOR, 40, random, { position: [0, height, 0, 1], axis: DOWN, aperture: 45 });
-    expect(isDivided(half(6))).toBe(true); // 113 of 400
-    expect(isDivided(half(9))).toBe(false); // 254
-  });
-
-  it('of a point', () => {
-    expect(isDivided(spotsOver(FLOOR, 40, random), [1, 1, 1, 1, 1, 1])).toBe(false);
-  });
-
-  it('and the given lights are not changed', () => {
-    const packed = pack(spotsOver(FLOOR, 40, random));
+  it('never of a point, and the given lights are not changed', () => {
+    const packed = pack(spots(40));
     const before = [packed.rows, packed.sent, ...packed.data.subarray(0, packed.rows * 4)];
-    divideLights(packed, FLOOR, emptyPack());
+    expect(divideLights(packed, [1, 1, 1, 1, 1, 1], emptyPack())).toBe(false);
+    expect(divideLights(packed, FLOOR, emptyPack())).toBe(true);
     expect([packed.rows, packed.sent, ...packed.data.subarray(0, packed.rows * 4)]).toEqual(before);
   });
 });

@@ -1,7 +1,7 @@
 // Does a light have the documented defaults and domains, also when it is made from a plain object?
 
 import fc from 'fast-check';
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { numberField } from '../../src/fields/field.js';
 import {
   LIGHT_FIELDS,
@@ -30,7 +30,7 @@ describe('a light', () => {
     });
   });
 
-  const domain: [keyof LightValues, unknown, unknown][] = [
+  it.each<[keyof LightValues, unknown, unknown]>([
     ['name', 'sun', 5],
     ['active', false, 'false'],
     ['ambient', 1e6, 1e6 + 1],
@@ -45,24 +45,18 @@ describe('a light', () => {
     ['attenuation', [0, 0, 0], [1, -1, 0]],
     ['attenuation', [1e6, 1e6, 1e6], [1e7, 0, 0]],
     ['space', 'camera', 'view'],
-  ];
-  it.each(domain)('accepts %s %j and refuses %j', (key, good, bad) => {
+  ])('accepts %s %j and refuses %j', (key, good, bad) => {
     const one = new LightState();
     one.set(key, good);
     const before = one.values[key];
     expect(one.given(key)).toBe(true);
-    expect(() => {
-      one.set(key, bad);
-    }).toThrow();
+    expect(() => one.set(key, bad)).toThrow();
     expect(one.values[key]).toBe(before);
   });
 
   it('is made from any subset of values, or not at all if one is wrong', () => {
-    expect(new LightState({ cutoff: 12, diffuse: [1, 2, 3] }).values).toMatchObject({
-      cutoff: 12,
-      diffuse: [1, 2, 3],
-      aperture: 180,
-    });
+    const { values } = new LightState({ cutoff: 12, diffuse: [1, 2, 3] });
+    expect(values).toMatchObject({ cutoff: 12, diffuse: [1, 2, 3], aperture: 180 });
     expect(() => new LightState({ cutoff: -1 })).toThrow(RangeError);
     expect(() => new LightState({ space: 'view' as 'world' })).toThrow(RangeError);
   });
@@ -76,14 +70,6 @@ describe('a light', () => {
       }),
     );
   });
-
-  it('notifies a listener before it is in any set', () => {
-    const one = new LightState();
-    const told = vi.fn();
-    one.listen(told);
-    one.set('aperture', 30);
-    expect(told).toHaveBeenCalledExactlyOnceWith('aperture');
-  });
 });
 
 it('keeps every product of the equation inside float32', () => {
@@ -96,10 +82,6 @@ it('keeps every product of the equation inside float32', () => {
   expect(decoded * decoded * 1e6).toBeLessThan(largest);
 });
 
-it('describes the domain of every field in words', () => {
-  for (const field of Object.values(LIGHT_FIELDS)) expect(field.expected).not.toBe('');
-});
-
 it('says of every value what shading makes of it, or does not compile', () => {
   // @ts-expect-error nothing says where it is packed, nor that it selects a kind or changes no picture
   const forgotten: LightField<number> = numberField(0, {});
@@ -108,7 +90,8 @@ it('says of every value what shading makes of it, or does not compile', () => {
 
 it('the equation takes every value but those that change no picture', () => {
   const fragment = { p: [0, 0, 0], normal: [0, 0, 1], eye: [1, 0, 3] } as const;
-  const surface = { ka: [200, 200, 200], kd: [200, 200, 200], ks: [200, 200, 200], shininess: 2 } as const;
+  const gray = [200, 200, 200] as const;
+  const surface = { ka: gray, kd: gray, ks: gray, shininess: 2 };
   const camera = { right: [0.6, 0, -0.8], up: [0, 1, 0], back: [0.8, 0, 0.6] } as const;
   const sum = (light: LightValues) => shade(fragment, surface, [light], { camera }).sum.join();
   const lights = fc.sample(plainLight, { numRuns: 400, seed: 1 });

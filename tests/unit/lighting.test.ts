@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { PerspectiveCamera } from 'three';
-import { describe, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { LightSet } from '../../src/light/light-set.js';
 import { LightState } from '../../src/light/light-state.js';
 import { PhongLighting, type ShadingFrame } from '../../src/material/lighting.js';
@@ -100,23 +100,21 @@ it(`a picture packs what a new picture packs, whatever changes between frames (s
   );
 });
 
-describe('a three.js camera', () => {
-  it('gives the same as a frame with the same eye, axes and origin', () => {
-    const lights = new LightSet();
-    lights.add(new LightState({ space: 'camera', position: [1, 2, 3, 1] }));
-    lights.add(new LightState({ position: [4, 5, 6, 1] }));
-    const camera = new PerspectiveCamera();
-    camera.position.set(14 + 4 * Math.sin(0.5), 3, 7 + 4 * Math.cos(0.5));
-    camera.rotation.y = 0.5;
-    camera.updateMatrixWorld();
-    const [byCamera, byFrame] = [new PhongLighting(lights), new PhongLighting(lights)];
-    byCamera.update(camera, [14, 3, 7]);
-    byFrame.updateFrame(frameAt([14, 3, 7], 0.5));
-    expect(byCamera.origin).toStrictEqual([14, 3, 7]);
-    expect(byCamera.eye.value.distanceTo(byFrame.eye.value)).toBeLessThan(1e-12);
-    const { data: packed, rows } = byFrame.packed;
-    byCamera.packed.data.subarray(0, rows * 4).forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
-    byCamera.update(camera);
-    expect(byCamera.origin).toStrictEqual([0, 0, 0]);
-  });
+it('a three.js camera gives the same as a frame with the same eye, axes and origin', () => {
+  const lights = new LightSet();
+  lights.add(new LightState({ space: 'camera', position: [1, 2, 3, 1] }));
+  lights.add(new LightState({ position: [4, 5, 6, 1] }));
+  const camera = new PerspectiveCamera();
+  camera.position.set(14 + 4 * Math.sin(0.5), 3, 7 + 4 * Math.cos(0.5));
+  camera.rotation.y = 0.5;
+  camera.updateMatrixWorld();
+  const [byCamera, byFrame] = [new PhongLighting(lights), new PhongLighting(lights)];
+  byCamera.update(camera, [14, 3, 7]);
+  byFrame.updateFrame(frameAt([14, 3, 7], 0.5));
+  expect(byCamera.origin).toStrictEqual([14, 3, 7]);
+  expect(byCamera.eye.value.distanceTo(byFrame.eye.value)).toBeLessThan(1e-12);
+  const { data: packed, rows } = byFrame.packed;
+  byCamera.packed.data.subarray(0, rows * 4).forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
+  byCamera.update(camera);
+  expect(byCamera.origin).toStrictEqual([0, 0, 0]);
 });
