@@ -1,6 +1,6 @@
 // Where each number of a packed light is, from the table of values (LIGHT_FIELDS): the offsets that pack-lights writes
 // to, and the structs that the GLSL reads, so the two cannot disagree. A row is a vec4.
-import { KINDS, LIGHT_FIELDS, type LightKind, type Shaded } from './light-state.js';
+import { KINDS, LIGHT_FIELDS, type LightKind, type Packing } from './light-state.js';
 import { LEAST_EXPONENT, LIMIT_OPEN, NEAREST, TINY } from './precision.js';
 
 /** Rows before the first light: the number of lights of each kind, and the ambient light that reaches everywhere. */
@@ -18,7 +18,7 @@ type Key = keyof typeof LIGHT_FIELDS;
 type Shading<K extends Key> = (typeof LIGHT_FIELDS)[K]['shading'];
 
 const SHADED = Object.entries(LIGHT_FIELDS).flatMap(([key, { shading }]) =>
-  typeof shading === 'string' ? [] : [{ key: key as Key, ...(shading as Shaded<never>) }],
+  typeof shading === 'string' ? [] : [{ key: key as Key, ...(shading as Packing<never>) }],
 );
 
 const byKind = <T>(of: (kind: LightKind) => T): Readonly<Record<LightKind, T>> => ({
@@ -28,7 +28,7 @@ const byKind = <T>(of: (kind: LightKind) => T): Readonly<Record<LightKind, T>> =
 });
 
 /** A value in the rows of one kind. */
-export interface PackedValue extends Pick<Shaded<never>, 'as'> {
+export interface PackedValue extends Pick<Packing<never>, 'as'> {
   readonly key: Key;
   /** Its name in the GLSL's struct. */
   readonly name: string;

@@ -69,7 +69,7 @@ type Values = Readonly<LightValues>;
 type Test = (light: Values) => boolean;
 
 /** How shading takes a value. */
-export interface Shaded<T> {
+export interface Packing<T> {
   /**
    * The numbers in the rows. `light`: r g b, 255 is 1, times what its own cone and decay leave of a
    * directional light. `place`: where the light is, or the unit vector to a directional one. `axis`: a unit vector.
@@ -88,7 +88,7 @@ export interface Shaded<T> {
 }
 
 /** `select`: says whether, as which kind or in which space a light is packed. `none`: the picture is the same. */
-export type LightField<T> = Field<T> & { readonly shading: Shaded<T> | 'select' | 'none' };
+export type LightField<T> = Field<T> & { readonly shading: Packing<T> | 'select' | 'none' };
 
 const isAmbient: Test = ({ ambient }) => !isBlack(ambient);
 const isDiffuse: Test = ({ diffuse }) => !isBlack(diffuse);

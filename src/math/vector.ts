@@ -48,3 +48,10 @@ export function normalize(a: Vec3): Vec3 {
   const s: Vec3 = [a[0] / largest, a[1] / largest, a[2] / largest];
   return scale(s, 1 / Math.hypot(s[0], s[1], s[2]));
 }
+
+/** A unit vector across `a`, which is not zero. */
+export function perpendicular(a: Vec3): Vec3 {
+  const [x, y, z] = map(a, Math.abs);
+  // The world axis that is farthest from parallel.
+  return normalize(cross(a, x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1]));
+}

@@ -8,7 +8,7 @@ import { radians } from '../math/angle.js';
 import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import { nearestDepth } from './near-depth.js';
-import type { View } from './frustum-clip.js';
+import type { Frustum } from './frustum-clip.js';
 
 /** One object for all frames of a picture: {@link look} and then {@link aim} overwrite it. */
 export class Frame {
@@ -22,7 +22,7 @@ export class Frame {
   readonly camera = new PerspectiveCamera();
   readonly shading: ShadingFrame;
   /** The whole picture's sides. */
-  readonly view: { -readonly [K in keyof View]: View[K] };
+  readonly view: { -readonly [K in keyof Frustum]: Frustum[K] };
   readonly #orbit: Orbit;
   readonly #basis: Basis = newBasis();
   readonly #eye: MutableVec3 = [0, 0, 0];

@@ -5,8 +5,8 @@ import type { Vec3 } from '../math/vector.js';
 import { type Ball, stretch } from './bounds.js';
 import type { BoxList, Position } from './triangle-bvh.js';
 
-/** A view, its sides at slopes ±`slopeX` and ±`slopeY` from its axis. */
-export interface View {
+/** What is in view: its sides have slopes ±`slopeX` and ±`slopeY` from its axis. */
+export interface Frustum {
   readonly frame: ShadingFrame;
   readonly slopeX: number;
   readonly slopeY: number;
@@ -22,14 +22,14 @@ export interface View {
 const EDGE_ON = 2 ** -22;
 
 /** Three rows of a matrix: for each coordinate its coefficients of x, y, z and 1. */
-export type Rows = Float64Array;
+export type ClipRows = Float64Array;
 
 /** Writes the rows from an object's own space to clip coordinates x, y and w. */
 export function writeModelViewProjection(
-  { frame, slopeX, slopeY }: Omit<View, 'radius'>,
+  { frame, slopeX, slopeY }: Omit<Frustum, 'radius'>,
   m: ArrayLike<number>,
-  to: Rows,
-): Rows {
+  to: ClipRows,
+): ClipRows {
   const { right, up, back } = frame;
   writeRow(frame, right, 1 / slopeX, m, to, 0);
   writeRow(frame, up, 1 / slopeY, m, to, 4);
@@ -42,7 +42,7 @@ function writeRow(
   axis: Vec3,
   share: number,
   m: ArrayLike<number>,
-  to: Rows,
+  to: ClipRows,
   at: number,
 ): void {
   const x = axis[0] * share;
@@ -57,17 +57,17 @@ function writeRow(
   to[at + 3] = x * dx + y * dy + z * dz;
 }
 
-const coordinate = (m: Rows, row: number, x: number, y: number, z: number): number =>
+const coordinate = (m: ClipRows, row: number, x: number, y: number, z: number): number =>
   m[row]! * x + m[row + 1]! * y + m[row + 2]! * z + m[row + 3]!;
 
-export const depthOf = (m: Rows, x: number, y: number, z: number): number => coordinate(m, 8, x, y, z);
+export const depthOf = (m: ClipRows, x: number, y: number, z: number): number => coordinate(m, 8, x, y, z);
 
 /**
  * Less than the depth of whatever a sphere has in view, if that is less than `before`; otherwise `before`. The sphere
  * is in the space of an object with the world matrix `m`.
  */
 export function sphereDepth(
-  { frame, slopeX, slopeY }: View,
+  { frame, slopeX, slopeY }: Frustum,
   m: readonly number[],
   { x, y, z, radius }: Ball,
   before: number,
@@ -87,7 +87,7 @@ export function sphereDepth(
 }
 
 /** False only if a box of the object's own space has nothing in view before this depth. */
-export function boxIsInView(m: Rows, boxes: BoxList, at: number, before: number): boolean {
+export function boxIsInView(m: ClipRows, boxes: BoxList, at: number, before: number): boolean {
   const cx = boxes[at]!;
   const cy = boxes[at + 1]!;
   const cz = boxes[at + 2]!;
@@ -104,7 +104,7 @@ export function boxIsInView(m: Rows, boxes: BoxList, at: number, before: number)
 }
 
 /** How much w plus `share` of a coordinate changes from a box's centre to a corner, and a little for rounding. */
-function extent(m: Rows, row: number, share: number, boxes: BoxList, at: number): number {
+function extent(m: ClipRows, row: number, share: number, boxes: BoxList, at: number): number {
   const sum =
     Math.abs(m[8]! + share * m[row]!) * boxes[at + 3]! +
     Math.abs(m[9]! + share * m[row + 1]!) * boxes[at + 4]! +
@@ -124,8 +124,8 @@ const clipped = new Float64Array(STRIDE * 8);
  * as for a triangle that is seen edge-on.
  */
 export function triangleDepth(
-  m: Rows,
-  view: View,
+  m: ClipRows,
+  view: Frustum,
   position: Position,
   a: number,
   b: number,
@@ -150,7 +150,7 @@ export function triangleDepth(
   return least;
 }
 
-function writeCorner(m: Rows, position: Position, vertex: number, at: number): void {
+function writeCorner(m: ClipRows, position: Position, vertex: number, at: number): void {
   const x = position.getX(vertex);
   const y = position.getY(vertex);
   const z = position.getZ(vertex);
@@ -160,7 +160,7 @@ function writeCorner(m: Rows, position: Position, vertex: number, at: number): v
 }
 
 /** The triangle's plane passes through the eye, as far as the GPU or float64 can tell. False for lines and points. */
-function isEdgeOn({ slopeX, slopeY, radius }: View): boolean {
+function isEdgeOn({ slopeX, slopeY, radius }: Frustum): boolean {
   const p = polygon;
   const ax = p[0]! * slopeX;
   const ay = p[1]! * slopeY;

@@ -16,7 +16,7 @@ import {
   depthOf,
   sphereDepth,
   triangleDepth,
-  type View,
+  type Frustum,
   writeModelViewProjection,
 } from './frustum-clip.js';
 import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle-bvh.js';
@@ -30,7 +30,7 @@ const UNKNOWN_NEAREST = 1e-5;
  * drawn by a shader of the page's own) count by their spheres, but never as nearer than 1e-5 of the orbit's radius.
  * World matrices must be up to date.
  */
-export function nearestDepth(root: Object3D, view: View, limit: number): number {
+export function nearestDepth(root: Object3D, view: Frustum, limit: number): number {
   search.view = view;
   search.nearest = limit;
   search.below(root);
@@ -38,7 +38,7 @@ export function nearestDepth(root: Object3D, view: View, limit: number): number 
 }
 
 class NearestSearch implements BvhQuery {
-  view!: View;
+  view!: Frustum;
   /** The least depth found so far. */
   nearest = 0;
   /** From the present object's own space to clip coordinates. */
@@ -123,7 +123,7 @@ const instance = /* @__PURE__ */ new Matrix4();
 const search = /* @__PURE__ */ new NearestSearch();
 
 /** {@link UNKNOWN_NEAREST} in the corners of the view. */
-const unknownDepth = ({ radius, slopeX, slopeY }: View): number =>
+const unknownDepth = ({ radius, slopeX, slopeY }: Frustum): number =>
   (UNKNOWN_NEAREST * radius) / Math.hypot(1, slopeX, slopeY);
 
 /** The vertices are drawn as they are stored. */

@@ -5,7 +5,7 @@ import { fitRadius } from '../../src/camera/fit.js';
 import { basisOf, type Pose } from '../../src/camera/orbit.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { LightState } from '../../src/reference/index.js';
-import type { View } from '../../src/scene/frustum-clip.js';
+import type { Frustum } from '../../src/scene/frustum-clip.js';
 import { levelIn } from '../../src/scene/mesh/levels.js';
 import { createGeometry, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
 import { outlineErrors } from '../support/caster/outlines.js';
@@ -35,7 +35,7 @@ function pictureOf(name: RoundName, size: number, pose: Pick<Pose, 'theta' | 'ph
   const radius = fitRadius(roundOf(name)!.radius, FOV, 1);
   const basis = basisOf(pose);
   const eye = scale(basis.back, radius);
-  const view: View = { frame: { origin: [0, 0, 0], eye, ...basis }, slopeX: SLOPE, slopeY: SLOPE, radius };
+  const view: Frustum = { frame: { origin: [0, 0, 0], eye, ...basis }, slopeX: SLOPE, slopeY: SLOPE, radius };
   const tracer = (shape: CastShape, shininess: number): Tracer => {
     const material = { ka: gray(200), kd: gray(200), ks: gray(128), shininess };
     const camera = { ...basis, eye, fov: FOV };

@@ -6,7 +6,7 @@ import type { Vec3 } from '../../src/math/vector.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import { isLargeFor, levelFor, levelIn, segmentsIn } from '../../src/scene/mesh/levels.js';
 import { createGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
-import type { View } from '../../src/scene/frustum-clip.js';
+import type { Frustum } from '../../src/scene/frustum-clip.js';
 import {
   boxOf,
   deviations,
@@ -100,7 +100,7 @@ describe('a level', () => {
 });
 
 /** A view along −z from the origin's `distance`. */
-function viewFrom(distance: number, fov = 45, aspect = 4 / 3): View {
+function viewFrom(distance: number, fov = 45, aspect = 4 / 3): Frustum {
   const slopeY = Math.tan((fov * Math.PI) / 360);
   const { right, up, back } = basisOf({ theta: 0, phi: 90 });
   return {

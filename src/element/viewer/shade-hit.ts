@@ -7,7 +7,7 @@ import type { Hit } from '../../scene/snapshot/pick.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
 
 /** The equation's code, which is loaded with the first explanation. */
-export interface Equation {
+export interface ReferenceCode {
   readonly shade: typeof Shade;
   readonly sumOf: typeof SumOf;
 }
@@ -17,7 +17,7 @@ export interface Equation {
  * Under Gouraud shading only the terms and their sum come from the corners; everything else is the fragment's own.
  */
 export function shadeHit(
-  equation: Equation,
+  equation: ReferenceCode,
   hit: Hit,
   lights: readonly LightValues[],
 ): { readonly surface: SurfaceHere; readonly shaded: Shaded } {

@@ -3,7 +3,17 @@
 import { isSpot } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
-import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  perpendicular,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../math/vector.js';
 import type { Projection } from '../drawing/projection.js';
 
 /** A sphere that contains the scene; its radius is above 0. */
@@ -142,16 +152,7 @@ export function halfAngle(cutoff: number): number | null {
 export function acrossAxis(axis: Vec3, place: Vec3, view: Projection): Vec3 {
   const across = cross(axis, subtract(view.eye, place));
   // Along the axis the outline is a circle, and any direction will do.
-  return length(across) > 1e-6 * length(subtract(view.eye, place))
-    ? normalize(across)
-    : normalize(cross(axis, leastAlong(axis)));
-}
-
-/** The world axis that is farthest from parallel. */
-function leastAlong(axis: Vec3): Vec3 {
-  const [x, y, z] = [Math.abs(axis[0]), Math.abs(axis[1]), Math.abs(axis[2])];
-  if (x <= y && x <= z) return [1, 0, 0];
-  return y <= z ? [0, 1, 0] : [0, 0, 1];
+  return length(across) > 1e-6 * length(subtract(view.eye, place)) ? normalize(across) : perpendicular(axis);
 }
 
 /**

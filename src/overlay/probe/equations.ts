@@ -5,13 +5,12 @@ import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { LightValues } from '../../light/light-state.js';
-import { LEAST_EXPONENT } from '../../light/precision.js';
 import { radians } from '../../math/angle.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import { add, dot, map, normalize, scale, subtract } from '../../math/vector.js';
 import type { Term } from '../../light/light-state.js';
 import { degreesOf, degreesText, shortNumber } from './sum.js';
-import { decimals, rounded } from './words.js';
+import { decimals, exponentOf, rounded } from './words.js';
 
 /** What somebody who makes a usual mistake gets. `text` states only where the number comes from, so it is true. */
 export interface Wrong {
@@ -172,7 +171,7 @@ function product(
       wrongs: cosineWrongs('N · L', NoL, 1),
     });
   if (term === 'specular') {
-    const n = fragment.shininess < LEAST_EXPONENT ? 0 : fragment.shininess;
+    const n = exponentOf(fragment.shininess);
     const exponent = shortNumber(n, Number.isInteger(n) ? 0 : 2, texts);
     const [symbol, other] = halfway ? ['N · H', 'R · V'] : ['R · V', 'N · H'];
     const { N, V } = fragment;

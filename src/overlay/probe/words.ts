@@ -99,7 +99,7 @@ function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, 
 }
 
 /** As the equation's table of limits has it: x^0 is 1 for every x. */
-const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
+export const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
 
 /** N·L and its angle. */
 export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>

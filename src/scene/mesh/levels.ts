@@ -4,7 +4,7 @@
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Frame } from '../frame.js';
-import type { View } from '../frustum-clip.js';
+import type { Frustum } from '../frustum-clip.js';
 import type { Budget } from '../../model/budget.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
@@ -81,7 +81,7 @@ export class Levels {
   #levelOf(
     { parts, level }: SceneMesh,
     name: GeometryName,
-    view: View,
+    view: Frustum,
     height: number,
     sampled: boolean,
     count: number,
@@ -93,7 +93,7 @@ export class Levels {
     return within(room + trianglesOf(name, coarsestOf(name)), wanted, name);
   }
 
-  #flatLevelOf({ parts }: SceneMesh, name: GeometryName, view: View): number {
+  #flatLevelOf({ parts }: SceneMesh, name: GeometryName, view: Frustum): number {
     const room = this.#budget.limit - this.#budget.used + trianglesOf(name, undefined);
     const isLarge = isLargeFor(view, name, parts[0]!.mesh.matrixWorld.elements);
     return isLarge && trianglesOf(name, LARGE_SEGMENTS) <= room ? LARGE_SEGMENTS : FIXED;
@@ -115,7 +115,7 @@ const LARGE = 8;
 
 /** Whether a flat shape under its world matrix is {@link LARGE} for the eye. */
 export function isLargeFor(
-  { frame: { origin, eye } }: View,
+  { frame: { origin, eye } }: Frustum,
   name: GeometryName,
   m: readonly number[],
 ): boolean {
@@ -142,7 +142,7 @@ export function isLargeFor(
  * that it may have however small they are.
  */
 export function levelIn(
-  view: View,
+  view: Frustum,
   height: number,
   sampled: boolean,
   name: GeometryName,
@@ -186,7 +186,7 @@ function within(triangles: number, level: number, name: GeometryName): number {
 
 /** Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the picture. */
 function coveredIn(
-  { frame, slopeX, slopeY }: View,
+  { frame, slopeX, slopeY }: Frustum,
   height: number,
   { cover, radius }: Round,
   m: readonly number[],
@@ -209,7 +209,7 @@ function coveredIn(
  * shape is not.
  */
 export function segmentsIn(
-  { frame, slopeX, slopeY }: View,
+  { frame, slopeX, slopeY }: Frustum,
   finest: number,
   { gap, half, radius }: Round,
   m: readonly number[],

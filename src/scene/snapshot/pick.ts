@@ -11,7 +11,17 @@ import {
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
-import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  perpendicular,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
@@ -108,9 +118,7 @@ export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point:
 const NEAR = 0.005;
 
 function rayAlong(origin: Vec3, eye: Vec3, along: Vec3): ViewRay {
-  const [x, y, z] = map(along, Math.abs);
-  const other: Vec3 = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1];
-  const right = normalize(cross(along, other));
+  const right = perpendicular(along);
   const frame = { origin, eye, right, up: cross(right, along), back: scale(along, -1) };
   return { frame, slopeX: 0, slopeY: 0, near: 0, far: Infinity };
 }
