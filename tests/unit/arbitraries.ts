@@ -17,12 +17,10 @@ export function light(values: Partial<LightValues> = {}): LightValues {
 export function numbers(min: number, max: number): fc.Arbitrary<number> {
   const inside = (n: number): boolean => n >= min && n <= max;
   const special = [0, 5e-324, 1e-310, 1e-45, 1e-30, 1e-15, 1e-6, 0.5, 1, 255, 1e6, 1e12, 1e15, min, max];
+  const usual = { min: Math.max(min, -1000), max: Math.min(max, 1000) };
   return fc.oneof(
     { weight: 3, arbitrary: fc.double({ min, max, noNaN: true }) },
-    {
-      weight: 3,
-      arbitrary: fc.double({ min: Math.max(min, -1000), max: Math.min(max, 1000), noNaN: true }),
-    },
+    { weight: 3, arbitrary: fc.double({ ...usual, noNaN: true }) },
     { weight: 2, arbitrary: fc.constantFrom(...[...special, ...special.map((n) => -n)].filter(inside)) },
   );
 }
@@ -32,15 +30,9 @@ export const triple = (number: fc.Arbitrary<number>): fc.Arbitrary<Vec3> => fc.t
 const placed = (number: fc.Arbitrary<number>): fc.Arbitrary<Vec4> =>
   fc.tuple(number, number, number, fc.constantFrom(0, 1));
 
-interface Domains {
-  readonly coordinate: fc.Arbitrary<number>;
-  readonly color: fc.Arbitrary<number>;
-  readonly aperture: fc.Arbitrary<number>;
-  readonly cutoff: fc.Arbitrary<number>;
-  readonly attenuation: fc.Arbitrary<number>;
-}
-
-const lightsFrom = (of: Domains): fc.Arbitrary<LightValues> =>
+const lightsFrom = (
+  of: Record<'coordinate' | 'color' | 'aperture' | 'cutoff' | 'attenuation', fc.Arbitrary<number>>,
+): fc.Arbitrary<LightValues> =>
   fc.record({
     name: fc.constant(''),
     active: fc.boolean(),

@@ -44,33 +44,27 @@ const culls = (
 ): boolean => cullsBackFaces(sides, geometry, matrix, camera);
 
 describe('back faces of a closed shape', () => {
-  it('are culled from outside and drawn from inside', () => {
-    expect(culls('closed', place(), eyeAt(5))).toBe(true);
-    expect(culls('closed', place(), eyeAt(0.4))).toBe(false);
-    expect(culls('closed', place(), eyeAt(0))).toBe(false);
+  it.each([
+    ['outside', 5, 0.1, true],
+    ['inside', 0.4, 0.1, false],
+    ['in its middle', 0, 0.1, false],
+    ['outside, with all of the near plane', 0.7, 0.1, true],
+    ['outside, with a near plane that may be inside', 0.7, 0.25, false],
+  ])('seen from %s (%d, near %d) are culled: %s', (_, z, near, culled) => {
+    const camera = eyeAt(z, near);
+    expect(culls('closed', place(), camera)).toBe(culled);
+    // A projection matrix that is multiplied by a number is the same projection.
+    camera.projectionMatrix.multiplyScalar(2 ** -40);
+    expect(culls('closed', place(), camera)).toBe(culled);
   });
 
-  it('are drawn while any part of the near plane may be inside', () => {
-    expect(culls('closed', place(), eyeAt(0.7, 0.1))).toBe(true);
-    expect(culls('closed', place(), eyeAt(0.7, 0.25))).toBe(false);
-  });
-
-  it('are culled alike when the projection matrix is multiplied by a number, which changes nothing', () => {
-    const scaled = (z: number, near: number): PerspectiveCamera => {
-      const camera = eyeAt(z, near);
-      camera.projectionMatrix.multiplyScalar(2 ** -40);
-      return camera;
-    };
-    expect(culls('closed', place(), scaled(0.7, 0.1))).toBe(true);
-    expect(culls('closed', place(), scaled(0.7, 0.25))).toBe(false);
-    // Beside the eye: only the distance to the near plane's corners decides.
-    for (const camera of [eyeAt(0, 0.1), scaled(0, 0.1)])
-      for (const [x, culled] of [
-        [0.7, true],
-        [0.55, false],
-      ] as const)
-        // prettier-ignore
-        expect(culls('closed', place({ position: [x, 0, 0] }), camera, box)).toBe(culled);
+  it('are culled beside the eye as far as the distance to the corners of the near plane decides', () => {
+    const [camera, scaled] = [eyeAt(0), eyeAt(0)];
+    scaled.projectionMatrix.multiplyScalar(2 ** -40);
+    for (const eye of [camera, scaled]) {
+      expect(culls('closed', place({ position: [0.7, 0, 0] }), eye, box)).toBe(true);
+      expect(culls('closed', place({ position: [0.55, 0, 0] }), eye, box)).toBe(false);
+    }
   });
 
   it('are culled where the near plane cuts the box of a sphere but not the sphere', () => {
@@ -90,21 +84,18 @@ describe('back faces of a closed shape', () => {
 
   it.each([1e-9, 1e9])('are culled at any scale: %d', (size) => {
     const matrix = place({ scale: [size, size, size] });
-    const camera = eyeAt(5 * size, 0.1 * size);
-    expect(culls('closed', matrix, camera)).toBe(true);
-    camera.position.z = 0;
-    camera.updateMatrixWorld();
-    expect(culls('closed', matrix, camera)).toBe(false);
+    expect(culls('closed', matrix, eyeAt(5 * size, 0.1 * size))).toBe(true);
+    expect(culls('closed', matrix, eyeAt(0, 0.1 * size))).toBe(false);
   });
 
-  it('are culled by an orthographic camera whose near plane is outside', () => {
+  it.each([
+    [5, true],
+    [0.55, false],
+  ])('are culled by an orthographic camera at %d, whose near plane is outside: %s', (z, culled) => {
     const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
-    camera.position.z = 5;
+    camera.position.z = z;
     camera.updateMatrixWorld();
-    expect(culls('closed', place(), camera as never)).toBe(true);
-    camera.position.z = 0.55;
-    camera.updateMatrixWorld();
-    expect(culls('closed', place(), camera as never)).toBe(false);
+    expect(culls('closed', place(), camera as never)).toBe(culled);
   });
 
   it('are drawn where there are no bounds', () => {

@@ -45,11 +45,8 @@ function resultOf(stack: string): BenchResult {
   addSamples(result, '20 turning viewers', 'frame rate', 'frames/s', { twenty: 30, one: 40 });
   addSamples(result, 'connecting 5,000 lights', 'time', 'ms', { element: 1200 });
   addSamples(result, 'start', 'first picture', 'ms', { standalone: 11, bundled: 13, three: 10 });
-  addSamples(result, 'script, 128 moving lights', 'script per frame', 'µs', {
-    element: 20,
-    three: 15,
-    unlit: 10,
-  });
+  const scripts = { element: 20, three: 15, unlit: 10 };
+  addSamples(result, 'script, 128 moving lights', 'script per frame', 'µs', scripts);
   for (const network of NETWORKS)
     for (const subject of modelSubjects(network))
       for (const measure of ['first picture', 'longest task', 'peak memory', 'upload', 'first draw'])
@@ -98,38 +95,23 @@ const row = (start: string): string | undefined =>
   report.split('\n').find((line) => line.startsWith(`| ${start}`));
 
 describe('an aim', () => {
-  const verdict = (label: string, stack: string) =>
-    judge(
-      AIMS.find((aim) => aim.label === label)!,
-      resultOf(stack),
-    );
-
-  test('may compare with the better of two other viewers, over all models', () => {
-    const label = 'first picture of a model to the better of two viewers’';
-    expect(verdict(`${label}, local`, 'software')).toMatchObject({
-      measured: { median: 0.5, count: 10 },
-      met: true,
-    });
-    expect(verdict(`${label}, 10 Mbit/s`, 'software')).toMatchObject({
-      measured: { median: 0.8 },
-      met: false,
-    });
-  });
-
-  test('may be the error of a whole picture, or its ratio to three.js in the worst one', () => {
-    expect(verdict('teapot on a floor, RMSE, 256 samples', 'software')).toMatchObject({ met: true });
-    expect(verdict('sphere, RMSE, 256 samples', 'software')).toMatchObject({ most: 0.35, met: false });
-    const within = 'textured GLB, % of pixels within one code, 64 samples';
-    expect(verdict(within, 'h200-vulkan')).toMatchObject({ measured: { median: 97.5 }, met: false });
-    const label = 'RMSE to three.js’s best pass, worst picture';
-    expect(verdict(`${label}: first one`, 'software')).toMatchObject({
-      measured: { median: 1.1, count: 1 },
-      met: false,
-    });
-    expect(verdict(`${label}: 16 samples`, 'software')).toMatchObject({
-      measured: { median: 0.5 },
-      met: true,
-    });
+  const models = 'first picture of a model to the better of two viewers’';
+  const worst = 'RMSE to three.js’s best pass, worst picture';
+  test.each([
+    [`${models}, local`, 'software', { met: true, measured: { median: 0.5, count: 10 } }],
+    [`${models}, 10 Mbit/s`, 'software', { met: false, measured: { median: 0.8 } }],
+    ['teapot on a floor, RMSE, 256 samples', 'software', { met: true }],
+    ['sphere, RMSE, 256 samples', 'software', { met: false, most: 0.35 }],
+    [
+      'textured GLB, % of pixels within one code, 64 samples',
+      'h200-vulkan',
+      { met: false, measured: { median: 97.5 } },
+    ],
+    [`${worst}: first one`, 'software', { met: false, measured: { median: 1.1, count: 1 } }],
+    [`${worst}: 16 samples`, 'software', { met: true, measured: { median: 0.5 } }],
+  ])('for %s on %s is judged: %o', (label, stack, verdict) => {
+    const aim = AIMS.find((one) => one.label === label)!;
+    expect(judge(aim, resultOf(stack))).toMatchObject(verdict);
   });
 
   test('that is a limit is missed where even the better quartile lies beyond it', () => {
@@ -137,8 +119,7 @@ describe('an aim', () => {
     expect(missed).toContain('connecting 5,000 lights, ms: 1.20e+3, limit 1000');
     expect(missed.join()).not.toMatch(/RMSE, 64 samples/);
     const noisy = resultOf('software');
-    addSamples(noisy, 'connecting 5,000 lights', 'time', 'ms', { element: 900 });
-    addSamples(noisy, 'connecting 5,000 lights', 'time', 'ms', { element: 900 });
+    for (const element of [900, 900]) addSamples(noisy, 'connecting 5,000 lights', 'time', 'ms', { element });
     expect(missedLimits(noisy).join()).not.toContain('connecting');
   });
 

@@ -1,12 +1,14 @@
 // How large is a scene? Held against three.js's own places of all vertices.
 
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   Euler,
   Group,
   Matrix4,
   Mesh,
+  type Object3D,
   Points,
   Quaternion,
   SphereGeometry,
@@ -17,38 +19,35 @@ import { forgetBounds, measure, radiusOf } from '../../src/scene/bounds.js';
 import { createGeometry, GEOMETRIES, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
 import { Random } from '../stress/random.js';
 
-type Triple = [number, number, number];
-
 /** Of positions in float32, relative. */
 const ROUNDING = 1e-6;
 
 /** Centre of the box of all vertices, and the farthest of them from a point. */
-function exact(root: Group): { center: Triple; radiusAbout(point: readonly number[]): number } {
+function exact(root: Group): { center: Vector3; radiusAbout(point: Vector3): number } {
   const places: Vector3[] = [];
-  root.traverseVisible((object) => {
+  root.traverse((object) => {
     if (!(object instanceof Mesh)) return;
     const position = (object.geometry as BufferGeometry).getAttribute('position');
     for (let i = 0; i < position.count; i++)
       places.push(new Vector3().fromBufferAttribute(position, i).applyMatrix4(object.matrixWorld));
   });
-  const middle = (axis: 'x' | 'y' | 'z'): number => {
-    let [low, high] = [Infinity, -Infinity];
-    for (const place of places) {
-      low = Math.min(low, place[axis]);
-      high = Math.max(high, place[axis]);
-    }
-    return (low + high) / 2;
-  };
   return {
-    center: [middle('x'), middle('y'), middle('z')],
-    radiusAbout: ([x = 0, y = 0, z = 0]) => {
-      const point = new Vector3(x, y, z);
-      return places.reduce((most, place) => Math.max(most, place.distanceTo(point)), 0);
-    },
+    center: new Box3().setFromPoints(places).getCenter(new Vector3()),
+    radiusAbout: (point) => places.reduce((most, place) => Math.max(most, place.distanceTo(point)), 0),
   };
 }
 
-function sceneOf(...meshes: readonly Mesh[]): Group {
+/** `error` is relative to the radius. */
+function expectExact(scene: Group, error: number): void {
+  const [{ center, radiusAbout }, truth] = [measure(scene), exact(scene)];
+  const radius = truth.radiusAbout(truth.center);
+  expect(new Vector3(...center).distanceTo(truth.center)).toBeLessThan(error * radius);
+  expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(error);
+  const beside = truth.center.clone().add(new Vector3(radius, 0, -3 * radius));
+  expect(Math.abs(radiusAbout(beside.toArray()) / truth.radiusAbout(beside) - 1)).toBeLessThan(error);
+}
+
+function sceneOf(...meshes: readonly Object3D[]): Group {
   const scene = new Group();
   scene.add(...meshes);
   scene.updateMatrixWorld();
@@ -74,9 +73,10 @@ describe('the measure of a scene', () => {
       const before = measure(scene);
       const radius = before.radiusAbout(before.center);
       const [moved] = meshes as [Mesh];
-      const wasHeld = before.holds(moved.geometry, moved.matrixWorld.elements, radius);
+      const holds = (): boolean => before.holds(moved.geometry, moved.matrixWorld.elements, radius);
+      const wasHeld = holds();
       place(moved, random).updateMatrixWorld();
-      if (!wasHeld || !before.holds(moved.geometry, moved.matrixWorld.elements, radius)) continue;
+      if (!wasHeld || !holds()) continue;
       held += 1;
       const after = measure(scene);
       expect([...after.center, after.radiusAbout(after.center)]).toEqual([...before.center, radius]);
@@ -84,37 +84,25 @@ describe('the measure of a scene', () => {
     expect(held).toBeGreaterThan(5);
   });
 
-  for (const name of GEOMETRIES) {
-    it(`finds centre and radius of a ${name} exactly, however it is turned and stretched`, async () => {
+  it.each(GEOMETRIES)(
+    'finds centre and radius of a %s exactly, however it is turned and stretched',
+    async (name) => {
       const geometry = await createGeometry(name, undefined);
       const random = new Random(name.length);
+      for (let i = 0; i < 25; i++) expectExact(sceneOf(place(new Mesh(geometry), random)), ROUNDING);
       const still = new Mesh(geometry);
       still.scale.set(3, 1, 2);
       still.position.set(0.1, 5, -7);
-      for (const mesh of [still, ...Array.from({ length: 25 }, () => place(new Mesh(geometry), random))]) {
-        const scene = sceneOf(mesh);
-        const [{ center, radiusAbout }, truth] = [measure(scene), exact(scene)];
-        const radius = truth.radiusAbout(truth.center);
-        // Its box is that of the round shape, which a few triangles do not reach.
-        const error = mesh === still ? 2e-4 : ROUNDING;
-        expect(new Vector3(...center).distanceTo(new Vector3(...truth.center))).toBeLessThan(error * radius);
-        expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(error);
-        const beside = [truth.center[0] + radius, truth.center[1], truth.center[2] - 3 * radius] as const;
-        expect(Math.abs(radiusAbout(beside) / truth.radiusAbout(beside) - 1)).toBeLessThan(error);
-      }
-    });
-  }
+      // Its box is that of the round shape, which a few triangles do not reach.
+      expectExact(sceneOf(still), 2e-4);
+    },
+  );
 
   it('covers several meshes together', async () => {
-    const shapes: BufferGeometry[] = [];
-    for (const name of GEOMETRIES) shapes.push(await createGeometry(name, undefined));
+    const shapes = await Promise.all(GEOMETRIES.map((name) => createGeometry(name, undefined)));
     const random = new Random(3);
     const meshes = Array.from({ length: 60 }, (_, i) => place(new Mesh(shapes[i % shapes.length]), random));
-    const scene = sceneOf(...meshes);
-    const [{ center, radiusAbout }, truth] = [measure(scene), exact(scene)];
-    const radius = truth.radiusAbout(truth.center);
-    expect(new Vector3(...center).distanceTo(new Vector3(...truth.center))).toBeLessThan(2e-4 * radius);
-    expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(2e-4);
+    expectExact(sceneOf(...meshes), 2e-4);
   });
 
   it('leaves out what is hidden, and is empty where nothing is shown', async () => {
@@ -128,13 +116,8 @@ describe('the measure of a scene', () => {
   it('ignores vertices with NaN coordinates', async () => {
     const box = await createGeometry('box', undefined);
     const broken = box.clone();
-    broken.setAttribute(
-      'position',
-      new BufferAttribute(
-        Float32Array.from([...(box.getAttribute('position').array as Float32Array), NaN, 1, 1]),
-        3,
-      ),
-    );
+    const positions = [...box.getAttribute('position').array, NaN, 1, 1];
+    broken.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
     expect(measure(sceneOf(new Mesh(broken)))).toMatchObject({ empty: false, center: [0, 0, 0] });
   });
 
@@ -209,18 +192,12 @@ describe('the radius that holds all of a scene', () => {
       for (let i = 0; i < 10; i++) {
         const parent = new Group().add(place(new Mesh(geometry), random));
         // Scaled after the rotation, which shears.
-        parent.applyMatrix4(
-          new Matrix4().compose(
-            new Vector3(),
-            new Quaternion().setFromEuler(new Euler(1, 2, 3)),
-            new Vector3(1, 5, 0.1),
-          ),
-        );
-        const scene = new Group().add(parent);
-        scene.updateMatrixWorld();
+        const turned = new Quaternion().setFromEuler(new Euler(1, 2, 3));
+        parent.applyMatrix4(new Matrix4().compose(new Vector3(), turned, new Vector3(1, 5, 0.1)));
+        const scene = sceneOf(parent);
         const point = random.vector(-1, 1);
-        const { radiusAbout } = exact(scene);
-        expect(radiusOf(scene, point)).toBeGreaterThanOrEqual(radiusAbout(point) * (1 - 1e-12));
+        const least = exact(scene).radiusAbout(new Vector3(...point)) * (1 - 1e-12);
+        expect(radiusOf(scene, point)).toBeGreaterThanOrEqual(least);
       }
     }
   });
@@ -229,8 +206,7 @@ describe('the radius that holds all of a scene', () => {
     const geometry = await createGeometry('box', undefined);
     const points = new Points(geometry);
     points.position.x = 10;
-    const scene = new Group().add(points);
-    scene.updateMatrixWorld();
+    const scene = sceneOf(points);
     expect(radiusOf(scene, [0, 0, 0])).toBeGreaterThan(10.5);
     points.visible = false;
     expect(radiusOf(scene, [0, 0, 0])).toBe(0);

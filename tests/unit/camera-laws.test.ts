@@ -42,9 +42,9 @@ describe('turning', () => {
     );
   });
 
-  it('still turns a camera declared at an enormous θ', () => {
-    const { theta } = turn({ ...start, theta: 360e15 }, 60, 0, view);
-    expect(theta).toBe(-36);
+  it('turns a camera declared at an enormous θ, and keeps a θ beyond a turn for a travel up or down', () => {
+    expect(turn({ ...start, theta: 360e15 }, 60, 0, view).theta).toBe(-36);
+    expect(turn({ ...start, theta: 370 }, 0, 40, view)).toStrictEqual({ ...start, theta: 370, phi: 52 });
   });
 });
 
@@ -71,15 +71,6 @@ describe('shifting', () => {
       }),
       { numRuns: 2000 },
     );
-  });
-
-  it('moves the target left and up for a travel right and down', () => {
-    const front = { ...start, theta: 0, phi: 90 };
-    const { target } = shift(front, 10, 20, view);
-    const step = (2 * 4 * Math.tan(Math.PI / 8)) / 400;
-    expect(target[0]).toBeCloseTo(-10 * step, 14);
-    expect(target[1]).toBeCloseTo(20 * step, 14);
-    expect(target[2]).toBe(0);
   });
 
   it('keeps the target within its domain', () => {
@@ -188,28 +179,7 @@ it.each([
 ])('moves nothing on a picture of %d × %d', (width, height) => {
   const nowhere = { width, height, fov: 45 };
   expect(turn(start, 10, 10, nowhere)).toBe(start);
+  expect(turn(start, 0, 10, nowhere)).toBe(start);
   if (!(height > 0)) expect(shift(start, 10, 10, nowhere)).toBe(start);
   for (const bad of [NaN, Infinity]) expect(turn(start, bad, 0, view)).toBe(start);
-});
-
-describe('a picture without size', () => {
-  const pose: Pose = { theta: 10, phi: 20, radius: 3, target: [1, 2, 3] };
-
-  it.each([
-    [0, 100],
-    [100, 0],
-    [0, 0],
-    [NaN, 100],
-  ])('%i × %i does not turn or shift', (width, height) => {
-    const view = { width, height, fov: 45 };
-    expect(turn(pose, 10, 10, view)).toBe(pose);
-    expect(turn(pose, 0, 10, view)).toBe(pose);
-    if (!(height > 0)) expect(shift(pose, 10, 10, view)).toBe(pose);
-  });
-
-  it('turns by one axis alone without touching the other angle', () => {
-    const view = { width: 100, height: 100, fov: 45 };
-    expect(turn({ ...pose, theta: 370 }, 0, 10, view).theta).toBe(370);
-    expect(turn(pose, 10, 0, view)).toEqual({ ...pose, theta: -26 });
-  });
 });

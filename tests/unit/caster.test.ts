@@ -7,20 +7,17 @@ import { add, dot, normalize, scale, subtract } from '../../src/math/vector.js';
 import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
 import { castPicture } from '../support/caster/cast.mjs';
 import { castHere } from '../support/caster/picture.js';
-import type { CastCamera, CastMaterial, CastObject, CastScene, TrueShape } from '../support/caster/scene.js';
+import type { CastMaterial, CastObject, CastScene, TrueShape } from '../support/caster/scene.js';
 import { type Sample, Tracer } from '../support/caster/tracer.js';
 import { fullOr } from '../support/repeats.js';
 
 const FOV = 45;
-const camera = (distance: number): CastCamera => ({
-  ...{ eye: [0, 0, distance], right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] },
-  fov: FOV,
-});
 const WHITE: CastMaterial = { ka: [0, 0, 0], kd: [255, 255, 255], ks: [0, 0, 0], shininess: 32 };
 const UNLIT: CastMaterial = { ...WHITE, unlit: true };
 
 const sceneOf = (distance: number, ...objects: readonly CastObject[]): CastScene => ({
-  ...{ camera: camera(distance), lights: [], objects },
+  camera: { eye: [0, 0, distance], right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1], fov: FOV },
+  ...{ lights: [], objects },
 });
 const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({ shape: { kind }, material });
 
@@ -36,16 +33,13 @@ const quad = (corners: readonly (readonly [number, number])[], material: CastMat
   material,
 });
 
-async function triangles(name: 'sphere' | 'torus', segments: number): Promise<CastObject> {
-  const geometry = await createGeometry(name, segments);
-  const array = (key: string) => geometry.getAttribute(key).array;
-  return {
-    shape: {
-      ...{ kind: 'triangles', positions: array('position'), normals: array('normal') },
-      index: geometry.index!.array,
-    },
-    material: UNLIT,
-  };
+async function torusOfTriangles(): Promise<CastObject> {
+  const geometry = await createGeometry('torus', 16);
+  const [positions, normals] = [
+    geometry.getAttribute('position').array,
+    geometry.getAttribute('normal').array,
+  ];
+  return { shape: { kind: 'triangles', positions, normals, index: geometry.index!.array }, material: UNLIT };
 }
 
 /** Covered area in pixels. */
@@ -63,10 +57,8 @@ describe('a picture by the ray caster', () => {
     const unit = 10 / pixelsOf(height);
     const far = 40;
     const corners = [[-far, -far], [line(-far), -far], [line(far), far], [-far, far]] as const; // prettier-ignore
-    const object = quad(
-      corners.map(([x, y]) => [x * unit, y * unit] as const),
-      UNLIT,
-    );
+    const inUnits = corners.map(([x, y]) => [x * unit, y * unit] as const);
+    const object = quad(inUnits, UNLIT);
     const picture = castHere(sceneOf(10, object), { width, height });
     for (let row = 0; row < height; row++) {
       for (let column = 0; column < width; column++) {
@@ -100,7 +92,7 @@ describe('a picture by the ray caster', () => {
   });
 
   it('is the same from threads and from disk', async () => {
-    const scene = sceneOf(1.6, solid('cone'), await triangles('torus', 16));
+    const scene = sceneOf(1.6, solid('cone'), await torusOfTriangles());
     const options = { width: 24, height: 18, samples: 16 };
     const here = castHere(scene, options);
     expect(await castPicture(scene, options)).toEqual(here);

@@ -58,37 +58,32 @@ it('npm run bench lists its subjects', async () => {
 });
 
 describe('a command', () => {
-  let folder = '';
+  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+  const broken = join(folder, 'results/software.json');
   beforeAll(() => {
-    folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
     mkdirSync(join(folder, 'results'));
-    writeFileSync(join(folder, 'results/software.json'), '{ "stack": ');
+    writeFileSync(broken, '{ "stack": ');
   });
   afterAll(() => rmSync(folder, { recursive: true }));
 
-  const broken = (): string => join(folder, 'results/software.json');
-
-  it.each<[string, (() => readonly string[]) | readonly string[], RegExp]>([
-    ['bench', ['--launches', '0'], /^--launches takes a number of at least 1, not '0'/],
-    ['bench', ['--size', 'large'], /^--size takes pixels such as 480x360, not 'large'/],
-    ['bench', ['--only', 'a teapot'], /^No subject contains 'a teapot'/],
-    ['bench', ['--built', '/no/such/folder'], /^There are no built pages in \/no\/such\/folder/],
-    ['bench:report', ['--folder', '/no/such/folder'], /^There are no results in \/no\/such\/folder\/results/],
-    ['bench:report', () => ['--folder', folder], /software\.json is no JSON that can be read/],
-    ['stress', ['--cases', 'many'], /^--cases takes a number of at least 1, not 'many'/],
-    ['stress', ['--drivers', 'left'], /^Unknown driver 'left'/],
-    ['stress', ['--harness', '/no/such/folder'], /^There is no built harness in \/no\/such\/folder/],
+  const NOWHERE = '/no/such/folder';
+  it.each<[string, RegExp, readonly string[]]>([
+    ['bench', /^--launches takes a number of at least 1, not '0'/, ['--launches', '0']],
+    ['bench', /^--size takes pixels such as 480x360, not 'large'/, ['--size', 'large']],
+    ['bench', /^No subject contains 'a teapot'/, ['--only', 'a teapot']],
+    ['bench', /^There are no built pages in \/no\/such\/folder/, ['--built', NOWHERE]],
+    ['bench:report', /^There are no results in \/no\/such\/folder\/results/, ['--folder', NOWHERE]],
+    ['bench:report', /software\.json is no JSON that can be read/, ['--folder', folder]],
+    ['stress', /^--cases takes a number of at least 1, not 'many'/, ['--cases', 'many']],
+    ['stress', /^Unknown driver 'left'/, ['--drivers', 'left']],
+    ['stress', /^There is no built harness in \/no\/such\/folder/, ['--harness', NOWHERE]],
     // Before hours of measuring.
-    ['stress', () => ['--out', broken()], /software\.json is no JSON that can be read/],
-    [
-      'stress:report',
-      ['--folder', '/no/such/folder'],
-      /^There are no results in \/no\/such\/folder\/results/,
-    ],
-    ['stress:report', () => ['--folder', folder], /software\.json is no JSON that can be read/],
-    ['mutation', ['--folder', 'attic'], /^Unknown folder 'attic'/],
-  ])('npm run %s %j says what is wrong in one line', async (name, args, message) => {
-    const { code, out, said } = await run(name, typeof args === 'function' ? args() : args);
+    ['stress', /software\.json is no JSON that can be read/, ['--out', broken]],
+    ['stress:report', /^There are no results in \/no\/such\/folder\/results/, ['--folder', NOWHERE]],
+    ['stress:report', /software\.json is no JSON that can be read/, ['--folder', folder]],
+    ['mutation', /^Unknown folder 'attic'/, ['--folder', 'attic']],
+  ])('npm run %s says in one line what is wrong: %s', async (name, message, args) => {
+    const { code, out, said } = await run(name, args);
     expect({ code, out }).toEqual({ code: 2, out: '' });
     expect(said).toMatch(/^[^\n]+\. See --help\.\n$/);
     expect(said).toMatch(message);

@@ -4,21 +4,17 @@ import { describe, expect, it } from 'vitest';
 import { dividerStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/divider-positions.js';
 
 describe('the dividers of a comparison', () => {
-  it('make equal parts unless they are declared', () => {
-    expect(placesOf('auto', 2)).toEqual([50]);
-    expect(placesOf('auto', 4)).toEqual([25, 50, 75]);
-  });
-
-  it('are one less than the viewers, and none without viewers', () => {
-    expect(placesOf('auto', 1)).toEqual([]);
-    expect(placesOf('auto', 0)).toEqual([]);
-    expect(placesOf([10, 20], 1)).toEqual([]);
-    expect(placesOf([10, 20, 30], 3)).toEqual([10, 20]);
-  });
-
-  it('share what the declared ones leave', () => {
-    expect(placesOf([40], 4)).toEqual([40, 60, 80]);
-    expect(placesOf([100], 3)).toEqual([100, 100]);
+  it.each<['auto' | readonly number[], number, readonly number[]]>([
+    ['auto', 2, [50]],
+    ['auto', 4, [25, 50, 75]],
+    ['auto', 1, []],
+    ['auto', 0, []],
+    [[10, 20], 1, []],
+    [[10, 20, 30], 3, [10, 20]],
+    [[40], 4, [40, 60, 80]],
+    [[100], 3, [100, 100]],
+  ])('declared as %j for %i viewers share what is left: %j', (declared, viewers, places) => {
+    expect(placesOf(declared, viewers)).toEqual(places);
   });
 
   it('stop at each other and at the edges', () => {

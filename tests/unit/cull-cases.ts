@@ -136,31 +136,23 @@ export function pointsOf(box: Box, cone: ConeCase, random: Random, count: number
   return points;
 }
 
-const WHITE_SURFACE: Surface = {
-  ka: [255, 255, 255],
-  kd: [255, 255, 255],
-  ks: [255, 255, 255],
-  shininess: 1,
-};
-
 /** The equation at a point of shading space, seen from the view's eye. */
 export const shadeAt = (
   point: Vec3,
   normal: Vec3,
   lights: readonly LightValues[],
   { origin, camera, eye }: View,
-  surface = WHITE_SURFACE,
-  linear = false,
 ): Shaded =>
-  shade({ p: add(point, origin), normal, eye: add(eye, origin) }, surface, lights, { camera, linear });
+  shade({ p: add(point, origin), normal, eye: add(eye, origin) }, WHITE_SURFACE, lights, { camera });
 
-export interface Culled {
-  /** 1 for each sent light that can reach the box. */
-  readonly mask: readonly number[];
-  readonly count: number;
-}
+const full = [255, 255, 255] as const;
+const WHITE_SURFACE: Surface = { ka: full, kd: full, ks: full, shininess: 1 };
 
-export function cull(packed: PackedLights, box: Box): Culled {
+/** `mask`: 1 for each sent light that can reach the box. */
+export function cull(
+  packed: PackedLights,
+  box: Box,
+): { readonly mask: readonly number[]; readonly count: number } {
   const mask = new Uint8Array(packed.sent + 1).fill(7);
   const count = cullLights(packed, box, mask);
   return { mask: [...mask.subarray(0, packed.sent)], count };

@@ -4,6 +4,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Box } from '../../src/light/cull-lights.js';
+import type { LightValues } from '../../src/light/light-state.js';
 import { radians } from '../../src/math/angle.js';
 import { add, scale } from '../../src/math/vector.js';
 import { fullOr } from '../support/repeats.js';
@@ -30,6 +31,10 @@ const SEED = 1;
 
 const bare = { diffuse: [255, 255, 255], specular: [255, 255, 255] } as const;
 
+/** At the origin, along −z unless `values` turn it. */
+const spotWith = (values: Partial<LightValues>): LightValues =>
+  light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], ...values });
+
 describe('a cone', () => {
   it.each<[string, Box, number]>([
     ['a point on the axis', [0, 0, -5, 0, 0, -5], 1],
@@ -43,10 +48,9 @@ describe('a cone', () => {
     ['a box whose ball alone the cone touches', [4, 4, -5, 9, 9, 5], 0],
     ['everything', [-1e15, -1e15, -1e15, 1e15, 1e15, 1e15], 1],
   ])('of 45° along −z reaches %s: %j %i', (_, box, count) => {
-    const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 45 });
-    expect(cull(pack([spot]), box).count).toBe(count);
+    expect(cull(pack([spotWith({ aperture: 45 })]), box).count).toBe(count);
     // The complement: all other directions.
-    const rest = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, 1], aperture: 134 });
+    const rest = spotWith({ axis: [0, 0, 1], aperture: 134 });
     const inside = count === 1 && box.every((x, i) => x === box[(i + 3) % 6]) && box[2] !== 0;
     expect(cull(pack([rest]), box).count).toBe(inside ? 0 : 1);
   });
@@ -59,7 +63,7 @@ describe('a cone', () => {
         const [x, z] = [d * Math.sin(angle), -d * Math.cos(angle)];
         return [x, 0, z, x, 0, z];
       };
-      const packed = pack([light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture })]);
+      const packed = pack([spotWith({ aperture })]);
       for (const d of [1e-9, 1, 1e12]) {
         const edge = Math.max(radians(aperture), 1e-6);
         expect(cull(packed, at(edge, d)).count).toBe(1);
@@ -79,25 +83,17 @@ describe('a cone', () => {
     }
   });
 
-  it('is culled for a box right behind it, however narrow the cone', () => {
-    const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 1 });
-    expect(cull(pack([spot]), [-1, -1, 0.5, 1, 1, 2.5]).count).toBe(0);
-  });
-
-  it('is never culled for a point nearer than 1e-15, where there is no direction', () => {
-    const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 20 });
-    expect(cull(pack([spot]), [0, 0, 5e-16, 0, 0, 5e-16]).count).toBe(1);
+  it('is culled for a box right behind it, but not for a point nearer than 1e-15, which has no direction', () => {
+    expect(cull(pack([spotWith({ aperture: 1 })]), [-1, -1, 0.5, 1, 1, 2.5]).count).toBe(0);
+    expect(cull(pack([spotWith({ aperture: 20 })]), [0, 0, 5e-16, 0, 0, 5e-16]).count).toBe(1);
   });
 
   it('is never culled at an aperture of 180 degrees, nor any light without a cone', () => {
-    const far: Box = [1e3, 1e3, 1e3, 1e3, 1e3, 1e3];
     const lights = [
       light(bare),
-      light({ ...bare, position: [0, 0, 0, 1] }),
-      light({ ...bare, position: [0, 0, 0, 1], cutoff: 1e6 }),
-      light({ ...bare, position: [0, 0, 0, 1], attenuation: [1e6, 1e6, 1e6] }),
+      ...[{}, { cutoff: 1e6 }, { attenuation: [1e6, 1e6, 1e6] as const }].map(spotWith),
     ];
-    expect(cull(pack(lights), far)).toMatchObject({ count: 4 });
+    expect(cull(pack(lights), [1e3, 1e3, 1e3, 1e3, 1e3, 1e3]).count).toBe(4);
   });
 
   it('is culled only where no point of the box is inside it, by the equation', () => {
@@ -144,19 +140,10 @@ describe('a cone', () => {
   });
 });
 
-describe('the mask', () => {
-  const down = { ...bare, axis: [0, -1, 0], aperture: 10 } as const;
-
-  it('has one number per light, in the order of the rows', () => {
-    const lights = [
-      light({ ...down, position: [0, 1, 0, 1] }),
-      light(),
-      light({ ...down, position: [5, 1, 0, 1] }),
-      light({ ...bare, position: [9, 9, 9, 1] }),
-      light({ ...down, position: [0.1, 1, 0, 1] }),
-    ];
-    const { mask, count } = cull(pack(lights), [-0.1, 0, -0.1, 0.1, 0, 0.1]);
-    expect(mask).toStrictEqual([1, 1, 1, 0, 1]); // directional, point, then the three spots
-    expect(count).toBe(4);
-  });
+it('the mask has one number per light, in the order of the rows', () => {
+  const spot = (x: number) => light({ ...bare, axis: [0, -1, 0], aperture: 10, position: [x, 1, 0, 1] });
+  const lights = [spot(0), light(), spot(5), light({ ...bare, position: [9, 9, 9, 1] }), spot(0.1)];
+  const { mask, count } = cull(pack(lights), [-0.1, 0, -0.1, 0.1, 0, 0.1]);
+  expect(mask).toStrictEqual([1, 1, 1, 0, 1]); // directional, point, then the three spots
+  expect(count).toBe(4);
 });

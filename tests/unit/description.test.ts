@@ -4,7 +4,6 @@ import { describe, expect, test } from 'vitest';
 import {
   cameraText,
   lightCountText,
-  lightNameText,
   lightsText,
   lightText,
   meshTitle,
@@ -13,72 +12,44 @@ import { phrase } from '../../src/element/fields/texts.js';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 
 const light = (values: Partial<LightValues> = {}): LightValues => new LightState(values).values;
-type Mesh = Parameters<typeof meshTitle>[1];
-const mesh = (values: Partial<Mesh> = {}): Mesh => ({
-  name: '',
-  src: '',
-  geometry: null,
-  ...values,
+
+test.each([
+  [30, 70, 4, 'Camera: azimuth 30°, polar angle 70°, distance 4.'],
+  [-179.6, 0, 1.23456, 'Camera: azimuth −180°, polar angle 0°, distance 1.23.'],
+  [-0.2, 89.5, 12345.6, 'Camera: azimuth 0°, polar angle 90°, distance 12300.'],
+  [0, 0, 1e-9, 'Camera: azimuth 0°, polar angle 0°, distance 1e−9.'],
+])('a camera at %d, %d, %d is rounded for listeners', (theta, phi, radius, text) => {
+  expect(cameraText(null, { theta, phi, radius })).toBe(text);
 });
 
-describe('the camera', () => {
-  test.each([
-    [30, 70, 4, 'Camera: azimuth 30°, polar angle 70°, distance 4.'],
-    [-179.6, 0, 1.23456, 'Camera: azimuth −180°, polar angle 0°, distance 1.23.'],
-    [-0.2, 89.5, 12345.6, 'Camera: azimuth 0°, polar angle 90°, distance 12300.'],
-    [0, 0, 1e-9, 'Camera: azimuth 0°, polar angle 0°, distance 1e−9.'],
-  ])('at %d, %d, %d is rounded for listeners', (theta, phi, radius, text) => {
-    expect(cameraText(null, { theta, phi, radius })).toBe(text);
-  });
+test.each<[Partial<LightValues>, string]>([
+  [{}, 'sun: directional light, position 1 2 3, diffuse 255 255 255'],
+  [{ position: [0.12345, -2, 0, 1] }, 'sun: point light, position 0.123 −2 0, diffuse 255 255 255'],
+  [{ position: [0, 2, 0, 1], cutoff: 4 }, 'sun: spot light, position 0 2 0, diffuse 255 255 255'],
+  [{ active: false }, 'sun (off): directional light, position 1 2 3, diffuse 255 255 255'],
+  [{ space: 'camera' }, 'sun: directional light, position 1 2 3, diffuse 255 255 255, in camera space'],
+])('a light with %j is named with its kind, place and colour', (values, text) => {
+  expect(lightText(null, 'sun', light(values))).toBe(text);
 });
 
-describe('a light', () => {
-  test.each([
-    [{}, 'sun: directional light, position 1 2 3, diffuse 255 255 255'],
-    [
-      { position: [0.12345, -2, 0, 1] as const },
-      'sun: point light, position 0.123 −2 0, diffuse 255 255 255',
-    ],
-    [{ position: [0, 2, 0, 1] as const, cutoff: 4 }, 'sun: spot light, position 0 2 0, diffuse 255 255 255'],
-    [{ active: false }, 'sun (off): directional light, position 1 2 3, diffuse 255 255 255'],
-    [
-      { space: 'camera' as const },
-      'sun: directional light, position 1 2 3, diffuse 255 255 255, in camera space',
-    ],
-  ])('with %j is named with its kind, place and colour', (values, text) => {
-    expect(lightText(null, 'sun', light(values as Partial<LightValues>))).toBe(text);
-  });
-
-  test('that is off is called so', () => {
-    expect(lightNameText(null, 'sun', { active: true })).toBe('sun');
-    expect(lightNameText(null, 'sun', { active: false })).toBe('sun (off)');
-  });
+test('all lights are counted, and the first eight named', () => {
+  const names = Array.from({ length: 9 }, (_, i) => `l${i}`);
+  expect(lightsText(null, [])).toBe('');
+  expect(lightsText(null, ['a', 'b'])).toBe('Lights: a, b.');
+  expect(lightsText(null, names.slice(0, 8))).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7.');
+  expect(lightsText(null, names)).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7, ....');
+  expect(lightCountText(null, 12)).toBe('Lights: 12.');
 });
 
-describe('all lights', () => {
-  test('are named, the first eight of them', () => {
-    expect(lightsText(null, ['a', 'b'])).toBe('Lights: a, b.');
-    const names = Array.from({ length: 9 }, (_, i) => `l${i}`);
-    expect(lightsText(null, names.slice(0, 8))).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7.');
-    expect(lightsText(null, names)).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7, ....');
-  });
-
-  test('are counted', () => expect(lightCountText(null, 12)).toBe('Lights: 12.'));
-
-  test('are not mentioned if there are none', () => expect(lightsText(null, [])).toBe(''));
-});
-
-describe('a mesh', () => {
-  test.each([
-    [{ name: 'floor', geometry: 'plane' as const }, 'floor'],
-    [{ geometry: 'plane' as const }, 'plane'],
-    [{ src: 'models/teapot.glb?v=2#a', geometry: 'plane' as const }, 'teapot.glb'],
-    [{ src: 'models/' }, 'mesh 3'],
-    [{ src: new File([], 'bunny.stl') }, 'bunny.stl'],
-    [{}, 'mesh 3'],
-  ])('of %j has a title', (values, title) => {
-    expect(meshTitle(null, mesh(values), 2)).toBe(title);
-  });
+test.each([
+  [{ name: 'floor', geometry: 'plane' as const }, 'floor'],
+  [{ geometry: 'plane' as const }, 'plane'],
+  [{ src: 'models/teapot.glb?v=2#a', geometry: 'plane' as const }, 'teapot.glb'],
+  [{ src: 'models/' }, 'mesh 3'],
+  [{ src: new File([], 'bunny.stl') }, 'bunny.stl'],
+  [{}, 'mesh 3'],
+])('a mesh of %j has a title', (values, title) => {
+  expect(meshTitle(null, { name: '', src: '', geometry: null, ...values }, 2)).toBe(title);
 });
 
 describe("the page's own words", () => {

@@ -18,15 +18,13 @@ function queueOf(lightsChanged: (lights: readonly PhongLight[]) => void = () => 
     element.addEventListener(type, (event) => seen.push([type, (event as CustomEvent).detail]));
   const lightsReported = new Signal<readonly PhongLight[]>();
   lightsReported.listen(lightsChanged);
-  return { queue: new EventQueue(element, lightsReported), seen };
+  return { element, queue: new EventQueue(element, lightsReported), seen };
 }
-
-/** The queue only passes elements on. */
-const elementNamed = (name: string): PhongLight => ({ name }) as unknown as PhongLight;
 
 function lightNamed(name: string): ElementLight {
   const light = new ElementLight();
-  light.element = elementNamed(name);
+  // The queue only passes elements on.
+  light.element = { name } as unknown as PhongLight;
   return light;
 }
 
@@ -56,17 +54,17 @@ describe('the events of a viewer', () => {
   });
 
   it('wait for the next end of a task where a listener causes them', async () => {
-    const element = new EventTarget();
-    const queue = new EventQueue(element, new Signal());
-    const seen: number[] = [];
+    const { element, queue, seen } = queueOf();
     element.addEventListener('progress', (event) => {
       const { totalProgress } = (event as CustomEvent<{ totalProgress: number }>).detail;
-      seen.push(totalProgress);
       if (totalProgress < 1) queue.enqueue('progress', { totalProgress: 1 });
     });
     queue.enqueue('progress', { totalProgress: 0 });
     await nextTask();
-    expect(seen).toEqual([0, 1]);
+    expect(seen).toEqual([
+      ['progress', { totalProgress: 0 }],
+      ['progress', { totalProgress: 1 }],
+    ]);
   });
 });
 
@@ -80,27 +78,15 @@ describe('light-change', () => {
     expect(Object.isFrozen((seen[0]![1] as { lights: unknown }).lights)).toBe(true);
   });
 
-  it('names a light again that is written to again', async () => {
-    const { queue, seen } = queueOf();
+  it('names a light again that is written to again, at each viewer that it belongs to', async () => {
+    const viewers = [queueOf(), queueOf()];
     const light = lightNamed('a');
-    queue.enqueueLight(light);
-    await nextTask();
-    queue.enqueueLight(light);
-    await nextTask();
-    expect(seen).toEqual([
-      ['light-change', { lights: [light.element] }],
-      ['light-change', { lights: [light.element] }],
-    ]);
-  });
-
-  it('names a light at both viewers that it belongs to in one task', async () => {
-    const [first, second] = [queueOf(), queueOf()];
-    const light = lightNamed('a');
-    first.queue.enqueueLight(light);
-    second.queue.enqueueLight(light);
-    await nextTask();
-    for (const { seen } of [first, second])
-      expect(seen).toEqual([['light-change', { lights: [light.element] }]]);
+    const change = ['light-change', { lights: [light.element] }];
+    for (const changes of [[change], [change, change]]) {
+      for (const { queue } of viewers) queue.enqueueLight(light);
+      await nextTask();
+      for (const { seen } of viewers) expect(seen).toEqual(changes);
+    }
   });
 
   it('names no light where lights come and go, and none that no element declares', async () => {
@@ -113,10 +99,7 @@ describe('light-change', () => {
 
   it('is known to the viewer before its listeners', async () => {
     const order: string[] = [];
-    const element = new EventTarget();
-    const reported = new Signal<readonly PhongLight[]>();
-    reported.listen(() => order.push('viewer'));
-    const queue = new EventQueue(element, reported);
+    const { element, queue } = queueOf(() => order.push('viewer'));
     element.addEventListener('light-change', () => order.push('listener'));
     queue.enqueueLight(null);
     await nextTask();
