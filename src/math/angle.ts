@@ -4,9 +4,8 @@ const RADIANS_PER_DEGREE = Math.PI / 180;
 
 export const radians = (degrees: number): number => degrees * RADIANS_PER_DEGREE;
 
-/** The same direction in [-180, 180), for any finite number of degrees. Exact for angles already inside. */
+/** The same direction in [-180, 180), for any finite number of degrees. Exact: the remainder is. */
 export function wrapDegrees(degrees: number): number {
-  if (degrees >= -180 && degrees < 180) return degrees;
   const turned = degrees % 360;
   if (turned >= 180) return turned - 360;
   return turned < -180 ? turned + 360 : turned;

@@ -156,12 +156,11 @@ function share(
   const { linear = false, reflection = 'phong', terms = ['ambient', 'diffuse', 'specular'] } = options;
   const { toLight, axis, positional } = placeLight(light, p, eye, options.camera);
   const d = length(toLight);
-  const present = positional ? d >= NEAREST : d > 0;
-  const L = present ? normalize(toLight) : BLACK;
+  const distance = positional && d < NEAREST ? 0 : d;
+  const L = distance > 0 ? normalize(toLight) : BLACK;
 
   const { c, insideCone, decay } = spot(light, L, axis);
   const [kc, kl, kq] = light.attenuation;
-  const distance = present ? d : 0;
   const att = positional ? 1 / Math.max(kc + kl * distance + kq * distance * distance, 1) : 1;
 
   const NoL = dot(N, L);
@@ -226,7 +225,7 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   const angle = Math.atan2(length(cross(L, away)), c);
   return {
     c,
-    insideCone: light.aperture >= 180 || angle <= radians(light.aperture) + EDGE,
+    insideCone: angle <= radians(light.aperture) + EDGE,
     // Both from chords: right behind the spot (1 + c)/2 would cancel all digits, and small exponents need them.
     decay: power(halfChord(L, A) / 2, halfChord(L, away) / 2, light.cutoff),
   };
@@ -241,6 +240,5 @@ function halfChord(a: Vec3, b: Vec3): number {
 /** max(x, 0)^n with x^0 = 1 for every x. `y` = 1 - x, given separately because 1 - x would cancel near x = 1. */
 function power(x: number, y: number, n: number): number {
   if (n < LEAST_EXPONENT) return 1;
-  if (x <= 0) return 0;
-  return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : x ** n;
+  return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : Math.max(x, 0) ** n;
 }

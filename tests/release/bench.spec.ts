@@ -13,7 +13,7 @@ const bench = (...options: string[]) => promisify(execFile)(process.execPath, [B
 test('@release measures frames, script, bytes and a front, each side equally often', async ({}, info) => {
   test.setTimeout(300_000);
   const file = info.outputPath('result.json');
-  const only = 'sphere, 1 light;script, 1 moving light;bytes;front, 8 lights';
+  const only = 'sphere, 1 light;script, turning camera;bytes;front, 8 lights';
   const { stdout } = await bench('--quick', '--size', '64x48', '--only', only, '--out', file);
   expect(stdout).toMatch(/\[1\/4, .+ left\] sphere, 1 light: first frames/);
   const result = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;

@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import {
+  coefficientsOf,
   type Fragment,
   type LightShare,
   type ReferenceOptions,
@@ -32,6 +33,12 @@ const close = (got: Vec3, want: Vec3): void => {
   });
 };
 const even = (x: number): Vec3 => [x, x, x];
+
+it('takes Ka, Kd and Ks as they are encoded, unless shading is linear', () => {
+  const { ka } = coefficientsOf({ ...white, ka: [51, 51, 51] });
+  expect(ka).toEqual(even(0.2));
+  expect(coefficientsOf({ ...white, ka: [51, 51, 51] }, true).ka[0]).toBeCloseTo(0.0331, 4);
+});
 
 describe('by hand', () => {
   const aside = [Math.sqrt(3), 0, 1, 0] as const;

@@ -10,8 +10,10 @@ import {
   multiply,
   negate,
   normalize,
+  perpendicular,
   scale,
   subtract,
+  transformed,
   type Vec3,
 } from '../../src/math/vector.js';
 import { numbers, triple } from './arbitraries.js';
@@ -28,6 +30,38 @@ it('adds, subtracts, scales and multiplies by component; the cross product is ri
   expect(negate(B)).toStrictEqual([-4, 5, -6]);
   expect(dot(A, B)).toBe(12);
   expect(cross(A, B)).toStrictEqual([27, 6, -13]);
+});
+
+it('takes places and directions through a matrix', () => {
+  // Columns; primes, so that no two sums agree.
+  const matrix = [2, 3, 5, 0, 7, 11, 13, 0, 17, 19, 23, 0, 29, 31, 37, 1];
+  expect(transformed(matrix, ...A)).toStrictEqual([2 + 14 + 51 + 29, 3 + 22 + 57 + 31, 5 + 26 + 69 + 37]);
+  expect(transformed(matrix, ...A, 0)).toStrictEqual([2 + 14 + 51, 3 + 22 + 57, 5 + 26 + 69]);
+});
+
+it.each<[Vec3, Vec3]>([
+  [
+    [1, 2, 3],
+    [0, 3, -2],
+  ],
+  [
+    [-2, 1, 3],
+    [-3, 0, -2],
+  ],
+  [
+    [3, 2, -1],
+    [2, -3, 0],
+  ],
+  [
+    [2, 1, 1],
+    [-1, 0, 2],
+  ],
+  [
+    [0, 0, 5],
+    [0, 5, 0],
+  ],
+])('the vector across %j is turned from the axis that it is farthest from: %j', (v, across) => {
+  perpendicular(v).forEach((x, i) => expect(x).toBeCloseTo(normalize(across)[i]!, 15));
 });
 
 it('has a length that neither overflows nor underflows in between', () => {
