@@ -1,6 +1,6 @@
 // Finds the model among files that were dropped or chosen together. The others are kept with it, for the names in it.
 // Knows the formats' extensions only.
-import { listed } from './listed.js';
+import { listed } from '../fields/clip.js';
 import { setFileGroup } from './file-group.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import { ModelError } from './model.js';

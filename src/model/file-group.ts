@@ -1,7 +1,7 @@
 // The files of a model that comes from the user's disk. Files dropped together are found by the paths that the model
 // names; nothing is fetched.
+import { listed } from '../fields/clip.js';
 import { fileName } from './file-name.js';
-import { listed } from './listed.js';
 import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
 

@@ -1,7 +1,7 @@
 // Loads a model from an address: downloads it, detects the format and reads it. Every failure is a ModelError with a
 // code and a sentence. Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval. Entry
 // point of the code that reads models, fetched with the first one.
-import { clip } from '../fields/clip.js';
+import { clip, listed } from '../fields/clip.js';
 import type { Amounts } from './budget.js';
 import { free, isOutOfMemory } from './limits.js';
 import { ModelBudget } from './model-budget.js';
@@ -10,7 +10,6 @@ import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './f
 import { nameOf } from './file-name.js';
 import { formatOf } from './format.js';
 import type { ReadOptional } from './model-reader.js';
-import { listed } from './listed.js';
 import { asUtf8 } from './text/utf-16.js';
 import { type Content, ModelError } from './model.js';
 import type { CrossOrigin, FileRequest } from './request-file.js';

@@ -29,8 +29,7 @@ test('lights are options of a list, with names and positions, and one is selecte
     ['spot: edge of the cone, 20°', 'Enter starts moving.'],
   ]);
   expect(options.map(({ properties }) => properties['selected'])).toEqual([true, false, false, false]);
-  const { violations } = await axeOn(page).analyze();
-  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
+  expect((await axeOn(page).analyze()).violations).toEqual([]);
 });
 
 test('the start of a move announces the keys, and its end the light’s position', async ({ page, mount }) => {

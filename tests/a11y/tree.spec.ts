@@ -30,8 +30,7 @@ test('a page of viewers and comparisons breaks no rule of axe', async ({ page, m
     { width: 300, height: 200, css: 'phong-compare { display: block; width: 400px; height: 200px }' },
   );
   await expect(page.getByRole('separator')).toHaveCount(4);
-  const { violations } = await axeOn(page).analyze();
-  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
+  expect((await axeOn(page).analyze()).violations).toEqual([]);
 });
 
 test('a viewer is an application with its keys, and a description of camera and lights that follows what scripts change', async ({

@@ -1,7 +1,7 @@
 // @ts-check
 // Writes glTF, as GLB or as JSON with a buffer beside it. Positions and normals have no unit; counter-clockwise triangles face outward.
 
-export const FLOAT = 5126;
+const FLOAT = 5126;
 const UNSIGNED_SHORT = 5123;
 const UNSIGNED_INT = 5125;
 

@@ -25,7 +25,7 @@ const REAL = [
 
 const root = new URL('../../', import.meta.url);
 
-export interface FuzzOptions {
+interface FuzzOptions {
   readonly seed: number;
   readonly count: number;
   readonly consoleGuard: ConsoleGuard;

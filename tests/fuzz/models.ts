@@ -5,7 +5,7 @@ import type { Random } from '../stress/random.js';
 import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, type Json, openGlb, pngWith, viewsOf } from './glb.js';
 
-export interface HostileFile {
+interface HostileFile {
   /** Describes what is wrong with it. */
   readonly what: string;
   readonly bytes: Buffer;

@@ -12,7 +12,7 @@ import { specialisedChecks } from './specialised-checks.js';
 import { type Driver, onDriver, mildPowerError, spoiledBy } from './worst-driver.js';
 
 /** Up to four numbers in, up to four out. */
-export type Numbers = readonly number[];
+type Numbers = readonly number[];
 
 export interface Check {
   /** What holds, as a sentence. */
@@ -46,9 +46,6 @@ export interface Extent {
   /** Of the lights of specialised programs, each so many-th alone. */
   readonly everyLight: number;
 }
-
-/** The default extent. */
-export const WHOLE_EXTENT: Extent = { cases: 1 << 14, only: '', everyLight: 1 };
 
 const WIDTH = 256;
 const f = Math.fround;
@@ -233,8 +230,8 @@ export function checkChunks(
   gl: WebGL2RenderingContext,
   driver: Driver,
   seed: number,
-  edit: Edit | null = null,
-  { cases, only, everyLight } = WHOLE_EXTENT,
+  edit: Edit | null,
+  { cases, only, everyLight }: Extent,
 ): Checked[] {
   const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>

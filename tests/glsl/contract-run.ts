@@ -6,7 +6,7 @@ import type { Driver } from './worst-driver.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
-export interface ContractRun {
+interface ContractRun {
   readonly driver: Driver;
   /** Stress cases of the whole loop. */
   readonly cases: number;

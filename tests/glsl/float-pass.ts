@@ -29,7 +29,7 @@ export interface PassResult {
 export type Uniforms = Readonly<Record<string, ArrayLike<number>>>;
 
 /** RGBA32F texels, row by row. */
-export interface FloatTexture {
+interface FloatTexture {
   readonly data: Float32Array;
   readonly width: number;
 }

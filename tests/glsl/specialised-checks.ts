@@ -106,10 +106,10 @@ const LOBES: readonly Check[] = [
   },
 ];
 
-export const EYE: Vec3 = [0, 0, 5];
+const EYE: Vec3 = [0, 0, 5];
 
 /** Multiplies nothing away. */
-export const SURFACE = white(8);
+const SURFACE = white(8);
 
 /** Lights of every kind and feature around a unit ball. */
 function allLights(): LightValues[] {
@@ -160,7 +160,7 @@ export function packedFor(lights: readonly LightValues[]): PackedLights {
   return packed;
 }
 
-export interface SumsOptions {
+interface SumsOptions {
   readonly terms?: readonly Term[];
   readonly reflection?: Reflection;
   /** The exponent is known when the program is made. Default true. */
@@ -236,7 +236,7 @@ const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 ||
  * compile it, and
  *   four times as long with each built-in replaced by a function.
  */
-export function specialisedChecks(every = 1): readonly Check[] {
+export function specialisedChecks(every: number): readonly Check[] {
   const lights = allLights().filter((_, i) => i % every === 0);
   return [
     ...LOBES,

@@ -11,7 +11,7 @@ import { type LoopProgram, programsFor } from './loop-forms.js';
 import { LoopPass } from './loop-pass.js';
 import type { Driver } from './worst-driver.js';
 
-export interface RunOptions {
+interface RunOptions {
   readonly seed: number;
   /** Fragments in all programs together, shared by the categories alike; those with many lights take fewer. */
   readonly cases: number;

@@ -16,7 +16,7 @@ import type * as linkedUrls from '../../src/model/model-content.js';
 import type * as nearDepth from '../../src/scene/near-depth.js';
 import type * as sampling from '../../src/scene/snapshot/sample.js';
 
-export interface Guard {
+interface Guard {
   readonly behaviour: string;
   readonly module: string;
   /** The test file that must fail. */

@@ -26,7 +26,6 @@ for (const usage of ['standalone', 'modules'] as const) {
   }) => {
     const requests = new Requests(page);
     await page.goto(site.page(scene, usages[usage]));
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     await nextFrame(page);
     const fetched = requests.take();

@@ -48,7 +48,6 @@ const parts: readonly (readonly [chunk: string, use: Use, sentence: RegExp])[] =
 
 async function open(page: Page, address: string): Promise<void> {
   await page.goto(address);
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   await allReady(page);
 }
 

@@ -33,7 +33,6 @@ for (const usage of ['standalone', 'modules'] as const) {
     });
     const requests = new Requests(page);
     await page.goto(site.page(scene, { ...usages[usage], css }));
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     const steps = await page.evaluate(() => Reflect.get(window, 'steps') as string[]);
     expect(steps.slice(0, 3)).toEqual(['mask.glb', 'coloured.ply', 'phong-light']);

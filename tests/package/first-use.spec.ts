@@ -74,7 +74,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['a drag', drag, ''],
   ['auto-rotate', set({ autoRotate: 5 }), ''],
   ['a camera group', set({ cameraGroup: 'all' }), 'camera-group'],
-  ['a comparison', addAfter('<phong-compare></phong-compare>'), 'comparison'],
+  ['a comparison', addAfter('<phong-compare></phong-compare>'), 'comparison followed-drag'],
   ['the panel', set({ gui: true }), 'panel panel-rows round-number'],
   ['a control', addAfter('<phong-control for="turned" attribute="theta"></phong-control>'), 'control'],
   ['a model', model('textured.glb'), 'model-content model-shared read-gltf'],
@@ -101,7 +101,6 @@ for (const usage of ['standalone', 'modules'] as const) {
     const scene = '<phong-viewer id="turned" geometry="box"><phong-light></phong-light></phong-viewer>';
     const css = 'body { margin: 0 } phong-viewer { display: block; width: 150px; height: 100px }';
     await page.goto(site.page(scene, { ...usages[usage], css }));
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     const viewer = page.locator('phong-viewer');
     expect(requests.take()).toHaveLength(usage === 'modules' ? 2 : 1); // with trusted-types.js

@@ -16,7 +16,6 @@ test('a page that loads three.js of its own before or after the standalone file 
   for (const order of [scripts, scripts.toReversed()]) {
     const head = order.map((address) => `<script type="module" src="${address}"></script>`).join('');
     await page.goto(site.page(box, { head }));
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     // three.js leaves its version there, and warns where it finds one.
     const stamp = await page.evaluate(() => (window as { __THREE__?: string }).__THREE__);

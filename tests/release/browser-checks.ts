@@ -15,7 +15,7 @@ const { judgeInPage, settleInPage } = (await import(
   `data:text/javascript,${encodeURIComponent(await inPageModule())}`
 )) as typeof InPage;
 
-export interface Check {
+interface Check {
   readonly title: string;
   readonly markup: string;
   /** Size of every viewer in CSS pixels, default 600 × 400. */

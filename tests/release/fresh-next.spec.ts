@@ -73,7 +73,6 @@ test.describe('the packed tarball in a fresh Next project @release', () => {
     expect(markup).toContain(' orbit="false"');
 
     await page.goto(origin);
-    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     const picture = await pixels(page.locator('#still'), { width: 60, height: 40 });
     expect(pixelAt(picture, 30, 20)).toEqual([200, 100, 50, 255]);

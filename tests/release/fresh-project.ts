@@ -85,7 +85,6 @@ export function freshProject(packages: readonly string[]) {
       const site = await startSite({ '/': root }, policy);
       ends.push(() => site.close());
       await page.goto(`${site.origin}/`);
-      await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
       await allReady(page);
     },
     async remove(): Promise<void> {

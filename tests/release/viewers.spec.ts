@@ -4,7 +4,7 @@
 import { expect, test } from '../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../element/support/counting.js';
 import { comeAndGo, holdContext, Ledger, loseAndRestore, redsShown, reddening, scrollThrough } from '../element/page/many-viewers.js'; // prettier-ignore
-import { nextFrame, type PhongViewer } from '../element/support/viewer.js';
+import { nextFrame, type PhongViewer, statsOf } from '../element/support/viewer.js';
 
 const small = { width: 60, height: 40, css: 'phong-viewer { float: left }' };
 
@@ -20,7 +20,7 @@ test('@release two hundred viewers share one context, come back when it is lost,
   await holdContext(page);
   const viewer = await mount(reddening(200), small);
   expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 200, observers: 3 });
-  expect(await viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn)).toBe(200);
+  expect((await statsOf(viewer)).viewersDrawn).toBe(200);
   const reds = await redsShown(page);
   // Codes 0 to 255 in two hundred steps, each of which the light shortens.
   expect(reds.every((red, i) => red >= (reds[i - 1] ?? -1))).toBe(true);

@@ -23,7 +23,7 @@ import {
 import type { Random } from './random.js';
 
 /** One to three lights of any kind, a surface of any kind. */
-export function generic(random: Random): StressCase {
+function generic(random: Random): StressCase {
   const fragment = seen(random);
   const count = random.pick([1, 2, 3]);
   const lights = Array.from({ length: count }, () => {

@@ -51,7 +51,7 @@ export const stressCase = (
   lights: readonly LightValues[],
 ): StressCase => ({ p, normal, eye, origin: ORIGIN, camera: CAMERA, surface: material, lights });
 
-export type LightColors = Pick<LightValues, 'ambient' | 'diffuse' | 'specular'>;
+type LightColors = Pick<LightValues, 'ambient' | 'diffuse' | 'specular'>;
 
 /** Together no brighter than `full`. */
 export function colors(random: Random, full = 255): LightColors {
@@ -83,7 +83,7 @@ export function anyLight(random: Random, p: Vec3, light: LightColors): LightValu
   });
 }
 
-export const NONE: Vec3 = [1, 0, 0];
+const NONE: Vec3 = [1, 0, 0];
 const fading = (random: Random): Vec3 => [random.from(0, 2), random.from(0, 1), random.from(0, 0.5)];
 
 /**

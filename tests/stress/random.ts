@@ -5,8 +5,9 @@ import { add, cross, normalize, scale, type Vec3 } from '../../src/math/vector.j
 export class Random {
   readonly #next: () => number;
 
-  constructor(seed: number) {
-    this.#next = sfc32(seed);
+  /** @param next uniform numbers in [0, 1) */
+  constructor(seed: number, next = sfc32(seed)) {
+    this.#next = next;
   }
 
   /** In [low, high). */

@@ -7,7 +7,7 @@ import type { Measured } from './measure.js';
  * Each way in which one category breaks the contract, in words; none where it keeps it. `worst`: on a worst lawful
  * driver.
  */
-export function verdictOf(measured: Measured, worst = false): string[] {
+function verdictOf(measured: Measured, worst: boolean): string[] {
   const { title, bound, notFinite, max, wrongCodes } = measured;
   const words: string[] = [];
   if (notFinite > 0) words.push(`${String(notFinite)} channels not finite`);
@@ -22,7 +22,7 @@ export function verdictOf(measured: Measured, worst = false): string[] {
  * The same of a run, on a `worst` lawful driver or a real one; the codes of all together only where all categories took
  * part.
  */
-export function verdict(all: readonly Measured[], worst = false): string[] {
+export function verdict(all: readonly Measured[], worst: boolean): string[] {
   const sum = { exact: 0, channels: 0 };
   for (const { exact, channels } of all) {
     sum.exact += exact;

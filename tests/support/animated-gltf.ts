@@ -1,5 +1,7 @@
 // A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of every interpolation. As
 // a data: address.
+import { viewsOf } from '../fuzz/glb.js';
+
 export interface BarOptions {
   /** Whether the bar has joints. Default true. */
   readonly skinned?: boolean;
@@ -79,9 +81,7 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
     samplers: channels.map(([, , sampler]) => sampler),
     channels: channels.map(([node, path], sampler) => ({ sampler, target: { node, path } })),
   });
-  const bytes = Buffer.concat(views).toString('base64');
-  let end = 0;
-  const offsets = views.map(({ byteLength }) => (end += byteLength) - byteLength);
+  const { bufferViews, buffers, body } = viewsOf(views);
   return {
     asset: { version: '2.0' },
     scene: 0,
@@ -104,8 +104,8 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
       ...(morphed ? [clip('swell', [0, 'weights', samplers.swell])] : []),
     ],
     accessors,
-    bufferViews: views.map(({ byteLength }, i) => ({ buffer: 0, byteOffset: offsets[i], byteLength })),
-    buffers: [{ byteLength: end, uri: `data:application/octet-stream;base64,${bytes}` }],
+    bufferViews,
+    buffers: [{ ...buffers[0], uri: `data:application/octet-stream;base64,${body.toString('base64')}` }],
   };
 }
 

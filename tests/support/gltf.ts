@@ -1,6 +1,7 @@
 // Small glTF documents for tests, as data: addresses: one curved patch with normals, tangents and two sets of texture
 // coordinates, and textures made of texels.
 import { PNG } from 'pngjs';
+import { viewsOf } from '../fuzz/glb.js';
 
 export type Texel = readonly [number, number, number, number?];
 
@@ -49,8 +50,7 @@ export function patch(options: PatchOptions): string {
     Buffer.from(new Float32Array(vertices.flatMap((vertex) => vertex[name as keyof typeof vertex])).buffer),
   );
   views.push(Buffer.from(new Uint16Array(indices).buffer));
-  let end = 0;
-  const offsets = views.map(({ byteLength }) => (end += byteLength) - byteLength);
+  const { bufferViews, buffers, body } = viewsOf(views);
   const data = (type: string, bytes: Buffer): string => `data:${type};base64,${bytes.toString('base64')}`;
   const attributes = Object.fromEntries(names.map((name, i) => [name, i]));
   const primitive = { attributes, indices: names.length, material: 0 };
@@ -72,8 +72,8 @@ export function patch(options: PatchOptions): string {
       })),
       { bufferView: names.length, componentType: USHORT, count: indices.length, type: 'SCALAR' },
     ],
-    bufferViews: views.map(({ byteLength }, i) => ({ buffer: 0, byteOffset: offsets[i], byteLength })),
-    buffers: [{ byteLength: end, uri: data('application/octet-stream', Buffer.concat(views)) }],
+    bufferViews,
+    buffers: [{ ...buffers[0], uri: data('application/octet-stream', body) }],
   };
   return data('model/gltf+json', Buffer.from(JSON.stringify(document)));
 }

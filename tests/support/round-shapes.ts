@@ -4,7 +4,7 @@ import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 
 /** A piece of surface over the unit square; `a` runs along the rows of its grid, `b` along the columns. */
-export type Surface = (a: number, b: number) => { readonly p: Vec3; readonly N: Vec3 };
+type Surface = (a: number, b: number) => { readonly p: Vec3; readonly N: Vec3 };
 
 /** The surface that a grid of quadrangles of an `auto` level approximates, and the diagonal of the quadrangles. */
 export interface Piece {

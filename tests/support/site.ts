@@ -2,7 +2,7 @@
 // Content-Security-Policy. Listens on a free port, so that several runs can share a machine. Knows no test.
 
 import { createReadStream, statSync } from 'node:fs';
-import { createServer, type Server, type ServerResponse } from 'node:http';
+import { createServer, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -105,7 +105,10 @@ export async function startSite(
       stored.set('/file', { type: '', text: bytes, csp: strictPolicy, gzip });
       return `${origin}/file`;
     },
-    close: () => stop(server),
+    close() {
+      server.closeAllConnections();
+      return new Promise((resolve) => server.close(() => resolve()));
+    },
   };
 }
 
@@ -155,9 +158,4 @@ function headers(type: string, csp: string): Record<string, string> {
     'cache-control': 'no-store',
     ...(csp === '' ? {} : { 'content-security-policy': csp }),
   };
-}
-
-function stop(server: Server): Promise<void> {
-  server.closeAllConnections();
-  return new Promise((resolve) => server.close(() => resolve()));
 }

@@ -119,10 +119,10 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   // Named here so that they are at work wherever a page is.
   page: async ({ context, consoleGuard: _guard, webgl2: _works }, use) => use(context.pages()[0]!),
 
-  mount: async ({ page, site }, use) => use((markup, options) => mount(page, site, markup, options)),
+  mount: async ({ page, site }, use) => use((markup, options = {}) => mount(page, site, markup, options)),
 });
 
-async function mount(page: Page, site: Site, markup: string, options: MountOptions = {}): Promise<Locator> {
+async function mount(page: Page, site: Site, markup: string, options: MountOptions): Promise<Locator> {
   const { width = 600, height = 400, css = '', head = '' } = options;
   const { deviceScaleFactor = 1, waitForReady = true } = options;
   const address = site.page(markup, {
@@ -178,9 +178,10 @@ async function defined(page: Page): Promise<void> {
   });
 }
 
-/** Waits for `ready` of every viewer on the page. */
+/** Waits until the element is defined, then for `ready` of every viewer on the page. */
 export async function allReady(page: Page): Promise<void> {
   await page.evaluate(async () => {
+    await customElements.whenDefined('phong-viewer');
     const viewers = document.querySelectorAll<ViewerLike>('phong-viewer');
     await Promise.all(Array.from(viewers, (viewer) => viewer.ready));
   });

@@ -1,9 +1,8 @@
 // glTF documents written by tests and loaded as data: addresses.
 import { modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
+import { type Json, viewsOf } from '../fuzz/glb.js';
 import { OPTIONS } from './model-files.js';
-
-export type Json = Record<string, unknown>;
 
 export const FLOAT = 5126;
 export const SHORT = 5122;
@@ -16,23 +15,17 @@ export function gltf(
   accessors: readonly Json[],
   more: Json,
 ): Promise<Content> {
-  const buffers = blobs.map(({ buffer, byteOffset, byteLength }) =>
-    Buffer.from(buffer, byteOffset, byteLength),
+  const { bufferViews, buffers, body } = viewsOf(
+    blobs.map(({ buffer, byteOffset, byteLength }) => new Uint8Array(buffer, byteOffset, byteLength)),
   );
-  let byteOffset = 0;
-  const bufferViews = buffers.map(({ length: byteLength }) => {
-    const view = { buffer: 0, byteOffset, byteLength };
-    byteOffset += byteLength;
-    return view;
-  });
   const strides = (more['strides'] ?? []) as readonly number[];
-  const uri = `data:;base64,${Buffer.concat(buffers).toString('base64')}`;
+  const uri = `data:;base64,${body.toString('base64')}`;
   const document = {
     asset: { version: '2.0' },
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0 }],
     bufferViews: bufferViews.map((view, i) => ({ ...view, byteStride: strides[i] })),
-    buffers: [{ byteLength: byteOffset, uri }],
+    buffers: [{ ...buffers[0], uri }],
     accessors,
     ...more,
   };

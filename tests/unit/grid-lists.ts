@@ -48,8 +48,8 @@ export function divided(lights: readonly LightValues[], box: Box) {
 }
 
 export const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // prettier-ignore
-export const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
-export const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
+const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
+const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
 
 /** The number of spots without a list entry; they come first. */
 export const unlistedOf = (into: PackedLights): number => lastOf(into, gridOf(into) + GRID.size);

@@ -100,12 +100,12 @@ describe('a level', () => {
 });
 
 /** A view along −z from the origin's `distance`. */
-function viewFrom(distance: number, fov = 45, aspect = 4 / 3): Frustum {
+function viewFrom(distance: number, fov = 45): Frustum {
   const slopeY = Math.tan((fov * Math.PI) / 360);
   const { right, up, back } = basisOf({ theta: 0, phi: 90 });
   return {
     frame: { origin: [0, 0, 0], eye: [0, 0, distance], right, up, back },
-    ...{ slopeX: slopeY * aspect, slopeY, radius: distance },
+    ...{ slopeX: (slopeY * 4) / 3, slopeY, radius: distance },
   };
 }
 

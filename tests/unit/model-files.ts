@@ -53,11 +53,8 @@ export function loadFiles(
 }
 
 /** The error that loading these files ends with. */
-export async function failureOf(
-  files: Readonly<Record<string, FileContent>>,
-  options: Partial<LoadOptions> = {},
-): Promise<ModelError> {
-  const result: unknown = await loadFiles(files, options).catch((error: unknown) => error);
+export async function failureOf(files: Readonly<Record<string, FileContent>>): Promise<ModelError> {
+  const result: unknown = await loadFiles(files).catch((error: unknown) => error);
   if (result instanceof ModelError) return result;
   throw result instanceof Error ? result : new Error('it loaded');
 }
@@ -78,10 +75,10 @@ export const indexOf = (model: Content, part = 0): number[] =>
   Array.from(model.parts[part]?.geometry.index?.array ?? []);
 
 /** An attribute in the order of the corners, an item each. */
-export function cornersOf(model: Content, name: string, part = 0): number[][] {
-  const size = model.parts[part]?.geometry.getAttribute(name).itemSize ?? 0;
-  const values = numbersOf(model, name, part);
-  return indexOf(model, part).map((vertex) => values.slice(vertex * size, (vertex + 1) * size));
+export function cornersOf(model: Content, name: string): number[][] {
+  const size = model.parts[0]?.geometry.getAttribute(name).itemSize ?? 0;
+  const values = numbersOf(model, name);
+  return indexOf(model).map((vertex) => values.slice(vertex * size, (vertex + 1) * size));
 }
 
 /** A PNG image of this size, as far as a header goes, and one byte. */

@@ -4,7 +4,8 @@ import fc from 'fast-check';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Content } from '../../src/model/model.js';
-import { FLOAT, gltf, type Json, mesh, numbers, SHORT, TRIANGLE, UBYTE } from './gltf-files.js';
+import type { Json } from '../fuzz/glb.js';
+import { FLOAT, gltf, mesh, numbers, SHORT, TRIANGLE, UBYTE } from './gltf-files.js';
 import { heardWarnings, indexOf, numbersOf, view } from './model-files.js';
 
 const warnings = heardWarnings();

@@ -1,8 +1,8 @@
 // Do the less common shapes of a glTF document come out right: quantised, interleaved, shared, skinned, in strips,
 // with moved textures? Documents are written here and loaded as data: addresses.
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { pngOf } from '../fuzz/glb.js';
-import { FLOAT, gltf, type Json, mesh, numbers, SHORT, TRIANGLE, UBYTE } from './gltf-files.js';
+import { type Json, pngOf } from '../fuzz/glb.js';
+import { FLOAT, gltf, mesh, numbers, SHORT, TRIANGLE, UBYTE } from './gltf-files.js';
 import { bitmapOf, indexOf, view } from './model-files.js';
 
 const POSITION = view(0, 'VEC3');

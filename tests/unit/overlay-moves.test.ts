@@ -84,17 +84,17 @@ describe('a light that is moved', () => {
 });
 
 const from = new Projection(sight);
-const edgeOf = (aperture: number, surface: number): Vec3 => {
+const edgeOf = (aperture: number): Vec3 => {
   const light = values({ position: [0.2, 2, 0.1, 1], axis: [0, -1, 0], aperture });
-  const { handles } = lightMarks(light, from, scene, false, surface);
+  const { handles } = lightMarks(light, from, scene, false, 2.5);
   return handles.find(({ part }) => part === 'aperture')!.place;
 };
 const radiusOf = ([x, , z]: Vec3): number => Math.hypot(x - 0.2, z - 0.1);
 
 it('a spot’s helper has a ring of at most twice the scene’s radius, without a jump at any aperture', () => {
-  let before = radiusOf(edgeOf(1, 2.5));
+  let before = radiusOf(edgeOf(1));
   for (let aperture = 1.5; aperture < 180; aperture += 0.5) {
-    const radius = radiusOf(edgeOf(aperture, 2.5));
+    const radius = radiusOf(edgeOf(aperture));
     expect(radius).toBeLessThanOrEqual(2 * scene.radius + 1e-9);
     expect(Math.abs(radius - before)).toBeLessThan(0.1);
     before = radius;

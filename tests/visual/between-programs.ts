@@ -4,10 +4,10 @@
 import type { Locator, Page } from '@playwright/test';
 import { drawUntilSpecialised } from '../element/frames/driving.js';
 import { drawnWith, glSpent, isSpecialised, isLit } from '../element/support/gl-log.js';
-import type { PhongViewer } from '../element/support/viewer.js';
+import { statsOf } from '../element/support/viewer.js';
 import { allReady, expect, pixels, type Picture } from '../support/test.js';
 
-export interface ProgramDifference {
+interface ProgramDifference {
   /** Codes. */
   readonly max: number;
   /** Channels that differ, and all channels of covered pixels. */
@@ -100,14 +100,10 @@ export async function bothPictures(
 ) {
   const viewers = await showAll(page, markups);
   const general = await picturesBy(page, viewers, 'general', size);
-  const programs = await programsOf(viewers[0]!);
+  const { programs } = await statsOf(viewers[0]!);
   await drawUntilSpecialised(page);
   // Viewers of the same lights and surface share one.
-  expect(await programsOf(viewers[0]!)).toBeGreaterThan(programs);
+  expect((await statsOf(viewers[0]!)).programs).toBeGreaterThan(programs);
   const specialised = await picturesBy(page, viewers, 'specialised', size);
   return general.map((picture, i) => ({ general: picture, specialised: specialised[i]! }));
 }
-
-/** Number of the page's programs, by a viewer's stats. */
-const programsOf = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => element.stats.programs);

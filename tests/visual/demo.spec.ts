@@ -5,7 +5,6 @@ import { decodePng } from '../support/picture.js';
 
 test('@release a screenshot of the whole article shows every picture', async ({ page }) => {
   await page.goto('/demo/article/');
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   await allReady(page);
   const boxes = await page.evaluate(() =>
     Array.from(document.querySelectorAll('phong-viewer'), (viewer) => {

@@ -6,7 +6,7 @@ import type { LightValues } from '../../src/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
-import { assign, type PhongViewer } from '../element/support/viewer.js';
+import { assign, type PhongViewer, settled, statsOf } from '../element/support/viewer.js';
 import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import { caster, type DeclaredScene } from './ray-cast.js';
@@ -87,8 +87,8 @@ test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 g
     const scene: DeclaredScene = { ...randomScene(4), lights: crowd(count, 7) };
     const markup = sceneMarkup(scene);
     await viewer.evaluate((element, html) => (element.outerHTML = html), markup);
-    await viewer.evaluate((element: PhongViewer) => element.ready);
-    const { lightsActive, lightsSent } = await viewer.evaluate((element: PhongViewer) => element.stats);
+    await settled(viewer);
+    const { lightsActive, lightsSent } = await statsOf(viewer);
     expect(lightsActive).toBe(count);
     expect(lightsSent).toBeGreaterThan(count - 8 - 1); // but for cones that miss
     const general = (await picturesBy(page, [viewer], 'general', SIZE))[0]!;
@@ -182,7 +182,7 @@ test('five hundred spots on a floor look the same as with a loop over all, whate
   await expectLike('at first', true);
   await drawUntilSpecialised(page);
   expect(await usesGrid(page)).toBe(true);
-  expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({ lightsActive: 500, drawCalls: 1 }); // prettier-ignore
+  expect(await statsOf(viewer)).toMatchObject({ lightsActive: 500, drawCalls: 1 });
   await expectLike('settled', true);
   await assign(viewer, { theta: 75, phi: 25 });
   await expectLike('with the camera turned', false);
@@ -214,7 +214,7 @@ test('five hundred spots on a floor look the same as with a loop over all, whate
 async function firstPicture(page: Page, markup: string): Promise<Picture> {
   await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', `<section>${html}</section>`), markup); // prettier-ignore
   const other = page.locator('section > phong-viewer');
-  await other.evaluate((element: PhongViewer) => element.ready);
+  await settled(other);
   await glSpent(page);
   const picture = await pixels(other, SIZE);
   await expectDrawnBy(page, 'general');

@@ -2,6 +2,7 @@
 // numbers with a few decimals.
 import type { LightValues } from '../../src/light/light-state.js';
 import { scale, type Vec3, type Vec4 } from '../../src/math/vector.js';
+import { Random } from '../stress/random.js';
 import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 /** Uniform numbers from a seed: mulberry32. */
@@ -16,24 +17,14 @@ export function seeded(seed: number): () => number {
   };
 }
 
-export class Dice {
-  readonly #next: () => number;
-
+export class Dice extends Random {
   constructor(seed: number) {
-    this.#next = seeded(seed);
+    super(seed, seeded(seed));
   }
 
   /** Uniform, to three decimals. */
-  from(low: number, high: number): number {
-    return Number((low + (high - low) * this.#next()).toFixed(3));
-  }
-
-  chance(share: number): boolean {
-    return this.#next() < share;
-  }
-
-  pick<T>(list: readonly T[]): T {
-    return list[Math.floor(this.#next() * list.length)]!;
+  override from(low: number, high: number): number {
+    return Number(super.from(low, high).toFixed(3));
   }
 
   /** One of the list, as often as its weight says. */
@@ -42,11 +33,7 @@ export class Dice {
     return list.find((one) => (left -= weightOf(one)) <= 0) ?? list[0]!;
   }
 
-  vector(low: number, high: number): Vec3 {
-    return [this.from(low, high), this.from(low, high), this.from(low, high)];
-  }
-
-  color(high: number): Vec3 {
+  override color(high: number): Vec3 {
     return this.vector(0, high).map(Math.round) as unknown as Vec3;
   }
 }

@@ -9,7 +9,7 @@ import { shade, type Shaded } from '../../src/reference/equation.js';
 import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
 import { type CastMesh, type DeclaredScene, coneMargin, lens, placement } from './ray-cast.js';
 
-export interface TriangleHit {
+interface TriangleHit {
   /** 0–1. */
   readonly color: Vec3;
   /** Pixels from the pixel's centre to the nearest edge of its triangle. */
@@ -47,7 +47,7 @@ export function castTriangles(
   scene: DeclaredScene,
   width: number,
   height: number,
-  shading = 'phong',
+  shading: string,
 ): (TriangleHit | null)[] {
   const view = lens(scene, width, height);
   const triangles = trianglesOf(scene, view, shading);

@@ -2,9 +2,8 @@
 // geometries.
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import type { ContentPart, Motion } from '../model.js';
-import { clip } from '../../fields/clip.js';
+import { clip, listed } from '../../fields/clip.js';
 import type { Slices } from '../slices.js';
-import { listed } from '../listed.js';
 import type { Accessor } from './accessors.js';
 import type { Channel, ChannelPath, GltfAnimation } from './animations.js';
 import type { Attribute } from './attributes.js';

@@ -1,8 +1,7 @@
 // The lights that a view is limited to, and the text that says so. `view-light` by name; without it the first active
 // light where a view is of one light, or all.
-import { clipMessage } from '../../fields/clip.js';
+import { clipMessage, listed } from '../../fields/clip.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
-import { listed } from '../../model/listed.js';
 import { viewEntry } from '../../material/view/view-table.js';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';

@@ -6,7 +6,7 @@ import { errorOf, type ErrorFigures } from './errors.js';
 import { BEND, type Floor, FLOORS, floorTruth, SURFACE } from './floor.js';
 import { BASE, type Variant, variantsOf } from './variants.js';
 
-export interface FrontFacts {
+interface FrontFacts {
   readonly title: string;
   readonly renderer: string;
   readonly hasTimer: boolean;

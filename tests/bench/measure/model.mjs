@@ -99,7 +99,7 @@ async function loadOf(lab, path, slow) {
  * When 95 % of the bytes were uploaded: what comes later are a frame's uniforms. NaN without an upload.
  * @param {Window['uploads']} uploads
  */
-export function endOfUploads(uploads) {
+function endOfUploads(uploads) {
   const total = uploads.reduce((sum, { bytes }) => sum + bytes, 0);
   let done = 0;
   return uploads.find(({ bytes }) => total > 0 && (done += bytes) >= 0.95 * total)?.end ?? NaN;

@@ -19,7 +19,7 @@ import type { OpenSide, Side } from './side.js';
 import { pause } from './timing.js';
 
 export type Viewer = HTMLElementTagNameMap['phong-viewer'];
-export type LightElement = HTMLElementTagNameMap['phong-light'];
+type LightElement = HTMLElementTagNameMap['phong-light'];
 
 export const lightElement = (values: SceneLight): LightElement =>
   Object.assign(document.createElement('phong-light'), values);

@@ -7,7 +7,7 @@ import { clockFrames, finish, pause, rendererName, timeFrames } from './timing.j
 export type SideName = 'element' | 'fixed' | 'core' | 'three' | 'unlit';
 
 /** What a picture is drawn with; the sides of one scene have to agree in it. */
-export interface CanvasFacts {
+interface CanvasFacts {
   readonly antialias: boolean;
   readonly alpha: boolean;
   readonly samples: number;

@@ -8,9 +8,9 @@ import type { Mode } from './picture-element.js';
 import { PICTURE_SCENES, type PictureName, type PictureScene } from './picture-scenes.js';
 
 /** A side's ways to draw, and how many pictures each one shows on the way to its last. */
-export type Methods = Readonly<Record<string, { readonly steps: number }>>;
+type Methods = Readonly<Record<string, { readonly steps: number }>>;
 
-export interface PictureSide {
+interface PictureSide {
   readonly methods: Methods;
   /** Milliseconds from a change to each of the method's pictures, closed by reading a pixel back. */
   time(method: string): Promise<number[]>;

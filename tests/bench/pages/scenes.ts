@@ -2,7 +2,7 @@
 // degrees, colours 0 to 255. Positions come from Halton sequences, so every run draws the same scene.
 
 export type Vec3 = readonly [number, number, number];
-export type Vec4 = readonly [number, number, number, number];
+type Vec4 = readonly [number, number, number, number];
 
 export interface SceneLight {
   readonly position: Vec4;
@@ -17,7 +17,7 @@ export interface SceneLight {
 
 export type RoundShape = 'sphere' | 'torus' | 'teapot';
 
-export interface SceneMesh {
+interface SceneMesh {
   /** A built-in shape, or a model's file. */
   readonly shape: RoundShape | 'box' | 'bunny.glb' | 'grid.glb';
   readonly position?: Vec3;
@@ -28,7 +28,7 @@ export interface SceneMesh {
 export const ORIGIN: Vec3 = [0, 0, 0];
 
 /** What changes before each frame. */
-export type Motion = 'camera' | 'lights' | 'light count' | 'mesh' | 'toggle';
+type Motion = 'camera' | 'lights' | 'light count' | 'mesh' | 'toggle';
 
 export interface Scene {
   readonly lights: readonly SceneLight[];
@@ -104,10 +104,10 @@ function roomLights(count: number): SceneLight[] {
   });
 }
 
-/** Equal shapes on a regular grid around the origin, `pitch` apart. */
-function grid([nx, ny, nz]: Vec3, pitch: number, shape: SceneMesh['shape'], scale: number): SceneMesh[] {
+/** Equal shapes on a regular grid around the origin, 1 apart. */
+function grid([nx, ny, nz]: Vec3, shape: SceneMesh['shape'], scale: number): SceneMesh[] {
   return Array.from({ length: nx * ny * nz }, (_, i): SceneMesh => {
-    const at = (index: number, count: number): number => pitch * (index - (count - 1) / 2);
+    const at = (index: number, count: number): number => index - (count - 1) / 2;
     const [x, y] = [at(i % nx, nx), at(Math.floor(i / nx) % ny, ny)];
     return { shape, scale, position: [x, y, at(Math.floor(i / (nx * ny)), nz)] };
   });
@@ -128,7 +128,7 @@ const box = (lights: number, motion: Motion): Scene => ({
 
 const boxes = (lights: number, count: Vec3, motion: Motion): Scene => ({
   lights: mixedLights(lights, 40),
-  meshes: grid(count, 1, 'box', 0.6),
+  meshes: grid(count, 'box', 0.6),
   radius: 24,
   motion,
 });
@@ -164,7 +164,7 @@ export function sceneOf(name: string): Scene {
       };
     case 'spheres':
       return {
-        ...{ lights: mixedLights(lights, 40), meshes: grid([8, 8, 1], 1, 'sphere', 0.9) },
+        ...{ lights: mixedLights(lights, 40), meshes: grid([8, 8, 1], 'sphere', 0.9) },
         ...{ radius: 10.2, motion: 'camera' },
       };
     case 'boxes':

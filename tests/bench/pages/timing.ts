@@ -4,7 +4,7 @@
 export { rendererName } from '../../glsl/float-pass.js';
 
 /** Changes the scene and draws one frame. Asynchronous, because elements gather changes until the task's microtasks. */
-export type Frame = () => Promise<void>;
+type Frame = () => Promise<void>;
 
 interface TimerQuery {
   readonly TIME_ELAPSED_EXT: number;

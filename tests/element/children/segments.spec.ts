@@ -3,7 +3,7 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, pixels, test } from '../../support/test.js';
-import { assign, type PhongViewer, record, settled } from '../support/viewer.js';
+import { assign, cameraOf, type PhongViewer, record, set, settled } from '../support/viewer.js';
 import { expectSmooth, filmZoom } from './round-levels.js';
 
 const SIZE = { width: 120, height: 120 };
@@ -23,7 +23,7 @@ test('a sphere has the segments that its size and the camera need, and the camer
 }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
   expect(await triangles(viewer)).toBe(sphereOf(64));
-  const { radius } = await viewer.evaluate((element: PhongViewer) => element.camera);
+  const { radius } = await cameraOf(viewer);
   const counts: number[] = [];
   const views = [{ radius: 100 }, { radius: 0.501 }, { target: [0.5, 0, 0], radius: 0.2 }];
   for (const view of views) {
@@ -36,8 +36,7 @@ test('a sphere has the segments that its size and the camera need, and the camer
   expect(counts[2]).toBeGreaterThan(sphereOf(64));
   // Framing is that of the round shape.
   for (const segments of [3, 24, 'auto'] as const) {
-    await assign(viewer, { segments, target: 'auto', radius: 'auto' });
-    await settled(viewer);
+    await set(viewer, { segments, target: 'auto', radius: 'auto' });
     expect(await viewer.evaluate((element: PhongViewer) => element.camera.radius)).toBe(radius);
   }
   expect(await triangles(viewer)).toBe(sphereOf(64));
@@ -72,12 +71,10 @@ test('Gouraud and flat pictures keep the fixed number, and so does a Phong one b
   await expect.poll(() => triangles(left)).toBe(await triangles(right));
   const auto = await triangles(left);
   expect(auto).toBeLessThan(sphereOf(64));
-  await assign(right, { shading: 'gouraud' });
-  await settled(right);
+  await set(right, { shading: 'gouraud' });
   await settled(left);
   expect([await triangles(left), await triangles(right)]).toEqual([sphereOf(64), sphereOf(64)]);
-  await assign(right, { shading: 'phong' });
-  await settled(right);
+  await set(right, { shading: 'phong' });
   await settled(left);
   expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
 });

@@ -1,11 +1,11 @@
 // What happens when the graphics context fails: refused, lost while it is created, lost again, lost under toBlob, too
 // large?
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { fullOr } from '../../support/repeats.js';
 import { installFaults, type Opening } from './faults.js';
-import { nextFrame, type PhongViewer, record } from '../support/viewer.js';
+import { canvasSize, nextFrame, type PhongViewer, record, settled, statsOf } from '../support/viewer.js';
 
 const SIZE = { width: 120, height: 90 };
 const box = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
@@ -94,7 +94,7 @@ test('a context lost at any call before the end of the first picture is reported
     await expect(viewer, `call ${call}`).toHaveAttribute('title', 'context-lost');
     await page.evaluate(() => window.faults.restore());
     await expect(viewer.locator('[part=notice]')).toHaveCount(0);
-    await viewer.evaluate((element: PhongViewer) => element.ready);
+    await settled(viewer);
     expect(compare(await pixels(viewer), expected).max, `call ${call}`).toBe(0);
   }
 });
@@ -157,12 +157,6 @@ for (const [when, width] of [
   });
 }
 
-const canvasSize = (viewer: Locator): Promise<readonly [width: number, height: number]> =>
-  viewer.evaluate((element: PhongViewer) => {
-    const { width, height } = element.shadowRoot!.querySelector('canvas')!;
-    return [width, height] as const;
-  });
-
 /** Most pixels of a canvas on the page. */
 const fourScreens = (page: Page): Promise<number> => page.evaluate(() => 4 * screen.width * screen.height);
 
@@ -174,7 +168,7 @@ test('a first viewer of 8192 × 8192 device pixels is drawn with the pixels of f
   const viewer = await mount(box, { width: 8192, height: 8192 });
   await expect(viewer.locator('[part=notice]')).toHaveCount(0);
   const [width, height] = await canvasSize(viewer);
-  expect(await viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(1);
+  expect((await statsOf(viewer)).frames).toBe(1);
   expect((width * height) / (await fourScreens(page))).toBeCloseTo(1, 2);
   expect(width).toBe(height);
 });

@@ -2,7 +2,7 @@
 // (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
-import { drawnWith, glSpent, type GlProgram, isSpecialised, isLit } from '../support/gl-log.js';
+import { drawnWith, glSpent, isSpecialised, isLit } from '../support/gl-log.js';
 import type { PhongViewer } from '../support/viewer.js';
 
 /** Frames to wait for a specialised program: many, for busy machines. */
@@ -32,16 +32,13 @@ export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
     }
   }, frames);
 
-/** Draws until all lit draws use specialised programs, or programs as `wanted`. Returns the number of frames. */
-export async function drawUntilSpecialised(
-  page: Page,
-  wanted: (one: GlProgram) => boolean = isSpecialised,
-): Promise<number> {
+/** Draws until all lit draws use specialised programs. */
+export async function drawUntilSpecialised(page: Page): Promise<void> {
   for (let frames = 0; frames < MOST_FRAMES; frames += 8) {
     await glSpent(page);
     await drawFrames(page, 1);
     const lit = (await drawnWith(page)).filter(isLit);
-    if (lit.length > 0 && lit.every(wanted)) return frames;
+    if (lit.length > 0 && lit.every(isSpecialised)) return;
     await drawFrames(page, 7);
   }
   throw new Error(`No specialised programs after ${MOST_FRAMES} frames`);

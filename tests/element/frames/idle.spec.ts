@@ -3,7 +3,7 @@
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';
-import { assign, drag, nextFrame, type PhongViewer, record } from '../support/viewer.js';
+import { assign, drag, nextFrame, type PhongViewer, record, statsOf } from '../support/viewer.js';
 
 const size = { width: 90, height: 60 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
@@ -11,8 +11,7 @@ const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
 test.beforeEach(({ page }) => countEverything(page));
 
-const framesOf = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => element.stats.frames);
+const framesOf = async (viewer: Locator): Promise<number> => (await statsOf(viewer)).frames;
 
 /** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;

@@ -6,7 +6,7 @@ import { compare, expect, pixels, test } from '../../support/test.js';
 import { drawFrames, drawUntilSpecialised } from './driving.js';
 import { reachedCode } from './glsl-reading.js';
 import { drawnWith, glPrograms, glSpent, isSpecialised, isLit, logGl, type GlProgram } from '../support/gl-log.js'; // prettier-ignore
-import type { PhongViewer } from '../support/viewer.js';
+import { settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
 
@@ -62,7 +62,7 @@ test('scenes with the same needs have the same program, and only further needs a
     await glSpent(page);
     const html = `<phong-viewer ${markup}</phong-viewer>`;
     await viewer.evaluate((element, text) => (element.outerHTML = text), html);
-    await viewer.evaluate((element: PhongViewer) => element.ready);
+    await settled(viewer);
     const [lit, ...others] = await litPrograms(page);
     expect(others, which).toEqual([]);
     const { vertex, fragment } = lit!;
@@ -92,7 +92,7 @@ test('ten meshes reached by different lights get a specialised program each', as
   await glSpent(page);
   await drawFrames(page, 1);
   expect((await litPrograms(page)).filter(isSpecialised)).toHaveLength(10);
-  expect(await viewer.evaluate((element: PhongViewer) => element.stats.lightsSentByMesh)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]); // prettier-ignore
+  expect((await statsOf(viewer)).lightsSentByMesh).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
   expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
 });
 

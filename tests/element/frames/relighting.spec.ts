@@ -6,7 +6,7 @@ import { compare, expect, pixels, test, type Picture } from '../../support/test.
 import { drawFrames, moveFor } from './driving.js';
 import { drawnWith, type GlProgram, logGl } from '../support/gl-log.js';
 import { holdContext, loseAndRestore } from '../page/many-viewers.js';
-import type { PhongViewer } from '../support/viewer.js';
+import { type PhongViewer, settled } from '../support/viewer.js';
 import { betweenPrograms } from '../../visual/between-programs.js';
 
 const size = { width: 60, height: 44 };
@@ -152,7 +152,7 @@ test('lights that move beside another drawing viewer, alone again or after a con
   await settle(page, viewer);
   await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(3));
   const other = page.locator('phong-viewer').nth(1);
-  await other.evaluate((element: PhongViewer) => element.ready);
+  await settled(other);
   await expectWholeMoves('beside', [other]);
   await other.evaluate((element) => element.remove());
   await expectWholeMoves('alone');

@@ -10,7 +10,7 @@ import { compareWithReference } from '../../visual/against-reference.js';
 import { sceneMarkup } from '../../visual/random-scene.js';
 import type { CastMesh, DeclaredScene } from '../../visual/ray-cast.js';
 import { glSpent, logGl, type GlSpent } from '../support/gl-log.js';
-import { nextFrame, type PhongViewer } from '../support/viewer.js';
+import { nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
 
@@ -40,10 +40,8 @@ const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): Declare
 /** Replaces the viewer with this scene. */
 async function show(viewer: Locator, scene: DeclaredScene): Promise<void> {
   await viewer.evaluate((element, html) => (element.outerHTML = html), sceneMarkup(scene));
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await settled(viewer);
 }
-
-const statsOf = (viewer: Locator) => viewer.evaluate((element: PhongViewer) => element.stats);
 
 /** Shows this scene and holds it against the equation. Returns the viewer's `stats`. */
 async function showsTheEquation(viewer: Locator, scene: DeclaredScene, which: string) {

@@ -3,13 +3,10 @@
 
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../support/counting.js';
-import { film, keepPixels } from '../support/film.js';
-import { assign, nextFrame, type PhongViewer } from '../support/viewer.js';
+import { film, keepPixels, viewerOf } from '../support/film.js';
+import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 64, height: 48 };
-const light = '<phong-light position="1 2 3 0" ambient="40"></phong-light>';
-const viewerOf = (samples: number, attributes = 'geometry="torus"'): string =>
-  `<phong-viewer alt="A shape" antialias="full" samples="${String(samples)}" ${attributes}>${light}</phong-viewer>`;
 
 test('a picture keeps its brightness while it converges, changes in outlines only, and never flashes', async ({
   page,
@@ -22,9 +19,7 @@ test('a picture keeps its brightness while it converges, changes in outlines onl
   ] as const) {
     // prettier-ignore
     const viewer = await mount(viewerOf(256) + other, { ...size, waitForReady: false });
-    await expect
-      .poll(() => viewer.evaluate((element: PhongViewer) => element.stats.frames))
-      .toBeGreaterThan(0);
+    await expect.poll(async () => (await statsOf(viewer)).frames).toBeGreaterThan(0);
     const rolling = await film(viewer, 40);
     await allReady(page);
     await nextFrame(page);
@@ -50,7 +45,7 @@ test('whatever happens in the middle, each frame is a whole picture, and it conv
   await keepPixels(page);
   await countEverything(page);
   const viewer = await mount(viewerOf(512, 'geometry="sphere"'), { ...size, waitForReady: false });
-  const samples = (): Promise<number> => viewer.evaluate((element: PhongViewer) => element.stats.samples);
+  const samples = async (): Promise<number> => (await statsOf(viewer)).samples;
   const begins = (): Promise<void> => expect.poll(samples, { timeout: 20_000 }).toBeGreaterThan(0);
   const hide = (hidden: boolean): Promise<void> =>
     page.evaluate((isHidden) => {
@@ -76,7 +71,7 @@ test('whatever happens in the middle, each frame is a whole picture, and it conv
     'a hidden page': async () => {
       await hide(true);
       await nextFrame(page);
-      await viewer.evaluate((element: PhongViewer) => element.ready);
+      await settled(viewer);
       const { frames, ...spent } = await spentIn(page, 200);
       expect({ ...spent, frames: 0 }, `${String(frames)} frames are the film's own`).toEqual(NOTHING);
       await hide(false);
@@ -96,8 +91,7 @@ test('whatever happens in the middle, each frame is a whole picture, and it conv
     await assign(viewer, { samples: 1023 });
     await assign(viewer, { samples: 1024 });
   }
-  await assign(viewer, { samples: 16 });
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await set(viewer, { samples: 16 });
   expect(await samples()).toBe(16);
   await nextFrame(page);
   expect(await spentIn(page, 200)).toEqual(NOTHING);
@@ -226,7 +220,7 @@ test('on a slow machine each input shows the plain picture in its next frame, an
       await act();
     }
     await expect.poll(() => log.evaluate((list) => list.filter((one) => one === 'input').length)).toBe(6);
-    await viewer.evaluate((element: PhongViewer) => element.ready);
+    await settled(viewer);
     const said = (await log.jsonValue()).join(' ');
     expect(said, 'between an input and its frame').not.toMatch(/input (ended )?(input )*batch/);
     expect(said, 'one batch at a time').not.toMatch(/batch of \d+ (render )?batch/);

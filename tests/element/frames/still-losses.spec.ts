@@ -5,13 +5,10 @@ import type * as Three from 'three';
 import { usages } from '../../package/requests.js';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import { film, keepPixels } from '../support/film.js';
-import { assign, nextFrame, type PhongViewer } from '../support/viewer.js';
+import { film, keepPixels, LIGHT, viewerOf } from '../support/film.js';
+import { assign, nextFrame, type PhongViewer, statsOf } from '../support/viewer.js';
 
 const size = { width: 48, height: 36 };
-const light = '<phong-light position="1 2 3 0" ambient="40"></phong-light>';
-const viewerOf = (samples: number, attributes = 'geometry="torus"'): string =>
-  `<phong-viewer alt="A shape" antialias="full" samples="${String(samples)}" ${attributes}>${light}</phong-viewer>`;
 
 declare global {
   interface Window {
@@ -44,7 +41,7 @@ test('a context lost in the middle shows no part of a picture, and its samples b
   ] as const) {
     const viewer = await mount(viewerOf(128) + other, size);
     const before = await pixels(viewer);
-    const samples = (): Promise<number> => viewer.evaluate((element: PhongViewer) => element.stats.samples);
+    const samples = async (): Promise<number> => (await statsOf(viewer)).samples;
     const notice = viewer.locator('[part=notice]');
     await assign(viewer, { theta: 31 });
     await assign(viewer, { theta: 30 });
@@ -89,7 +86,7 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
   site,
 }) => {
   await keepPixels(page);
-  const markup = `<phong-viewer alt="" theta="0" phi="90" radius="2.4" target="0 0 0" samples="256">${light}</phong-viewer>`;
+  const markup = `<phong-viewer alt="" theta="0" phi="90" radius="2.4" target="0 0 0" samples="256">${LIGHT}</phong-viewer>`;
   await page.goto(site.page(markup, usages.modules));
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   const viewer = page.locator('phong-viewer');

@@ -4,7 +4,7 @@ import type { Locator, Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { usages } from '../../package/requests.js';
-import { assign, nextFrame, type PhongViewer } from '../support/viewer.js';
+import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
@@ -27,12 +27,11 @@ const renders = (viewer: Locator) =>
     return list;
   });
 
-const samplesOf = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => element.stats.samples);
+const samplesOf = async (viewer: Locator): Promise<number> => (await statsOf(viewer)).samples;
 
 /** Waits until it has all samples. */
 async function converged(viewer: Locator): Promise<void> {
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await settled(viewer);
   expect(await samplesOf(viewer)).toBe(16);
 }
 
@@ -46,7 +45,7 @@ test('a still picture gets its samples, which are no frames, and then nothing ru
   await nextFrame(page);
   expect(await spentIn(page, 200)).toEqual(NOTHING);
   const seen = await renders(viewer);
-  const { frames } = await viewer.evaluate((element: PhongViewer) => element.stats);
+  const { frames } = await statsOf(viewer);
   await assign(viewer, { theta: 40 });
   await converged(viewer);
   await nextFrame(page);
@@ -125,7 +124,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
   expect(moved, 'moved').toBe(0);
   await begins();
   await viewer.evaluate((element) => (element.style.cssText = 'position: absolute; top: 9000px'));
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await settled(viewer);
   await viewer.evaluate((element: PhongViewer) => {
     element.style.cssText = '';
     element.samples = 16;
@@ -133,7 +132,7 @@ test('a picture that is taken away in the middle converges when it is back', asy
   await expect.poll(() => samplesOf(viewer)).toBe(16);
   await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 90));
   await expect.poll(() => samplesOf(viewer), 'a turning camera').toBe(0);
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await settled(viewer);
   const stopped = await viewer.evaluate(async (element: PhongViewer) => {
     element.autoRotate = 0;
     await element.ready;
@@ -209,15 +208,14 @@ test('objects of a page keep their colours, whichever way their materials encode
     element.radius = 1;
     await element.ready;
   });
-  const { programs } = await viewer.evaluate((element: PhongViewer) => element.stats);
+  const { programs } = await statsOf(viewer);
   const plain = await pixels(viewer);
   await assign(viewer, { antialias: 'full' });
   await converged(viewer);
   // All but the seam in the middle is flat.
   expect(compare(await pixels(viewer), plain, 1).share).toBeLessThan(0.1);
   expect(compare(await pixels(viewer), plain).rmse).toBeLessThan(20);
-  const drawn = await viewer.evaluate((element: PhongViewer) => element.stats.programs);
-  expect(drawn - programs, 'sum, mean and copy').toBe(3);
+  expect((await statsOf(viewer)).programs - programs, 'sum, mean and copy').toBe(3);
   await nextFrame(page);
 });
 
@@ -248,7 +246,6 @@ test('samples of a round shape have more triangles than the plain picture, which
   await assign(viewer, { antialias: 'full' });
   await converged(viewer);
   expect((await triangles()) / plain).toBeGreaterThan(2);
-  await assign(viewer, { antialias: 'edges' });
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await set(viewer, { antialias: 'edges' });
   expect(await triangles()).toBe(plain);
 });

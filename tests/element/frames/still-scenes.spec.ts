@@ -6,7 +6,7 @@ import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/material/views.js';
 import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import { assign, nextFrame, type PhongViewer } from '../support/viewer.js';
+import { assign, nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer.js';
 
 const SIZE = { width: 48, height: 36 };
 const TIMES = 4;
@@ -15,8 +15,7 @@ const spot =
   '<phong-light name="b" position="1 1 2 1" axis="-1 -1 -2" aperture="25" cutoff="4" diffuse="#f84" attenuation="1 0.2 0"></phong-light>';
 const full = 'alt="" antialias="full" samples="64"';
 
-const samplesOf = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => element.stats.samples);
+const samplesOf = async (viewer: Locator): Promise<number> => (await statsOf(viewer)).samples;
 
 type Means = readonly number[];
 
@@ -43,7 +42,7 @@ const BY_PIXEL: readonly string[] = ['triangles'];
 
 /** Waits for all samples and holds the picture against the mean of a larger one. */
 async function showsTheMean(viewer: Locator, what: string): Promise<void> {
-  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await settled(viewer);
   expect(await samplesOf(viewer), what).toBe(64);
   const shown = meansOf(await pixels(viewer), 1);
   const { width, height } = SIZE;

@@ -3,7 +3,7 @@
 
 import type { Mesh } from 'three';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../../support/test.js';
-import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
+import { cameraOf, drag, nextFrame, type PhongViewer, record, set, settled } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
 const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
@@ -197,8 +197,7 @@ test('stats is a plain snapshot of what a scene costs', async ({ mount }) => {
   const first = await read();
   expect(first).toMatchObject({ frames: 1, lightsDeclared: 3, lightsActive: 2, lightsSent: 2, drawCalls: 1 });
   expect(first.programs).toBeGreaterThan(0);
-  await assign(viewer, { theta: 99 });
-  await settled(viewer);
+  await set(viewer, { theta: 99 });
   expect(await read()).toMatchObject({ frames: 2, programs: first.programs });
 });
 

@@ -3,16 +3,10 @@
 
 import type { Locator } from '@playwright/test';
 import { compare, expect, pixels, setPixelRatio, test } from '../../support/test.js';
-import { assign, nextFrame, type PhongViewer, record } from '../support/viewer.js';
+import { assign, canvasSize, nextFrame, type PhongViewer, record, set } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
-
-const canvasSize = (viewer: Locator): Promise<number[]> =>
-  viewer.evaluate((element: PhongViewer) => {
-    const canvas = element.shadowRoot?.querySelector('canvas');
-    return [canvas?.width ?? -1, canvas?.height ?? -1];
-  });
 
 const style = (viewer: Locator, css: string): Promise<string> =>
   viewer.evaluate((element, text) => (element.style.cssText = text), css);
@@ -57,8 +51,7 @@ for (const count of [1, 2]) {
       ['1.5', 182, 116],
       [null, 363, 231],
     ] as const) {
-      await assign(viewer, { pixelRatio: ratio });
-      await viewer.evaluate((element: PhongViewer) => element.ready);
+      await set(viewer, { pixelRatio: ratio });
       expect(await canvasSize(viewer), String(ratio)).toEqual([width, height]);
     }
     expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).not.toContain('pixel-ratio');

@@ -4,7 +4,7 @@
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';
 import { redsShown, reddening, scrollThrough } from './many-viewers.js';
-import { nextFrame, type PhongViewer } from '../support/viewer.js';
+import { nextFrame, type PhongViewer, statsOf } from '../support/viewer.js';
 
 const small = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
 
@@ -13,7 +13,7 @@ test.beforeEach(({ page }) => countEverything(page));
 test('viewers share one context and one frame; only those that changed draw', async ({ page, mount }) => {
   const count = 64;
   const viewer = await mount(reddening(count), small);
-  const drawn = (): Promise<number> => viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn);
+  const drawn = async (): Promise<number> => (await statsOf(viewer)).viewersDrawn;
   const taken = await countsOf(page);
   expect(taken).toMatchObject({ contexts: 1, copies: count, observers: 3 }); // of place, of surroundings and of size
   expect(taken.listeners).toBeGreaterThan(0);

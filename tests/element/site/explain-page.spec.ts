@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixelAt, pixels, test } from '../../support/test.js';
-import { nextFrame, type PhongViewer } from '../support/viewer.js';
+import { nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 
 /** Shares of the width and height: on the body in the spot, on the body outside it, and on the lid. */
 const PLACES = [
@@ -17,7 +17,7 @@ const result = (page: Page): Locator => page.locator('#result[role=status]');
 
 async function open(page: Page): Promise<void> {
   await page.goto('/demo/explain/');
-  await page.locator('phong-viewer').evaluate((viewer: PhongViewer) => viewer.ready);
+  await settled(page.locator('phong-viewer'));
   await expect(result(page)).not.toBeEmpty();
 }
 

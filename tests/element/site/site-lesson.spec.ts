@@ -8,7 +8,6 @@ import { drag, nextFrame, type PhongViewer } from '../support/viewer.js';
 
 async function open(page: Page, path: string): Promise<void> {
   await page.goto(`/demo/${path}`);
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   await allReady(page);
 }
 

@@ -27,7 +27,6 @@ const PHONE = { width: 390, height: 844 };
 
 async function open(page: Page, path: string): Promise<void> {
   await page.goto(`/demo/${path}`);
-  await page.evaluate(() => customElements.whenDefined('phong-viewer'));
   await allReady(page);
 }
 

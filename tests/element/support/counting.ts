@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 
-export interface Counts {
+interface Counts {
   /** Requested so far. */
   readonly frames: number;
   readonly timers: number;
@@ -42,7 +42,7 @@ export async function countEverything(page: Page): Promise<void> {
 export const countsOf = (page: Page): Promise<Counts> =>
   page.evaluate(() => (window as unknown as { takeCounts: () => Counts }).takeCounts());
 
-export type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 'copies' | 'layouts'>;
+type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 'copies' | 'layouts'>;
 
 export const NOTHING: Spent = { frames: 0, timers: 0, idleCallbacks: 0, gl: 0, copies: 0, layouts: 0 };
 

@@ -34,7 +34,7 @@ export interface GlProgram {
 }
 
 /** Values that `getParameter` returns instead of the real ones, by the constant's name. */
-export type Limits = Readonly<Record<string, number>>;
+type Limits = Readonly<Record<string, number>>;
 
 interface GlLog {
   take(): GlSpent;

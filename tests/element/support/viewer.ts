@@ -11,6 +11,16 @@ export type { CameraState, PhongLight, PhongMesh, PhongViewer };
 export const cameraOf = (viewer: Locator): Promise<CameraState> =>
   viewer.evaluate((element: PhongViewer) => element.camera);
 
+export const statsOf = (viewer: Locator): Promise<PhongViewer['stats']> =>
+  viewer.evaluate((element: PhongViewer) => element.stats);
+
+/** Width and height in device pixels; -1 without a canvas. */
+export const canvasSize = (viewer: Locator): Promise<readonly [width: number, height: number]> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const canvas = element.shadowRoot?.querySelector('canvas');
+    return [canvas?.width ?? -1, canvas?.height ?? -1] as const;
+  });
+
 /** Assigns properties of any type in one task, in the given order. */
 export async function assign(element: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
   await element.evaluate((target, given) => {
@@ -35,12 +45,12 @@ export async function shownBy(
   return picture;
 }
 
-export interface Heard {
+interface Heard {
   readonly type: string;
   readonly detail: unknown;
 }
 
-export interface Recording {
+interface Recording {
   /** The events since the last call. */
   take(): Promise<Heard[]>;
 }
@@ -99,7 +109,7 @@ export async function loseContext(viewer: Locator): Promise<() => Promise<void>>
 /** Moves the pointer off the viewers. A headless shell moves it to the corner of each page that has loaded. */
 export const pointerAway = (page: Page): Promise<void> => page.mouse.move(900, 650);
 
-export interface DragOptions {
+interface DragOptions {
   readonly button?: 'left' | 'right' | 'middle';
   readonly steps?: number;
   /** false: the button stays down. */

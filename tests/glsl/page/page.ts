@@ -6,7 +6,7 @@ import { BRANCHES, CONE_EDGE, EXACT } from '../../stress/contract.js';
 import { type Measured, mergeMeasured } from '../../stress/measure.js';
 import { verdict } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
-import { type Checked, checkChunks, type Extent, WHOLE_EXTENT } from '../chunk-checks.js';
+import { type Checked, checkChunks, type Extent } from '../chunk-checks.js';
 import type { Edit } from '../edit.js';
 import { LOOP_MARK } from '../loop-mark.js';
 import { stressRun } from '../stress-run.js';
@@ -67,9 +67,9 @@ async function run(): Promise<Report> {
   const seed = Number(asked.get('seed') ?? 1);
   const driver = (asked.get('driver') ?? 'shipped') as Driver;
   const extent: Extent = {
-    cases: Number(asked.get('checks') ?? WHOLE_EXTENT.cases),
-    only: asked.get('chunks') ?? WHOLE_EXTENT.only,
-    everyLight: Number(asked.get('everyLight') ?? WHOLE_EXTENT.everyLight),
+    cases: Number(asked.get('checks') ?? 1 << 14),
+    only: asked.get('chunks') ?? '',
+    everyLight: Number(asked.get('everyLight') ?? 1),
   };
   const edit = JSON.parse(asked.get('edit') ?? 'null') as Edit | null;
   const start = performance.now();

@@ -9,7 +9,7 @@ import type { Driver } from '../../glsl/worst-driver.js';
 import { verdict } from '../../stress/verdict.js';
 
 /** How much is run for each mutant. */
-export interface Extent {
+interface Extent {
   readonly seed: number;
   /** Inputs of each check. */
   readonly checks: number;
@@ -17,7 +17,7 @@ export interface Extent {
   readonly cases: number;
 }
 
-export interface Outcome {
+interface Outcome {
   readonly status: 'killed' | 'survived' | 'did not compile';
   /** The sentence that no longer holds, or the compiler's words. */
   readonly by: string;
