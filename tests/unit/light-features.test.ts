@@ -2,7 +2,13 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { declaredFeatures, featuresOf, kindOf, unionOf } from '../../src/light/light-features.js';
+import {
+  declaredFeatures,
+  featuresOf,
+  kindFeatures,
+  kindOf,
+  unionOf,
+} from '../../src/light/light-features.js';
 import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
 import { LARGEST_INTEGER_POWER } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
@@ -141,4 +147,21 @@ describe('declared features', () => {
       }),
     );
   });
+});
+
+it('the features of each kind are those that any of its lights needs', () => {
+  const { tintedDiffuse, chords, attenuated, decay, powerShift } = LIGHT_FEATURES;
+  const counts = { directional: 0, point: 2, spot: 3 };
+  const features = [
+    attenuated,
+    tintedDiffuse,
+    4 << powerShift,
+    (4 << powerShift) | chords,
+    8 << powerShift,
+    decay,
+  ];
+  expect(kindFeatures({ counts, features })).toEqual({
+    ...{ directional: 0, point: attenuated | tintedDiffuse, spot: decay | chords },
+  });
+  expect(kindFeatures({ counts: { ...counts, spot: 2 }, features }).spot).toBe((4 << powerShift) | chords);
 });

@@ -135,6 +135,26 @@ describe('the pointer', () => {
     expect(orbit.phi).toBe(61);
   });
 
+  it.each([
+    ['as far across as along', 120, 20],
+    ['32 pixels along', 100, 32],
+  ])('turns at once by a stroke %s', (_, x, y) => {
+    const { orbit, touch } = setUp();
+    touch('pointerdown', 5, 100);
+    touch('pointermove', 5, x, y);
+    expect(orbit.version).toBe(1);
+  });
+
+  it('takes a second finger at once, wherever it goes', () => {
+    const { orbit, touch } = setUp();
+    touch('pointerdown', 5, 100);
+    touch('pointermove', 5, 140);
+    touch('pointerdown', 6, 200);
+    const before = orbit.version;
+    touch('pointermove', 6, 200, 20);
+    expect(orbit.version).toBe(before + 1);
+  });
+
   it('ignores a second mouse or pen during a drag', () => {
     const { input, mouse } = setUp();
     mouse('pointerdown', 100);
@@ -258,6 +278,12 @@ describe('defaults of the browser', () => {
     mouse('pointerup', 80, { ...released, timeStamp: 10 });
     expect(menu(10)).toBe(true);
     expect(menu(10)).toBe(false);
+    mouse('pointerdown', 0, SECONDARY);
+    mouse('pointermove', 80, SECONDARY);
+    mouse('pointerup', 80, { ...released, timeStamp: 20 });
+    mouse('pointerdown', 0, SECONDARY);
+    mouse('pointerup', 0, { ...released, timeStamp: 30 });
+    expect(menu(30)).toBe(false);
   });
 
   it('a context menu ends the drag of a mouse, which it captures, but not of a finger', () => {

@@ -15,7 +15,7 @@ import { sceneMarkup } from './random-scene.js';
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const SCENES = fullOr(300, 6);
 
-test(`random scenes differ by a code on few channels between general and specialised programs, and no more from float64 (seeds from ${FIRST})`, async ({
+test(`random scenes differ by a code on few channels between the two programs, and no more from float64 (seeds from ${FIRST})`, async ({
   page,
   mount,
 }) => {

@@ -9,7 +9,7 @@ import type { PhongViewer } from '../support/viewer.js';
 
 const trusted = (policies: string): string => `require-trusted-types-for 'script'; trusted-types ${policies}`;
 
-test('panel, models, Draco, messages and copied HTML work under a strict policy with trusted-types lit-html, without other hosts', async ({
+test('panel, models, Draco, messages and copied HTML work under a strict policy with trusted-types lit-html', async ({
   page,
   site,
   mount,
