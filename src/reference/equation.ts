@@ -240,5 +240,7 @@ function halfChord(a: Vec3, b: Vec3): number {
 /** max(x, 0)^n with x^0 = 1 for every x. `y` = 1 - x, given separately because 1 - x would cancel near x = 1. */
 function power(x: number, y: number, n: number): number {
   if (n < LEAST_EXPONENT) return 1;
-  return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : Math.max(x, 0) ** n;
+  // H has no length where L and V are opposite, and y is then 1/2 or a rounding less.
+  if (x <= 0) return 0;
+  return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : x ** n;
 }

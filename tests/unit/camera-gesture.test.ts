@@ -60,6 +60,22 @@ describe('a drag', () => {
   });
 });
 
+it('a gesture has dragged once the camera moved, until the next first press', () => {
+  const { gesture } = setUp();
+  expect(gesture.dragged).toBe(false);
+  gesture.press(1, 0, 0, 'turn');
+  gesture.move(1, 0, 0);
+  expect(gesture.dragged).toBe(false);
+  gesture.move(1, 50, 0);
+  gesture.press(2, 100, 0, 'turn');
+  expect(gesture.dragged).toBe(true);
+  gesture.lift(1);
+  gesture.lift(2);
+  expect(gesture.dragged).toBe(true);
+  gesture.press(1, 0, 0, 'turn');
+  expect(gesture.dragged).toBe(false);
+});
+
 describe('a picture that is rotated, skewed or mirrored', () => {
   const axis = fc.double({ min: -2, max: 2, noNaN: true });
   const anyAxes = fc.tuple(axis, axis, axis, axis).filter(([a, b, c, d]) => Math.abs(a * d - b * c) > 0.01);
@@ -111,6 +127,9 @@ describe('two fingers', () => {
     expect(orbit.radius).toBe(2);
     expect(orbit.target[0]).toBeCloseTo((-10 * 2 * 2 * Math.tan(Math.PI / 8)) / 400, 14);
     expect(orbit.theta).toBe(0);
+    gesture.move(1, 60, 110);
+    gesture.move(2, 260, 110);
+    expect(orbit.target[1]).toBeCloseTo((10 * 2 * 2 * Math.tan(Math.PI / 8)) / 400, 14);
   });
 
   it('only shift without zoom, and only zoom without orbit', () => {

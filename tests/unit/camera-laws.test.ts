@@ -136,8 +136,10 @@ describe('keys', () => {
     ['ArrowRight', true, { theta: 29 }],
     ['ArrowDown', true, { phi: 69 }],
     ['+', true, { radius: 4 / 1.1 }],
+    ['=', false, { radius: 4 / 1.1 }],
     ['PageUp', false, { radius: 4 / 1.1 }],
     ['-', false, { radius: 4 * 1.1 }],
+    ['_', true, { radius: 4 * 1.1 }],
     ['PageDown', false, { radius: 4 * 1.1 }],
   ])('%s (Shift %s) leads to %o', (key, shiftKey, change) => {
     const step = keyStep(key, shiftKey);

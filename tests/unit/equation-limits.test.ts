@@ -40,6 +40,14 @@ it('takes Ka, Kd and Ks as they are encoded, unless shading is linear', () => {
   expect(coefficientsOf({ ...white, ka: [51, 51, 51] }, true).ka[0]).toBeCloseTo(0.0331, 4);
 });
 
+it('has no highlight by Blinn where light and eye are exactly opposite, whatever the normal', () => {
+  for (let i = 1; i <= 100; i++) {
+    const fragment = { normal: [i, 1, 7] as const, eye: [-4, 0, 0] as const };
+    const { specular, NoL } = one({ position: [2, 0, 0, 1] }, fragment, {}, { reflection: 'blinn-phong' });
+    expect([...specular, NoL > 0]).toEqual([0, 0, 0, true]);
+  }
+});
+
 describe('by hand', () => {
   const aside = [Math.sqrt(3), 0, 1, 0] as const;
   const above = [0, 0, 2, 1] as const;

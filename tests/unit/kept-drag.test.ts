@@ -45,3 +45,8 @@ it('a click after the next press, or a third of a second later, is another one',
   vi.advanceTimersByTime(300);
   expect(listeners.size).toBe(0);
 });
+
+it('a document without a window has nothing to keep', () => {
+  keepDrag(null)(true);
+  expect(() => vi.advanceTimersByTime(300)).not.toThrow();
+});

@@ -140,9 +140,38 @@ describe('the pointer', () => {
     ['32 pixels along', 100, 32],
   ])('turns at once by a stroke %s', (_, x, y) => {
     const { orbit, touch } = setUp();
-    touch('pointerdown', 5, 100);
-    touch('pointermove', 5, x, y);
+    touch('pointerdown', 5, 100, 7);
+    touch('pointermove', 5, x, 7 + y);
     expect(orbit.version).toBe(1);
+  });
+
+  it.each([
+    ['mouse', 4, 0, false],
+    ['mouse', 3, -3, true],
+    ['touch', 10, 0, false],
+    ['touch', 8, -8, true],
+  ])('a %s that has moved by %d, %d pixels has dragged: %s', (pointerType, x, y, dragged) => {
+    const { window, mouse } = setUp();
+    const listened: string[] = [];
+    window.addEventListener = (type: string) => void listened.push(type);
+    const at = { pointerType, clientY: 10 };
+    mouse('pointerdown', 100, at);
+    mouse('pointermove', 100 + x, { ...at, clientY: 10 + y });
+    mouse('pointermove', 100, at);
+    mouse('pointerup', 100, at);
+    // The click that follows is kept from the page.
+    expect(listened.includes('click')).toBe(dragged);
+  });
+
+  it('a press that moves while nothing turns has not dragged', () => {
+    const { window, orbit, mouse } = setUp();
+    const listened: string[] = [];
+    window.addEventListener = (type: string) => void listened.push(type);
+    orbit.set({ phi: 0 });
+    mouse('pointerdown', 100);
+    mouse('pointermove', 100, { clientY: 50 });
+    mouse('pointerup', 100);
+    expect(listened.includes('click')).toBe(false);
   });
 
   it('takes a second finger at once, wherever it goes', () => {
