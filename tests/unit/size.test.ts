@@ -18,7 +18,7 @@ const linesOf = (folder: string, ends: RegExp): number =>
 it.each([
   ['src', /\.ts$/, 37_460],
   ['shaders', /\.glsl$/, 798],
-  ['tests', /\.(ts|tsx|mjs|js|py)$/, 51_130],
+  ['tests', /\.(ts|tsx|mjs|js|py)$/, 51_140],
 ])('%s has no more lines than it needs', (folder, ends, most) => {
   const lines = linesOf(folder, ends);
   expect(lines).toBeLessThanOrEqual(most);

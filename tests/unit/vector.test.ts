@@ -35,8 +35,12 @@ it('adds, subtracts, scales and multiplies by component; the cross product is ri
 it('takes places and directions through a matrix', () => {
   // Columns; primes, so that no two sums agree.
   const matrix = [2, 3, 5, 0, 7, 11, 13, 0, 17, 19, 23, 0, 29, 31, 37, 1];
-  expect(transformed(matrix, ...A)).toStrictEqual([2 + 14 + 51 + 29, 3 + 22 + 57 + 31, 5 + 26 + 69 + 37]);
-  expect(transformed(matrix, ...A, 0)).toStrictEqual([2 + 14 + 51, 3 + 22 + 57, 5 + 26 + 69]);
+  expect(transformed(matrix, 4, 2, 3)).toStrictEqual([
+    8 + 14 + 51 + 29,
+    12 + 22 + 57 + 31,
+    20 + 26 + 69 + 37,
+  ]);
+  expect(transformed(matrix, 4, 2, 3, 0)).toStrictEqual([8 + 14 + 51, 12 + 22 + 57, 20 + 26 + 69]);
 });
 
 it.each<[Vec3, Vec3]>([
@@ -51,6 +55,14 @@ it.each<[Vec3, Vec3]>([
   [
     [3, 2, -1],
     [2, -3, 0],
+  ],
+  [
+    [2, 3, 1],
+    [3, -2, 0],
+  ],
+  [
+    [1, 2, 1],
+    [0, 1, -2],
   ],
   [
     [2, 1, 1],
