@@ -1,7 +1,7 @@
 // Lays out the viewers of a <phong-compare>: each in a pane of its own, clipped by the dividers on both sides of it, or
 // beside the others.
-import { sameValue } from '../../fields/field-store.js';
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
+import { sameValue } from '../../fields/field-store.js';
 import type { PictureBox } from '../../camera/gesture.js';
 import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';

@@ -108,7 +108,7 @@ export class ViewerCamera implements ReactiveController {
       const { picture } = this.#context;
       picture.orbit.set(pose);
       if (framing !== picture.fit.framing) picture.fit.framing = framing;
-      this.#context.picture.fit.settle();
+      picture.fit.settle();
     };
     this.#move(source, write, linked);
   }
@@ -132,7 +132,7 @@ export class ViewerCamera implements ReactiveController {
         const kept = picture.fit.framing ?? orbit.pose;
         picture.fit.framing =
           key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
-        this.#context.picture.fit.settle();
+        picture.fit.settle();
       }
     });
   }
@@ -144,7 +144,7 @@ export class ViewerCamera implements ReactiveController {
     this.#move(source, () => {
       picture.orbit.set({ theta, phi });
       picture.fit.framing = { radius, target };
-      this.#context.picture.fit.settle();
+      picture.fit.settle();
     });
   }
 

@@ -1,7 +1,7 @@
 // A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
 // their own, as OBJ writes them.
-import { requireAtMost } from '../budget.js';
 import { Matrix4 } from 'three';
+import { requireAtMost } from '../budget.js';
 import { LIMITS } from '../../light/light-state.js';
 import { CORNER_LIMIT, free } from '../limits.js';
 

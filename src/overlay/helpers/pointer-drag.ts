@@ -12,7 +12,7 @@ interface DragListener {
   end(): void;
 }
 
-/** CSS pixels of the page. Handles are small: less than the camera's slop moves them. */
+/** CSS pixels of the page. A press that moves less is a click. Less than the camera's, so that lights move a little. */
 const SLOP = 3;
 
 /** Listens to the children of `list`; travel is along the axes of the picture's `surface`, which the layer covers. */

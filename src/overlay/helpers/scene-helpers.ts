@@ -1,7 +1,7 @@
 // The helpers of the scene itself: axes, grid, bounds and normals. Computed again only where the view, the scene's
 // ball, a mesh, or what hides something has changed.
-import { sameValue } from '../../fields/field-store.js';
 import type { Mesh, Object3D } from 'three';
+import { sameValue } from '../../fields/field-store.js';
 import type { ExtraHost } from '../../element/viewer/extra.js';
 import type { Helper } from '../../element/fields/viewer-fields.js';
 import type { Vec3 } from '../../math/vector.js';
