@@ -61,10 +61,7 @@ export default defineConfig(
       // three.js objects are told apart by their flags (`isMesh`), not by their class.
       '@typescript-eslint/no-unsafe-class-instance-assignment': 'off',
       '@typescript-eslint/no-unnecessary-type-parameters': 'off',
-      '@typescript-eslint/restrict-template-expressions': [
-        'error',
-        { allowNumber: true, allowBoolean: true },
-      ],
+      '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true, allowBoolean: true }],
       '@typescript-eslint/no-confusing-void-expression': ['error', { ignoreArrowShorthand: true }],
       '@typescript-eslint/prefer-readonly': 'error',
     },
@@ -104,10 +101,7 @@ export default defineConfig(
     files: ['src/{math,fields,light,reference,camera}/**/*.ts'],
     ignores: ['src/camera/orbit-input.ts', 'src/camera/*-input.ts'],
     rules: {
-      'no-restricted-globals': [
-        'error',
-        ...domGlobals.map((name) => ({ name, message: 'This layer knows no DOM.' })),
-      ],
+      'no-restricted-globals': ['error', ...domGlobals.map((name) => ({ name, message: 'This layer knows no DOM.' }))],
     },
   },
   {

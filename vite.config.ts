@@ -22,15 +22,7 @@ export default defineConfig({
   // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [
-    dracoDecoder(),
-    basisTranscoder(),
-    strippedGlsl(),
-    textKeys(),
-    licences(),
-    elementData(),
-    sitePages(),
-  ],
+  plugins: [dracoDecoder(), basisTranscoder(), strippedGlsl(), textKeys(), licences(), elementData(), sitePages()],
   resolve: {
     alias: packageAliases,
     // Lit's development build would log a warning on every page.

@@ -41,8 +41,7 @@ const parts = {
 };
 
 const chosen = process.argv.slice(2);
-for (const [name, make] of Object.entries(parts))
-  if (chosen.length === 0 || chosen.includes(name)) await make();
+for (const [name, make] of Object.entries(parts)) if (chosen.length === 0 || chosen.includes(name)) await make();
 
 /** @param {string} config @param {string} [mode] */
 async function bundle(config, mode) {

@@ -48,10 +48,7 @@ export function decoderWorkers({ plugins, hashed = false, files = true }: Worker
         for (const chunk of Object.values(bundle)) {
           if (chunk.type !== 'chunk' || !chunk.code.includes(placeholder(name))) continue;
           const fileName = join(dirname(chunk.fileName), `${name}-worker${hashed ? `-${hash}` : ''}.js`);
-          chunk.code = chunk.code.replace(
-            placeholder(name),
-            `./${relative(dirname(chunk.fileName), fileName)}`,
-          );
+          chunk.code = chunk.code.replace(placeholder(name), `./${relative(dirname(chunk.fileName), fileName)}`);
           this.emitFile({ type: 'asset', fileName, source: code });
           sources.delete(name);
         }

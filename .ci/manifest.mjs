@@ -21,10 +21,7 @@ const { module: tables } = await runnerImport(join(repository, '.ci/manifest/tab
 const elements = describeElements(/** @type {typeof import('./manifest/tables.js')} */ (tables));
 
 write('custom-elements.json', customElementsManifest(elements));
-write(
-  'web-types.json',
-  webTypes(elements, JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'))),
-);
+write('web-types.json', webTypes(elements, JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'))));
 write('vscode.html-custom-data.json', vsCodeHtmlData(elements));
 writeFileSync(join(repository, 'src/ATTRIBUTES.md'), attributesPage(elements));
 

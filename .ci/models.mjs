@@ -139,12 +139,7 @@ const textured = (image) => ({
 });
 const quadParts = {
   attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 },
-  accessors: [
-    accessor(0, 'VEC3', 4),
-    accessor(1, 'VEC3', 4),
-    accessor(2, 'VEC2', 4),
-    accessor(3, 'SCALAR', 6, USHORT),
-  ],
+  accessors: [accessor(0, 'VEC3', 4), accessor(1, 'VEC3', 4), accessor(2, 'VEC2', 4), accessor(3, 'SCALAR', 6, USHORT)],
   indices: 3,
 };
 const quadBlobs = [quad.positions, quad.normals, quad.uvs, quad.indices];
@@ -178,10 +173,7 @@ write('beside/textures/four colours.png', texture);
 {
   const packed = pack([quad.positions, quad.indices]);
   const accessors = [accessor(0, 'VEC3', 4), accessor(1, 'SCALAR', 6, USHORT)];
-  write(
-    'no-normals.glb',
-    glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes),
-  );
+  write('no-normals.glb', glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes));
 }
 {
   // Bytes of linear light: 55 / 255 encodes to almost one half.
@@ -273,10 +265,7 @@ function ktx2Glb(image) {
 
 {
   const packed = pack([quad.positions, quad.indices]);
-  const claims = (positions, indices) => [
-    accessor(0, 'VEC3', positions),
-    accessor(1, 'SCALAR', indices, USHORT),
-  ];
+  const claims = (positions, indices) => [accessor(0, 'VEC3', positions), accessor(1, 'SCALAR', indices, USHORT)];
   const make = (accessors) =>
     glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes);
   write('claims-too-much.glb', make(claims(4_000_000_000, 6)));
@@ -296,14 +285,8 @@ function ktx2Glb(image) {
   const nanJson = document({ attributes: { POSITION: 0 }, accessors: claims(3, 3), indices: 1, packed: nan });
   write('not-a-number.glb', glb(nanJson, nan.bytes));
 }
-writeJson(
-  'other-origin.gltf',
-  quadFile({ uri: dataUri('image/png', texture) }, 'https://example.com/quad.bin'),
-);
-writeJson(
-  'folder-above.gltf',
-  quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'),
-);
+writeJson('other-origin.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'https://example.com/quad.bin'));
+writeJson('folder-above.gltf', quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'));
 writeJson('missing-buffer.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'nowhere.bin'));
 
 // -- OBJ, STL, PLY -------------------------------------------------------------------------------------------------------

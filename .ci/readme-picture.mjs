@@ -35,10 +35,7 @@ export function readmePage() {
 export const readmeSnippet = () => /<phong-viewer[^]*<\/phong-viewer>/.exec(readmePage())?.[0] ?? '';
 
 async function draw() {
-  readCommandLine(
-    "npm run readme:picture: draws the README's page with the built package as its picture",
-    {},
-  );
+  readCommandLine("npm run readme:picture: draws the README's page with the built package as its picture", {});
   const dist = outputFolder('dist');
   needBuilt(join(dist, 'phong-viewer.classic.js'), 'npm run build');
   const server = createServer((request, response) => {
@@ -68,10 +65,9 @@ async function draw() {
     // The panel is fetched on its own, and the picture beside it converges anew.
     await viewer.getByText('copy HTML').waitFor();
     await page.waitForFunction(() => {
-      const { samples, stats } =
-        /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
-          document.querySelector('phong-viewer')
-        );
+      const { samples, stats } = /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
+        document.querySelector('phong-viewer')
+      );
       return stats.samples === samples;
     });
     const file = join(repository, README_PICTURE);

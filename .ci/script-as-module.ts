@@ -11,9 +11,7 @@ const __filename = undefined;
 const require = (name) => globalThis.process.getBuiltinModule(name);
 `;
 
-export const scriptAsModule = (
-  code: string,
-): { readonly code: string; readonly map: { readonly mappings: '' } } => ({
+export const scriptAsModule = (code: string): { readonly code: string; readonly map: { readonly mappings: '' } } => ({
   code: `${prologue}${code}\nexport default module.exports;\n`,
   map: { mappings: '' },
 });

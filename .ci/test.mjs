@@ -4,15 +4,7 @@
 // each step took last time is kept in node_modules/.cache, to say how much time is left.
 
 import { spawn } from 'node:child_process';
-import {
-  existsSync,
-  mkdirSync,
-  mkdtempSync,
-  readdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -30,11 +22,11 @@ npm test -- [steps] [--release]: all checks, or only the named ones
 Which step answers which question: tests/README.md`;
 
 process.chdir(fileURLToPath(new URL('..', import.meta.url)));
-const { values, positionals: chosen } = readCommandLine(
-  USAGE,
-  { release: { type: 'boolean', default: false } },
-  [...checks, ...nodeFolders, ...browserFolders],
-);
+const { values, positionals: chosen } = readCommandLine(USAGE, { release: { type: 'boolean', default: false } }, [
+  ...checks,
+  ...nodeFolders,
+  ...browserFolders,
+]);
 if (values.release || chosen.includes('release')) process.env['PHONG_VIEWER_RELEASE'] = '1';
 
 /** @typedef {{ passed: number, failed: number, skipped: number }} Count */
@@ -169,10 +161,7 @@ async function browser() {
  */
 function flakyIn({ suites = [], specs }) {
   const own = specs.filter(({ tests }) => tests.some(({ status }) => status === 'flaky'));
-  return [
-    ...own.map(({ file, line, title }) => `tests/${file}:${line} ${title}`),
-    ...suites.flatMap(flakyIn),
-  ];
+  return [...own.map(({ file, line, title }) => `tests/${file}:${line} ${title}`), ...suites.flatMap(flakyIn)];
 }
 
 /** @param {string} report @param {number} status @param {(json: any) => Count} read @returns {Count} */
@@ -225,9 +214,7 @@ function secondsLeft() {
 function guessedSeconds(name) {
   if (name === 'unit') return 0.5 * filesIn(nodeFolders, '.test.ts');
   if (name === 'browser') return 5 * filesIn(browserFolders, '.spec.ts');
-  return (
-    { lint: 80, types: 30, build: 25, 'demo build': 6, harness: 6, format: 25, mutation: 900 }[name] ?? 15
-  );
+  return { lint: 80, types: 30, build: 25, 'demo build': 6, harness: 6, format: 25, mutation: 900 }[name] ?? 15;
 }
 
 /** @param {readonly string[]} folders @param {string} end */
@@ -264,8 +251,7 @@ function summarize() {
     const verdict = count.failed > 0 ? 'FAILED' : 'ok';
     console.log(`${name.padEnd(12)}${verdict.padEnd(8)}${countLine(count)} in ${seconds.toFixed(1)} s`);
   }
-  if (retried.length > 0)
-    console.log(`${retried.length} passed only at a second attempt:\n  ${retried.join('\n  ')}`);
+  if (retried.length > 0) console.log(`${retried.length} passed only at a second attempt:\n  ${retried.join('\n  ')}`);
   console.log(countLine(total));
   process.exit(total.failed > 0 ? 1 : 0);
 }

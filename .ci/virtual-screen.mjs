@@ -29,9 +29,7 @@ export async function startScreen() {
  * @param {Readonly<Record<string, string>>} packages Debian's package names, separated by spaces, by command
  */
 export function install(packages) {
-  const missing = Object.entries(packages).flatMap(([command, names]) =>
-    has(command) ? [] : names.split(' '),
-  );
+  const missing = Object.entries(packages).flatMap(([command, names]) => (has(command) ? [] : names.split(' ')));
   if (missing.length === 0) return;
   if (process.getuid?.() !== 0 || !has('apt-get'))
     throw new Error(`This needs ${missing.join(', ')} (Debian's names).`);

@@ -49,9 +49,7 @@ export async function startWebkit() {
 async function call(method, address, body) {
   const answer = await fetch(address, {
     method,
-    ...(body === undefined
-      ? {}
-      : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }),
+    ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }),
   });
   const { value } = /** @type {{ value: any }} */ (await answer.json());
   if (!answer.ok) throw new Error(`${method} ${address}: ${value.error}: ${value.message}`);
@@ -70,9 +68,7 @@ async function answers(address) {
 /** Debian puts it beside the library, in a folder named by the machine's architecture. */
 function miniBrowser() {
   const found = readdirSync('/usr/lib')
-    .flatMap((folder) =>
-      ['4.1', '4.0'].map((api) => join('/usr/lib', folder, `webkit2gtk-${api}`, 'MiniBrowser')),
-    )
+    .flatMap((folder) => ['4.1', '4.0'].map((api) => join('/usr/lib', folder, `webkit2gtk-${api}`, 'MiniBrowser')))
     .find((path) => existsSync(path));
   if (found === undefined) throw new Error('MiniBrowser is not beside the WebKitGTK library');
   return found;

@@ -82,9 +82,7 @@ async function isViewer(viewer: Locator, timeout: number): Promise<void> {
 
 /** Playwright's build adds an underscore to some classes. */
 const kindOf = (value: unknown): string =>
-  typeof value === 'object' && value !== null
-    ? `a ${value.constructor.name.replace(/^_/, '')}`
-    : String(value);
+  typeof value === 'object' && value !== null ? `a ${value.constructor.name.replace(/^_/, '')}` : String(value);
 
 /**
  * The settled picture as a PNG of exactly this size, without page, panel or background: the same bytes wherever browser
@@ -105,8 +103,7 @@ export async function snapshot(
       const bytes = new Uint8Array(await blob.arrayBuffer());
       // In parts: a call takes only so many arguments.
       let text = '';
-      for (let i = 0; i < bytes.length; i += 4096)
-        text += String.fromCharCode(...bytes.subarray(i, i + 4096));
+      for (let i = 0; i < bytes.length; i += 4096) text += String.fromCharCode(...bytes.subarray(i, i + 4096));
       return btoa(text);
     },
     { width, height },
@@ -128,9 +125,7 @@ export const expect = playwrightExpect.extend({
     const { codes = 1, share = 0.25, pixels = PIXELS, seed = 1 } = options;
     const { timeout = 20_000 } = options;
     if (!Number.isInteger(codes) || codes < 0 || codes > 255)
-      throw new RangeError(
-        `toShowTheEquation: codes must be a whole number from 0 to 255, got ${String(codes)}`,
-      );
+      throw new RangeError(`toShowTheEquation: codes must be a whole number from 0 to 255, got ${String(codes)}`);
     if (!(share >= 0 && share <= 1))
       throw new RangeError(`toShowTheEquation: share must be from 0 to 1, got ${String(share)}`);
     if (pixels !== 'all' && !(Number.isInteger(pixels) && pixels >= 1))

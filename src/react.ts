@@ -90,10 +90,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
 type AllEvents = PhongViewerEventMap & PhongCompareEventMap;
 
 /** Props that are neither a value nor an event of the element are left to React. */
-function component<P extends object>(
-  tag: string,
-  attributes: readonly string[],
-): ForwardRefExoticComponent<P> {
+function component<P extends object>(tag: string, attributes: readonly string[]): ForwardRefExoticComponent<P> {
   const isValue = new Set(attributes);
   const Component = forwardRef<unknown, object>((props, ref) => {
     const element = useRef<HTMLElement>(null);
@@ -117,8 +114,7 @@ function component<P extends object>(
       if (element.current !== null && 'texts' in element.current) element.current.texts = texts;
     }, [texts]);
     useClientEffect(() => {
-      if (element.current !== null && 'maxTriangles' in element.current)
-        element.current.maxTriangles = maxTriangles;
+      if (element.current !== null && 'maxTriangles' in element.current) element.current.maxTriangles = maxTriangles;
     }, [maxTriangles]);
     useClientEffect(() => {
       const target = element.current;

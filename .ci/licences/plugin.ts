@@ -20,14 +20,12 @@ interface Part {
 }
 
 /** three ships libraries of others, without their licences. By the beginning of their files' names. */
-const LIBRARIES: ReadonlyMap<
-  string,
-  { readonly name: string; readonly licence: string; readonly file: string }
-> = new Map([
-  ['basis', { name: 'Basis Universal transcoder', licence: 'Apache-2.0', file: 'basis.txt' }],
-  ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
-  ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
-]);
+const LIBRARIES: ReadonlyMap<string, { readonly name: string; readonly licence: string; readonly file: string }> =
+  new Map([
+    ['basis', { name: 'Basis Universal transcoder', licence: 'Apache-2.0', file: 'basis.txt' }],
+    ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
+    ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
+  ]);
 
 const ownFolder = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -43,8 +41,7 @@ function partOf(moduleId: string): Part | undefined {
   const folder = join(moduleId.slice(0, start), 'node_modules', package_);
   const { name, version, license } = manifestIn(folder);
   const [, library] = /^three\/examples\/jsm\/libs\/([^/.]+)/.exec(inside) ?? [];
-  if (library === undefined)
-    return { name: `${name} ${version}`, licence: license, text: licenceText(folder) };
+  if (library === undefined) return { name: `${name} ${version}`, licence: license, text: licenceText(folder) };
   const known = LIBRARIES.get(library);
   if (known === undefined) throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
   const text = readFileSync(new URL(known.file, import.meta.url), 'utf8').trim();
@@ -79,8 +76,7 @@ function notice(isEntry: boolean, parts: readonly Part[]): string {
   return lines.length === 0 ? '' : `/*!\n${lines.map((line) => ` * ${line}\n`).join('')} */`;
 }
 
-const introduction =
-  'The files beside this one contain code of these packages, under the licences given here.';
+const introduction = 'The files beside this one contain code of these packages, under the licences given here.';
 
 /**
  * @param options.listed whether to write THIRD-PARTY-LICENSES.txt too; default true.

@@ -46,11 +46,8 @@ export function describeElements({ fields, attributeOf, formatValue }) {
   return tags.map((tag) => {
     const file = program.getSourceFile(join(folder, `${tag}.ts`));
     const className = tag.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
-    const declaration = file?.statements.find(
-      (s) => ts.isClassDeclaration(s) && implementsElement(s, className),
-    );
-    if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile)
-      throw new Error(`${tag}: no class`);
+    const declaration = file?.statements.find((s) => ts.isClassDeclaration(s) && implementsElement(s, className));
+    if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile) throw new Error(`${tag}: no class`);
     const parts = reader.classParts(declaration);
     return {
       tag,
@@ -74,11 +71,8 @@ export function describeElements({ fields, attributeOf, formatValue }) {
  * @param {string} className
  */
 function implementsElement({ heritageClauses, name }, className) {
-  const isImplements = (/** @type {ts.HeritageClause} */ clause) =>
-    clause.token === ts.SyntaxKind.ImplementsKeyword;
-  return (
-    name?.text === className.replace('Phong', '') + 'Element' && heritageClauses?.some(isImplements) === true
-  );
+  const isImplements = (/** @type {ts.HeritageClause} */ clause) => clause.token === ts.SyntaxKind.ImplementsKeyword;
+  return name?.text === className.replace('Phong', '') + 'Element' && heritageClauses?.some(isImplements) === true;
 }
 
 /** The default of an attribute that must be absent for it: false, or an empty list. @param {{ kind: string }} field */
@@ -188,9 +182,7 @@ class SourceReader {
     if (type.isUnion()) {
       const texts = [...new Set(type.types.map((member) => this.#text(member)))];
       const nothing = texts.filter((text) => text === 'null');
-      return [...texts.filter((text) => text !== 'null'), ...nothing]
-        .join(' | ')
-        .replace('false | true', 'boolean');
+      return [...texts.filter((text) => text !== 'null'), ...nothing].join(' | ').replace('false | true', 'boolean');
     }
     const list = this.#listed(type);
     if (list) return `readonly (${this.#text(list)})[]`;

@@ -32,8 +32,7 @@ export function customElementsManifest(elements) {
 
 /** @param {Element} element @returns {import('custom-elements-manifest').CustomElementDeclaration} */
 function declaration(element) {
-  const { tag, className, description, values, properties, readonly, methods, events, slots, parts, states } =
-    element;
+  const { tag, className, description, values, properties, readonly, methods, events, slots, parts, states } = element;
   return {
     kind: 'class',
     customElement: true,

@@ -34,8 +34,7 @@ function elementHtml(element: CustomElementDeclaration): string {
       'Attributes',
       element.attributes ?? [],
       ({ name, fieldName, description, default: fallback }) => [
-        anchored(tag, name) +
-          (fieldName === undefined || fieldName === name ? '' : ` <small>${fieldName}</small>`),
+        anchored(tag, name) + (fieldName === undefined || fieldName === name ? '' : ` <small>${fieldName}</small>`),
         described(withoutDefault(description)) +
           (fallback === undefined || fallback === '' ? '' : defaultHtml(fallback)),
       ],
@@ -108,8 +107,7 @@ function anchored(tag: string, name: string, after = '', shown = name): string {
   return `<a id="${id}" href="#${id}"><code>${escapeHtml(shown + after)}</code></a>`;
 }
 
-const described = (text: string | undefined): string =>
-  text === undefined || text === '' ? '' : blocksHtml(text);
+const described = (text: string | undefined): string => (text === undefined || text === '' ? '' : blocksHtml(text));
 
 /** The default is shown on its own, from the manifest's field, and not twice. */
 const withoutDefault = (text: string | undefined): string => (text ?? '').replace(DEFAULT, '');
@@ -205,6 +203,6 @@ export const sizeOf = (dist: string, name: string): string =>
 
 /** Rows of a table. @param dist the built package. */
 export const sizesHtml = (dist: string): string =>
-  SIZES.map(
-    (row) => `<tr><th scope="row">${inlineHtml(row.words)}</th><td>${sizeText(dist, row)} kB</td></tr>`,
-  ).join('\n');
+  SIZES.map((row) => `<tr><th scope="row">${inlineHtml(row.words)}</th><td>${sizeText(dist, row)} kB</td></tr>`).join(
+    '\n',
+  );

@@ -77,10 +77,7 @@ try {
     });
     const data = await three.evaluate(
       ([address, seen]) =>
-        /** @type {{ picture: ThreePicture }} */ (/** @type {unknown} */ (self)).picture.pictureOf(
-          address,
-          seen,
-        ),
+        /** @type {{ picture: ThreePicture }} */ (/** @type {unknown} */ (self)).picture.pictureOf(address, seen),
       /** @type {const} */ ([url, { ...view, ...SIZE }]),
     );
     const file = `${String(await item.getAttribute('id'))}.webp`;

@@ -33,9 +33,7 @@ const ROWS: readonly (readonly [side: string, label: string])[] = [
   ...FULL.map((samples) => [full(samples), `antialias="full", ${String(samples)} samples`] as const),
   [MULTISAMPLED, MULTISAMPLED],
   ...SSAA.slice(-2).map((samples) => [ssaa(samples), `SSAARenderPass, ${String(samples)} samples`] as const),
-  ...[TAA[0]!, TAA[16]!, TAA[32]!].map(
-    (count) => [taa(count), `TAARenderPass, ${String(count)} accumulated`] as const,
-  ),
+  ...[TAA[0]!, TAA[16]!, TAA[32]!].map((count) => [taa(count), `TAARenderPass, ${String(count)} accumulated`] as const),
 ];
 
 /** One section for each stack; empty where nothing has been measured. */
@@ -51,8 +49,7 @@ function stackHtml(result: BenchResult): string {
   const colors = SERIES.map((_, i) => `var(--series-${String(i + 1)})`);
   const names = [...new Set(points.map(({ picture }) => picture))] as (keyof typeof PICTURES)[];
   const panels = names.map(
-    (picture) =>
-      `<figure>${panelSvg(points, picture, colors)}<figcaption>${escapeHtml(picture)}</figcaption></figure>`,
+    (picture) => `<figure>${panelSvg(points, picture, colors)}<figcaption>${escapeHtml(picture)}</figcaption></figure>`,
   );
   return `<section class="front recorded">
     <h3>${escapeHtml(name)}</h3>

@@ -9,15 +9,7 @@ import type { Package as Manifest } from 'custom-elements-manifest';
 import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
-import {
-  apiHtml,
-  examplesHtml,
-  type Example,
-  membersHtml,
-  releasesHtml,
-  sizeOf,
-  sizesHtml,
-} from './generated.js';
+import { apiHtml, examplesHtml, type Example, membersHtml, releasesHtml, sizeOf, sizesHtml } from './generated.js';
 import { readmePage } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
@@ -82,21 +74,14 @@ export function sitePages(): Plugin {
     },
     transformIndexHtml: {
       order: 'pre',
-      handler: (html, { path }) =>
-        pageHtml(html, path.replace(/^\//, '').replace(/index\.html$/, ''), building),
+      handler: (html, { path }) => pageHtml(html, path.replace(/^\//, '').replace(/index\.html$/, ''), building),
     },
     writeBundle() {
       if (!building) return;
       const output = outputFolder('site');
       // Files in demo/assets keep their names: Vite does not follow the `src` of a custom element.
       cpSync(join(demo, 'assets'), join(output, 'assets'), { recursive: true });
-      for (const name of [
-        'phong-viewer.classic.js',
-        'phong-viewer.standalone.js',
-        'chunks',
-        'embed.html',
-        'embed.js',
-      ])
+      for (const name of ['phong-viewer.classic.js', 'phong-viewer.standalone.js', 'chunks', 'embed.html', 'embed.js'])
         if (existsSync(join(dist, name))) cpSync(join(dist, name), join(output, name), { recursive: true });
       const { site } = packageFacts();
       if (site !== '') writeFileSync(join(output, 'sitemap.xml'), sitemap(site));
@@ -131,8 +116,7 @@ const contentType = (path: string): string =>
 function pageHtml(source: string, path: string, building: boolean): string {
   const title = /<title>([^<]*)<\/title>\s*/.exec(source);
   const description = /<meta\s+name="description"\s+content="([^"]*)"\s*\/>\s*/.exec(source);
-  if (title === null || description === null)
-    throw new Error(`demo/${path}: needs a title and a description`);
+  if (title === null || description === null) throw new Error(`demo/${path}: needs a title and a description`);
   const facts = packageFacts();
   const head = headHtml({ path, title: title[1]!, description: description[1]! }, facts, building);
   return source
@@ -157,38 +141,24 @@ const repositoryLink = (file: string, words: string, repository: string): string
     : `<a href="${repository}/blob/main/${file}">${words}</a>`;
 
 /** What replaces the comments `<!-- name -->` and `<!-- name argument -->`. */
-const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
-  string,
-  (argument: string) => string
->([
+const generated: ReadonlyMap<string, (argument: string) => string> = new Map<string, (argument: string) => string>([
   ['api', () => apiHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
-  [
-    'releases',
-    () => releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository),
-  ],
+  ['releases', () => releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository)],
   ['sizes', () => sizesHtml(dist)],
   ['members', () => membersHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
   ['texts', textsHtml],
   ['size', (name) => sizeOf(dist, `phong-viewer.${name}.js`)],
-  [
-    'pairs',
-    () => pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries),
-  ],
+  ['pairs', () => pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries)],
   ['pictures', () => picturesHtml(readResults(join(repository, 'tests/bench/results')))],
   ['scene', sceneHtml],
   ['page', () => escapeHtml(readmePage()).trim()],
   [
     'examples',
-    () =>
-      examplesHtml(
-        JSON.parse(readFileSync(join(demo, 'examples/examples.json'), 'utf8')) as Example[],
-        sceneHtml,
-      ),
+    () => examplesHtml(JSON.parse(readFileSync(join(demo, 'examples/examples.json'), 'utf8')) as Example[], sceneHtml),
   ],
   [
     'panelled',
-    (name: string) =>
-      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
+    (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
   ],
 ]);
 
@@ -228,9 +198,10 @@ function documentedAttributes(): Record<string, string[]> {
 }
 
 function packageFacts(): Facts {
-  const { version, repository: source } = JSON.parse(
-    readFileSync(join(repository, 'package.json'), 'utf8'),
-  ) as { version: string; repository: { url: string } };
+  const { version, repository: source } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+    version: string;
+    repository: { url: string };
+  };
   const address = source.url.replace(/^git\+/, '').replace(/\.git$/, '');
   const [, owner = '', name = ''] = /\/([^/]+)\/([^/]+)$/.exec(address) ?? [];
   // A placeholder is an address for nobody.

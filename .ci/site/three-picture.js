@@ -89,9 +89,7 @@ async function read(url, manager) {
     if (library === undefined) setTimeout(() => manager.itemEnd(url));
     return object;
   }
-  const geometry = await (url.endsWith('.stl') ? new STLLoader(manager) : new PLYLoader(manager)).loadAsync(
-    url,
-  );
+  const geometry = await (url.endsWith('.stl') ? new STLLoader(manager) : new PLYLoader(manager)).loadAsync(url);
   if (!geometry.hasAttribute('normal')) geometry.computeVertexNormals();
   return new Mesh(geometry, new MeshStandardMaterial({ color: 0xc8c8c8, roughness: 0.5, side: DoubleSide }));
 }

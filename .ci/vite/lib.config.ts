@@ -21,8 +21,7 @@ const source = (path: string): string => fileURLToPath(new URL(`../../src/${path
 // Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a user's bundler would
 // find no export.
 function staysImport(specifier: string): boolean {
-  if (specifier.includes('?') || specifier === dracoDecoderSpecifier || /libs\/basis/.test(specifier))
-    return false;
+  if (specifier.includes('?') || specifier === dracoDecoderSpecifier || /libs\/basis/.test(specifier)) return false;
   return /^(three|lit|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
 }
 

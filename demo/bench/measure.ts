@@ -26,8 +26,7 @@ const LEAST_ROUNDS = 2;
 /** Pixels of a frame. Software takes about as long for the smaller picture as a GPU for the larger one. */
 const SIZES = { gpu: [960, 720], software: [160, 120] } as const;
 
-const isSoftware = (renderer: string): boolean =>
-  /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
+const isSoftware = (renderer: string): boolean => /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
 
 /** The driver's name for itself. Throws where this browser has no WebGL 2. */
 export function rendererHere(): string {
@@ -55,8 +54,7 @@ export async function measureFront(
     const { title, variants, base } = front.facts;
     const errors = await front.errors();
     const counts: number[] = [];
-    for (const i of variants.keys())
-      counts.push(await framesFor((frames) => sample(front, i, frames, signal)));
+    for (const i of variants.keys()) counts.push(await framesFor((frames) => sample(front, i, frames, signal)));
     const times: number[][] = variants.map(() => []);
     let table: FrontTable = { title, rows: [] };
     for (let round = 0; round < LEAST_ROUNDS || performance.now() < until; round++) {

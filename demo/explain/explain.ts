@@ -77,16 +77,13 @@ function pixelAt({ x, y }: Shown): Vec3 | null {
 }
 
 for (const box of document.querySelectorAll<HTMLInputElement>('input[data-light]'))
-  box.addEventListener('change', () =>
-    part(box.dataset['light']!).setAttribute('active', String(box.checked)),
-  );
+  box.addEventListener('change', () => part(box.dataset['light']!).setAttribute('active', String(box.checked)));
 /** The present picture is not the one that was read. */
 function changed(): void {
   changes += 1;
   picture = null;
 }
 
-for (const event of ['camera-change', 'light-change', 'render'] as const)
-  viewer.addEventListener(event, changed);
+for (const event of ['camera-change', 'light-change', 'render'] as const) viewer.addEventListener(event, changed);
 new ResizeObserver(changed).observe(viewer);
 viewer.addEventListener('probe-change', ({ detail }) => show(detail));

@@ -16,9 +16,7 @@ export const codes = (color: Vec3): string => color.map((x) => number(255 * x, 2
 
 /** One row each for p, N and V. */
 export const vectorRows = ({ p, N, V }: FragmentExplanation): HTMLElement[] =>
-  Object.entries({ p, N, V }).map(([name, vector]) =>
-    row([head(name), ...vector.map((x) => cell(number(x, 3)))]),
-  );
+  Object.entries({ p, N, V }).map(([name, vector]) => row([head(name), ...vector.map((x) => cell(number(x, 3)))]));
 
 interface Step {
   readonly name: string;

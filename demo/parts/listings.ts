@@ -76,9 +76,7 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   write();
 }
 
-const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position axis aperture cutoff attenuation'.split(
-  ' ',
-);
+const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position axis aperture cutoff attenuation'.split(' ');
 
 /**
  * The element with its lights as the user has left them. Handles and panel set properties, which attributes do not

@@ -42,10 +42,6 @@ function startTag(element: Element, indent: string, lineLength: number): Piece[]
   return [...pieces, plain('>')];
 }
 
-const endTag = (element: Element): Piece[] => [
-  plain('</'),
-  { kind: 'tag', text: element.localName },
-  plain('>'),
-];
+const endTag = (element: Element): Piece[] => [plain('</'), { kind: 'tag', text: element.localName }, plain('>')];
 
 const plain = (text: string): Piece => ({ kind: 'plain', text });

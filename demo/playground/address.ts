@@ -7,8 +7,7 @@ export const LONGEST_TEXT = 100_000;
 /** Bytes of a text of the longest length, at UTF-8's four per character. */
 const MOST_BYTES = 4 * LONGEST_TEXT;
 
-export type Addressed =
-  { readonly example: string } | { readonly text: string } | { readonly fault: string } | null;
+export type Addressed = { readonly example: string } | { readonly text: string } | { readonly fault: string } | null;
 
 /** The scene's part of an address, with `#`. */
 export async function fragmentOf(text: string): Promise<string> {

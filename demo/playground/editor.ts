@@ -12,14 +12,7 @@ import {
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { HighlightStyle, LRLanguage, syntaxHighlighting, syntaxTree } from '@codemirror/language';
 import { Annotation, EditorState, type Range } from '@codemirror/state';
-import {
-  Decoration,
-  type DecorationSet,
-  EditorView,
-  keymap,
-  ViewPlugin,
-  type ViewUpdate,
-} from '@codemirror/view';
+import { Decoration, type DecorationSet, EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view';
 import { tags as kinds } from '@lezer/highlight';
 import { parser } from '@lezer/html';
 import tags from 'virtual:html-data';
@@ -122,8 +115,7 @@ function attributesOf(view: EditorView): DecorationSet {
     syntaxTree(state).iterate({
       ...{ from, to },
       enter: (node) => {
-        if (node.name === 'Attribute' && node.to - node.from <= longest)
-          marks.push(unbroken.range(node.from, node.to));
+        if (node.name === 'Attribute' && node.to - node.from <= longest) marks.push(unbroken.range(node.from, node.to));
       },
     });
   return Decoration.set(marks, true);

@@ -150,8 +150,7 @@ class SceneReader {
   }
 }
 
-const clipped = (name: string): string =>
-  name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
+const clipped = (name: string): string => (name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name);
 
 /** The scene as one element of a document that runs nothing, to be written as markup. */
 export function sceneElement(scene: Scene): Element | null {

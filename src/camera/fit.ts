@@ -88,8 +88,7 @@ export function depthRange(
  * A near plane before a surface at this depth. A tenth is more than float32 loses where vertices are 1e5 times as far
  * away.
  */
-export const nearBefore = (depth: number, radius: number): number =>
-  Math.max(0.9 * depth, LEAST_NEAR * radius);
+export const nearBefore = (depth: number, radius: number): number => Math.max(0.9 * depth, LEAST_NEAR * radius);
 
 /** Share of the orbit's radius. Closer to the eye, float32 positions relative to the target are no longer distinct. */
 const LEAST_NEAR = 2 ** -23;

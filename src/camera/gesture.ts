@@ -144,11 +144,7 @@ export class PointerGesture {
     const sameView = view.width === width && view.height === height && view.fov === this.#host.fov();
     const sameAxes = axes.every((x, i) => Math.abs(x - before[i]!) < AXIS_NOISE);
     return (
-      !sameView ||
-      !sameAxes ||
-      allows.orbit !== orbit ||
-      allows.zoom !== zoom ||
-      this.#host.orbit.version !== version
+      !sameView || !sameAxes || allows.orbit !== orbit || allows.zoom !== zoom || this.#host.orbit.version !== version
     );
   }
 

@@ -177,8 +177,7 @@ export class OrbitInput {
    * press, when it is not yet known whether a drag follows; it is suppressed there too.
    */
   #onMenu(event: MouseEvent): void {
-    const wanted =
-      !(this.#gesture.active && this.#button === SECONDARY) && !(event.timeStamp <= this.#menuUntil);
+    const wanted = !(this.#gesture.active && this.#button === SECONDARY) && !(event.timeStamp <= this.#menuUntil);
     this.#menuUntil = -1;
     if (!wanted) event.preventDefault();
     // An open menu captures the mouse. Touch is different: a long press fires `contextmenu` even if no menu opens.
@@ -207,8 +206,7 @@ export class OrbitInput {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = keyStep(event.key, event.shiftKey);
     const { orbit, zoom } = this.#host.allows();
-    if (step === undefined || !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom))
-      return;
+    if (step === undefined || !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom)) return;
     event.preventDefault();
     // In slides the page would turn to the next one.
     event.stopPropagation();

@@ -40,8 +40,7 @@ export function write(element: Element, text: string): void {
 }
 
 /** Pixels of the page, as of pointer events, for each CSS pixel of an element: CSS zoom. Not all browsers say it. */
-export const zoomOf = (element: Element): number =>
-  (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+export const zoomOf = (element: Element): number => (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
 
 /**
  * From now on templates of `element` are created in its own document, which may be that of an iframe or a popup, and

@@ -114,9 +114,5 @@ export interface Listen<E, Own> {
     listener: (this: E, event: HeardEvents<Own>[K]) => unknown,
     options?: boolean | AddEventListenerOptions,
   ): void;
-  (
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
+  (type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
 }

@@ -72,8 +72,7 @@ function numberCheck(
 ): (value: unknown, whole: unknown) => number {
   return (value, whole) => {
     if (typeof value !== 'number') throw wrong(expected, whole);
-    if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value)))
-      return value + 0; // -0 would show as "0" and divide as "-"
+    if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value))) return value + 0; // -0 would show as "0" and divide as "-"
     throw new RangeError(`expected ${expected}, got ${show(value)}`);
   };
 }
@@ -142,8 +141,7 @@ export function homogeneousField(fallback: Vec4, range: Range): Field<Vec4> {
     ...tuple,
     check(value) {
       const numbers = tuple.check(value);
-      if (numbers[3] !== 0 && numbers[3] !== 1)
-        throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      if (numbers[3] !== 0 && numbers[3] !== 1) throw new RangeError(`expected ${expected}, got ${show(value)}`);
       return numbers;
     },
   };

@@ -15,14 +15,7 @@ export abstract class ChildFolder<E extends PhongLight | PhongMesh> {
   protected readonly viewer: PhongViewer;
   #title = '';
 
-  constructor(
-    group: GUI,
-    element: E,
-    viewer: PhongViewer,
-    range: SceneRange,
-    rows: Rows<E>,
-    editor: ChildEditor<E>,
-  ) {
+  constructor(group: GUI, element: E, viewer: PhongViewer, range: SceneRange, rows: Rows<E>, editor: ChildEditor<E>) {
     this.element = element;
     this.viewer = viewer;
     const place = { element, viewer, range, title: () => this.#title };
@@ -67,8 +60,7 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     const focused = domElement.contains(activeElement) ? (activeElement as HTMLElement) : null;
     this.#arrange(elements);
     // A folder that moves or goes drops the focus, and with it the keys for undo.
-    if (focused?.matches(':focus') === false)
-      (focused.isConnected ? focused : $title).focus({ preventScroll: true });
+    if (focused?.matches(':focus') === false) (focused.isConnected ? focused : $title).focus({ preventScroll: true });
   }
 
   refreshVisible(): void {
@@ -87,8 +79,7 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     elements.forEach((element, index) => {
       const child = this.#folders.get(element) ?? this.#add(element);
       const node = child.folder.gui.domElement;
-      const next: Element | null =
-        after === null ? list.querySelector(':scope > .lil-gui') : after.nextElementSibling;
+      const next: Element | null = after === null ? list.querySelector(':scope > .lil-gui') : after.nextElementSibling;
       if (node !== next) list.insertBefore(node, next);
       after = node;
       child.update(index);

@@ -20,8 +20,7 @@ export class ColorMix {
 
   /** Splits a value the way it was picked here, or with the smallest factor if it came from elsewhere. */
   split(value: Vec3): Tint {
-    if (this.#picked !== null && sameValue(times(this.#picked.color, this.#picked.factor), value))
-      return this.#picked;
+    if (this.#picked !== null && sameValue(times(this.#picked.color, this.#picked.factor), value)) return this.#picked;
     const factor = Math.max(brightnessOf(value), 1);
     const [r, g, b] = value;
     return { color: [r / factor, g / factor, b / factor], factor };

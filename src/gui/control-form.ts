@@ -14,8 +14,7 @@ export function dress(gui: GUI, key: string, element: PhongControl): void {
   const hasLabel = element.textContent.trim() !== '' || element.firstElementChild !== null;
   for (const { $name, $widget, domElement } of rows) {
     $name.part.add('label');
-    for (const input of $widget.querySelectorAll<HTMLElement>('input, select, button, output'))
-      input.part.add('input');
+    for (const input of $widget.querySelectorAll<HTMLElement>('input, select, button, output')) input.part.add('input');
     if (domElement.classList.contains('lil-number')) {
       const unit = key === 'autoRotate' ? '°/s' : UNIT.test($name.textContent) ? '°' : '';
       $name.textContent = $name.textContent.replace(UNIT, '');
@@ -57,8 +56,7 @@ export function settle(gui: GUI, texts: ViewerTexts | null): void {
         if (input.role === 'spinbutton') input.ariaValueNow = input.value;
       }
       if (input.type === 'checkbox') return phrase(texts, input.checked ? 'on' : 'off');
-      if (input.localName === 'select')
-        return (input as unknown as HTMLSelectElement).selectedOptions[0]?.text ?? '';
+      if (input.localName === 'select') return (input as unknown as HTMLSelectElement).selectedOptions[0]?.text ?? '';
       return input.value;
     });
     const unit = $widget.querySelector('[part="unit"]')?.textContent ?? '';

@@ -130,8 +130,7 @@ export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRo
     };
     return { ...row, source };
   }
-  const known = <T>(row: Row<T, Editable>, read: (value: unknown) => T) =>
-    mapped(row, read, (value) => value);
+  const known = <T>(row: Row<T, Editable>, read: (value: unknown) => T) => mapped(row, read, (value) => value);
   if (kind === 'numbers')
     return known(vector(name, linear(-10, 10, 0.05)), (value) => (value ?? [0, 0, 0]) as [0, 0, 0]);
   if (kind === 'text') return known(text(name), String);

@@ -67,8 +67,7 @@ class Control {
     this.#binding = new FieldBinding(element, new FieldStore(CONTROL_FIELDS));
     this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
     Object.defineProperty(element, 'texts', { get: () => this.#texts }); // for the labels
-    for (const name of element.getAttributeNames())
-      this.#binding.attributeChanged(name, element.getAttribute(name));
+    for (const name of element.getAttributeNames()) this.#binding.attributeChanged(name, element.getAttribute(name));
     this.#binding.upgrade();
     this.#binding.store.listen(() => this.#rebuild());
   }
@@ -143,8 +142,7 @@ class Control {
         warn(`${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`);
       else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
         const word = nearest(attribute, attributesOf(bindingOf(found as Editable).store.fields));
-        const cure =
-          word === undefined ? 'Write attribute="…", one of its attributes.' : `Did you mean "${word}"?`;
+        const cure = word === undefined ? 'Write attribute="…", one of its attributes.' : `Did you mean "${word}"?`;
         warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}". ${cure}`);
       }
     }
@@ -233,9 +231,7 @@ function viewerOf(element: Element): PhongViewer | null {
 }
 
 const keyOf = (element: Editable, attribute: string): string | undefined =>
-  Object.keys(bindingOf(element).store.fields).find(
-    (key) => attributeOf(key) === attribute.trim().toLowerCase(),
-  );
+  Object.keys(bindingOf(element).store.fields).find((key) => attributeOf(key) === attribute.trim().toLowerCase());
 
 /** Writes to all sources: one step for each viewer. Shows the first. */
 function joined(elements: readonly Editable[], sources: readonly Source[]): Bound<unknown> {

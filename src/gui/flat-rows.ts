@@ -41,8 +41,7 @@ export class FlatRows {
     const rows = [LIGHT_ROWS, MESH_ROWS, VIEWER_ROWS].flatMap((table: Rows<never>) => Object.entries(table));
     const shown = rows.flatMap(([key, row]) => (row === NO_ROW ? [] : [attributeOf(key)]));
     for (const attribute of attributes)
-      if (!shown.includes(attribute))
-        console.warn(`<phong-viewer gui>: the panel has no row for ${attribute}.`);
+      if (!shown.includes(attribute)) console.warn(`<phong-viewer gui>: the panel has no row for ${attribute}.`);
   }
 
   /** Follows values, and children that come, go or change places. */
@@ -87,8 +86,7 @@ export class FlatRows {
       const key = keyOf(owner)!;
       const place = { element, viewer: this.#viewer, range: this.#range, title };
       const added = [...addRows(this.#gui, place, { [key]: rows[key]! }).values()];
-      if (having.length > 1)
-        for (const control of added.flatMap(({ controls }) => controls)) nameOwner(control, title);
+      if (having.length > 1) for (const control of added.flatMap(({ controls }) => controls)) nameOwner(control, title);
       return { element, rows: added };
     });
   }

@@ -93,13 +93,7 @@ export const LIGHT_ROWS = {
 export class LightFolder extends ChildFolder<PhongLight> {
   readonly #switch = document.createElement('input');
 
-  constructor(
-    group: GUI,
-    light: PhongLight,
-    viewer: PhongViewer,
-    range: SceneRange,
-    editor: ChildEditor<PhongLight>,
-  ) {
+  constructor(group: GUI, light: PhongLight, viewer: PhongViewer, range: SceneRange, editor: ChildEditor<PhongLight>) {
     super(group, light, viewer, range, LIGHT_ROWS, editor);
     this.#addSwitch();
   }
@@ -121,9 +115,7 @@ export class LightFolder extends ChildFolder<PhongLight> {
 
   protected override showTitle(title: string): void {
     super.showTitle(title);
-    label(this.#switch, (say) =>
-      this.#switch.setAttribute('aria-label', say('{name} active', { name: title })),
-    );
+    label(this.#switch, (say) => this.#switch.setAttribute('aria-label', say('{name} active', { name: title })));
   }
 
   /** Turns the light on and off without opening the folder. */

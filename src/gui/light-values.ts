@@ -22,12 +22,7 @@ export class KindChange {
    * The values to write so that the light becomes this kind; none if it is already. x, y and z stay. A spot gets its
    * former cone back. Without an axis it is aimed at `target`, a point in the light's own space.
    */
-  writesFor(
-    light: Readonly<LightValues>,
-    kind: LightKind,
-    axisGiven: boolean,
-    target: Vec3,
-  ): Partial<LightValues> {
+  writesFor(light: Readonly<LightValues>, kind: LightKind, axisGiven: boolean, target: Vec3): Partial<LightValues> {
     if (kindOf(light) === kind) return {};
     const [x, y, z] = light.position;
     const position: Vec4 = [x, y, z, kind === 'directional' ? 0 : 1];
@@ -67,15 +62,9 @@ const GREY: Vec3 = [140, 140, 140];
 export function newLight(count: number, center: Vec3, reach: number): Partial<LightValues> {
   const angle = GOLDEN_ANGLE * (count + 1);
   const distance = reach / 2;
-  const near = (offset: number, middle: number): number =>
-    Number((middle + distance * offset).toPrecision(3));
+  const near = (offset: number, middle: number): number => Number((middle + distance * offset).toPrecision(3));
   return {
-    position: [
-      near(0.8 * Math.sin(angle), center[0]),
-      near(0.6, center[1]),
-      near(0.8 * Math.cos(angle), center[2]),
-      1,
-    ],
+    position: [near(0.8 * Math.sin(angle), center[0]), near(0.6, center[1]), near(0.8 * Math.cos(angle), center[2]), 1],
     diffuse: GREY,
     specular: GREY,
   };

@@ -11,18 +11,7 @@ import { ButtonRow } from './button-row.js';
 import type { ChildEditor } from './child-editor.js';
 import { ChildFolder } from './child-folders.js';
 import { chooseModel } from './files-row.js';
-import {
-  button,
-  color,
-  readout,
-  NO_ROW,
-  number,
-  oneOf,
-  type Row,
-  type RowTable,
-  text,
-  vector,
-} from './rows.js';
+import { button, color, readout, NO_ROW, number, oneOf, type Row, type RowTable, text, vector } from './rows.js';
 import type { SceneRange } from './scene-range.js';
 import { linear, logarithmic } from './travel.js';
 
@@ -50,9 +39,7 @@ export const SURFACE_ROWS = {
 
 /** How many segments the shape has; under `auto`: what that gives now. */
 export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
-  ...readout('segments', (element: PhongMesh | PhongViewer) =>
-    String(sceneMeshes.get(element)?.segments ?? ''),
-  ),
+  ...readout('segments', (element: PhongMesh | PhongViewer) => String(sceneMeshes.get(element)?.segments ?? '')),
   shown: ({ src, geometry }) => src === '' && geometry !== null,
 };
 
@@ -73,13 +60,7 @@ export const MESH_ROWS = {
 } satisfies RowTable<MeshValues, PhongMesh, 'resetMaterial'>;
 
 export class MeshFolder extends ChildFolder<PhongMesh> {
-  constructor(
-    group: GUI,
-    mesh: PhongMesh,
-    viewer: PhongViewer,
-    range: SceneRange,
-    editor: ChildEditor<PhongMesh>,
-  ) {
+  constructor(group: GUI, mesh: PhongMesh, viewer: PhongViewer, range: SceneRange, editor: ChildEditor<PhongMesh>) {
     super(group, mesh, viewer, range, MESH_ROWS, editor);
   }
 

@@ -193,9 +193,7 @@ class NumberField {
   /** False if the element refuses the value. */
   set(value: number): boolean {
     const [least, most] = this.travel.limits ?? [-Infinity, Infinity];
-    return (
-      Number.isFinite(value) && accepted(() => (this.#bound.value = Math.min(Math.max(value, least), most)))
-    );
+    return Number.isFinite(value) && accepted(() => (this.#bound.value = Math.min(Math.max(value, least), most)));
   }
 
   #listenToKeys(): void {
@@ -241,5 +239,4 @@ class NumberField {
   }
 }
 
-const factorOf = ({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number =>
-  shiftKey ? 10 : altKey ? 0.1 : 1;
+const factorOf = ({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number => (shiftKey ? 10 : altKey ? 0.1 : 1);

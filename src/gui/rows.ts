@@ -112,8 +112,7 @@ export function addRows<E extends Editable>(
     const { subject, get, set } = row.source?.(element) ?? declared(element, key);
     row.add(gui, place, edited(place.viewer, subject, get, set) as never);
     const controls = gui.controllers.slice(before);
-    if (Object.hasOwn(fields, key))
-      for (const { domElement } of controls) nameAttribute(domElement, attributeOf(key));
+    if (Object.hasOwn(fields, key)) for (const { domElement } of controls) nameAttribute(domElement, attributeOf(key));
     added.set(key, { row, controls });
   }
   return added;

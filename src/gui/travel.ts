@@ -65,8 +65,7 @@ export function logarithmic(knee: number, max: number): SliderScale {
       const scale = logarithmic(knee, most ?? max);
       const start = scale.place(least ?? 0);
       if (!(start < 1)) return this;
-      const even = (value: number): number =>
-        tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
+      const even = (value: number): number => tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
       const stepped = by === null ? {} : { value: (p: number) => even(scale.value(p)), stepAt: () => by };
       return limited({ ...scale, start, ...stepped }, least, most);
     },

@@ -29,9 +29,7 @@ const isText = (target: EventTarget | null | undefined): boolean =>
   (target instanceof HTMLInputElement && (target.type === 'text' || target.type === 'number'));
 
 /** Inputs that hold no text that is typed, so that they have no undo of their own. */
-const TEXTLESS: ReadonlySet<string> = new Set(
-  'button checkbox color file image radio range reset submit'.split(' '),
-);
+const TEXTLESS: ReadonlySet<string> = new Set('button checkbox color file image radio range reset submit'.split(' '));
 
 /** Has undo by keys itself. */
 const isEditor = (target: EventTarget | undefined): boolean =>

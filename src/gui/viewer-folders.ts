@@ -31,10 +31,7 @@ import { linear, logarithmic, numberText } from './travel.js';
  * throw RangeError, as the properties do, for values outside the field's domain. Nothing fits the camera to the scene
  * afterwards.
  */
-const ofCamera = <K extends keyof Pose>(
-  key: K,
-  row: Row<Pose[K], PhongViewer>,
-): Row<ViewerValues[K], PhongViewer> => ({
+const ofCamera = <K extends keyof Pose>(key: K, row: Row<Pose[K], PhongViewer>): Row<ViewerValues[K], PhongViewer> => ({
   ...(row as Row<ViewerValues[K], PhongViewer>),
   source: (viewer) => ({
     subject: cameraOf(viewer),

@@ -49,15 +49,7 @@ export class Cone {
   }
 
   /** Whether any point of the box may be inside. */
-  reaches(
-    x0: number,
-    y0: number,
-    z0: number,
-    x1: number,
-    y1: number,
-    z1: number,
-    halvings = HALVINGS,
-  ): boolean {
+  reaches(x0: number, y0: number, z0: number, x1: number, y1: number, z1: number, halvings = HALVINGS): boolean {
     if (this.#open) return true;
     const sizeX = x1 - x0;
     const sizeY = y1 - y0;
@@ -72,8 +64,7 @@ export class Cone {
     const next = halvings - 1;
     if (sizeX >= sizeY && sizeX >= sizeZ)
       return this.reaches(x0, y0, z0, x, y1, z1, next) || this.reaches(x, y0, z0, x1, y1, z1, next);
-    if (sizeY >= sizeZ)
-      return this.reaches(x0, y0, z0, x1, y, z1, next) || this.reaches(x0, y, z0, x1, y1, z1, next);
+    if (sizeY >= sizeZ) return this.reaches(x0, y0, z0, x1, y, z1, next) || this.reaches(x0, y, z0, x1, y1, z1, next);
     return this.reaches(x0, y0, z0, x1, y1, z, next) || this.reaches(x0, y0, z, x1, y1, z1, next);
   }
 
@@ -96,11 +87,7 @@ export class Cone {
     const vx = x - this.#x;
     const vy = y - this.#y;
     const vz = z - this.#z;
-    return lengthOf(
-      vy * this.#az - vz * this.#ay,
-      vz * this.#ax - vx * this.#az,
-      vx * this.#ay - vy * this.#ax,
-    );
+    return lengthOf(vy * this.#az - vz * this.#ay, vz * this.#ax - vx * this.#az, vx * this.#ay - vy * this.#ax);
   }
 
   #slack(x: number, y: number, z: number, radius: number): number {

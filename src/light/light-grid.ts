@@ -121,11 +121,7 @@ function reachedCells(
 }
 
 /** Copies all lights, unlisted spots before listed ones. Returns the spots in that order, with their new rows. */
-function writeLights(
-  packed: Readonly<PackedLights>,
-  reaches: readonly Reach[],
-  into: PackedLights,
-): readonly Reach[] {
+function writeLights(packed: Readonly<PackedLights>, reaches: readonly Reach[], into: PackedLights): readonly Reach[] {
   const { directional, point } = packed.counts;
   const before = directional + point;
   const firstRow = HEADER.rows + directional * ROWS.directional.rows + point * ROWS.point.rows;
@@ -136,10 +132,7 @@ function writeLights(
   into.sent = packed.sent;
   into.rows = packed.rows;
   Object.assign(into.counts, packed.counts);
-  const ordered = [
-    ...reaches.filter(({ cells }) => cells === null),
-    ...reaches.filter(({ cells }) => cells !== null),
-  ];
+  const ordered = [...reaches.filter(({ cells }) => cells === null), ...reaches.filter(({ cells }) => cells !== null)];
   const { rows } = ROWS.spot;
   return ordered.map(({ light, row, cells }, i) => {
     const newRow = firstRow + i * rows;

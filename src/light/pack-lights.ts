@@ -121,13 +121,7 @@ function shines(light: Values, kind: LightKind): boolean {
 const hasNoDirection = ({ position }: Values, kind: LightKind): boolean =>
   kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0;
 
-function packLight(
-  light: Values,
-  kind: LightKind,
-  factor: number,
-  space: PackSpace,
-  into: PackedLights,
-): void {
+function packLight(light: Values, kind: LightKind, factor: number, space: PackSpace, into: PackedLights): void {
   const { rows } = ROWS[kind];
   reserve(into, into.rows + rows, into.sent + 1);
   const { data } = into;
@@ -196,8 +190,7 @@ function directionalDecay(light: Values): number {
   // squares would make 6e-8 rad of the same roundings.
   const rounding = 4 * Number.EPSILON;
   const limit = coneLimit(light.aperture);
-  const inside =
-    limit < 0 ? Math.sqrt(p) >= Math.sqrt(-limit) - rounding : Math.sqrt(q) <= Math.sqrt(limit) + rounding;
+  const inside = limit < 0 ? Math.sqrt(p) >= Math.sqrt(-limit) - rounding : Math.sqrt(q) <= Math.sqrt(limit) + rounding;
   if (!inside) return 0;
   return light.cutoff < LEAST_EXPONENT ? 1 : p ** light.cutoff;
 }
@@ -222,15 +215,7 @@ function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3): void 
 }
 
 /** A position (w = 1) or a direction (w = 0) through a matrix. */
-function writeThrough(
-  m: Mat4,
-  data: Float32Array,
-  at: number,
-  x: number,
-  y: number,
-  z: number,
-  w: 0 | 1,
-): void {
+function writeThrough(m: Mat4, data: Float32Array, at: number, x: number, y: number, z: number, w: 0 | 1): void {
   data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
   data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
   data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;

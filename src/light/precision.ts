@@ -56,8 +56,7 @@ export const isMildPower = (exponent: number): boolean => exponent <= LARGEST_MI
 const LEAST_BY_COSINE = 15;
 
 /** A cone whose edge a cosine finds. */
-const isBlunt = (aperture: number): boolean =>
-  aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
+const isBlunt = (aperture: number): boolean => aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
 /**
  * A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_CUTOFF at the
@@ -86,8 +85,7 @@ export const packedLimit = (aperture: number): number =>
   isOnFarSide(aperture) ? farLimit(aperture) : Math.max(coneLimit(aperture), LEAST_LIMIT);
 
 /** The packed limit is compared on the far side of the axis, and negative. */
-export const isOnFarSide = (aperture: number): boolean =>
-  isBlunt(aperture) || (aperture > 90 && aperture < 180);
+export const isOnFarSide = (aperture: number): boolean => isBlunt(aperture) || (aperture > 90 && aperture < 180);
 
 /** sin² of half of 1e-6 rad. */
 const LEAST_LIMIT = 2.5e-13;

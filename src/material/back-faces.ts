@@ -15,12 +15,7 @@ const FLATTENED = 1e-9;
  * Whether back faces are culled. Never on a flattened mesh: its two sides coincide. `matrixWorld` and camera are up to
  * date.
  */
-export function cullsBackFaces(
-  sides: Sides,
-  geometry: BufferGeometry,
-  matrixWorld: Matrix4,
-  camera: Camera,
-): boolean {
+export function cullsBackFaces(sides: Sides, geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
   if (sides === 'double' || isFlattened(matrixWorld)) return false;
   return sides === 'single' || isOutside(geometry, matrixWorld, camera);
 }
@@ -49,8 +44,7 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const dy = view[13] - (m[1] * x + m[5] * y + m[9] * z + m[13]);
   const dz = view[14] - (m[2] * x + m[6] * y + m[10] * z + m[14]);
   // Half the bounds' depth along the view: the moved sphere is an ellipsoid, the moved box a parallelepiped.
-  const along = (column: number): number =>
-    m[column]! * backX + m[column + 1]! * backY + m[column + 2]! * backZ;
+  const along = (column: number): number => m[column]! * backX + m[column + 1]! * backY + m[column + 2]! * backZ;
   const [ax, ay, az] = [along(0), along(4), along(8)];
   const hx = (box.max.x - box.min.x) / 2;
   const hy = (box.max.y - box.min.y) / 2;

@@ -98,7 +98,5 @@ export const emits = ({ unlit, emissive }: BaseLook): boolean => !unlit && !isBl
 export const hasMetalness = ({ unlit, metalness }: BaseLook): boolean => !unlit && metalness > 0;
 
 /** A vertex has no texture: Gouraud shading takes the roughness without its map. */
-export const usesRoughnessMap = (
-  { unlit, roughness, metalRoughMap }: BaseLook,
-  { shading }: ShadingStyle,
-): boolean => !unlit && roughness !== null && metalRoughMap !== null && shading !== 'gouraud';
+export const usesRoughnessMap = ({ unlit, roughness, metalRoughMap }: BaseLook, { shading }: ShadingStyle): boolean =>
+  !unlit && roughness !== null && metalRoughMap !== null && shading !== 'gouraud';

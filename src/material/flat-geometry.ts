@@ -53,8 +53,7 @@ export function updateFlatGeometry(source: BufferGeometry): void {
 /** These attributes of each corner, and the triangles' normals. */
 function separateTriangles({ attributes, index }: BufferGeometry, names: readonly string[]): BufferGeometry {
   const corners = new BufferGeometry();
-  for (const name of names)
-    if (name !== 'normal' && name in attributes) corners.setAttribute(name, attributes[name]!);
+  for (const name of names) if (name !== 'normal' && name in attributes) corners.setAttribute(name, attributes[name]!);
   const { count } = corners.getAttribute('position');
   corners.index =
     index ??
@@ -77,12 +76,7 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
  * Writes the unit normal of every triangle from `from` to before `to`, three times each: counter-clockwise is outside.
  * A triangle without area gets zero, which shades as ambient only. `positions`: x, y, z of three corners per triangle.
  */
-export function writeFaceNormals(
-  positions: ArrayLike<number>,
-  normals: Float32Array,
-  from: number,
-  to: number,
-): void {
+export function writeFaceNormals(positions: ArrayLike<number>, normals: Float32Array, from: number, to: number): void {
   for (let at = from * 9; at < to * 9; at += 9) {
     const ux = positions[at + 3]! - positions[at]!;
     const uy = positions[at + 4]! - positions[at + 1]!;

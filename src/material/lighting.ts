@@ -283,11 +283,7 @@ function writeColumns(m: Float64Array, a: Vec3, b: Vec3, c: Vec3, x: number, y: 
 }
 
 /** Writes the matrix from the space of these axes' coordinates to the view of an eye there. */
-export function writeView(
-  into: Matrix4,
-  { right, up, back }: Omit<ShadingFrame, 'origin' | 'eye'>,
-  eye: Vec3,
-): void {
+export function writeView(into: Matrix4, { right, up, back }: Omit<ShadingFrame, 'origin' | 'eye'>, eye: Vec3): void {
   // prettier-ignore
   into.set(
     right[0], right[1], right[2], -dot(right, eye),

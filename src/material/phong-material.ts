@@ -162,8 +162,7 @@ export class PhongMaterial extends RawShaderMaterial {
     }
     const aim = this.#lighting.aim(camera);
     // three.js sends a material's uniforms once per frame, unless they change between two of its draws.
-    this.uniformsNeedUpdate =
-      aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
+    this.uniformsNeedUpdate = aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
     this.#aim = aim;
     this.#lights = lights;
   }
@@ -234,8 +233,7 @@ export class PhongMaterial extends RawShaderMaterial {
     uEmissive.value.set(...decode(term === null ? look.emissive : BLACK));
     uLobeScale.value = look.roughness === null ? 1 : lobeScale(shininess);
     // Where the shader does not scale Ks itself.
-    if (!(look.metalness > 0) && !usesRoughnessMap(look, this.#style))
-      uKs.value.multiplyScalar(uLobeScale.value);
+    if (!(look.metalness > 0) && !usesRoughnessMap(look, this.#style)) uKs.value.multiplyScalar(uLobeScale.value);
     this.#programs.describe(style, this.#surface);
   }
 }

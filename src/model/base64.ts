@@ -21,10 +21,7 @@ const SLICE = 2 ** 16;
  * The data behind base64, written over it. Padding and white space are optional.
  * @throws ModelError `bad-model` for anything else.
  */
-export async function fromBase64(
-  text: Uint8Array<ArrayBuffer>,
-  slices: Slices,
-): Promise<Uint8Array<ArrayBuffer>> {
+export async function fromBase64(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<Uint8Array<ArrayBuffer>> {
   const state = { bits: 0, count: 0, length: 0 };
   for (let from = 0; from < text.length; from += SLICE) {
     decode(text, from, Math.min(from + SLICE, text.length), state);

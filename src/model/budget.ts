@@ -56,13 +56,7 @@ export function plus(a: Amounts, b: Claims): Amounts {
  * kB, a node 2 kB.
  */
 const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
-  Math.ceil(
-    8 * values +
-      9.4 * pixels +
-      8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) +
-      12_000 * parts +
-      2000 * nodes,
-  );
+  Math.ceil(8 * values + 9.4 * pixels + 8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) + 12_000 * parts + 2000 * nodes);
 
 /** @throws ModelError `too-large` if one file claims more than may be shown. */
 export function requireWithin(amounts: Amounts, subject = 'The model has'): void {
@@ -179,9 +173,7 @@ export class Budget {
    * `too-large`; all is as before then.
    */
   take(claim: Claim, needs: readonly Need[]): void {
-    const before = [...(this.#claims.get(claim.owner) ?? [])].map(
-      (own) => [own, [...own.needs.values()]] as const,
-    );
+    const before = [...(this.#claims.get(claim.owner) ?? [])].map((own) => [own, [...own.needs.values()]] as const);
     for (const [own] of before) this.hold(own, []);
     this.hold(claim, needs);
     try {
@@ -200,8 +192,7 @@ export class Budget {
   hold(claim: Claim, needs: readonly Need[]): void {
     const next = new Map(needs.map((need) => [need.key, need]));
     for (const [key, { claims }] of next) this.#change(key, (holders) => holders.add(claim), claims);
-    for (const key of claim.needs.keys())
-      if (!next.has(key)) this.#change(key, (holders) => holders.delete(claim));
+    for (const key of claim.needs.keys()) if (!next.has(key)) this.#change(key, (holders) => holders.delete(claim));
     claim.needs = next;
     const own = this.#claims.get(claim.owner) ?? new Set();
     if (next.size > 0) this.#claims.set(claim.owner, own.add(claim));

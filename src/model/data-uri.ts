@@ -13,8 +13,7 @@ export interface DataUri {
 /** Percent-encoded or base64 (padding and white space optional). Rejects with a `bad-model` error for anything else. */
 export async function decodeDataUri(uri: string, slices: Slices): Promise<DataUri> {
   const comma = uri.indexOf(',');
-  if (!isDataUri(uri) || comma < 0)
-    throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
+  if (!isDataUri(uri) || comma < 0) throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
   // A fragment identifier is not part of the data.
   const end = uri.indexOf('#', comma);
   const { type, base64 } = dataHeader(uri.slice(0, comma));

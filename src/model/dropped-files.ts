@@ -16,10 +16,7 @@ type Files = ReadonlyMap<string, File>;
  * @param entries files and folders, as browsers give them for a drop; empty elsewhere.
  * @param files the same without folders.
  */
-export async function droppedModel(
-  entries: readonly FileSystemEntry[],
-  files: readonly File[],
-): Promise<File | null> {
+export async function droppedModel(entries: readonly FileSystemEntry[], files: readonly File[]): Promise<File | null> {
   const found = new Map<string, File>();
   try {
     for (const entry of entries) await collect(entry, found);
@@ -66,10 +63,7 @@ const isModel = (path: string): boolean =>
 function problemOf(files: Files, models: readonly string[]): ModelError | null {
   if (models.length === 1 || files.size === 1) return null;
   if (models.length === 0) {
-    return new ModelError(
-      'bad-model',
-      `None of the ${String(files.size)} files is a model: ${supportedFormats}.`,
-    );
+    return new ModelError('bad-model', `None of the ${String(files.size)} files is a model: ${supportedFormats}.`);
   }
   return new ModelError('bad-model', `There are ${String(models.length)} models: ${listed(models)}. Drop one of them, with its own files.`); // prettier-ignore
 }

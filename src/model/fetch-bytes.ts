@@ -178,9 +178,7 @@ async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
   const silence = new Promise<never>((_, reject) => {
     timer = setTimeout(() => {
       const seconds = String(SILENCE_LIMIT_MS / 1000);
-      reject(
-        new ModelError('load-failed', `No data came for ${seconds} seconds, so ${nameOf(url)} was given up.`),
-      );
+      reject(new ModelError('load-failed', `No data came for ${seconds} seconds, so ${nameOf(url)} was given up.`));
     }, SILENCE_LIMIT_MS);
   });
   try {

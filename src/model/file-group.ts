@@ -44,11 +44,9 @@ export function openFile(model: Blob, budget: ModelBudget): OpenedModel {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
       // Files can be changed or deleted after they were chosen.
-      throw new ModelError(
-        'load-failed',
-        `${name} could not be read. Was it moved or changed? Choose it again.`,
-        { cause },
-      );
+      throw new ModelError('load-failed', `${name} could not be read. Was it moved or changed? Choose it again.`, {
+        cause,
+      });
     }
   };
 
@@ -75,10 +73,7 @@ export const DROP_TOGETHER = 'Drop them together with it, or drop the folder tha
 /** Files that a model from the user's disk names did not come with it. */
 export class MissingFileError extends ModelError {
   constructor(model: string, names: readonly string[]) {
-    super(
-      'load-failed',
-      `${model} names files that did not come with it: ${listed(names)}. ${DROP_TOGETHER}`,
-    );
+    super('load-failed', `${model} names files that did not come with it: ${listed(names)}. ${DROP_TOGETHER}`);
   }
 }
 
@@ -109,5 +104,4 @@ function pathOf(uri: string, base: string): string | null {
 }
 
 /** A path's last part. Paths from Windows have backslashes. */
-const lastOf = (path: string): string =>
-  path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+const lastOf = (path: string): string => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);

@@ -62,8 +62,7 @@ export function formatOf(
   const byContent = FORMATS.find(({ matches }) => matches(bytes));
   if (byContent) return byContent;
   refuse(name, foreignContent(bytes, extension));
-  const byHint =
-    byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
+  const byHint = byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
   if (byHint) return byHint;
   refuse(name, foreignExtension(extension));
   throw new ModelError('bad-model', `The format is not supported: ${name}.`, {
@@ -72,9 +71,9 @@ export function formatOf(
 }
 
 /** For messages: names and extensions. */
-export const supportedFormats = FORMATS.map(
-  ({ name, extensions }) => `${name} (.${extensions.join(', .')})`,
-).join(', ');
+export const supportedFormats = FORMATS.map(({ name, extensions }) => `${name} (.${extensions.join(', .')})`).join(
+  ', ',
+);
 
 /** Extensions of files that can be shown, lower case. */
 export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
@@ -110,8 +109,6 @@ function isObj(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 4096)).split(/\r?\n|\r/);
   if (bytes.byteLength > 4096) start.pop(); // cut in the middle
   const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
-  const known = words.every(
-    (word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'),
-  );
+  const known = words.every((word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'));
   return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }

@@ -113,5 +113,4 @@ const losslessSize = (bits: number): ImageSize => ({
   height: 1 + ((bits >>> 14) & 0x3fff),
 });
 
-const uint24 = (view: DataView, at: number): number =>
-  view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;
+const uint24 = (view: DataView, at: number): number => view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;

@@ -35,18 +35,12 @@ export function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize
  * countImage}).
  * @throws if it cannot be decoded.
  */
-export async function decodeImage(
-  file: ImageFile,
-  size: ImageSize,
-  signal: AbortSignal,
-): Promise<ImageBitmap> {
+export async function decodeImage(file: ImageFile, size: ImageSize, signal: AbortSignal): Promise<ImageBitmap> {
   const pixels = Math.min(size.width * size.height, PIXELS_AT_ONCE);
   await acquire(pixels);
   try {
     const scale = scaledDown(size);
-    return isKtx2(file.bytes)
-      ? await decodeKtx2(file.bytes, scale, signal)
-      : await decodeByBrowser(file, size, scale);
+    return isKtx2(file.bytes) ? await decodeKtx2(file.bytes, scale, signal) : await decodeByBrowser(file, size, scale);
   } finally {
     release(pixels);
   }
@@ -75,10 +69,7 @@ async function decodeByBrowser(
 }
 
 function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {
-  const factor = Math.min(
-    IMAGE_SIDE_LIMIT / Math.max(width, height),
-    Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)),
-  );
+  const factor = Math.min(IMAGE_SIDE_LIMIT / Math.max(width, height), Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)));
   if (factor >= 1) return {};
   return {
     resizeWidth: Math.max(Math.floor(width * factor), 1),

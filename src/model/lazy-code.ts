@@ -20,5 +20,4 @@ export function lazyCode<T>(load: (failures: number) => Promise<T>, what: string
 }
 
 /** For uses that go on without the code. */
-export const reportMissing = (error: unknown): void =>
-  console.warn(`<phong-viewer>: ${(error as Error).message}`);
+export const reportMissing = (error: unknown): void => console.warn(`<phong-viewer>: ${(error as Error).message}`);

@@ -85,12 +85,7 @@ export async function modelContent(
   }
 }
 
-function openAddress(
-  url: URL,
-  options: LoadOptions,
-  budget: ModelBudget,
-  request: FileRequest | null,
-): OpenedModel {
+function openAddress(url: URL, options: LoadOptions, budget: ModelBudget, request: FileRequest | null): OpenedModel {
   let mediaType = '';
   const fetchBytes = byteFetcher(options, budget, (type) => {
     mediaType ||= type; // the first file is the model
@@ -159,10 +154,7 @@ const ESCAPED_SLASH = /%(2f|5c)/i;
 export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   const url = parsed(uri, model);
   if (!url)
-    throw new ModelError(
-      'load-failed',
-      `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`,
-    );
+    throw new ModelError('load-failed', `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`);
   if (anywhere && /^https?:$/.test(url.protocol)) return url;
   const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
   const below =

@@ -85,14 +85,11 @@ class Vertices {
   dispose(): void {
     const { geometry } = this;
     const moving = new Set(movingAttributes(geometry).map(([name]) => name));
-    for (const name of Object.keys(geometry.attributes))
-      if (!moving.has(name)) geometry.deleteAttribute(name);
+    for (const name of Object.keys(geometry.attributes)) if (!moving.has(name)) geometry.deleteAttribute(name);
     geometry.setIndex(null);
     geometry.dispose();
   }
 }
 
 const movingAttributes = ({ attributes }: BufferGeometry): [string, BufferAttribute][] =>
-  Object.entries(attributes as Record<string, BufferAttribute>).filter(
-    ([, { usage }]) => usage === DynamicDrawUsage,
-  );
+  Object.entries(attributes as Record<string, BufferAttribute>).filter(([, { usage }]) => usage === DynamicDrawUsage);

@@ -50,10 +50,7 @@ export class Slices {
   }
 
   /** The results of `work`, whose steps take at most 20 µs each, for all items. */
-  async map<Item, Result>(
-    items: readonly Item[],
-    work: (item: Item, i: number) => Result,
-  ): Promise<Result[]> {
+  async map<Item, Result>(items: readonly Item[], work: (item: Item, i: number) => Result): Promise<Result[]> {
     const results: Result[] = [];
     for (const [i, item] of items.entries()) {
       results.push(work(item, i));

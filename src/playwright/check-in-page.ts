@@ -26,8 +26,7 @@ export function changeByCss(viewer: Element): string | null {
   let node: Element | null = viewer.shadowRoot?.querySelector('[part=surface]') ?? viewer;
   while (node !== null) {
     const { filter, opacity } = getComputedStyle(node);
-    const change =
-      filter !== 'none' ? `filter: ${filter}` : Number(opacity) < 1 ? `opacity: ${opacity}` : null;
+    const change = filter !== 'none' ? `filter: ${filter}` : Number(opacity) < 1 ? `opacity: ${opacity}` : null;
     // Parts in the element's shadow root are the element's own for whoever reads the message.
     const name = node.getRootNode() === viewer.shadowRoot ? viewer.localName : node.localName;
     if (change !== null)

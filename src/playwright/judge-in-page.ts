@@ -106,8 +106,7 @@ export async function judgeInPage(
     wrongCount += 1;
     if (wrong.length < most) wrong.push({ x, y, drawn, least, greatest });
   }
-  if (JSON.stringify(viewer.camera) !== before)
-    throw new Error('the camera moved while the picture was judged');
+  if (JSON.stringify(viewer.camera) !== before) throw new Error('the camera moved while the picture was judged');
   const surface = Object.values(counts).reduce((sum, count) => sum + count, 0);
   return { counts, surface, sampled: looked / (width * height), wrong, wrongCount };
 }
@@ -164,9 +163,7 @@ const isStraight = ([center, a, b, c, d]: readonly Explained[]): boolean =>
     [a, b],
     [c, d],
   ].every(([one, other]) =>
-    center!.color.every(
-      (value, k) => 255 * Math.abs(value - (one!.color[k]! + other!.color[k]!) / 2) <= STRAIGHT,
-    ),
+    center!.color.every((value, k) => 255 * Math.abs(value - (one!.color[k]! + other!.color[k]!) / 2) <= STRAIGHT),
   );
 
 function rangeOf(points: Points): Pick<WrongPixel, 'least' | 'greatest'> {

@@ -65,12 +65,7 @@ function deadline(timeout: number): Within {
 /**
  * Whether a frame is drawn: on request, or by itself, which means motion. Requests reach only viewers that can be seen.
  */
-async function drawsFrame(
-  viewer: PhongViewer,
-  requested: boolean,
-  what: string,
-  within: Within,
-): Promise<boolean> {
+async function drawsFrame(viewer: PhongViewer, requested: boolean, what: string, within: Within): Promise<boolean> {
   const { frames } = viewer.stats;
   const frame = (): Promise<number> => within(what, new Promise(requestAnimationFrame));
   if (requested) {

@@ -34,8 +34,7 @@ export function verdictOf(judgement: Judgement, { codes, share }: Limits, seed: 
 function summaryOf({ counts, surface, sampled }: Judgement, seed: number): string {
   if (surface === 0) return 'The picture shows no surface.';
   const { judged, edges, steep, translucent, filtered } = counts;
-  const part =
-    sampled === 1 ? '' : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
+  const part = sampled === 1 ? '' : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
   const left = Object.entries({
     'at edges': edges,
     'where the colour changes fast': steep,

@@ -104,9 +104,7 @@ export function shade(
 ): Shaded {
   const N = normalize(fragment.normal);
   const V = normalize(subtract(fragment.eye, fragment.p));
-  const shares = lights.map((light) =>
-    light.active ? share(light, fragment, N, V, surface, options) : null,
-  );
+  const shares = lights.map((light) => (light.active ? share(light, fragment, N, V, surface, options) : null));
   return { N, V, ...sumOf(shares, surface, options.linear), shares };
 }
 
@@ -117,8 +115,7 @@ export function sumOf(
   linear = false,
 ): Pick<Shaded, 'sum' | 'color'> {
   let sum = unlit ? decoded(baseColor, linear) : decoded(emissive, linear);
-  for (const s of unlit ? [] : shares)
-    if (s !== null) sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
+  for (const s of unlit ? [] : shares) if (s !== null) sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
   if (linear) sum = map(sum, srgbEncode);
   return { sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)) };
 }
@@ -172,9 +169,7 @@ function share(
 
   const { ka, kd, ks } = coefficientsOf(surface, linear);
   const term = (name: (typeof terms)[number], k: Vec3, i: Vec3, factor: number): Vec3 =>
-    insideCone && terms.includes(name)
-      ? scale(multiply(k, decoded(scale(i, 1 / 255), linear)), factor * decay)
-      : BLACK;
+    insideCone && terms.includes(name) ? scale(multiply(k, decoded(scale(i, 1 / 255), linear)), factor * decay) : BLACK;
   return {
     L,
     d: positional ? d : Infinity,

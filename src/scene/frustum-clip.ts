@@ -195,14 +195,7 @@ function clip(from: Float64Array, corners: number, axis: 0 | 1, sign: number, to
 }
 
 /** Adds the point that lies `share` of the way between two corners. */
-function keep(
-  from: Float64Array,
-  start: number,
-  end: number,
-  share: number,
-  to: Float64Array,
-  left: number,
-): number {
+function keep(from: Float64Array, start: number, end: number, share: number, to: Float64Array, left: number): number {
   for (let i = 0; i < STRIDE; i++)
     to[STRIDE * left + i] = from[start + i]! + share * (from[end + i]! - from[start + i]!);
   return left + 1;

@@ -149,11 +149,7 @@ export class Picture {
   }
 
   /** Everything that a frame of this size shows, as it is now. `ownerOf` names the owner of a mesh. */
-  snapshot<Owner>(
-    { width, height }: Size,
-    samples: number,
-    ownerOf: (mesh: SceneMesh) => Owner,
-  ): SceneSnapshot<Owner> {
+  snapshot<Owner>({ width, height }: Size, samples: number, ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     this.make({ width, height }, samples);
     const { camera, shading } = this.frame;
     const owners = new Map<Object3D, Owner>();
@@ -169,13 +165,9 @@ export class Picture {
     this.lighting.dispose();
   }
 
-  get stats(): Pick<
-    ViewportStats,
-    'lightsActive' | 'lightsSent' | 'lightsSentByMesh' | 'uploads' | 'drawCalls'
-  > {
+  get stats(): Pick<ViewportStats, 'lightsActive' | 'lightsSent' | 'lightsSentByMesh' | 'uploads' | 'drawCalls'> {
     const { lighting } = this;
-    const reaching = (parts: SceneMesh['parts']): number =>
-      lighting.countReaching(parts.map(({ mesh }) => mesh));
+    const reaching = (parts: SceneMesh['parts']): number => lighting.countReaching(parts.map(({ mesh }) => mesh));
     const shown = [...this.meshes].filter(({ parts }) => parts.length > 0);
     return {
       lightsActive: lighting.packed.active,

@@ -32,8 +32,7 @@ test('viewers without an alt are reported once a page, by code fetched after the
   });
   const startOfCheck = (): Promise<number | undefined> =>
     page.evaluate(
-      () =>
-        performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))?.startTime,
+      () => performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))?.startTime,
     );
   await mount(viewer() + viewer() + viewer('alt="A box"'), size);
   await expect.poll(() => warnings).toEqual([WARNING]);
@@ -46,11 +45,7 @@ test('viewers without an alt are reported once a page, by code fetched after the
   await expect.poll(() => warnings).toHaveLength(2);
 });
 
-test('viewers that have a name, need none or are hidden are not reported', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('viewers that have a name, need none or are hidden are not reported', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/has no alt/, 0);
   const element = await mount(
     [

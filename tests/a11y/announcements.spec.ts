@@ -15,10 +15,7 @@ const A_WHILE = 1500;
 
 const region = (viewer: Locator): Locator => viewer.locator('.reader > [aria-live]');
 
-test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({
-  page,
-  mount,
-}) => {
+test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await expect(region(viewer)).toHaveCount(0);
   await page.keyboard.press('Tab');
@@ -55,10 +52,7 @@ test('a motion of many steps is announced once, when it has ended', async ({ mou
   await expect.poll(() => texts.evaluate((list) => [...list])).toEqual(once);
 });
 
-test('scripts and auto-rotate announce nothing, not even together with user input', async ({
-  page,
-  mount,
-}) => {
+test('scripts and auto-rotate announce nothing, not even together with user input', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await viewer.evaluate(async (element: PhongViewer) => {
     element.theta = 10;
@@ -75,9 +69,7 @@ test('scripts and auto-rotate announce nothing, not even together with user inpu
   await viewer.evaluate((element: PhongViewer) => {
     element.theta = 30;
     element.lights[1]!.diffuse = '#f00';
-    element
-      .shadowRoot!.querySelector('.surface')!
-      .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
+    element.shadowRoot!.querySelector('.surface')!.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
   });
   await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.');
 });

@@ -43,10 +43,7 @@ test('a comparison has its viewers and a divider between them as Tab stops, in t
   expect(await panes).toEqual([true, true]);
 });
 
-test('among linked viewers only the one that the user moves announces the camera', async ({
-  page,
-  mount,
-}) => {
+test('among linked viewers only the one that the user moves announces the camera', async ({ page, mount }) => {
   await mount(`${viewer('A', 'camera-group="x"')}${viewer('B', 'camera-group="x"')}`, {
     width: 300,
     height: 200,

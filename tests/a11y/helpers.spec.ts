@@ -41,16 +41,13 @@ test('the start of a move announces the keys, and its end the light’s position
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('Enter');
   await expect(viewer.locator('.helpers [aria-live=polite]')).toHaveText('');
-  await expect(viewer.locator('.reader [aria-live=polite]')).toHaveText(
-    /^lamp: point light, position \S+ 0.4/,
-  );
+  await expect(viewer.locator('.reader [aria-live=polite]')).toHaveText(/^lamp: point light, position \S+ 0.4/);
 });
 
 for (const background of firstOf(['#fff', '#777', '#000', '#00f', '#595959', '#fc8'], 2))
   test(`lights, arrows and names have a contrast of 3:1 on ${background}`, async ({ mount }) => {
     const lights = ['#00f', '#fc8', '#000', '#777', '#fff'].map(
-      (color, i) =>
-        `<phong-light name="${i}" diffuse="${color}" position="${(i - 2) * 0.6} 0.5 0 1"></phong-light>`,
+      (color, i) => `<phong-light name="${i}" diffuse="${color}" position="${(i - 2) * 0.6} 0.5 0 1"></phong-light>`,
     );
     const viewer = await mount(
       `<phong-viewer alt="Lights" helpers theta="0" phi="90" radius="4" target="0 0 0">${lights.join('')}
@@ -69,7 +66,6 @@ for (const background of firstOf(['#fff', '#777', '#000', '#00f', '#595959', '#f
     };
     const texts = await viewer.locator('svg text').all();
     const options = await viewer.getByRole('option').all();
-    for (const shape of [...options, ...texts])
-      expect(await across(shape), String(shape)).toBeGreaterThanOrEqual(3);
+    for (const shape of [...options, ...texts]) expect(await across(shape), String(shape)).toBeGreaterThanOrEqual(3);
     expect(await across(viewer.locator('svg path').last(), 2)).toBeGreaterThanOrEqual(3);
   });

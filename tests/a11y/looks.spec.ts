@@ -65,15 +65,12 @@ test('all targets in panel and message have at least 24 pixels', async ({ page, 
   });
   await nextFrame(page);
   const small = viewer.evaluate((element, least) => {
-    const controls = element.shadowRoot!.querySelectorAll(
-      'button, input, select, textarea, summary, a[href]',
-    );
+    const controls = element.shadowRoot!.querySelectorAll('button, input, select, textarea, summary, a[href]');
     return Array.from(controls).flatMap((control) => {
       // A label counts with its field.
       const { width, height } = (control.closest('label') ?? control).getBoundingClientRect();
       const isSmall = width > 0 && (width < least || height < least);
-      const name =
-        control.getAttribute('aria-label') ?? control.closest('.lil-controller')?.textContent ?? '';
+      const name = control.getAttribute('aria-label') ?? control.closest('.lil-controller')?.textContent ?? '';
       return isSmall ? [`${name} <${control.localName}> ${width} × ${height}`] : [];
     });
   }, TARGET);

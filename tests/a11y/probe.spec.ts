@@ -32,10 +32,7 @@ test('the cross-hair has a name, a role and a description of its keys, and its v
   await expect(region(viewer)).toHaveAttribute('aria-live', 'polite');
 });
 
-test('announcements are at least a second apart, and the last one is of the last point', async ({
-  page,
-  mount,
-}) => {
+test('announcements are at least a second apart, and the last one is of the last point', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await pointerAway(page);
   const times = await region(viewer).evaluateHandle((live) => {
@@ -94,10 +91,7 @@ test('axe finds no problem, hovering, pinned and at 120 × 90', async ({ page, m
   }
 });
 
-test('the focus moves to the cross-hair when the focused row or button disappears', async ({
-  page,
-  mount,
-}) => {
+test('the focus moves to the cross-hair when the focused row or button disappears', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await page.mouse.click(300, 150);
   const button = viewer.getByRole('table').getByRole('button', { name: 'lamp' });

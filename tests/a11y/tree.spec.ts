@@ -87,10 +87,7 @@ test('only keys that have an effect are listed and described; without any, a vie
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
 });
 
-test('a fixed viewer that is decoration, or any that its author hides, is not read', async ({
-  page,
-  mount,
-}) => {
+test('a fixed viewer that is decoration, or any that its author hides, is not read', async ({ page, mount }) => {
   const attributes = ['alt=""', 'role="presentation"', 'aria-hidden="true"'];
   await mount(attributes.map((each) => viewer(`${each} ${fixed}`)).join(''));
   expect(await accessibleNodes(page)).toEqual([]);
@@ -128,11 +125,7 @@ test("the author's role, aria-label and tabindex are left as they are", async ({
   );
   expect(facts).toEqual(['figure', 'Mine', '-1']);
   const plain = page.locator('phong-viewer').last();
-  expect(await plain.evaluate((target) => target.getAttributeNames())).toEqual([
-    'geometry',
-    'alt',
-    'tabindex',
-  ]);
+  expect(await plain.evaluate((target) => target.getAttributeNames())).toEqual(['geometry', 'alt', 'tabindex']);
   await page.keyboard.press('Tab');
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
 });

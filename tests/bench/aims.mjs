@@ -139,24 +139,13 @@ export const AIMS = [
     const subject = firstModelSubject(model);
     return aim(subject, subject, FIRST_PICTURE, both(/PLY|STL|images/.test(model) ? 1.5 : 1.15));
   }),
-  aim(
-    'moving one of 10,000 boxes to three.js, script',
-    'script, moving one of 10,000 boxes',
-    SCRIPT,
-    both(2.8),
-  ),
+  aim('moving one of 10,000 boxes to three.js, script', 'script, moving one of 10,000 boxes', SCRIPT, both(2.8)),
   aim('start, 2,000 boxes', 'start, 2,000 boxes', FIRST_PICTURE, both(1.5)),
   aim('start, 10,000 boxes', 'start, 10,000 boxes', FIRST_PICTURE, both(4)),
   aim('start, 64 viewers', 'start, 64 viewers', FIRST_PICTURE, both(1.2)),
   aim('connecting 5,000 lights, ms', 'connecting 5,000 lights', 'time', both(1000), VALUE),
   aim('toggling one of 5,000 lights, µs', 'script, toggling one of 5,000 lights', SCRIPT, both(2000), VALUE),
-  aim(
-    'moving a mesh beside 1 M triangles, µs',
-    'script, mesh moved beside 1 M triangles',
-    SCRIPT,
-    both(1000),
-    VALUE,
-  ),
+  aim('moving a mesh beside 1 M triangles, µs', 'script, mesh moved beside 1 M triangles', SCRIPT, both(1000), VALUE),
   aim('20 turning viewers, frame rate to one viewer’s', '20 turning viewers', 'frame rate', both(0.7), {
     least: true,
   }),

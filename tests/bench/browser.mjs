@@ -129,8 +129,7 @@ export async function processesOf(browser, type) {
 }
 
 /** The GPU process; null where CPU time is unknown. @param {Browser} browser */
-export const gpuProcess = async (browser) =>
-  hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null;
+export const gpuProcess = async (browser) => (hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null);
 
 /**
  * Milliseconds that frames take: the GPU's own, or where a CPU draws the CPU time of the GPU process.

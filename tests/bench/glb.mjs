@@ -31,9 +31,7 @@ export class Gltf {
     const start = this.#length;
     this.#parts.push({ start, bytes });
     this.#length += padded(bytes.length);
-    return (
-      this.json.bufferViews.push({ buffer: 0, byteOffset: start, byteLength: bytes.length, ...more }) - 1
-    );
+    return this.json.bufferViews.push({ buffer: 0, byteOffset: start, byteLength: bytes.length, ...more }) - 1;
   }
 
   /** @param {ArrayBufferView} data @param {object} accessor @param {object} [view] @returns {number} */

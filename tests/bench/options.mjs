@@ -47,8 +47,7 @@ export function readOptions(args = process.argv.slice(2)) {
       .map((part) => part.trim())
       .filter((part) => part !== '');
   const size = /^(\d+)x(\d+)$/.exec(values.size);
-  if (values.size !== '' && size === null)
-    refuse(`--size takes pixels such as 480x360, not '${values.size}'`);
+  if (values.size !== '' && size === null) refuse(`--size takes pixels such as 480x360, not '${values.size}'`);
   return {
     ...values,
     only: split(values.only, ';'),

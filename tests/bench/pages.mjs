@@ -59,10 +59,7 @@ const PAGES = {
     ...['babylon-viewer', 'engine="WebGL"', 'source', 'modelchange'],
   ),
   'start-model-element': modelPage(STANDALONE, 'phong-viewer', 'alt="A model"', 'src', 'load'),
-  'start-model-google': modelPage(
-    './peers/model-viewer.min.js',
-    ...['model-viewer', 'alt="A model"', 'src', 'load'],
-  ),
+  'start-model-google': modelPage('./peers/model-viewer.min.js', ...['model-viewer', 'alt="A model"', 'src', 'load']),
   'start-model-three': ['./start-model-three.ts', HOLDER, `${MODEL} #holder { ${SIZE} }`],
   'start-viewers-element': ['./start-viewers-element.ts', '', VIEWERS],
   'start-viewers-three': ['./start-viewers-three.ts', '', VIEWERS],

@@ -162,9 +162,7 @@ function modelTables(results) {
   return results.flatMap((result) => {
     const rows = Object.keys(MODELS).map((model) => [
       model,
-      ...columns.map(([, measure, network]) =>
-        besideBest(rowOf(result, modelSubject(model, network), measure)),
-      ),
+      ...columns.map(([, measure, network]) => besideBest(rowOf(result, modelSubject(model, network), measure))),
     ]);
     if (rows.every((cells) => cells.slice(1).every((cell) => cell === '–'))) return [];
     const medians = columns.map(([, measure, network]) => {

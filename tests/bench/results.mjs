@@ -44,8 +44,7 @@ export function addSamples(result, subject, measure, unit, values) {
     row = { subject, measure, unit, samples: {} };
     result.measures.push(row);
   }
-  for (const [side, value] of Object.entries(values))
-    (row.samples[side] ??= []).push(Number(value.toPrecision(4)));
+  for (const [side, value] of Object.entries(values)) (row.samples[side] ??= []).push(Number(value.toPrecision(4)));
 }
 
 /**

@@ -106,9 +106,7 @@ const MODEL_PAGES = {
 
 /** @type {Readonly<Record<string, Subject>>} */
 export const SUBJECTS = {
-  ...Object.fromEntries(
-    SPHERE_LIGHTS.map((count) => [`sphere, ${lights(count)}`, frames(`sphere:${count}`)]),
-  ),
+  ...Object.fromEntries(SPHERE_LIGHTS.map((count) => [`sphere, ${lights(count)}`, frames(`sphere:${count}`)])),
   // Beyond what MeshPhongMaterial can draw.
   'sphere, 1,024 lights': frames('sphere:1024', ['element']),
   'box room, 8 lights': frames('room:8'),

@@ -72,9 +72,7 @@ export async function fuzzModels(
     expect(await pictureOf(viewer), `the picture after ${which}`).toBe(before);
   }
   expect(requests.filter((path) => !path.startsWith('/fuzz/') && !path.startsWith('/dist/'))).toEqual([]);
-  console.log(
-    `seed ${seed}: ${count} files, ${JSON.stringify(outcomes)}, grew by at most ${most.toFixed()} MB`,
-  );
+  console.log(`seed ${seed}: ${count} files, ${JSON.stringify(outcomes)}, grew by at most ${most.toFixed()} MB`);
 }
 
 /** The type of the event that ends the load, or the code of the error. */

@@ -119,12 +119,7 @@ export function channelsGlb(channels: number, keys: number, animations = 1): Buf
 }
 
 /** Nodes that have `count` instances each, in the origin, of a mesh of `primitives` triangles. */
-export function instancingGlb(
-  count: number,
-  primitives: number,
-  nodes: number,
-  attributes: readonly string[],
-): Buffer {
+export function instancingGlb(count: number, primitives: number, nodes: number, attributes: readonly string[]): Buffer {
   const lists = Object.fromEntries(attributes.map((name) => [name, name === 'ROTATION' ? 2 : 1]));
   const node = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: lists } } };
   return triangleGlb({
@@ -144,10 +139,7 @@ export function longListGlb(list: string, length: number): Buffer {
   const skins = [{ joints: [0] }];
   const document = triangleDocument({ materials: [{}], textures: [], skins, animations: [] });
   const entries = document[list] as readonly Json[];
-  return glbOf(
-    { ...document, [list]: [...entries, ...Array<Json>(length).fill(entries[0] ?? {})] },
-    TRIANGLE,
-  );
+  return glbOf({ ...document, [list]: [...entries, ...Array<Json>(length).fill(entries[0] ?? {})] }, TRIANGLE);
 }
 
 /** A fan: triangles of `corners` corners in all that meet at vertex 0, whose normals have no direction. */
@@ -239,10 +231,7 @@ const CONSTRUCTED: readonly Construct[] = [
     const [channels, keys] = [whole(random, 1, 2e4), whole(random, 1, 2e7)];
     const animations = whole(random, 1, 100);
     const times = Math.max(1, Math.floor(Math.min(animations, 1e5 / channels)));
-    return [
-      `${times} animations of ${channels} channels over ${keys} keyframes`,
-      channelsGlb(channels, keys, times),
-    ];
+    return [`${times} animations of ${channels} channels over ${keys} keyframes`, channelsGlb(channels, keys, times)];
   },
   (random) => {
     const [count, primitives, nodes] = [whole(random, 1, 1e9), whole(random, 1, 1e4), whole(random, 1, 3e4)];
@@ -272,10 +261,7 @@ const CONSTRUCTED: readonly Construct[] = [
   (random) => {
     const [faces, points] = [whole(random, 1, 2e9), whole(random, 1, 2e9)];
     const claimed = random.chance(0.5) ? { faces: 1, points: 3 } : { faces, points };
-    return [
-      `Draco data of ${faces} and ${points}, claimed ${claimed.faces}`,
-      dracoGlb(faces, points, claimed),
-    ];
+    return [`Draco data of ${faces} and ${points}, claimed ${claimed.faces}`, dracoGlb(faces, points, claimed)];
   },
   (random) => {
     const byteStride = random.pick([1, 2, 3, 5, 7, 13, 252, 255, 1e6, 2 ** 31, -4, 0.5]);

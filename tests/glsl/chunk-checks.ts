@@ -56,8 +56,7 @@ const power = (x: number, y: number, k: number): number => {
   return y < 0.25 ? Math.exp(k * Math.log1p(-y)) : x ** k;
 };
 
-const isInside = (q: number, p: number, limit: number): number =>
-  (limit < 0 ? p >= -limit : q <= limit) ? 1 : 0;
+const isInside = (q: number, p: number, limit: number): number => ((limit < 0 ? p >= -limit : q <= limit) ? 1 : 0);
 
 const CHECKS: readonly Check[] = [
   {
@@ -124,8 +123,7 @@ const CHECKS: readonly Check[] = [
     bound: 0,
   },
   {
-    title:
-      'insideCone does the same where the features name the side, and lets all through where it has no cone',
+    title: 'insideCone does the same where the features name the side, and lets all through where it has no cone',
     glsl: `
       int features = a.z < 0.0 ? FEATURE_WIDE : FEATURE_NARROW;
       result.xy = vec2(insideCone(a.x, a.y, a.z, features), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
@@ -164,8 +162,7 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title:
-      'spotDecay takes a cosine for mild cutoffs from 1, also where rounding made it less than -1 or more than 1',
+    title: 'spotDecay takes a cosine for mild cutoffs from 1, also where rounding made it less than -1 or more than 1',
     glsl: `
       result.x = spotDecay(1.0 - a.x, a.x, a.y, int(a.y) << FEATURE_POWER_SHIFT);
       result.y = spotDecay(1.0 - a.x, a.x, a.z, FEATURE_DECAY);`,
@@ -205,9 +202,7 @@ const CHECKS: readonly Check[] = [
   {
     title: 'srgbDecode follows the curve, and gives 0 for less than 0',
     glsl: 'result.x = srgbDecode(vec3(a.x)).x;',
-    inputs: (random) => [
-      [f(random.pick([-0.1, 0, 0.04045, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
-    ],
+    inputs: (random) => [[f(random.pick([-0.1, 0, 0.04045, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))]],
     expected: ([e]) => [srgbDecode(e!)],
     // 100 is decoded to 2^16, where exp2 may err by 35 ULP.
     bound: 1e-5,
@@ -216,9 +211,7 @@ const CHECKS: readonly Check[] = [
   {
     title: 'srgbEncode follows the curve, and gives 0 for less than 0',
     glsl: 'result.x = srgbEncode(vec3(a.x)).x;',
-    inputs: (random) => [
-      [f(random.pick([-0.1, 0, 0.0031308, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
-    ],
+    inputs: (random) => [[f(random.pick([-0.1, 0, 0.0031308, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))]],
     expected: ([l]) => [srgbEncode(l!)],
     bound: 6e-6,
     floor: 1e-6,

@@ -123,8 +123,7 @@ const AT_RUN_TIME: Readonly<Record<string, string | null>> = {
 
 /** Defines that leave code out but change no number, or that are what a form is: no part of a program's name. */
 const isTrait = (name: string): boolean =>
-  name === 'INTEGER_SHININESS' ||
-  !(name in AT_RUN_TIME || NO_TRAITS.includes(name) || name.startsWith('HAS_'));
+  name === 'INTEGER_SHININESS' || !(name in AT_RUN_TIME || NO_TRAITS.includes(name) || name.startsWith('HAS_'));
 
 const NO_TRAITS = ['REFLECTION_BLINN_PHONG', 'DECLARED_FEATURES'];
 
@@ -143,8 +142,6 @@ function loopProgram(form: LoopForm, variant: Defines): LoopProgram {
     ([name, value]) =>
       name in variant && typeof value === 'string' ? [`${name} ${value.replace(/\n\s*/g, ' ')}`] : [],
   );
-  const name = [form, ...Object.keys(variant).filter(isTrait), ...withoutFeatures(Number(declared))].join(
-    ' ',
-  );
+  const name = [form, ...Object.keys(variant).filter(isTrait), ...withoutFeatures(Number(declared))].join(' ');
   return { form, name, defines };
 }

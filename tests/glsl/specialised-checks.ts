@@ -24,9 +24,7 @@ function lobeInputs(random: Random): readonly [number[], number[]] {
   return [[...float32(L)], [...float32(normalize(V))]];
 }
 
-const phong: Check['expected'] = ([x, y, z], V) => [
-  Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8,
-];
+const phong: Check['expected'] = ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8];
 const blinn: Check['expected'] = ([x, y, z], V) => [
   Math.max(normalize(add([x!, y!, z!], V as unknown as Vec3))[2], 0) ** 8,
 ];
@@ -40,8 +38,7 @@ function blinnInputs(random: Random): readonly [number[], number[]] {
     const inputs = lobeInputs(random);
     const [L, V] = inputs;
     const isView = Math.hypot(...V) > 0;
-    if (!isView || Math.hypot(...add(L as unknown as Vec3, V as unknown as Vec3)) > BRANCHES.half)
-      return inputs;
+    if (!isView || Math.hypot(...add(L as unknown as Vec3, V as unknown as Vec3)) > BRANCHES.half) return inputs;
   }
 }
 

@@ -58,13 +58,11 @@ export async function runGlsl({ sample, seed, jobs, only, onResult }) {
   /** @type {Mutant[]} */
   let mutants = [];
   for (const chunk of chunks()) {
-    if (await first.page.evaluate((text) => window.isRun(text), chunk.text))
-      mutants.push(...mutantsOf(chunk));
+    if (await first.page.evaluate((text) => window.isRun(text), chunk.text)) mutants.push(...mutantsOf(chunk));
     else notRun.push(chunk.name);
   }
   mutants = mutants.filter(({ name }) => name.includes(only));
-  if (sample > 0)
-    mutants = mutants.sort((a, b) => drawn(a.name, seed) - drawn(b.name, seed)).slice(0, sample);
+  if (sample > 0) mutants = mutants.sort((a, b) => drawn(a.name, seed) - drawn(b.name, seed)).slice(0, sample);
 
   /** @type {Result[]} */
   const results = [];
@@ -101,9 +99,7 @@ async function openPage(address) {
     async run({ from, to }) {
       const late = setTimeout(LONGEST_MS, null, { ref: false });
       const given = { edit: { from, to }, extent: EXTENT };
-      const tried = page
-        .evaluate(({ edit, extent }) => window.tryMutant(edit, extent), given)
-        .catch(() => null);
+      const tried = page.evaluate(({ edit, extent }) => window.tryMutant(edit, extent), given).catch(() => null);
       const outcome = /** @type {Omit<Result, 'name'> | null} */ (await Promise.race([tried, late]));
       if (outcome === null) await browser.close();
       return outcome;

@@ -26,7 +26,5 @@ const loose = module.GUARDS.filter((_, i) => {
 });
 await vitest.close();
 for (const { behaviour, test } of loose) console.error(`No test of ${test} fails without this: ${behaviour}`);
-console.log(
-  `${module.GUARDS.length - loose.length} of ${module.GUARDS.length} guarded behaviours are tested`,
-);
+console.log(`${module.GUARDS.length - loose.length} of ${module.GUARDS.length} guarded behaviours are tested`);
 process.exit(loose.length > 0 ? 1 : 0);

@@ -86,14 +86,9 @@ export const GUARDS: readonly Guard[] = [
   guard<typeof drag>('zooming stops at its limits', 'camera/drag', 'camera-laws', () => ({
     zoomBy: (noted, factor) => ({ ...noted, radius: noted.radius * factor }),
   })),
-  guard<typeof drag>(
-    'shifting keeps the point under the pointer',
-    'camera/drag',
-    'camera-laws',
-    ({ shift }) => ({
-      shift: (noted, dx, dy, view) => shift(noted, dx * 1.01, dy, view),
-    }),
-  ),
+  guard<typeof drag>('shifting keeps the point under the pointer', 'camera/drag', 'camera-laws', ({ shift }) => ({
+    shift: (noted, dx, dy, view) => shift(noted, dx * 1.01, dy, view),
+  })),
   guard<typeof fit>(
     'the fit considers the smaller of both fields of view',
     'camera/fit',
@@ -112,22 +107,12 @@ export const GUARDS: readonly Guard[] = [
   guard<typeof nearDepth>('nothing in view is cut', 'scene/near-depth', 'near-depth', () => ({
     nearestDepth: (_root, _view, limit) => limit,
   })),
-  guard<typeof step>(
-    'many small wheel turns zoom as far as one large one',
-    'camera/step',
-    'camera-laws',
-    () => ({
-      wheelZoom: (noted, { deltaY }) => ({ ...noted, radius: noted.radius * (1 + deltaY / 1000) }),
-    }),
-  ),
-  guard<typeof turntable>(
-    'turning for ever keeps the angle small',
-    'camera/turntable',
-    'camera-turntable',
-    () => ({
-      turnedBy: (speed, milliseconds) => (speed * milliseconds) / 1000,
-    }),
-  ),
+  guard<typeof step>('many small wheel turns zoom as far as one large one', 'camera/step', 'camera-laws', () => ({
+    wheelZoom: (noted, { deltaY }) => ({ ...noted, radius: noted.radius * (1 + deltaY / 1000) }),
+  })),
+  guard<typeof turntable>('turning for ever keeps the angle small', 'camera/turntable', 'camera-turntable', () => ({
+    turnedBy: (speed, milliseconds) => (speed * milliseconds) / 1000,
+  })),
   guard<typeof attributeText>(
     'a number followed by anything else is refused',
     'element/fields/attribute-text',
@@ -136,29 +121,14 @@ export const GUARDS: readonly Guard[] = [
       parseText: (text, of) => parseText(text, of) ?? (Number.parseFloat(text) || undefined),
     }),
   ),
-  guard<typeof fieldStore>(
-    'a value is compared by what it holds',
-    'fields/field-store',
-    'field-store',
-    () => ({
-      sameValue: (a: unknown, b: unknown) => a === b,
-    }),
-  ),
-  guard<typeof linkedUrls>(
-    'a model’s files come from its own folder',
-    'model/model-content',
-    'model-sources',
-    () => ({
-      linkedUrl: (uri, model) => new URL(uri, model),
-    }),
-  ),
-  guard<typeof sampling>(
-    'textures are interpolated',
-    'scene/snapshot/sample',
-    'sample',
-    ({ sampleTexture }) => ({
-      sampleTexture: (texels, map, u, v) =>
-        sampleTexture(texels, map, (Math.floor(u * texels.width) + 0.5) / texels.width, v),
-    }),
-  ),
+  guard<typeof fieldStore>('a value is compared by what it holds', 'fields/field-store', 'field-store', () => ({
+    sameValue: (a: unknown, b: unknown) => a === b,
+  })),
+  guard<typeof linkedUrls>('a model’s files come from its own folder', 'model/model-content', 'model-sources', () => ({
+    linkedUrl: (uri, model) => new URL(uri, model),
+  })),
+  guard<typeof sampling>('textures are interpolated', 'scene/snapshot/sample', 'sample', ({ sampleTexture }) => ({
+    sampleTexture: (texels, map, u, v) =>
+      sampleTexture(texels, map, (Math.floor(u * texels.width) + 0.5) / texels.width, v),
+  })),
 ];

@@ -6,14 +6,7 @@
 import { writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
-import {
-  numberOption,
-  Progress,
-  readCommandLine,
-  readJson,
-  refuse,
-  timeText,
-} from '../support/command-line.mjs';
+import { numberOption, Progress, readCommandLine, readJson, refuse, timeText } from '../support/command-line.mjs';
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
 
 /**
@@ -67,8 +60,7 @@ const start = performance.now();
 if (sample > 0) console.log(`A sample of about ${sample} mutants, seed ${seed}`);
 
 const results = [...(await typeScriptResults()), ...(await glslResults())];
-if (options.list)
-  for (const { name, status } of results) if (status === 'survived') console.log(`survived: ${name}`);
+if (options.list) for (const { name, status } of results) if (status === 'survived') console.log(`survived: ${name}`);
 /** @type {Record<string, Score>} */
 const measured = {};
 let fell = false;
@@ -140,8 +132,7 @@ function isIn(folder, name) {
 
 /** @param {readonly Result[]} list @returns {Score} */
 function scoreOf(list) {
-  const count = (/** @type {Result['status']} */ wanted) =>
-    list.filter(({ status }) => status === wanted).length;
+  const count = (/** @type {Result['status']} */ wanted) => list.filter(({ status }) => status === wanted).length;
   const [killed, notCompiled] = [count('killed'), count('did not compile')];
   const mutants = list.length - notCompiled;
   // Rounded down: what is recorded was reached.

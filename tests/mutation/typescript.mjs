@@ -31,14 +31,7 @@ export async function runTypeScript({ files, share, seed, jobs }) {
     concurrency: jobs,
     // Neither in node_modules, which Vitest ignores, nor in test-results, which Playwright empties.
     tempDirName: mkdtempSync(join(tmpdir(), 'phong-viewer-mutation-')),
-    ignorePatterns: [
-      'dist*',
-      'demo',
-      'test-results',
-      'tests/bench',
-      'tests/*/results',
-      'tests/visual/baselines',
-    ],
+    ignorePatterns: ['dist*', 'demo', 'test-results', 'tests/bench', 'tests/*/results', 'tests/visual/baselines'],
     allowConsoleColors: false,
     logLevel: /** @type {import('@stryker-mutator/api/core').LogLevel} */ ('warn'),
   });

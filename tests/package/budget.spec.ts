@@ -79,9 +79,7 @@ test('a bundled page that imports only the lights from core gets nothing of thre
 });
 
 test('@release the React components with the standalone file bring no second copy of the elements or of three.js', async () => {
-  const app = await bundleOf(
-    `export * from ${JSON.stringify(join(outputFolder('dist'), 'react-standalone.js'))};`,
-  );
+  const app = await bundleOf(`export * from ${JSON.stringify(join(outputFolder('dist'), 'react-standalone.js'))};`);
   // The standalone file, 0.7 kB of components, and 3 kB of React.
   expect(brotliSize(app) - sentSize(['phong-viewer.standalone.js'])).toBeLessThan(5000);
 });
@@ -100,10 +98,7 @@ test('the first files hold only characters that browsers keep as one byte', () =
   }
 });
 
-test('core and reference are one file each, and reference does not import three.js', async ({
-  page,
-  site,
-}) => {
+test('core and reference are one file each, and reference does not import three.js', async ({ page, site }) => {
   const requests = new Requests(page);
   const { csp = '', head = '' } = usages.modules;
   const importMap = head.replace(/<script type="module".*/, '');

@@ -14,10 +14,7 @@ interface BundleOptions {
 }
 
 /** The code that a page fetches at start, minified. Imports are resolved from the repository's root. */
-export async function bundleOf(
-  script: string,
-  { whole = false, define = {} }: BundleOptions = {},
-): Promise<string> {
+export async function bundleOf(script: string, { whole = false, define = {} }: BundleOptions = {}): Promise<string> {
   const built = await build({
     root: repository,
     configFile: false,

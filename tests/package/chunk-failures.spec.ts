@@ -16,8 +16,7 @@ type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
 async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
   if (use === 'toBlob') return viewer.toBlob({ width: 8, height: 8 }).then(() => null, String);
   if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
-  if (use === 'shadeAt on')
-    return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
+  if (use === 'shadeAt on') return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
   const said: string[] = [];
   viewer.addEventListener('error', ({ detail }) => said.push(`${detail.code}: ${detail.message}`), {
     once: true,
@@ -37,11 +36,7 @@ const parts: readonly (readonly [chunk: string, use: Use, sentence: RegExp])[] =
   ['shade-at', 'shadeAt beside', /The code of shadeAt could not be fetched/],
   ['reference', 'shadeAt on', /The code of shadeAt could not be fetched/],
   ['solids', 'torus', /^load-failed: The code of the solid shapes could not be fetched/],
-  [
-    'model-(content|shared)',
-    '/fixtures/models/textured.glb',
-    /^load-failed: The code of models could not be fetched/,
-  ],
+  ['model-(content|shared)', '/fixtures/models/textured.glb', /^load-failed: The code of models could not be fetched/],
   ['read-obj', '/fixtures/models/quads.obj', /^load-failed: The code .*OBJ.* could not be fetched/],
   ['draco(-worker)?', '/assets/models/bunny.glb', /^load-failed: The Draco decoder.* could not be fetched/],
 ];
@@ -77,9 +72,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     consoleGuard,
   }) => {
     consoleGuard.allow(/error: Failed to load resource/);
-    const said = consoleGuard.allow(
-      /warning: <phong-viewer>: .*The code of (the control panel|views) could not/,
-    );
+    const said = consoleGuard.allow(/warning: <phong-viewer>: .*The code of (the control panel|views) could not/);
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
     for (const [chunk, values, shown] of [

@@ -33,9 +33,7 @@ function handout(text: string): string {
   return pathToFileURL(path).href;
 }
 
-test('a page opened from disk shows the picture, with the script before or after the element', async ({
-  page,
-}) => {
+test('a page opened from disk shows the picture, with the script before or after the element', async ({ page }) => {
   for (const text of [classic + scene, scene + classic]) {
     await page.goto(handout(text));
     await allReady(page);
@@ -45,9 +43,7 @@ test('a page opened from disk shows the picture, with the script before or after
   }
 });
 
-test('a page opened from disk has every shape, the panel, shadeAt and toBlob, without a request', async ({
-  page,
-}) => {
+test('a page opened from disk has every shape, the panel, shadeAt and toBlob, without a request', async ({ page }) => {
   const requests: string[] = [];
   page.on('request', (request) => requests.push(new URL(request.url()).pathname.split('/').at(-1)!));
   const shapes = ['cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
@@ -80,10 +76,7 @@ test('a page opened from disk shows a model that it contains', async ({ page }) 
   expect(data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length).toBeGreaterThan(0.1 * 60 * 40);
 });
 
-test('a model beside a page opened from disk is an error that names a server', async ({
-  page,
-  consoleGuard,
-}) => {
+test('a model beside a page opened from disk is an error that names a server', async ({ page, consoleGuard }) => {
   // The browser's own words: two lines of a browser with windows, one of a headless shell.
   consoleGuard.allow(
     /^error: (Access to fetch at 'file:.* blocked by CORS policy|Failed to load resource|Fetch API cannot load file:)/,

@@ -67,9 +67,7 @@ test.describe('the packed package', () => {
     // One `*` stands for any language.
     const isThere = (name: string): boolean => {
       const [start = '', end] = name.split('*');
-      return present.some((path) =>
-        end === undefined ? path === name : path.startsWith(start) && path.endsWith(end),
-      );
+      return present.some((path) => (end === undefined ? path === name : path.startsWith(start) && path.endsWith(end)));
     };
     const named = Object.values(manifest.exports).flatMap((entry) =>
       typeof entry === 'string' ? [entry] : Object.values(entry),
@@ -93,9 +91,7 @@ test.describe('the packed package', () => {
         return [...imports].flatMap(([, names = '', from = '']) => {
           const source = readFileSync(join(folder, dirname(name), `${from}.d.ts`), 'utf8');
           const wanted = names.split(',').map((one) => one.replace(/^\s*type |\s+as .*$/g, '').trim());
-          return wanted.filter(
-            (one) => one !== '' && !new RegExp(`^export .*\\b${one}\\b`, 'm').test(source),
-          );
+          return wanted.filter((one) => one !== '' && !new RegExp(`^export .*\\b${one}\\b`, 'm').test(source));
         });
       });
     expect(missing).toEqual([]);
@@ -140,9 +136,7 @@ test.describe('dist/', () => {
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
       if (/^(phong-viewer\.|chunks)/.test(path)) expect(bare, path).toEqual([]);
-      else
-        for (const name of bare)
-          expect(name, path).toMatch(/^(three|lit$|lil-gui|react$|@playwright\/test$)/);
+      else for (const name of bare) expect(name, path).toMatch(/^(three|lit$|lil-gui|react$|@playwright\/test$)/);
     }
   });
 

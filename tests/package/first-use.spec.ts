@@ -19,10 +19,7 @@ const set =
 const explain =
   (x: number, y: number): Act =>
   (viewer) =>
-    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at)) === null, [
-      x,
-      y,
-    ] as const);
+    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at)) === null, [x, y] as const);
 
 const drawOften: Act = (viewer) =>
   viewer.evaluate(async (element: PhongViewer) => {
@@ -35,8 +32,7 @@ const drawOften: Act = (viewer) =>
 const readOnce: Act = (viewer) =>
   viewer.evaluate((element: PhongViewer) => [element.toHTML(), element.camera, element.stats].length);
 
-const capture: Act = (viewer) =>
-  viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
+const capture: Act = (viewer) => viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
 
 const drag: Act = async (_, page) => {
   await page.mouse.move(75, 50);

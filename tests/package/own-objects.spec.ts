@@ -45,10 +45,7 @@ test('objects of another three.js with a ShaderMaterial are drawn, instances wit
       fragmentShader: 'varying vec3 vColor; void main() { gl_FragColor = vec4(vColor, 1.0); }',
     });
     const geometry = new PlaneGeometry(0.5, 0.5);
-    geometry.setAttribute(
-      'color',
-      new BufferAttribute(Float32Array.from([0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]), 3),
-    );
+    geometry.setAttribute('color', new BufferAttribute(Float32Array.from([0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]), 3));
     const planes = new InstancedMesh(geometry, colored, 2);
     planes.setMatrixAt(0, new Matrix4().makeTranslation(-1, 0, 0));
     planes.setMatrixAt(1, new Matrix4().makeTranslation(1, 0, 0));

@@ -87,9 +87,7 @@ test.describe('toShowTheEquation', () => {
     });
   }
 
-  test('accepts viewers that are moved by CSS, on dense screens, at any fraction of a pixel', async ({
-    mount,
-  }) => {
+  test('accepts viewers that are moved by CSS, on dense screens, at any fraction of a pixel', async ({ mount }) => {
     const viewer = await mount(`<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`, {
       css: 'main { rotate: 20deg; margin: 60.3px } phong-viewer { width: 70.4px; height: 50.7px; border: 3px solid; padding: 2px; zoom: 1.3 }',
       deviceScaleFactor: 2,
@@ -98,14 +96,11 @@ test.describe('toShowTheEquation', () => {
   });
 
   for (const antialias of ['edges', 'full'])
-    test(`judges enough of every shape as it is by default, with antialias="${antialias}"`, async ({
-      mount,
-    }) => {
+    test(`judges enough of every shape as it is by default, with antialias="${antialias}"`, async ({ mount }) => {
       test.slow();
       const shapes = firstOf(ROUND, 3);
       const viewers = shapes.map(
-        (geometry) =>
-          `<phong-viewer geometry="${geometry}" antialias="${antialias}" samples="16"></phong-viewer>`,
+        (geometry) => `<phong-viewer geometry="${geometry}" antialias="${antialias}" samples="16"></phong-viewer>`,
       );
       const first = await mount(viewers.join(''), { width: 300, height: 200 });
       const all = first.page().locator('phong-viewer');
@@ -164,9 +159,7 @@ test.describe('toShowTheEquation', () => {
     const advice = "expected a locator of a <phong-viewer>, such as page.locator('phong-viewer')";
     expect(await refusal(page as unknown as Locator)).toContain(`${advice}, got a Page`);
     expect(await refusal(undefined as unknown as Locator)).toContain(`${advice}, got undefined`);
-    expect(await refusal(page.locator('main'))).toContain(
-      `${advice}: locator('main') is a <main> with 1 inside`,
-    );
+    expect(await refusal(page.locator('main'))).toContain(`${advice}: locator('main') is a <main> with 1 inside`);
     expect(await refusal(page.locator('p'))).toContain('is a <p> with no viewer inside');
     expect(await refusal(page.locator('#no'), { timeout: 100 })).toContain(
       `no element matches locator('#no') after 100 ms`,
@@ -192,9 +185,7 @@ test.describe('toShowTheEquation', () => {
     ]);
   });
 
-  test('refuses a single channel that is two codes off, and a hole, and names the pixel', async ({
-    mount,
-  }) => {
+  test('refuses a single channel that is two codes off, and a hole, and names the pixel', async ({ mount }) => {
     const markup = `<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`;
     const viewer = await mount(markup, SIZE);
     await spoil(viewer, 56, 42, 1, -2);
@@ -275,14 +266,9 @@ test.describe('settled', () => {
     expect(await page.evaluate(() => scrollY)).toBeGreaterThan(3000);
   });
 
-  test('rejects while the picture moves or a model is loading, and names the cause', async ({
-    mount,
-    page,
-  }) => {
+  test('rejects while the picture moves or a model is loading, and names the cause', async ({ mount, page }) => {
     const moving = await mount('<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>', SIZE);
-    await expect(settled(moving, { timeout: 1500 })).rejects.toThrow(
-      'not settled after 1500 ms: auto-rotate is 20',
-    );
+    await expect(settled(moving, { timeout: 1500 })).rejects.toThrow('not settled after 1500 ms: auto-rotate is 20');
     await moving.evaluate((element: PhongViewer) => (element.autoRotate = 0));
     await settled(moving);
     await page.route('**/never.glb', () => undefined);

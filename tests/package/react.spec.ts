@@ -161,8 +161,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
 
     test("receives the element's events once each and React's events, and sets the ref", async ({ page }) => {
       const viewer = page.locator('phong-viewer');
-      const turn = (to: number) =>
-        viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
+      const turn = (to: number) => viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
       await turn(30);
       await expect(page.locator('output')).toHaveText('nothing, script');
       // The handler of the first render would say the same again.

@@ -20,12 +20,7 @@ test('@release measures frames, script, bytes and a front, each side equally oft
   expect(result.failures).toEqual([]);
   expect(result.machine['renderer']).toMatch(/SwiftShader|llvmpipe/);
   const sphere = result.measures.filter(({ subject }) => subject === 'sphere, 1 light');
-  expect(sphere.map(({ measure }) => measure)).toEqual([
-    'first frames',
-    'longest frame',
-    'usual frame',
-    'settled',
-  ]);
+  expect(sphere.map(({ measure }) => measure)).toEqual(['first frames', 'longest frame', 'usual frame', 'settled']);
   for (const { subject, measure, samples } of result.measures) {
     const sides = Object.values(samples);
     for (const values of sides) {

@@ -155,8 +155,7 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title:
-      'element: lights and meshes come and go, events report it, and nothing is drawn while nothing changes',
+    title: 'element: lights and meshes come and go, events report it, and nothing is drawn while nothing changes',
     markup: `<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`,
     async holds(tab) {
       const heard = await tab.run(async () => {
@@ -293,8 +292,7 @@ export const CHECKS: readonly Check[] = [
       const { width, data } = decodePng(Buffer.from(await tab.screenshot()));
       // The box's front faces the eye, and N·L is √½ there.
       const at = 4 * (200 * width + 300);
-      for (const code of data.slice(at, at + 3))
-        expect(Math.abs(code - 255 * Math.SQRT1_2)).toBeLessThan(1.01);
+      for (const code of data.slice(at, at + 3)) expect(Math.abs(code - 255 * Math.SQRT1_2)).toBeLessThan(1.01);
       const legend = () => tab.onViewer((viewer) => viewer.shadowRoot!.querySelector('.legend')?.textContent);
       expect(await legend()).toContain('N · L');
     },
@@ -358,8 +356,7 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title:
-      'models: Draco, textures, vertex colours, alpha masks and embedded files are shown as the equation says',
+    title: 'models: Draco, textures, vertex colours, alpha masks and embedded files are shown as the equation says',
     markup: '<phong-viewer></phong-viewer>',
     size: SMALL,
     async holds(tab) {
@@ -403,8 +400,7 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title:
-      'pictures: every shading, reflection and interpolation follows the equation, by both kinds of programs',
+    title: 'pictures: every shading, reflection and interpolation follows the equation, by both kinds of programs',
     markup: '<phong-viewer></phong-viewer>',
     size: SMALL,
     async holds(tab) {
@@ -435,8 +431,7 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title:
-      'pictures: antialias="full" converges to the mean of a larger picture, among other viewers, and then rests',
+    title: 'pictures: antialias="full" converges to the mean of a larger picture, among other viewers, and then rests',
     markup: [...SEVERAL, ...SEVERAL]
       .map((scene) => `<phong-viewer antialias="full" ${scene}>${LIGHTS}</phong-viewer>`)
       .join(''),

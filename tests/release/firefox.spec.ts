@@ -140,9 +140,7 @@ test('@release a page opened from disk shows picture and panel in Firefox', asyn
     expect(text).toContain('Controls');
     expect(notice).toContain('A page opened from disk may not read files');
     // The browser's own words about the model, and ours with the advice.
-    expect(
-      said.filter((line) => !/Same Origin Policy .*textured\.glb|python3 -m http\.server/.test(line)),
-    ).toEqual([]);
+    expect(said.filter((line) => !/Same Origin Policy .*textured\.glb|python3 -m http\.server/.test(line))).toEqual([]);
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

@@ -66,9 +66,7 @@ test.describe('the packed tarball in a fresh Astro project @release', () => {
     run('npx astro build');
   });
 
-  test('shows arrays and false as they were written, and dispatches events on hydrated markup', async ({
-    page,
-  }) => {
+  test('shows arrays and false as they were written, and dispatches events on hydrated markup', async ({ page }) => {
     // Astro's own islands start from inline scripts.
     await project().open(page, join(project().folder, 'dist'), '');
     for (const id of ['markup', 'still', 'hydrated']) {

@@ -65,10 +65,7 @@ test.describe('the decoders of the packed tarball @release', () => {
     expect(await shown(page)).toEqual({ loaded: [true, true], workers: 2 });
   });
 
-  test('run on the main thread where Rollup left the workers out, but for KTX2', async ({
-    page,
-    consoleGuard,
-  }) => {
+  test('run on the main thread where Rollup left the workers out, but for KTX2', async ({ page, consoleGuard }) => {
     consoleGuard.allow(/404/);
     project().run(
       'npx rollup main.js --dir rolled --format es --plugin node-resolve --silent && cp public/*.glb rolled/',

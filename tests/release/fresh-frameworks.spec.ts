@@ -23,8 +23,7 @@ interface Framework {
   readonly sent?: readonly string[];
 }
 
-const appOf = (script: string): string =>
-  pageOf(`<div id="app"></div><script type="module" src="${script}"></script>`);
+const appOf = (script: string): string => pageOf(`<div id="app"></div><script type="module" src="${script}"></script>`);
 
 const vite = ['three', '@types/three', 'typescript', 'vite'];
 
@@ -386,9 +385,7 @@ for (const framework of [vue, svelte, solid, angular, nuxt, svelteKit]) {
         expect([...new Set(Array.from(places, ([, line]) => Number(line)))], said).toEqual(wrong);
       });
 
-    test('sends false and numbers as text, sets lists and false, hears events and follows state', async ({
-      page,
-    }) => {
+    test('sends false and numbers as text, sets lists and false, hears events and follows state', async ({ page }) => {
       project().run(build);
       const folder = join(project().folder, output);
       const markup = readFileSync(join(folder, 'index.html'), 'utf8');

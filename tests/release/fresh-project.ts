@@ -131,9 +131,7 @@ export function readmeSample(heading: string): string {
 /** The scripts of the README and of its page about frameworks that import the elements, in their order. */
 export const readmeScripts = (): string[] =>
   ['README.md', 'src/FRAMEWORKS.md']
-    .flatMap((page) => [
-      ...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g),
-    ])
+    .flatMap((page) => [...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g)])
     .map(([, code = '']) => code)
     .filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
 
@@ -186,9 +184,7 @@ function run(command: string, cwd: string): string {
 
 function runBeside(command: string, cwd: string): Promise<string> {
   // Playwright tells workers by variables, which a Playwright of the project's own must not inherit.
-  const own = Object.fromEntries(
-    Object.entries(env).filter(([name]) => !/^(TEST_|PW_|PLAYWRIGHT_)/.test(name)),
-  );
+  const own = Object.fromEntries(Object.entries(env).filter(([name]) => !/^(TEST_|PW_|PLAYWRIGHT_)/.test(name)));
   return new Promise((resolve, reject) =>
     exec(command, { cwd, env: own, timeout: 240_000 }, (error, stdout, stderr) => {
       if (error === null) resolve(stdout);

@@ -52,9 +52,7 @@ export const known = (
 export const unknown = <PhongViewer theta={true} />;
 `;
 
-test('the React components work with React 18, in types, on a server and hydrated @release', async ({
-  page,
-}) => {
+test('the React components work with React 18, in types, on a server and hydrated @release', async ({ page }) => {
   test.setTimeout(400_000);
   const react = ['react@18.0.0', 'react-dom@18.0.0', '@types/react@^18', '@types/react-dom@^18'];
   const project = freshProject(['three', '@types/three', 'typescript', 'vite', ...react]);

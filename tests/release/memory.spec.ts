@@ -53,9 +53,7 @@ function gridGlb(side: number, normals: boolean): Buffer {
     indices.set([a, a + 1, a + row, a + row, a + 1, a + row + 1], i * 6);
   }
   const up = Float32Array.from(positions, (_, i) => (i % 3 === 2 ? 1 : 0));
-  const { bufferViews, buffers, body } = viewsOf(
-    [positions, up, indices].map(({ buffer }) => Buffer.from(buffer)),
-  );
+  const { bufferViews, buffers, body } = viewsOf([positions, up, indices].map(({ buffer }) => Buffer.from(buffer)));
   const vectors = { componentType: 5126, count: row * row, type: 'VEC3' };
   const attributes = normals ? { POSITION: 0, NORMAL: 1 } : { POSITION: 0 };
   return glbOf(
@@ -107,12 +105,7 @@ const CASES: Readonly<Record<string, Case>> = {
 };
 
 for (const [what, { make, ends = 'load', isZipped = false, says }] of Object.entries(CASES)) {
-  test(`@release ${what} ends by ${ends} in less than a gigabyte`, async ({
-    browser,
-    site,
-    mount,
-    consoleGuard,
-  }) => {
+  test(`@release ${what} ends by ${ends} in less than a gigabyte`, async ({ browser, site, mount, consoleGuard }) => {
     test.setTimeout(600_000);
     if (says !== undefined) consoleGuard.allow(says);
     const viewer = await mount(`<phong-viewer src="${site.file(triangleGlb())}"></phong-viewer>`, SIZE);
@@ -121,9 +114,7 @@ for (const [what, { make, ends = 'load', isZipped = false, says }] of Object.ent
     const address = site.file(file, isZipped);
     memory.start();
     expect(await load(viewer, `${address}?file`)).toBe(ends);
-    await viewer.evaluate(
-      async (element: PhongViewer) => (await element.toBlob({ width: 30, height: 20 })).size,
-    );
+    await viewer.evaluate(async (element: PhongViewer) => (await element.toBlob({ width: 30, height: 20 })).size);
     const growth = memory.stop();
     console.log(`${what}: ${file.length} bytes, ${growth.toFixed()} MB`);
     expect(growth).toBeLessThan(GROWTH_LIMIT_MB);

@@ -43,8 +43,7 @@ async function firefoxTab(): Promise<Tab> {
     },
     onViewer: (work: (viewer: PhongViewer, argument: never) => unknown, argument?: unknown) =>
       page.$eval('phong-viewer', work, argument as never) as never,
-    run: (work: (argument: never) => unknown, argument?: unknown) =>
-      page.evaluate(work, argument as never) as never,
+    run: (work: (argument: never) => unknown, argument?: unknown) => page.evaluate(work, argument as never) as never,
     async drag([x, y], [dx, dy]) {
       await page.mouse.move(x, y);
       await page.mouse.down();
@@ -66,8 +65,7 @@ const KEYS = { ArrowRight: '\uE014', Home: '\uE011', '+': '+' } as const;
 
 async function webkitTab(): Promise<Tab> {
   const { version, send, close } = await startWebkit();
-  const act = async (...actions: readonly object[]): Promise<void> =>
-    await send('POST', '/actions', { actions });
+  const act = async (...actions: readonly object[]): Promise<void> => await send('POST', '/actions', { actions });
   const mouse = (...actions: readonly object[]) =>
     act({ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions });
   const execute = async (call: string, argument: unknown): Promise<unknown> => {

@@ -13,10 +13,7 @@ test.beforeEach(({ page }) => {
   return countEverything(page);
 });
 
-test('@release two hundred viewers share one context, come back when it is lost, and rest', async ({
-  page,
-  mount,
-}) => {
+test('@release two hundred viewers share one context, come back when it is lost, and rest', async ({ page, mount }) => {
   await holdContext(page);
   const viewer = await mount(reddening(200), small);
   expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 200, observers: 3 });

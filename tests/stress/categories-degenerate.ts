@@ -38,9 +38,7 @@ function directionOfAnyLength(random: Random): StressCase {
   const fragment = seen(random);
   const size = random.pick([5e-324, 1e-300, 1e-40, 1e-15, 1e15 / 2]);
   const position = direction(scale(random.around(fragment.N, random.from(0, 1.5)), size));
-  return stressCase(fragment, surface(random, random.from(1, 64)), [
-    lightWith({ ...colors(random), position }),
-  ]);
+  return stressCase(fragment, surface(random, random.from(1, 64)), [lightWith({ ...colors(random), position })]);
 }
 
 /**
@@ -113,8 +111,7 @@ const LIGHT_KEYS = [
 function anything(random: Random): StressCase {
   const fragment = seen(random);
   const values: Partial<Record<keyof LightValues, unknown>> = colors(random);
-  for (const key of LIGHT_KEYS)
-    if (random.chance(0.5)) values[key] = written<unknown>(random, LIGHT_FIELDS[key]);
+  for (const key of LIGHT_KEYS) if (random.chance(0.5)) values[key] = written<unknown>(random, LIGHT_FIELDS[key]);
   const worn: Partial<Record<keyof SurfaceValues, unknown>> = { ...surface(random, random.from(0, 64)) };
   for (const key of ['ka', 'kd', 'ks', 'shininess'] as const)
     if (random.chance(0.3)) worn[key] = written<unknown>(random, SURFACE_FIELDS[key]);

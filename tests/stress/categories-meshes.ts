@@ -35,8 +35,7 @@ function movedNormal(matrix: Matrix4, first: Vec3, second: Vec3): Vec3 {
   if (largest === 0) return [0, 0, 0];
   const column = (i: number): Vec3 => [e[i]! / largest, e[i + 1]! / largest, e[i + 2]! / largest];
   const [x, y, z] = [column(0), column(4), column(8)];
-  const through = (v: Vec3): Vec3 =>
-    [0, 1, 2].map((k) => x[k]! * v[0] + y[k]! * v[1] + z[k]! * v[2]) as never;
+  const through = (v: Vec3): Vec3 => [0, 1, 2].map((k) => x[k]! * v[0] + y[k]! * v[1] + z[k]! * v[2]) as never;
   const across = cross(through(first), through(second));
   return scale(normalize(across), dot(cross(x, y), z) < 0 ? -1 : 1);
 }

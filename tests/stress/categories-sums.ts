@@ -16,9 +16,7 @@ function sum(count: number): Category['make'] {
     if (left === 0) {
       left = SHARED_BY;
       // Together as bright as four full lights, so that a part of the fragments is not clamped.
-      lights = Array.from({ length: count }, () =>
-        anyLight(random, fragment.p, colors(random, 1020 / count)),
-      );
+      lights = Array.from({ length: count }, () => anyLight(random, fragment.p, colors(random, 1020 / count)));
     }
     left -= 1;
     return stressCase(fragment, surface(random, random.from(1, 100)), lights);

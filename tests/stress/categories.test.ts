@@ -30,11 +30,9 @@ describe('the adversarial categories', () => {
       // Fields throw at values outside of their domains. One expectation for each value took most of the time.
       for (const { lights: declared, surface } of cases(make, variants[0]!, count)) {
         for (const light of declared) {
-          for (const [key, field] of Object.entries(LIGHT_FIELDS))
-            field.check(light[key as keyof typeof light]);
+          for (const [key, field] of Object.entries(LIGHT_FIELDS)) field.check(light[key as keyof typeof light]);
         }
-        for (const [key, field] of Object.entries(SURFACE_FIELDS))
-          field.check(surface[key as keyof typeof surface]);
+        for (const [key, field] of Object.entries(SURFACE_FIELDS)) field.check(surface[key as keyof typeof surface]);
       }
     });
 

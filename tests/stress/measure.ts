@@ -42,13 +42,10 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
   let squares = 0;
   for (const part of parts) {
     squares += part.rms ** 2 * part.channels;
-    for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const)
-      sum[key] += part[key];
-    for (const [name, count] of Object.entries(part.excluded))
-      sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
+    for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const) sum[key] += part[key];
+    for (const [name, count] of Object.entries(part.excluded)) sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
     sum.edge = Math.max(sum.edge, part.edge);
-    for (const [name, max] of Object.entries(part.forms))
-      sum.forms[name] = Math.max(sum.forms[name] ?? 0, max);
+    for (const [name, max] of Object.entries(part.forms)) sum.forms[name] = Math.max(sum.forms[name] ?? 0, max);
     if (part.max > sum.max) {
       sum.max = part.max;
       sum.worst = part.worst;

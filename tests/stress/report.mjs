@@ -115,9 +115,7 @@ ${table(
   checksOf(stacks).map(({ title, bound }) => [
     title,
     String(bound),
-    ...largestOfEach(stacks, ({ checked }) =>
-      checked.filter((one) => one.title === title).map(({ max }) => max),
-    ),
+    ...largestOfEach(stacks, ({ checked }) => checked.filter((one) => one.title === title).map(({ max }) => max)),
   ]),
 )}
 `;
@@ -260,8 +258,8 @@ const largest = (stacks, drivers, errorsOf) => Math.max(...resultsOf(stacks, dri
 
 /** Cells: each stack's own driver, then the worst drivers of all. @param {readonly Stack[]} stacks @param {ErrorsOf} errorsOf */
 const largestOfEach = (stacks, errorsOf) =>
-  [...stacks.map((stack) => largest([stack], ['shipped'], errorsOf)), largest(stacks, WORST, errorsOf)].map(
-    (error) => (error === -Infinity ? 'not measured here' : digits(error)),
+  [...stacks.map((stack) => largest([stack], ['shipped'], errorsOf)), largest(stacks, WORST, errorsOf)].map((error) =>
+    error === -Infinity ? 'not measured here' : digits(error),
   );
 
 /** @param {readonly import('./measure.js').Measured[]} list */
@@ -327,8 +325,7 @@ function percent(share, places = 4) {
 }
 
 /** @param {number} count */
-const millions = (count) =>
-  count >= 1e6 ? `${Math.floor(count / 1e5) / 10} million` : count.toLocaleString('en-GB');
+const millions = (count) => (count >= 1e6 ? `${Math.floor(count / 1e5) / 10} million` : count.toLocaleString('en-GB'));
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });

@@ -8,14 +8,7 @@ import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { launchOptions, serveFolder } from '../support/built-pages.mjs';
-import {
-  numberOption,
-  Progress,
-  readCommandLine,
-  readJson,
-  refuse,
-  timeText,
-} from '../support/command-line.mjs';
+import { numberOption, Progress, readCommandLine, readJson, refuse, timeText } from '../support/command-line.mjs';
 
 const DRIVERS = ['shipped', 'up', 'down', 'either'];
 

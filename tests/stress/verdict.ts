@@ -30,8 +30,7 @@ export function verdict(all: readonly Measured[], worst: boolean): string[] {
   }
   const broken = all.flatMap((measured) => verdictOf(measured, worst));
   const share = worst ? WORST_SHARE : EXACT.share;
-  if (all.length === CATEGORIES.length && !exactEnough(sum, share))
-    broken.push(`all together: ${exactness(sum)}`);
+  if (all.length === CATEGORIES.length && !exactEnough(sum, share)) broken.push(`all together: ${exactness(sum)}`);
   return broken;
 }
 

@@ -71,9 +71,7 @@ export function readJson(file) {
 export function readResultFiles(folder, command) {
   const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.json')) : [];
   if (files.length === 0) refuse(`There are no results in ${folder}: run \`${command}\` first`);
-  return files
-    .sort()
-    .map((file) => ({ name: basename(file, '.json'), content: readJson(join(folder, file)) }));
+  return files.sort().map((file) => ({ name: basename(file, '.json'), content: readJson(join(folder, file)) }));
 }
 
 /** Refuses to go on without a file that another command builds. @param {string} file @param {string} command */
@@ -107,8 +105,7 @@ export class Progress {
     if (now - this.#printed < (this.#oneLine ? 200 : 15_000) && done < total) return;
     this.#printed = now;
     const elapsed = (now - this.#start) / 1000;
-    const left =
-      done > 0 && done < total ? `, about ${timeText((elapsed / done) * (total - done))} left` : '';
+    const left = done > 0 && done < total ? `, about ${timeText((elapsed / done) * (total - done))} left` : '';
     const line = `${((100 * done) / total).toFixed(0)} % after ${timeText(elapsed)}${left}: ${what}`;
     if (this.#oneLine) process.stdout.write(`\r\x1b[K${line.slice(0, (process.stdout.columns ?? 80) - 1)}`);
     else console.log(line);

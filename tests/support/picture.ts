@@ -50,11 +50,7 @@ export async function pixels(
 }
 
 /** The codes of one pixel, x to the right and y down from the top left. */
-export function pixelAt(
-  { width, height, data }: Picture,
-  x: number,
-  y: number,
-): [number, number, number, number] {
+export function pixelAt({ width, height, data }: Picture, x: number, y: number): [number, number, number, number] {
   if (x < 0 || y < 0 || x >= width || y >= height) throw new RangeError(`no pixel ${x}, ${y}`);
   const at = 4 * (y * width + x);
   return [data[at]!, data[at + 1]!, data[at + 2]!, data[at + 3]!];

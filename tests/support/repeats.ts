@@ -12,5 +12,4 @@ export const fullOr = (full: number, short: number): number => (RELEASE ? full :
 /**
  * The whole list in a release run, its first `count` entries otherwise: entries that stand for the others come first.
  */
-export const firstOf = <T>(list: readonly T[], count: number): readonly T[] =>
-  RELEASE ? list : list.slice(0, count);
+export const firstOf = <T>(list: readonly T[], count: number): readonly T[] => (RELEASE ? list : list.slice(0, count));

@@ -71,10 +71,7 @@ function through(samples: readonly [Vec3, Vec3, Vec3, Vec3], t: number): { p: Ve
   const second = scale(add(subtract(c, scale(b, 2)), a), 1 / 2);
   const third = scale(subtract(add(subtract(d, scale(c, 3)), scale(b, 3)), a), 1 / 6);
   const s = DIVISIONS * t;
-  const p = add(
-    add(a, scale(first, s)),
-    add(scale(second, s * (s - 1)), scale(third, s * (s - 1) * (s - 2))),
-  );
+  const p = add(add(a, scale(first, s)), add(scale(second, s * (s - 1)), scale(third, s * (s - 1) * (s - 2))));
   const slope = add(first, add(scale(second, 2 * s - 1), scale(third, 3 * s * s - 6 * s + 2)));
   return { p, slope };
 }
@@ -122,8 +119,7 @@ export function highest(value: (a: number, b: number) => number, steps: number):
   for (let i = 0; i <= steps; i++) for (let j = 0; j <= steps; j++) consider(i / steps, j / steps);
   for (let reach = 1 / steps; reach > 1e-8; reach *= 0.5) {
     const [, a, b] = best;
-    for (let i = -4; i <= 4; i++)
-      for (let j = -4; j <= 4; j++) consider(a + (i * reach) / 4, b + (j * reach) / 4);
+    for (let i = -4; i <= 4; i++) for (let j = -4; j <= 4; j++) consider(a + (i * reach) / 4, b + (j * reach) / 4);
   }
   return best[0];
 }
@@ -145,9 +141,7 @@ export function roundShapes(): Readonly<Record<RoundName, readonly Piece[]>> {
     cylinder: [{ surface: cylinder, rows: once, columns: same, diagonal: 'other' }],
     cone: [{ surface: cone, rows: once, columns: same, diagonal: 'other' }],
     torus: [{ surface: torus, rows: half, columns: same, diagonal: 'main' }],
-    'torus-knot': [
-      { surface: knot, rows: same, columns: (n) => Math.max(8, Math.round(n / 8)), diagonal: 'other' },
-    ],
+    'torus-knot': [{ surface: knot, rows: same, columns: (n) => Math.max(8, Math.round(n / 8)), diagonal: 'other' }],
     teapot: patches.map((patch, i) => ({
       surface: placed(patch, (left + right) / 2, right - left),
       rows: (n) => (i === 16 || i === 17 ? Math.ceil(1.6 * quarter(n)) : quarter(n)), // the spout's bend

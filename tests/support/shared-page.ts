@@ -66,11 +66,7 @@ export class SharedPage {
     this.#after(target, 'route', () => () => target.unrouteAll({ behavior: 'ignoreErrors' }));
     for (const name of ['on', 'once'])
       this.#after(target, name, (_, type: never, listener: never) => () => target.off(type, listener));
-    this.#after(
-      target,
-      'newCDPSession',
-      (session: CDPSession) => () => session.detach().catch(() => undefined),
-    );
+    this.#after(target, 'newCDPSession', (session: CDPSession) => () => session.detach().catch(() => undefined));
     for (const name of FINAL) this.#after(target, name, () => () => undefined, true);
     this.#after(target.clock, 'install', () => () => undefined, true);
   }

@@ -75,10 +75,7 @@ const types: Readonly<Record<string, string>> = {
 };
 
 /** @param policy the Content-Security-Policy of files; pages from memory have their own. */
-export async function startSite(
-  mounts: Readonly<Record<string, string>>,
-  policy = strictPolicy,
-): Promise<Site> {
+export async function startSite(mounts: Readonly<Record<string, string>>, policy = strictPolicy): Promise<Site> {
   const stored = new Map<string, Stored>();
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
@@ -135,9 +132,7 @@ function fileUnder(mounts: Readonly<Record<string, string>>, path: string): stri
 }
 
 function sendText(response: ServerResponse, { type, text, csp, gzip = false }: Stored): void {
-  response
-    .writeHead(200, { ...headers(type, csp), ...(gzip ? { 'content-encoding': 'gzip' } : {}) })
-    .end(text);
+  response.writeHead(200, { ...headers(type, csp), ...(gzip ? { 'content-encoding': 'gzip' } : {}) }).end(text);
 }
 
 function sendFile(response: ServerResponse, file: string | undefined, policy: string): void {

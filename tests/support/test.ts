@@ -68,8 +68,7 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
       const page = await browser.newPage();
       const works = await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null);
       await page.close();
-      if (!works)
-        throw new Error(`This browser (${browser.version()}) gives no WebGL 2, not even in software.`);
+      if (!works) throw new Error(`This browser (${browser.version()}) gives no WebGL 2, not even in software.`);
       await use(undefined);
     },
     { scope: 'worker' },
@@ -85,11 +84,7 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   ],
 
   // The other options of the configuration are added by Playwright, and no test changes them.
-  context: async (
-    { browser, sharedPage, baseURL, viewport, deviceScaleFactor, hasTouch, forcedColors },
-    use,
-    info,
-  ) => {
+  context: async ({ browser, sharedPage, baseURL, viewport, deviceScaleFactor, hasTouch, forcedColors }, use, info) => {
     const context = await sharedPage.take(browser, {
       viewport,
       hasTouch,

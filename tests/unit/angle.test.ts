@@ -34,15 +34,11 @@ describe('wrapping degrees', () => {
 
   it('lands in [-180, 180), and leaves what is inside bit for bit', () => {
     fc.assert(
-      fc.property(
-        degrees,
-        fc.double({ min: -180, max: 180, maxExcluded: true, noNaN: true }),
-        (d, inside) => {
-          const wrapped = wrapDegrees(d);
-          expect(wrapped >= -180 && wrapped < 180).toBe(true);
-          for (const x of [wrapped, inside]) expect(wrapDegrees(x)).toBe(x);
-        },
-      ),
+      fc.property(degrees, fc.double({ min: -180, max: 180, maxExcluded: true, noNaN: true }), (d, inside) => {
+        const wrapped = wrapDegrees(d);
+        expect(wrapped >= -180 && wrapped < 180).toBe(true);
+        for (const x of [wrapped, inside]) expect(wrapDegrees(x)).toBe(x);
+      }),
     );
   });
 

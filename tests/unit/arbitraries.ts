@@ -7,9 +7,7 @@ import type { Vec3, Vec4 } from '../../src/math/vector.js';
 
 /** Every light of a test is written as what differs from the defaults. */
 export function light(values: Partial<LightValues> = {}): LightValues {
-  const defaults = Object.fromEntries(
-    Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]),
-  );
+  const defaults = Object.fromEntries(Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]));
   return { ...(defaults as unknown as LightValues), ...values };
 }
 

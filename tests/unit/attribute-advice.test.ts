@@ -45,8 +45,7 @@ describe.each([...known.keys()])('<%s>', (tag) => {
 
   it('has no advice for attributes of HTML and for words unlike any attribute', () => {
     const unlike = ['datetime', 'xyz', 'q', 'constructor', 'tostring', 'x'.repeat(1e5)];
-    for (const word of [...global, ...unlike])
-      expect(attributeAdvice(tag, word, known), word).toBeUndefined();
+    for (const word of [...global, ...unlike]) expect(attributeAdvice(tag, word, known), word).toBeUndefined();
   });
 
   it('has advice for usual guesses', () => {

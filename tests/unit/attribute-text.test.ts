@@ -189,8 +189,7 @@ describe('formatting', () => {
       fc.property(valuesOf(field), (value) => {
         const text = formatValue(value, field);
         // No attribute: the default, which for these is nothing.
-        if (text === null)
-          expect(value === null || value === false || sameValue(value, field.fallback)).toBe(true);
+        if (text === null) expect(value === null || value === false || sameValue(value, field.fallback)).toBe(true);
         else expect(field.check(parseText(text, field))).toStrictEqual(value);
       }),
     );
@@ -229,8 +228,7 @@ it('any text gives an accepted value, a TypeError or RangeError, or counts as ma
       const value = parseText(attribute, field);
       if (value === undefined) return;
       try {
-        for (const x of [field.check(value)].flat())
-          if (typeof x === 'number') expect(Number.isFinite(x)).toBe(true);
+        for (const x of [field.check(value)].flat()) if (typeof x === 'number') expect(Number.isFinite(x)).toBe(true);
       } catch (error) {
         expect(error instanceof TypeError || error instanceof RangeError).toBe(true);
       }

@@ -36,12 +36,8 @@ function eyeAt(z: number, near = 0.1): PerspectiveCamera {
   return camera;
 }
 
-const culls = (
-  sides: Sides,
-  matrix = place(),
-  camera = eyeAt(5),
-  geometry: BufferGeometry = sphere,
-): boolean => cullsBackFaces(sides, geometry, matrix, camera);
+const culls = (sides: Sides, matrix = place(), camera = eyeAt(5), geometry: BufferGeometry = sphere): boolean =>
+  cullsBackFaces(sides, geometry, matrix, camera);
 
 describe('back faces of a closed shape', () => {
   it.each([

@@ -6,29 +6,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
 import { AIMS, judge, missedLimits } from '../bench/aims.mjs';
-import {
-  CODES,
-  full,
-  MULTISAMPLED,
-  PLAIN,
-  RMSE,
-  SSAA,
-  ssaa,
-  TAA,
-  taa,
-  TIME,
-  WITHIN,
-} from '../bench/pictures.mjs';
+import { CODES, full, MULTISAMPLED, PLAIN, RMSE, SSAA, ssaa, TAA, taa, TIME, WITHIN } from '../bench/pictures.mjs';
 import { reportOf } from '../bench/report.mjs';
 import { addSamples, type BenchResult } from '../bench/results.mjs';
-import {
-  modelSubjects,
-  NETWORKS,
-  pictureSubject,
-  PICTURES,
-  SPHERE_LIGHTS,
-  SUBJECTS,
-} from '../bench/subjects.mjs';
+import { modelSubjects, NETWORKS, pictureSubject, PICTURES, SPHERE_LIGHTS, SUBJECTS } from '../bench/subjects.mjs';
 
 function resultOf(stack: string): BenchResult {
   const result: BenchResult = {
@@ -91,8 +72,7 @@ function addPictures(result: BenchResult): void {
 }
 
 const { report, charts } = reportOf([resultOf('h200-vulkan'), resultOf('software')]);
-const row = (start: string): string | undefined =>
-  report.split('\n').find((line) => line.startsWith(`| ${start}`));
+const row = (start: string): string | undefined => report.split('\n').find((line) => line.startsWith(`| ${start}`));
 
 describe('an aim', () => {
   const models = 'first picture of a model to the better of two viewers’';

@@ -8,14 +8,7 @@ import { readTrace } from '../bench/measure/model.mjs';
 import { MODELS, writeModels } from '../bench/models.mjs';
 import { mixedLights } from '../bench/pages/scenes.js';
 import { PICTURE_SCENES } from '../bench/pages/picture-scenes.js';
-import {
-  addSamples,
-  type BenchResult,
-  ratioOf,
-  ratioOverSubjects,
-  ratioToBest,
-  valueOf,
-} from '../bench/results.mjs';
+import { addSamples, type BenchResult, ratioOf, ratioOverSubjects, ratioToBest, valueOf } from '../bench/results.mjs';
 import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
 import { PICTURES } from '../bench/subjects.mjs';
 
@@ -56,8 +49,7 @@ describe('a result', () => {
 
   test('has the ratio to the better of other viewers, and counts every model once', () => {
     const result = newResult();
-    for (const element of [10, 12, 14])
-      addSamples(result, 'a', 'first picture', 'ms', { element, one: 40, other: 20 });
+    for (const element of [10, 12, 14]) addSamples(result, 'a', 'first picture', 'ms', { element, one: 40, other: 20 });
     addSamples(result, 'b', 'first picture', 'ms', { element: 10, one: 10, other: 20 });
     expect(ratioToBest(result.measures[0]!)?.median).toBe(0.6);
     const over = (subjects: string[]) => ratioOverSubjects(result, subjects, 'first picture');

@@ -84,19 +84,16 @@ describe('the measure of a scene', () => {
     expect(held).toBeGreaterThan(5);
   });
 
-  it.each(GEOMETRIES)(
-    'finds centre and radius of a %s exactly, however it is turned and stretched',
-    async (name) => {
-      const geometry = await createGeometry(name, undefined);
-      const random = new Random(name.length);
-      for (let i = 0; i < 25; i++) expectExact(sceneOf(place(new Mesh(geometry), random)), ROUNDING);
-      const still = new Mesh(geometry);
-      still.scale.set(3, 1, 2);
-      still.position.set(0.1, 5, -7);
-      // Its box is that of the round shape, which a few triangles do not reach.
-      expectExact(sceneOf(still), 2e-4);
-    },
-  );
+  it.each(GEOMETRIES)('finds centre and radius of a %s exactly, however it is turned and stretched', async (name) => {
+    const geometry = await createGeometry(name, undefined);
+    const random = new Random(name.length);
+    for (let i = 0; i < 25; i++) expectExact(sceneOf(place(new Mesh(geometry), random)), ROUNDING);
+    const still = new Mesh(geometry);
+    still.scale.set(3, 1, 2);
+    still.position.set(0.1, 5, -7);
+    // Its box is that of the round shape, which a few triangles do not reach.
+    expectExact(sceneOf(still), 2e-4);
+  });
 
   it('covers several meshes together', async () => {
     const shapes = await Promise.all(GEOMETRIES.map((name) => createGeometry(name, undefined)));

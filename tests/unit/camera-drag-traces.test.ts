@@ -81,9 +81,7 @@ type Hand = ReturnType<typeof setUp>;
 
 function same(a: Pose, b: Pose): boolean {
   const sameTarget = a.target.every((x, i) => Object.is(x, b.target[i]));
-  return (
-    Object.is(a.theta, b.theta) && Object.is(a.phi, b.phi) && Object.is(a.radius, b.radius) && sameTarget
-  );
+  return Object.is(a.theta, b.theta) && Object.is(a.phi, b.phi) && Object.is(a.radius, b.radius) && sameTarget;
 }
 
 /** Up to four moves; any of them can be a return to the start. */
@@ -181,11 +179,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
       }
       pointer('pointermove', start);
       pointer('pointerup', start, { buttons: 0 });
-      worst = Math.max(
-        worst,
-        Math.abs(wrapDegrees(orbit.theta - pose.theta)),
-        Math.abs(orbit.phi - pose.phi),
-      );
+      worst = Math.max(worst, Math.abs(wrapDegrees(orbit.theta - pose.theta)), Math.abs(orbit.phi - pose.phi));
     }
     // Measured: 1.4e-12 degrees, for angles to 2800.
     expect(worst).toBeLessThan(5e-12);

@@ -92,8 +92,7 @@ describe('a picture that is rotated, skewed or mirrored', () => {
         turned.gesture.move(1, x * rightX + y * downX, x * rightY + y * downY);
         expect(turned.orbit.theta).toBeCloseTo(upright.orbit.theta, 8);
         expect(turned.orbit.phi).toBeCloseTo(upright.orbit.phi, 8);
-        for (const i of [0, 1, 2] as const)
-          expect(turned.orbit.target[i]).toBeCloseTo(upright.orbit.target[i], 8);
+        for (const i of [0, 1, 2] as const) expect(turned.orbit.target[i]).toBeCloseTo(upright.orbit.target[i], 8);
       }),
     );
   });

@@ -37,9 +37,7 @@ describe('turning', () => {
   });
 
   it('returns the start pose itself for zero travel', () => {
-    fc.assert(
-      fc.property(anyPose, (pose) => turn(pose, 0, 0, view) === pose && shift(pose, 0, 0, view) === pose),
-    );
+    fc.assert(fc.property(anyPose, (pose) => turn(pose, 0, 0, view) === pose && shift(pose, 0, 0, view) === pose));
   });
 
   it('turns a camera declared at an enormous θ, and keeps a θ beyond a turn for a travel up or down', () => {
@@ -115,10 +113,7 @@ describe('zooming', () => {
     fc.assert(
       fc.property(fc.array(pixels, { maxLength: 20 }), (turns) => {
         const wide = { min: 1e-9, max: 1e9 };
-        const stepwise = turns.reduce<Pose>(
-          (p, deltaY) => wheelZoom(p, { deltaY, deltaMode: 0 }, 400, wide),
-          start,
-        );
+        const stepwise = turns.reduce<Pose>((p, deltaY) => wheelZoom(p, { deltaY, deltaMode: 0 }, 400, wide), start);
         const sum = turns.reduce((a, b) => a + b, 0);
         const once = wheelZoom(start, { deltaY: sum, deltaMode: 0 }, 400, wide);
         expect(Math.abs(stepwise.radius / once.radius - 1)).toBeLessThan(1e-13);

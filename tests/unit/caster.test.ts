@@ -35,10 +35,7 @@ const quad = (corners: readonly (readonly [number, number])[], material: CastMat
 
 async function torusOfTriangles(): Promise<CastObject> {
   const geometry = await createGeometry('torus', 16);
-  const [positions, normals] = [
-    geometry.getAttribute('position').array,
-    geometry.getAttribute('normal').array,
-  ];
+  const [positions, normals] = [geometry.getAttribute('position').array, geometry.getAttribute('normal').array];
   return { shape: { kind: 'triangles', positions, normals, index: geometry.index!.array }, material: UNLIT };
 }
 

@@ -46,9 +46,7 @@ describe.each(firstOf(names, 2))('npm run %s', (name) => {
     for (const strange of ['--nonsense', 'nonsense']) {
       const { code, out, said } = await run(name, [strange]);
       expect({ code, out }).toEqual({ code: 2, out: '' });
-      expect(said).toBe(
-        `Unknown ${strange.startsWith('-') ? 'option' : 'argument'} '${strange}'. See --help.\n`,
-      );
+      expect(said).toBe(`Unknown ${strange.startsWith('-') ? 'option' : 'argument'} '${strange}'. See --help.\n`);
     }
   });
 });

@@ -56,8 +56,7 @@ export interface BoxCase {
 
 export function anyBox(random: Random, size = random.pick(SIZES)): BoxCase {
   const flat = random.chance(0.1);
-  const side = (): number =>
-    flat && random.chance(0.6) ? 0 : size * random.pick([1, random.magnitude(1e-4, 1)]);
+  const side = (): number => (flat && random.chance(0.6) ? 0 : size * random.pick([1, random.magnitude(1e-4, 1)]));
   return {
     size,
     middle: scale(random.unit(), size * random.pick([0, 0.5, 3])),
@@ -142,17 +141,13 @@ export const shadeAt = (
   normal: Vec3,
   lights: readonly LightValues[],
   { origin, camera, eye }: View,
-): Shaded =>
-  shade({ p: add(point, origin), normal, eye: add(eye, origin) }, WHITE_SURFACE, lights, { camera });
+): Shaded => shade({ p: add(point, origin), normal, eye: add(eye, origin) }, WHITE_SURFACE, lights, { camera });
 
 const full = [255, 255, 255] as const;
 const WHITE_SURFACE: Surface = { ka: full, kd: full, ks: full, shininess: 1 };
 
 /** `mask`: 1 for each sent light that can reach the box. */
-export function cull(
-  packed: PackedLights,
-  box: Box,
-): { readonly mask: readonly number[]; readonly count: number } {
+export function cull(packed: PackedLights, box: Box): { readonly mask: readonly number[]; readonly count: number } {
   const mask = new Uint8Array(packed.sent + 1).fill(7);
   const count = cullLights(packed, box, mask);
   return { mask: [...mask.subarray(0, packed.sent)], count };

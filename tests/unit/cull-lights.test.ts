@@ -11,18 +11,7 @@ import { fullOr } from '../support/repeats.js';
 import { Random } from '../stress/random.js';
 import { light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
-import {
-  angleOf,
-  anyBox,
-  anyView,
-  boxOf,
-  coneBy,
-  cull,
-  pointsOf,
-  shadeAt,
-  spaceOf,
-  spotOf,
-} from './cull-cases.js';
+import { angleOf, anyBox, anyView, boxOf, coneBy, cull, pointsOf, shadeAt, spaceOf, spotOf } from './cull-cases.js';
 
 /** A smaller seed makes no simpler case. */
 const seeds = fc.noShrink(fc.integer({ min: 0, max: 0x7fffffff }));
@@ -89,10 +78,7 @@ describe('a cone', () => {
   });
 
   it('is never culled at an aperture of 180 degrees, nor any light without a cone', () => {
-    const lights = [
-      light(bare),
-      ...[{}, { cutoff: 1e6 }, { attenuation: [1e6, 1e6, 1e6] as const }].map(spotWith),
-    ];
+    const lights = [light(bare), ...[{}, { cutoff: 1e6 }, { attenuation: [1e6, 1e6, 1e6] as const }].map(spotWith)];
     expect(cull(pack(lights), [1e3, 1e3, 1e3, 1e3, 1e3, 1e3]).count).toBe(4);
   });
 

@@ -1,13 +1,7 @@
 // How does the description put camera, lights and meshes into words, and do the page's own texts replace them?
 
 import { describe, expect, test } from 'vitest';
-import {
-  cameraText,
-  lightCountText,
-  lightsText,
-  lightText,
-  meshTitle,
-} from '../../src/element/viewer/description.js';
+import { cameraText, lightCountText, lightsText, lightText, meshTitle } from '../../src/element/viewer/description.js';
 import { phrase } from '../../src/element/fields/texts.js';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 

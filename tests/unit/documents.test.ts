@@ -53,8 +53,7 @@ function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]): boolean
   return anchor !== undefined && (statSync(place).isDirectory() || !anchorsOf(file).includes(anchor));
 }
 
-const codeIn = (cell: string): readonly string[] =>
-  Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
+const codeIn = (cell: string): readonly string[] => Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
 
 const fieldsOf: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
   'phong-light': LIGHT_FIELDS,
@@ -85,11 +84,12 @@ describe('the documents', () => {
     }
   });
 
-  it.each(
-    documents.filter((path) => !/^\.github\/PULL|^CHANGELOG|^README|decisions\/[a-z]|assets/.test(path)),
-  )('%s says in its first line whom it is for', (path) => {
-    expect(read(path).replace(/^#.*\n+/, '')).toMatch(/^For (people|authors|scripts) /);
-  });
+  it.each(documents.filter((path) => !/^\.github\/PULL|^CHANGELOG|^README|decisions\/[a-z]|assets/.test(path)))(
+    '%s says in its first line whom it is for',
+    (path) => {
+      expect(read(path).replace(/^#.*\n+/, '')).toMatch(/^For (people|authors|scripts) /);
+    },
+  );
 
   it.each(documents)('%s links to files and headings that exist', (path) => {
     expect(linksOf(path).filter(isBroken)).toEqual([]);

@@ -24,8 +24,7 @@ const one = (
   surface: Partial<Surface> = {},
   options: ReferenceOptions = {},
 ): LightShare =>
-  shade({ ...floor, ...fragment }, { ...white, ...surface }, [light({ ...grey, ...values })], options)
-    .shares[0]!;
+  shade({ ...floor, ...fragment }, { ...white, ...surface }, [light({ ...grey, ...values })], options).shares[0]!;
 
 const close = (got: Vec3, want: Vec3): void => {
   got.forEach((x, i) => {

@@ -50,8 +50,7 @@ const smoothScenes = scenes.filter(({ fragment, surface, lights, options }) =>
   }),
 );
 
-const sumOf = ({ fragment, surface, lights, options }: Scene): Vec3 =>
-  shade(fragment, surface, lights, options).sum;
+const sumOf = ({ fragment, surface, lights, options }: Scene): Vec3 => shade(fragment, surface, lights, options).sum;
 
 const near = (a: Vec3, b: Vec3, tolerance: number): void => {
   a.forEach((x, i) => {

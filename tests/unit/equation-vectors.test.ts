@@ -51,9 +51,7 @@ it.each(names)('the reference agrees with 50 digits: %s', (name) => {
       }
       expect(share.insideCone).toBe(facts.inside);
       for (const fact of FACTS)
-        expect(Math.abs(share[fact] - facts[fact]), `${fact} of ${JSON.stringify(vector)}`).toBeLessThan(
-          1e-12,
-        );
+        expect(Math.abs(share[fact] - facts[fact]), `${fact} of ${JSON.stringify(vector)}`).toBeLessThan(1e-12);
     });
   }
 });

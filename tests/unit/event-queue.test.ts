@@ -14,8 +14,7 @@ const TYPES = ['load', 'progress', 'camera-change', 'light-change'] as const;
 function queueOf(lightsChanged: (lights: readonly PhongLight[]) => void = () => undefined) {
   const element = new EventTarget();
   const seen: [string, unknown][] = [];
-  for (const type of TYPES)
-    element.addEventListener(type, (event) => seen.push([type, (event as CustomEvent).detail]));
+  for (const type of TYPES) element.addEventListener(type, (event) => seen.push([type, (event as CustomEvent).detail]));
   const lightsReported = new Signal<readonly PhongLight[]>();
   lightsReported.listen(lightsChanged);
   return { element, queue: new EventQueue(element, lightsReported), seen };

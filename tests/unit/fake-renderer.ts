@@ -87,8 +87,7 @@ export class FakeRenderer {
     for (let line = 0; line < height; line++) {
       const from = first + line * width * 4;
       const to = ((y + line) * bound.width + x) * 4;
-      if (to + width * 4 > bound.data.length || x + width > bound.width)
-        throw new RangeError('beyond the texture');
+      if (to + width * 4 > bound.data.length || x + width > bound.width) throw new RangeError('beyond the texture');
       bound.data.set(data.subarray(from, from + width * 4), to);
     }
   }

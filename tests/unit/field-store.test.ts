@@ -3,14 +3,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore, sameValue } from '../../src/fields/field-store.js';
 import { Signal } from '../../src/fields/signal.js';
-import {
-  booleanField,
-  colorField,
-  numberField,
-  optional,
-  orWord,
-  textField,
-} from '../../src/fields/field.js';
+import { booleanField, colorField, numberField, optional, orWord, textField } from '../../src/fields/field.js';
 import type { Vec3 } from '../../src/math/vector.js';
 
 interface Lamp {

@@ -12,10 +12,7 @@ const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const encoder = new TextEncoder();
 
 /** A sphere-like grid of quads with everything that a text format can have. */
-function grid(
-  vertex: (i: number, x: number, y: number) => string,
-  face: (a: number, b: number) => string,
-): string {
+function grid(vertex: (i: number, x: number, y: number) => string, face: (a: number, b: number) => string): string {
   let text = '';
   for (let i = 0; i < 16; i += 1) text += vertex(i, i % 4, Math.floor(i / 4));
   for (let i = 0; i < 11; i += 1) if (i % 4 < 3) text += face(i, i + 4);
@@ -38,9 +35,7 @@ const plyText =
   );
 const stlText =
   'solid x\n' +
-  'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n'.repeat(
-    4,
-  ) +
+  'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n'.repeat(4) +
   'endsolid x\n';
 
 function stlBinary(): Uint8Array<ArrayBuffer> {

@@ -43,10 +43,7 @@ const ply = (body: string, lines: readonly string[] = [...VERTICES, ...FACES]): 
 const utf16 = Uint8Array.from({ length: 8 * MANY }, (_, i) => [0xff, 0xfe][i] ?? (i % 2 === 0 ? 35 : 0));
 
 /** 255 triangles at each of 64 vertices. */
-const FANS = Array.from(
-  { length: 85 * 64 },
-  (_, i) => `3 ${i % 64} ${(i + 1 + (i % 7)) % 64} ${(i + 9) % 64}\n`,
-);
+const FANS = Array.from({ length: 85 * 64 }, (_, i) => `3 ${i % 64} ${(i + 1 + (i % 7)) % 64} ${(i + 9) % 64}\n`);
 const POINTS = Array.from({ length: 64 }, (_, i) => `${Math.sin(i)} ${Math.cos(3 * i)} ${Math.sin(5 * i)}\n`);
 const HEAD_OF_FANS = [`element vertex 64`, ...VERTICES.slice(1), `element face ${FANS.length}`, FACES[1]!];
 

@@ -9,8 +9,7 @@ function fromPositions(values: readonly number[]): BufferGeometry {
   return new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(values), 3));
 }
 
-const listed = (geometry: BufferGeometry, name: string): number[] =>
-  Array.from(geometry.getAttribute(name).array);
+const listed = (geometry: BufferGeometry, name: string): number[] => Array.from(geometry.getAttribute(name).array);
 
 describe('flatGeometry', () => {
   it.each([

@@ -3,13 +3,7 @@ import { Box3, type BufferAttribute, type BufferGeometry, Vector3 } from 'three'
 import { describe, expect, it, vi } from 'vitest';
 import { cross, dot, length, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shapeContent } from '../../src/scene/mesh/content-load.js';
-import {
-  CLOSED,
-  createGeometry,
-  GEOMETRIES,
-  type GeometryName,
-  roundOf,
-} from '../../src/scene/mesh/shapes/shapes.js';
+import { CLOSED, createGeometry, GEOMETRIES, type GeometryName, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
 import {
   acquireGeometry,
   FIXED,
@@ -127,25 +121,20 @@ function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly od
 const LEVELS = [16, 24, 40, 64, 80, 112];
 
 describe('closed shapes', () => {
-  it.each([...CLOSED])(
-    'the %s has exactly two triangles at each edge, one in each direction',
-    async (name) => {
-      const few = [1, 2, 3, 4, 5, 6, 7, 8, 12, 33, undefined].map((n) => [n, false] as const);
-      const levels = roundOf(name) === undefined ? [] : LEVELS.map((n) => [n, true] as const);
-      for (const [segments, isLevel] of [...few, ...levels]) {
-        const geometry = await createGeometry(name, segments, isLevel);
-        let volume = 0;
-        for (const { corners, area } of triangles(geometry)) volume += dot(corners[0], area) / 6;
-        expect(volume).toBeGreaterThan(0.01);
-        expect(edgesOf(geometry), `${String(segments)} segments`).toEqual({ open: 0, odd: 0 });
-      }
-    },
-  );
+  it.each([...CLOSED])('the %s has exactly two triangles at each edge, one in each direction', async (name) => {
+    const few = [1, 2, 3, 4, 5, 6, 7, 8, 12, 33, undefined].map((n) => [n, false] as const);
+    const levels = roundOf(name) === undefined ? [] : LEVELS.map((n) => [n, true] as const);
+    for (const [segments, isLevel] of [...few, ...levels]) {
+      const geometry = await createGeometry(name, segments, isLevel);
+      let volume = 0;
+      for (const { corners, area } of triangles(geometry)) volume += dot(corners[0], area) / 6;
+      expect(volume).toBeGreaterThan(0.01);
+      expect(edgesOf(geometry), `${String(segments)} segments`).toEqual({ open: 0, odd: 0 });
+    }
+  });
 
   it('the teapot is open at its own rims alone: of body, lid, spout and handle', async () => {
-    for (const [segments, isLevel] of [12, 17, 33, 64].flatMap((n) =>
-      [false, true].map((is) => [n, is] as const),
-    ))
+    for (const [segments, isLevel] of [12, 17, 33, 64].flatMap((n) => [false, true].map((is) => [n, is] as const)))
       expect(edgesOf(await createGeometry('teapot', segments, isLevel)), String(segments)).toEqual({
         open: 16 * Math.round(segments / 4), // sixteen patches have such a side
         odd: 0,

@@ -10,11 +10,7 @@ export const UBYTE = 5121;
 export const TRIANGLE = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
 /** A document whose buffer views are the given arrays, one each, end to end. */
-export function gltf(
-  blobs: readonly ArrayBufferView[],
-  accessors: readonly Json[],
-  more: Json,
-): Promise<Content> {
+export function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], more: Json): Promise<Content> {
   const { bufferViews, buffers, body } = viewsOf(
     blobs.map(({ buffer, byteOffset, byteLength }) => new Uint8Array(buffer, byteOffset, byteLength)),
   );

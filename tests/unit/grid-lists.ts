@@ -20,12 +20,7 @@ export const ROOM: Box = [-4, -3, -2, 4, 3, 2];
 export const DOWN: Vec3 = [0, -1, 0];
 
 /** Spots above the box that point nearly downward. Red ambient light numbers them from 1. */
-export function spotsOver(
-  box: Box,
-  count: number,
-  random: Random,
-  more: Partial<LightValues> = {},
-): LightValues[] {
+export function spotsOver(box: Box, count: number, random: Random, more: Partial<LightValues> = {}): LightValues[] {
   const unit = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 8;
   const inside = (k: 0 | 2): number => random.from(box[k], box[k + 3]!);
   return Array.from({ length: count }, (_, i) =>
@@ -98,9 +93,7 @@ export const isLit = ({ position: [x, y, z], axis, aperture }: LightValues, p: V
 
 /** The rows that each of `lights` has in `into`, found by its red ambient light, which is its number: spots alone. */
 export const rowByNumber = (into: PackedLights): Map<number, number> =>
-  new Map(
-    rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[row * 4 + floatOf('spot', 'ambient')]!), row]),
-  );
+  new Map(rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[row * 4 + floatOf('spot', 'ambient')]!), row]));
 
 /**
  * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest point of the next

@@ -50,24 +50,21 @@ it.each([
   ...firstOf([400, 100, 1600], 1).map((size) => ['sphere', size] as const),
   ...firstOf([400, 100, 1600], 1).map((size) => ['torus', size] as const),
   ...firstOf([100, 400, 1600], 1).map((size) => ['teapot', size] as const),
-])(
-  'outlines of a %s of %i pixels, inner ones too, are within 1/4 of a pixel of the round ones',
-  async (name, size) => {
-    for (const pose of name === 'teapot' || size === 1600 ? [POSE] : [POSE, { theta: 250, phi: 50 }]) {
-      const { view, tracer } = pictureOf(name, size, pose);
-      // In a picture that may have as many triangles as the outline needs.
-      const level = levelIn(view, size, false, name, IDENTITY, Infinity)!;
-      // The teapot by triangles that are 1/9 as far off it as its level's.
-      const round: CastShape = name === 'teapot' ? await built(name, 3 * level, false) : { kind: name };
-      const drawn = await built(name, level, true);
-      const { worst, compared, missed } = outlineErrors(tracer(round, 1), tracer(drawn, 1), LINES);
-      const text = `${name}, ${String(size)} pixels: ${String(level)} segments, ${worst.toFixed(3)} of a pixel`;
-      console.log(`${text} in ${String(compared)} places, ${String(missed)} without a counterpart`);
-      expect(compared).toBeGreaterThan(LINES);
-      expect(worst).toBeLessThan(0.25);
-    }
-  },
-);
+])('outlines of a %s of %i pixels, inner ones too, are within 1/4 of a pixel of the round ones', async (name, size) => {
+  for (const pose of name === 'teapot' || size === 1600 ? [POSE] : [POSE, { theta: 250, phi: 50 }]) {
+    const { view, tracer } = pictureOf(name, size, pose);
+    // In a picture that may have as many triangles as the outline needs.
+    const level = levelIn(view, size, false, name, IDENTITY, Infinity)!;
+    // The teapot by triangles that are 1/9 as far off it as its level's.
+    const round: CastShape = name === 'teapot' ? await built(name, 3 * level, false) : { kind: name };
+    const drawn = await built(name, level, true);
+    const { worst, compared, missed } = outlineErrors(tracer(round, 1), tracer(drawn, 1), LINES);
+    const text = `${name}, ${String(size)} pixels: ${String(level)} segments, ${worst.toFixed(3)} of a pixel`;
+    console.log(`${text} in ${String(compared)} places, ${String(missed)} without a counterpart`);
+    expect(compared).toBeGreaterThan(LINES);
+    expect(worst).toBeLessThan(0.25);
+  }
+});
 
 const PIXELS = fullOr(8000, 1500);
 

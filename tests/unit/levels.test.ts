@@ -7,14 +7,7 @@ import { basisOf } from '../../src/camera/orbit.js';
 import { isLargeFor, levelFor, levelIn, segmentsIn } from '../../src/scene/mesh/levels.js';
 import { createGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
 import type { Frustum } from '../../src/scene/frustum-clip.js';
-import {
-  boxOf,
-  deviations,
-  highest,
-  type Piece,
-  type RoundName,
-  roundShapes,
-} from '../support/round-shapes.js';
+import { boxOf, deviations, highest, type Piece, type RoundName, roundShapes } from '../support/round-shapes.js';
 
 const SHAPES = roundShapes();
 const NAMES = Object.keys(SHAPES) as RoundName[];
@@ -117,8 +110,7 @@ describe('the number of segments that a shape needs', () => {
   it('is 0 for a sphere whose outline is outside the picture, and not where a corner shows it', () => {
     const corner = Math.hypot(1, 4 / 3) * Math.tan(Math.PI / 8);
     const filled = 0.5 / Math.sin(Math.atan(corner));
-    const need = (share: number, x: number) =>
-      segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0));
+    const need = (share: number, x: number) => segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0));
     expect([need(0.99, 0), need(0.9, 0)]).toEqual([0, 0]);
     for (const n of [need(1.01, 0), need(0.9, 0.2)]) expect(n).toBeGreaterThan(30);
   });

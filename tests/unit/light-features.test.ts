@@ -2,13 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  declaredFeatures,
-  featuresOf,
-  kindFeatures,
-  kindOf,
-  unionOf,
-} from '../../src/light/light-features.js';
+import { declaredFeatures, featuresOf, kindFeatures, kindOf, unionOf } from '../../src/light/light-features.js';
 import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
 import { LARGEST_INTEGER_POWER } from '../../src/light/precision.js';
 import type { LightValues } from '../../src/light/light-state.js';
@@ -129,9 +123,7 @@ describe('declared features', () => {
   it('include those of inactive lights, so that toggling compiles nothing', () => {
     fc.assert(
       fc.property(anyLight, (values) => {
-        expect(declaredBy({ ...values, active: false })).toStrictEqual(
-          declaredBy({ ...values, active: true }),
-        );
+        expect(declaredBy({ ...values, active: false })).toStrictEqual(declaredBy({ ...values, active: true }));
       }),
     );
   });
@@ -152,14 +144,7 @@ describe('declared features', () => {
 it('the features of each kind are those that any of its lights needs', () => {
   const { tintedDiffuse, chords, attenuated, decay, powerShift } = LIGHT_FEATURES;
   const counts = { directional: 0, point: 2, spot: 3 };
-  const features = [
-    attenuated,
-    tintedDiffuse,
-    4 << powerShift,
-    (4 << powerShift) | chords,
-    8 << powerShift,
-    decay,
-  ];
+  const features = [attenuated, tintedDiffuse, 4 << powerShift, (4 << powerShift) | chords, 8 << powerShift, decay];
   expect(kindFeatures({ counts, features })).toEqual({
     ...{ directional: 0, point: attenuated | tintedDiffuse, spot: decay | chords },
   });

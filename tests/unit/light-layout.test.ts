@@ -1,14 +1,7 @@
 // Do the GLSL's defines and the packing's offsets come from one table, and does the table hold together?
 
 import { describe, expect, it } from 'vitest';
-import {
-  GRID,
-  HEADER,
-  layoutDefines,
-  PACKED_VALUES,
-  ROWS,
-  TEXTURE_ROWS_LOG2,
-} from '../../src/light/light-layout.js';
+import { GRID, HEADER, layoutDefines, PACKED_VALUES, ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
 import {
   LARGEST_INTEGER_POWER,
   LARGEST_MILD_CUTOFF,
@@ -46,16 +39,13 @@ describe('the layout', () => {
     },
   );
 
-  it.each(Object.entries(PACKED_VALUES))(
-    'gives every number of a %s light a place of its own',
-    (_, values) => {
-      const places = values.flatMap(({ as, at }) => {
-        if (typeof as !== 'string') return [at];
-        return as === 'numbers' ? [at, at + 4, at + 8] : [at, at + 1, at + 2];
-      });
-      expect(new Set(places).size).toBe(places.length);
-    },
-  );
+  it.each(Object.entries(PACKED_VALUES))('gives every number of a %s light a place of its own', (_, values) => {
+    const places = values.flatMap(({ as, at }) => {
+      if (typeof as !== 'string') return [at];
+      return as === 'numbers' ? [at, at + 4, at + 8] : [at, at + 1, at + 2];
+    });
+    expect(new Set(places).size).toBe(places.length);
+  });
 
   it('has no series only for powers whose errors stay invisible', () => {
     // 2^-25 for each multiplication, twice 2^-21 for a lawful log2.
@@ -66,8 +56,7 @@ describe('the layout', () => {
   });
 
   it('has thresholds that float32 holds, a limit that no chord reaches, and texture rows for every device', () => {
-    for (const n of [NEAREST, NEAREST * NEAREST, LEAST_EXPONENT])
-      expect(Math.fround(n)).toBeGreaterThan(2 ** -126); // normal numbers
+    for (const n of [NEAREST, NEAREST * NEAREST, LEAST_EXPONENT]) expect(Math.fround(n)).toBeGreaterThan(2 ** -126); // normal numbers
     expect(LIMIT_OPEN).toBeGreaterThan(1);
     expect(Math.fround(LIMIT_OPEN)).toBe(LIMIT_OPEN);
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);

@@ -3,13 +3,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { numberField } from '../../src/fields/field.js';
-import {
-  LIGHT_FIELDS,
-  type LightField,
-  LightState,
-  type LightValues,
-  LIMITS,
-} from '../../src/light/light-state.js';
+import { LIGHT_FIELDS, type LightField, LightState, type LightValues, LIMITS } from '../../src/light/light-state.js';
 import { shade } from '../../src/reference/index.js';
 import { anyLight, plainLight } from './arbitraries.js';
 

@@ -91,9 +91,7 @@ it(`a picture packs what a new picture packs, whatever changes between frames (s
       packedBy(lighting, picture);
       for (const inOneFrame of changes) {
         for (const happen of inOneFrame) happen(picture);
-        expect(packedBy(lighting, picture)).toStrictEqual(
-          packedBy(new PhongLighting(picture.lights), picture),
-        );
+        expect(packedBy(lighting, picture)).toStrictEqual(packedBy(new PhongLighting(picture.lights), picture));
       }
     }),
     { numRuns: 500, seed: SEED },

@@ -84,8 +84,7 @@ describe('the custom elements manifest', () => {
     offered.push('toBlob', 'toHTML', 'resetCamera', 'requestRender', 'refit', 'autoRotate');
     expect(members).toEqual(expect.arrayContaining(offered));
     expect(members.filter((name) => /^#|Callback$|^(state|declared|render|updated)$/.test(name))).toEqual([]);
-    for (const member of declared('phong-viewer').members!)
-      expect(member.description, member.name).toBeTruthy();
+    for (const member of declared('phong-viewer').members!) expect(member.description, member.name).toBeTruthy();
   });
 
   it('lists properties without an attribute, once', () => {

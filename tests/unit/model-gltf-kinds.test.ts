@@ -15,12 +15,7 @@ const POSITION = view(0, 'VEC3');
 const BYTE = 5120;
 const USHORT = 5123;
 
-const list = (
-  name: string,
-  size: number,
-  values: ArrayBufferView & ArrayLike<number>,
-  componentType = FLOAT,
-) => ({
+const list = (name: string, size: number, values: ArrayBufferView & ArrayLike<number>, componentType = FLOAT) => ({
   name,
   values,
   accessor: {
@@ -32,11 +27,7 @@ const list = (
 });
 
 /** A triangle at these instances of a node, which has a transform of its own. */
-function instanced(
-  lists: readonly ReturnType<typeof list>[],
-  more: Json = {},
-  node: Json = {},
-): Promise<Content> {
+function instanced(lists: readonly ReturnType<typeof list>[], more: Json = {}, node: Json = {}): Promise<Content> {
   const attributes = Object.fromEntries(lists.map(({ name }, i) => [name, i + 1]));
   return gltf(
     [triangle, ...lists.map(({ values }) => values)],
@@ -132,12 +123,7 @@ describe('instances', () => {
     const extensions = { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION: 1 } } };
     const channels = [{ sampler: 0, target: { node: 0, path: 'translation' } }];
     const model = await gltf(
-      [
-        triangle,
-        new Float32Array([1, 0, 0, 2, 0, 0]),
-        new Float32Array([0, 1]),
-        new Float32Array([0, 0, 0, 7, 0, 0]),
-      ],
+      [triangle, new Float32Array([1, 0, 0, 2, 0, 0]), new Float32Array([0, 1]), new Float32Array([0, 0, 0, 7, 0, 0])],
       [POSITION, view(1, 'VEC3', FLOAT, 2), view(2, 'SCALAR', FLOAT, 2), view(3, 'VEC3', FLOAT, 2)],
       {
         ...mesh({ POSITION: 0 }),
@@ -183,11 +169,7 @@ describe('hidden nodes', () => {
 });
 
 /** A triangle whose corners follow these joints, the first one each if there are fewer. */
-function skinned(
-  joints: readonly Json[],
-  more: Json = {},
-  blobs: readonly Float32Array[] = [],
-): Promise<Content> {
+function skinned(joints: readonly Json[], more: Json = {}, blobs: readonly Float32Array[] = []): Promise<Content> {
   const of = (corner: number): number => Math.min(corner, joints.length - 1);
   const indices = new Uint8Array([0, 1, 2].flatMap((corner) => [of(corner), 0, 0, 0]));
   return gltf(
@@ -295,15 +277,12 @@ describe('normals without direction', () => {
     expect(numbers(model, 'normal')).toEqual([0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, -1, 1, 0, 0]);
   });
 
-  it.each(['still', 'morphed'])(
-    'are those of the faces where all are missing in a %s mesh',
-    async (which) => {
-      const morphed = mesh({ POSITION: 0, NORMAL: 1 }, { indices: 2, targets: [{ POSITION: 3 }] });
-      const more = which === 'morphed' ? { ...morphed, weights: [1] } : {};
-      const model = await square(new Array<number>(12).fill(0), ORDER, more);
-      expect(numbers(model, 'normal')).toEqual(ORDER.flatMap(() => [0, 0, 1]));
-    },
-  );
+  it.each(['still', 'morphed'])('are those of the faces where all are missing in a %s mesh', async (which) => {
+    const morphed = mesh({ POSITION: 0, NORMAL: 1 }, { indices: 2, targets: [{ POSITION: 3 }] });
+    const more = which === 'morphed' ? { ...morphed, weights: [1] } : {};
+    const model = await square(new Array<number>(12).fill(0), ORDER, more);
+    expect(numbers(model, 'normal')).toEqual(ORDER.flatMap(() => [0, 0, 1]));
+  });
 });
 
 describe('metals', () => {
@@ -348,8 +327,6 @@ it('what is left out is named once, in one warning of bounded length', async () 
     animations: [{ samplers: [], channels: [{ sampler: 0, target }] }],
   });
   expect(warnings).toHaveLength(1);
-  expect(warnings[0]).toMatch(
-    /without KHR_lights_punctual, X+\.\.\., points, lines, KHR_animation_pointer\.$/,
-  );
+  expect(warnings[0]).toMatch(/without KHR_lights_punctual, X+\.\.\., points, lines, KHR_animation_pointer\.$/);
   expect(warnings[0]!.length).toBeLessThan(300);
 });

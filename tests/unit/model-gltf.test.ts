@@ -25,9 +25,7 @@ describe('attributes', () => {
 
   it('must be as many as there are vertices, and triangles must name vertices that exist', async () => {
     const fewer = view(0, 'VEC3', FLOAT, 2);
-    await expect(gltf([triangle], [POSITION, fewer], mesh({ POSITION: 0, NORMAL: 1 }))).rejects.toThrow(
-      /fewer normal/,
-    );
+    await expect(gltf([triangle], [POSITION, fewer], mesh({ POSITION: 0, NORMAL: 1 }))).rejects.toThrow(/fewer normal/);
     const indexed = mesh({ POSITION: 0 }, { indices: 1 });
     await expect(
       gltf([triangle, new Uint8Array([0, 1, 3])], [POSITION, view(1, 'SCALAR', UBYTE)], indexed),
@@ -35,11 +33,10 @@ describe('attributes', () => {
   });
 
   it('may have strided indices', async () => {
-    const model = await gltf(
-      [triangle, new Uint16Array([2, 9, 1, 9, 0, 9])],
-      [POSITION, view(1, 'SCALAR', 5123)],
-      { ...mesh({ POSITION: 0, NORMAL: 0 }, { indices: 1 }), strides: [12, 4] },
-    );
+    const model = await gltf([triangle, new Uint16Array([2, 9, 1, 9, 0, 9])], [POSITION, view(1, 'SCALAR', 5123)], {
+      ...mesh({ POSITION: 0, NORMAL: 0 }, { indices: 1 }),
+      strides: [12, 4],
+    });
     expect(indexOf(model)).toEqual([2, 1, 0]);
   });
 

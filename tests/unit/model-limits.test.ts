@@ -98,18 +98,15 @@ describe('every accessor that is read is counted', () => {
   /** Puts a value in place of one. */
   const SPARSE = { count: 1, indices: { bufferView: 0, componentType: 5123 }, values: { bufferView: 0 } };
 
-  it.each(['POSITION', 'NORMAL'])(
-    'a morph target with fewer or more %s than its mesh has vertices',
-    async (name) => {
-      for (const count of [2, claim]) {
-        const accessors = [SOUND, { componentType: 5120, count, type: 'VEC3' }];
-        const primitives = [{ attributes: { POSITION: 0 }, targets: [{ [name]: 1 }] }];
-        const file = hostile.triangleGlb({ accessors, meshes: [{ primitives, weights: [1] }] });
-        const what = `targets\\[0\\].${name} has ${count} elements, but its mesh has 3 vertices`;
-        expect(await outcome(file)).toMatch(new RegExp(`^bad-model: .*${what}`));
-      }
-    },
-  );
+  it.each(['POSITION', 'NORMAL'])('a morph target with fewer or more %s than its mesh has vertices', async (name) => {
+    for (const count of [2, claim]) {
+      const accessors = [SOUND, { componentType: 5120, count, type: 'VEC3' }];
+      const primitives = [{ attributes: { POSITION: 0 }, targets: [{ [name]: 1 }] }];
+      const file = hostile.triangleGlb({ accessors, meshes: [{ primitives, weights: [1] }] });
+      const what = `targets\\[0\\].${name} has ${count} elements, but its mesh has 3 vertices`;
+      expect(await outcome(file)).toMatch(new RegExp(`^bad-model: .*${what}`));
+    }
+  });
 
   const whole = bar();
   const accessors = whole['accessors'] as readonly Json[];
@@ -123,9 +120,7 @@ describe('every accessor that is read is counted', () => {
         const result = await outcome(jsonOf({ ...whole, accessors: claims }));
         // Animations whose times do not fit their values are left out, unread.
         const leftOut = i === accessors.findIndex(({ type }, k) => type === 'SCALAR' && k > 8);
-        expect(result).toMatch(
-          leftOut ? /^1 parts$/ : /^(too-large: .* at most|bad-model: .*elements, but its mesh)/,
-        );
+        expect(result).toMatch(leftOut ? /^1 parts$/ : /^(too-large: .* at most|bad-model: .*elements, but its mesh)/);
       }
     },
   );
@@ -170,9 +165,7 @@ describe('every accessor that is read is counted', () => {
         { componentType: FLOAT, count: 1, type: 'SCALAR' },
         { componentType: FLOAT, count: targets, type: 'SCALAR' },
       ],
-      animations: [
-        { samplers: [{ input: times, output: times + 1 }], channels: Array(10_000).fill(channel) },
-      ],
+      animations: [{ samplers: [{ input: times, output: times + 1 }], channels: Array(10_000).fill(channel) }],
     });
     expect(await outcome(file)).toMatch(/^too-large: .*numbers in its vertices/);
   });
@@ -202,8 +195,7 @@ describe('parts', () => {
 
 describe('images', () => {
   const decode = vi.fn((blob: Blob, _options: ImageBitmapOptions) => bitmapOf(blob));
-  const png = (width: number, height: number): Buffer =>
-    pngWith(width, height, 32, deflateSync(Buffer.alloc(10)));
+  const png = (width: number, height: number): Buffer => pngWith(width, height, 32, deflateSync(Buffer.alloc(10)));
 
   beforeEach(() => {
     decode.mockClear();
@@ -215,9 +207,7 @@ describe('images', () => {
     ['many whose sum is too much', Array.from({ length: 65 }, () => png(1024, 1024))],
   ])('are too-large by their headers: %s', async (_, images) => {
     const textures = images.map((_, source) => ({ source }));
-    expect(await outcome(hostile.texturedGlb(images, textures))).toMatch(
-      /^too-large: .*pixels in its images/,
-    );
+    expect(await outcome(hostile.texturedGlb(images, textures))).toMatch(/^too-large: .*pixels in its images/);
     expect(decode.mock.calls.length).toBeLessThan(65);
   });
 
@@ -270,14 +260,9 @@ it.each([
   ['agree with accessors beyond the limits of a mesh', [1.2e6, 6e5], [1.2e6, 6e5], /in one Draco mesh/],
   ['are themselves beyond the limits of a mesh', [1.2e6, 6e5], [8e5, 4e5], /in one Draco mesh/],
   ['end after their header', [1e6, 5e5], [1e6, 5e5], /^bad-model: .*Draco data/],
-] as const)(
-  'Draco data that %s are refused before decoding',
-  async (_, [faces, points], [claimed, least], message) => {
-    expect(await outcome(hostile.dracoGlb(faces, points, { faces: claimed, points: least }))).toMatch(
-      message,
-    );
-  },
-);
+] as const)('Draco data that %s are refused before decoding', async (_, [faces, points], [claimed, least], message) => {
+  expect(await outcome(hostile.dracoGlb(faces, points, { faces: claimed, points: least }))).toMatch(message);
+});
 
 describe('text', () => {
   /** A triangle and `size` bytes more. */
@@ -327,9 +312,7 @@ describe('text', () => {
   ])(
     'is too-large before it is read: %s',
     async (_, text) => {
-      expect(await outcome(new Blob([text]))).toMatch(
-        /^too-large: The model has [\d,]+ bytes of (text|JSON)/,
-      );
+      expect(await outcome(new Blob([text]))).toMatch(/^too-large: The model has [\d,]+ bytes of (text|JSON)/);
     },
     20_000,
   );
@@ -349,10 +332,7 @@ describe('documents that are wrong', () => {
   const typed = (type: string): Buffer => hostile.triangleGlb({ accessors: [{ ...SOUND, type }] });
   const unknownType = /accessors\[0\] has an unknown type/;
   const tooDeep = /nodes are nested deeper than 1000 levels|too-large/;
-  const odd = JSON.stringify(hostile.triangleDocument()).replace(
-    '{',
-    '{"__proto__":{"scenes":[]},"constructor":0,',
-  );
+  const odd = JSON.stringify(hostile.triangleDocument()).replace('{', '{"__proto__":{"scenes":[]},"constructor":0,');
 
   it.each([
     ['an accessor of the type constructor', typed('constructor'), unknownType],

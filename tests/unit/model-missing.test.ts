@@ -68,9 +68,7 @@ describe.each([
     expect(mapsOf(model)).toEqual([false]);
     expect(model.missing).toEqual([path]);
     expect(warnings).toEqual([expect.stringMatching(reason)]);
-    expect(warnings[0]).toContain(
-      `${Object.keys(files)[0]!} is shown without 1 of the files that it names: ${path}. `,
-    );
+    expect(warnings[0]).toContain(`${Object.keys(files)[0]!} is shown without 1 of the files that it names: ${path}. `);
   });
 });
 
@@ -162,9 +160,7 @@ describe('files from the user’s disk', () => {
     const model = await dropped(obj(Array.from({ length: 14 }, (_, i) => `${i}.png`)));
     expect(model.missing).toHaveLength(14);
     expect(warnings).toHaveLength(1);
-    expect(warnings[0]).toMatch(
-      /without 14 of .*lib\/0\.png, .*lib\/9\.png and 4 more\. Drop them[^:]*all\.$/,
-    );
+    expect(warnings[0]).toMatch(/without 14 of .*lib\/0\.png, .*lib\/9\.png and 4 more\. Drop them[^:]*all\.$/);
   });
 
   it('are an error that names everything missing if a buffer is', async () => {

@@ -60,22 +60,19 @@ const cases: readonly [string, BarOptions][] = [
   ['joints and morph targets', {}],
 ];
 
-it.each(cases)(
-  'the pose of %s is the same as in three.js in each animation at any time',
-  async (_, options) => {
-    const document = bar(options);
-    const atRest = await expected(document, -1, 0);
-    const model = await load(document);
-    expectPlaces(model, atRest);
-    for (const seconds of [0, 0.3, 1, 1.25, 1.999])
-      for (const [clip, name] of model.motion?.names.entries() ?? []) {
-        model.motion?.pose(name, seconds);
-        expectPlaces(model, await expected(document, clip, seconds));
-      }
-    model.motion?.pose(null, 0);
-    expectPlaces(model, atRest);
-  },
-);
+it.each(cases)('the pose of %s is the same as in three.js in each animation at any time', async (_, options) => {
+  const document = bar(options);
+  const atRest = await expected(document, -1, 0);
+  const model = await load(document);
+  expectPlaces(model, atRest);
+  for (const seconds of [0, 0.3, 1, 1.25, 1.999])
+    for (const [clip, name] of model.motion?.names.entries() ?? []) {
+      model.motion?.pose(name, seconds);
+      expectPlaces(model, await expected(document, clip, seconds));
+    }
+  model.motion?.pose(null, 0);
+  expectPlaces(model, atRest);
+});
 
 describe('a pose', () => {
   it('has the bounds of its vertices, in a new object each time', async () => {
@@ -127,8 +124,7 @@ describe('a pose', () => {
       scenes: [{ nodes: [0, 3] }],
       nodes: [...(document['nodes'] as object[]), { mesh: 0, weights: [1, 0], translation: [5, 0, 0] }],
     });
-    const firstX = (): number[] =>
-      model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
+    const firstX = (): number[] => model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
     expect(firstX()).toEqual([0.25, 0.75]);
     model.motion?.pose('swell', 1);
     expect(firstX()).toEqual([0.75, 0.75]);
@@ -227,8 +223,7 @@ describe('nodes, skins and scenes in any arrangement', () => {
   });
 
   it('with a joint that is an ancestor of its mesh, or the mesh itself, or has the same mesh without a skin', async () => {
-    const parts = async (arrangement: Arrangement): Promise<number> =>
-      (await load(arranged(arrangement))).parts.length;
+    const parts = async (arrangement: Arrangement): Promise<number> => (await load(arranged(arrangement))).parts.length;
     const chain = { parents: [0, 1, -1, -1], roots: [0], joints: [[0, 1], []] };
     expect(await parts({ ...chain, meshes: [-1, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(1);
     expect(await parts({ ...chain, meshes: [-1, 0, -1, -1, -1], skins: [-1, 0, -1, -1, -1] })).toBe(1);

@@ -59,8 +59,7 @@ afterEach(() => {
 const load = (path: string, options: Partial<LoadOptions> = {}): Promise<Content> =>
   modelContent(new URL(path, ORIGIN), { ...OPTIONS, ...options });
 
-const values = (geometry: BufferGeometry, name: string): number[] =>
-  Array.from(geometry.getAttribute(name).array);
+const values = (geometry: BufferGeometry, name: string): number[] => Array.from(geometry.getAttribute(name).array);
 
 function onlyPart(model: Content): Content['parts'][number] {
   expect(model.parts).toHaveLength(1);
@@ -107,35 +106,32 @@ it.each([
   ['textured.glb', []],
   ['data-uris.gltf', []],
   ['beside/quad.gltf', ['beside/quad.bin', 'beside/textures/four colours.png']],
-])(
-  'textures of %s are decoded from bytes, unconverted, with the sampler of the file',
-  async (file, others) => {
-    const model = await load(`/fixtures/${file}`);
-    // Nothing but what is in the model's folder and below.
-    expect(requests.toSorted()).toEqual([file, ...others].map((path) => `/fixtures/${path}`).toSorted());
-    const { geometry, look, name } = onlyPart(model);
-    expect(name).toBe('quad');
-    expect(model.missing).toEqual([]);
-    expect(values(geometry, 'uv')).toEqual([0, 1, 1, 1, 1, 0, 0, 0]);
-    const map = look.map as Texture;
-    expect(map).toMatchObject({
-      colorSpace: NoColorSpace,
-      flipY: false,
-      channel: 0,
-      magFilter: NearestFilter,
-      minFilter: NearestFilter,
-      wrapS: ClampToEdgeWrapping,
-      wrapT: ClampToEdgeWrapping,
-      generateMipmaps: false,
-      premultiplyAlpha: false,
-    });
-    expect(map.version).toBeGreaterThan(0);
-    expect(bitmaps).toHaveLength(1);
-    expect(bitmaps[0]?.options).toEqual({ premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
-    model.dispose();
-    await expect.poll(() => bitmaps[0]?.close).toHaveBeenCalledTimes(1);
-  },
-);
+])('textures of %s are decoded from bytes, unconverted, with the sampler of the file', async (file, others) => {
+  const model = await load(`/fixtures/${file}`);
+  // Nothing but what is in the model's folder and below.
+  expect(requests.toSorted()).toEqual([file, ...others].map((path) => `/fixtures/${path}`).toSorted());
+  const { geometry, look, name } = onlyPart(model);
+  expect(name).toBe('quad');
+  expect(model.missing).toEqual([]);
+  expect(values(geometry, 'uv')).toEqual([0, 1, 1, 1, 1, 0, 0, 0]);
+  const map = look.map as Texture;
+  expect(map).toMatchObject({
+    colorSpace: NoColorSpace,
+    flipY: false,
+    channel: 0,
+    magFilter: NearestFilter,
+    minFilter: NearestFilter,
+    wrapS: ClampToEdgeWrapping,
+    wrapT: ClampToEdgeWrapping,
+    generateMipmaps: false,
+    premultiplyAlpha: false,
+  });
+  expect(map.version).toBeGreaterThan(0);
+  expect(bitmaps).toHaveLength(1);
+  expect(bitmaps[0]?.options).toEqual({ premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+  model.dispose();
+  await expect.poll(() => bitmaps[0]?.close).toHaveBeenCalledTimes(1);
+});
 
 describe('looks', () => {
   it('has one normal a triangle where the file has none', async () => {
@@ -171,11 +167,7 @@ describe('failures', () => {
     ['/fixtures/points-only.glb', 'bad-model', /no triangles/],
     ['/fixtures/not-a-number.glb', 'bad-model', /coordinate NaN/],
     ['/fixtures/unknown-extension.glb', 'bad-model', /EXT_mesh_of_tomorrow/],
-    [
-      '/fixtures/meshopt-claims.glb',
-      'bad-model',
-      /bufferViews\[0\] does not unpack to the bytes that it claims/,
-    ],
+    ['/fixtures/meshopt-claims.glb', 'bad-model', /bufferViews\[0\] does not unpack to the bytes that it claims/],
     ['/fixtures/meshopt-damaged.glb', 'bad-model', /Malformed buffer data/],
     ['/fixtures/other-origin.gltf', 'load-failed', /https:\/\/example\.com\/quad\.bin.*crossorigin/],
     ['/fixtures/folder-above.gltf', 'load-failed', /is not in the folder of folder-above\.gltf/],
@@ -198,9 +190,9 @@ describe('failures', () => {
         async (changes) => {
           const bytes = Buffer.from(whole);
           for (const [index, value] of changes) bytes[index] = value;
-          const result: unknown = await load(
-            `data:model/gltf-binary;base64,${bytes.toString('base64')}`,
-          ).catch((reason: unknown) => reason);
+          const result: unknown = await load(`data:model/gltf-binary;base64,${bytes.toString('base64')}`).catch(
+            (reason: unknown) => reason,
+          );
           if (result instanceof Error) expect(result).toBeInstanceOf(ModelError);
           else (result as Content).dispose();
         },

@@ -61,8 +61,7 @@ function leastSeen({ meshes, fov, ...pose }: CoverageScene): number {
   const placed = meshes.map((mesh) => ({ ...SURFACE, position: ZERO, rotation: ZERO, scale: ONE, ...mesh }));
   const cast = caster({ pose, fov, meshes: placed, lights: [], options: {} }, WIDTH, HEIGHT);
   let least = Infinity;
-  for (let y = 0; y < HEIGHT; y++)
-    for (let x = 0; x < WIDTH; x++) least = Math.min(least, cast(x, y)?.t ?? Infinity);
+  for (let y = 0; y < HEIGHT; y++) for (let x = 0; x < WIDTH; x++) least = Math.min(least, cast(x, y)?.t ?? Infinity);
   return least;
 }
 

@@ -82,24 +82,20 @@ describe('the normal matrix of a flattened mesh', () => {
         }
         const turned = new Vector3().setComponent(flat, 1).transformDirection(place(rotation, [1, 1, 1]));
         // The cofactors of the two scales that are left have their sign: it is the side that the triangles face.
-        const side =
-          Math.sign(along) * Math.sign(scale.reduce((product, s) => (s === 0 ? product : product * s), 1));
+        const side = Math.sign(along) * Math.sign(scale.reduce((product, s) => (s === 0 ? product : product * s), 1));
         near(got.normalize(), turned.multiplyScalar(side));
       }),
     );
   });
 
-  it.each([[[1, 0, 0]], [[0, 0, 1]], [[0, 0, 0]]])(
-    'to a line or a point by %j is zero, never NaN',
-    (scale) => {
-      fc.assert(
-        fc.property(angles, (rotation) => {
-          expect(normals(place(rotation, scale)).elements.every((x) => x === 0)).toBe(true);
-        }),
-        { numRuns: 50 },
-      );
-    },
-  );
+  it.each([[[1, 0, 0]], [[0, 0, 1]], [[0, 0, 0]]])('to a line or a point by %j is zero, never NaN', (scale) => {
+    fc.assert(
+      fc.property(angles, (rotation) => {
+        expect(normals(place(rotation, scale)).elements.every((x) => x === 0)).toBe(true);
+      }),
+      { numRuns: 50 },
+    );
+  });
 
   it('is finite for entries of any size and sign, mixed at will', () => {
     const size = fc.double({ min: 5e-324, max: 1e27, noNaN: true });

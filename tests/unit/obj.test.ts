@@ -42,9 +42,7 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it('shares a vertex where position, texture coordinates and normal agree, and nowhere else', async () => {
-    const model = await obj(
-      `${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`,
-    );
+    const model = await obj(`${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`);
     expect(model.parts[0]?.geometry.getAttribute('position').count).toBe(5);
     expect(cornersOf(model, 'normal')[5]).toEqual([0, 0.6, 0.8]);
   });
@@ -75,9 +73,7 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it('keeps the precision of far coordinates by moving them to an origin', async () => {
-    const model = await obj(
-      'v 500000.001 4000000 0\nv 500000.002 4000000 0\nv 500000.001 4000000.001 0\nf 1 2 3',
-    );
+    const model = await obj('v 500000.001 4000000 0\nv 500000.002 4000000 0\nv 500000.001 4000000.001 0\nf 1 2 3');
     expect(numbersOf(model, 'position')).toEqual([0, 0, 0, 0.001, 0, 0, 0, 0.001, 0]);
     expect(model.parts[0]?.matrix.elements.slice(12, 15)).toEqual([500000.001, 4000000, 0]);
     expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0, 1]);
@@ -99,8 +95,7 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it('becomes one part per material where it has thousands of objects', async () => {
-    const screw = (_: unknown, i: number): string =>
-      `o screw${i}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
+    const screw = (_: unknown, i: number): string => `o screw${i}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
     const text = QUAD + Array.from({ length: 1200 }, screw).join('');
     expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([1800, 1800]);
   });

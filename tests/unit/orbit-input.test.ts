@@ -59,8 +59,7 @@ function setUp() {
     fire(type, { ...MOUSE, clientX, ...values });
   const touch = (type: string, pointerId: number, clientX: number, clientY = 0): boolean =>
     mouse(type, clientX, { pointerType: 'touch', pointerId, clientY });
-  const wheel = (deltaY: number, values: object = {}): boolean =>
-    fire('wheel', { deltaY, deltaMode: 0, ...values });
+  const wheel = (deltaY: number, values: object = {}): boolean => fire('wheel', { deltaY, deltaMode: 0, ...values });
   const key = (name: string, values: object = {}): boolean => fire('keydown', { key: name, ...values });
   const listening = vi.spyOn(window, 'addEventListener');
   /** Whether the next click is kept from the page. */
@@ -84,19 +83,16 @@ describe('the pointer', () => {
     expect(log).toStrictEqual(['held', 'pointer', 'let go']);
   });
 
-  it.each(['pointercancel', 'lostpointercapture', 'blur', 'a move without buttons'])(
-    'ends the drag at %s',
-    (what) => {
-      const { orbit, input, fire, mouse, window } = setUp();
-      mouse('pointerdown', 100);
-      if (what === 'blur') fire('blur', {}, window);
-      else if (what === 'a move without buttons') mouse('pointermove', 150, { buttons: 0 });
-      else mouse(what, 100);
-      expect(input.dragging).toBe(false);
-      mouse('pointermove', 200);
-      expect(orbit.version).toBe(0);
-    },
-  );
+  it.each(['pointercancel', 'lostpointercapture', 'blur', 'a move without buttons'])('ends the drag at %s', (what) => {
+    const { orbit, input, fire, mouse, window } = setUp();
+    mouse('pointerdown', 100);
+    if (what === 'blur') fire('blur', {}, window);
+    else if (what === 'a move without buttons') mouse('pointermove', 150, { buttons: 0 });
+    else mouse(what, 100);
+    expect(input.dragging).toBe(false);
+    mouse('pointermove', 200);
+    expect(orbit.version).toBe(0);
+  });
 
   it('shifts the target with Shift or the secondary button, and ignores other buttons', () => {
     for (const values of [{ shiftKey: true }, SECONDARY]) {
@@ -230,8 +226,7 @@ describe('keys', () => {
 
   it('are ignored with Ctrl, Alt or Meta, and if they have no meaning', () => {
     const { log, key } = setUp();
-    for (const modifier of ['ctrlKey', 'altKey', 'metaKey'])
-      expect(key('ArrowUp', { [modifier]: true })).toBe(false);
+    for (const modifier of ['ctrlKey', 'altKey', 'metaKey']) expect(key('ArrowUp', { [modifier]: true })).toBe(false);
     expect(key('a')).toBe(false);
     expect(log).toStrictEqual([]);
   });

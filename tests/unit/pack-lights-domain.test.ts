@@ -14,12 +14,7 @@ import { loop, pack, read } from './packed-reader.js';
 
 const place = triple(numbers(-1e15, 1e15));
 
-const spaceOf = (
-  [x, y, z]: readonly [Vec3, Vec3, Vec3],
-  origin: Vec3,
-  eye: Vec3,
-  linear: boolean,
-): PackSpace => ({
+const spaceOf = ([x, y, z]: readonly [Vec3, Vec3, Vec3], origin: Vec3, eye: Vec3, linear: boolean): PackSpace => ({
   worldToShading: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -origin[0], -origin[1], -origin[2], 1],
   cameraToShading: [...x, 0, ...y, 0, ...z, 0, ...subtract(eye, origin), 1],
   linear,
@@ -80,9 +75,7 @@ describe('packed lights read as the loop reads them', () => {
           want.shares.every((share, i) => {
             const { aperture } = scene[i]!;
             if (share === null || aperture === 180) return true;
-            return (
-              Math.abs(Math.acos(Math.min(Math.max(share.c, -1), 1)) - (aperture * Math.PI) / 180) > 1e-4
-            );
+            return Math.abs(Math.acos(Math.min(Math.max(share.c, -1), 1)) - (aperture * Math.PI) / 180) > 1e-4;
           }),
         );
         fc.pre(want.shares.every((share) => share === null || share.d > 0.1));

@@ -5,13 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { coneLimit } from '../../src/light/precision.js';
 import { HEADER } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import {
-  emptyPack,
-  moveLights,
-  type PackedLights,
-  packLights,
-  selectLights,
-} from '../../src/light/pack-lights.js';
+import { emptyPack, moveLights, type PackedLights, packLights, selectLights } from '../../src/light/pack-lights.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { shade } from '../../src/reference/equation.js';
 import { anyLight, light, rotation } from './arbitraries.js';
@@ -30,15 +24,13 @@ it('keeps colours above 255', () => {
 });
 
 it('makes a cone of no width as wide as float32 needs for its own axis', () => {
-  const limit = (aperture: number): number =>
-    read(pack([light({ ...spot, aperture })])).spot[0]!['ambient']!.w;
+  const limit = (aperture: number): number => read(pack([light({ ...spot, aperture })])).spot[0]!['ambient']!.w;
   expect(2 * Math.asin(Math.sqrt(limit(0)))).toBeCloseTo(1e-6, 9);
   expect(limit(1e-4)).toBe(f(coneLimit(1e-4)));
 });
 
 it('sorts lights by kind, and within a kind as declared', () => {
-  const at = (x: number, more: Partial<LightValues> = {}): LightValues =>
-    light({ position: [x, 0, 0, 1], ...more });
+  const at = (x: number, more: Partial<LightValues> = {}): LightValues => light({ position: [x, 0, 0, 1], ...more });
   const cone = { aperture: 20 };
   const toward = (y: number): LightValues => light({ position: [0, y, 0, 0] });
   const packed = pack([at(1, cone), at(2), toward(1), at(3), at(4, cone), toward(-1)]);
@@ -137,8 +129,8 @@ describe('a pack that is used again', () => {
 });
 
 describe('a selection of lights', () => {
-  const lights = [{}, lamp, spot, { ...spot, cutoff: 3 }, { ...lamp, diffuse: [1, 2, 3] as const }].map(
-    (one) => light(one),
+  const lights = [{}, lamp, spot, { ...spot, cutoff: 3 }, { ...lamp, diffuse: [1, 2, 3] as const }].map((one) =>
+    light(one),
   );
 
   it('is the same as packing these lights alone, except for ambient light, which is summed over all', () => {

@@ -51,9 +51,7 @@ function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })): Frame {
 
 function snapshotThrough({ camera, shading } = aimed()): SceneSnapshot {
   scene.updateMatrixWorld();
-  const objects = drawnObjects(scene, camera, (object) =>
-    own.includes(object as Mesh) ? 'ours' : undefined,
-  );
+  const objects = drawnObjects(scene, camera, (object) => (own.includes(object as Mesh) ? 'ours' : undefined));
   return { width: SIZE, height: SIZE, frame: copyFrame(shading), camera: camera.clone(), objects };
 }
 

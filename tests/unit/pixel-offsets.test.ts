@@ -25,17 +25,14 @@ describe('the tiles of a picture', () => {
     [7, 5, 6, 4],
     [100, 3, 64, Infinity],
     [5, 5, 100, 100],
-  ])(
-    'cover each pixel of %d × %d once, within an area of %d and a side of %d',
-    (width, height, area, side) => {
-      const seen = new Uint8Array(width * height);
-      for (const tile of tilesOf({ width, height }, area, side)) {
-        expect(tile.width * tile.height).toBeLessThanOrEqual(area);
-        expect(Math.max(tile.width, tile.height)).toBeLessThanOrEqual(side);
-        for (let y = 0; y < tile.height; y++)
-          for (let x = 0; x < tile.width; x++) seen[(tile.y + y) * width + tile.x + x]! += 1;
-      }
-      expect(seen).toEqual(new Uint8Array(width * height).fill(1));
-    },
-  );
+  ])('cover each pixel of %d × %d once, within an area of %d and a side of %d', (width, height, area, side) => {
+    const seen = new Uint8Array(width * height);
+    for (const tile of tilesOf({ width, height }, area, side)) {
+      expect(tile.width * tile.height).toBeLessThanOrEqual(area);
+      expect(Math.max(tile.width, tile.height)).toBeLessThanOrEqual(side);
+      for (let y = 0; y < tile.height; y++)
+        for (let x = 0; x < tile.width; x++) seen[(tile.y + y) * width + tile.x + x]! += 1;
+    }
+    expect(seen).toEqual(new Uint8Array(width * height).fill(1));
+  });
 });

@@ -8,12 +8,7 @@ const axes = (prefix: string): string[] => ['x', 'y', 'z'].map((axis) => `proper
 const xyz = axes('');
 const list = 'property list uchar int vertex_indices';
 /** A header of this many vertices and faces, which may have colours. */
-const mesh = (
-  vertices: number | string,
-  faces: number,
-  colors: string[] = [],
-  ofFaces: string[] = [],
-): string =>
+const mesh = (vertices: number | string, faces: number, colors: string[] = [], ofFaces: string[] = []): string =>
   header(`element vertex ${vertices}`, ...xyz, ...colors, `element face ${faces}`, list, ...ofFaces);
 const rgb = (type: string, names = ['red', 'green', 'blue']): string[] =>
   names.map((name) => `property ${type} ${name}`);
@@ -23,12 +18,7 @@ const TWO_TRIANGLES = [0, 1, 2, 0, 2, 3];
 /** The same square with normals, byte colours and a scalar before them, in a byte order and with these line ends. */
 function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
   const text = [
-    ...[
-      'ply',
-      `format binary_${little ? 'little' : 'big'}_endian 1.0`,
-      'comment a square',
-      'element vertex 4',
-    ],
+    ...['ply', `format binary_${little ? 'little' : 'big'}_endian 1.0`, 'comment a square', 'element vertex 4'],
     ...['property uchar quality', 'property double x', 'property float y', 'property short z', ...axes('n')],
     ...['property uchar red', 'property uchar green', 'property ushort blue', 'element face 1'],
     ...['property uint8 flags', 'property list uint8 uint16 vertex_index', 'end_header', ''],
@@ -117,12 +107,7 @@ describe('a PLY file', () => {
   it.each([
     ['its faces, bytes before corners', `${before}255 0 0 3 0 1 2\n0 0 255 3 0 2 3\n`, OF_FACES, null],
     ['its faces, floats behind, with alpha', `${behind}3 0 1 2 1 0 0 1\n3 0 2 3 0 0 1 1\n`, OF_FACES, null],
-    [
-      'its faces where its vertices have all the same',
-      both('9 9 9'),
-      OF_FACES,
-      'the colours of its vertices',
-    ],
+    ['its faces where its vertices have all the same', both('9 9 9'), OF_FACES, 'the colours of its vertices'],
     ['its vertices where they differ', both('0 0 255'), [BLUE, BLUE, GREY], 'the colours of its faces'],
   ] as const)('has the colours of %s', async (_, text, colors, omitted) => {
     expect(cornersOf(await loadFiles({ 'a.ply': text }), 'color').slice(0, colors.length)).toEqual(colors);
@@ -143,31 +128,11 @@ describe('a PLY file', () => {
   });
 
   it.each([
-    [
-      'a vertex that is nan',
-      mesh(5, 2),
-      `nan 0 0\n${SQUARE}3 1 2 3\n3 1 3 4`,
-      /1 vertex \("nan" is not a number\)/,
-    ],
-    [
-      'a face of a huge one',
-      mesh(5, 2),
-      `${SQUARE}1 1e99 1\n4 0 1 2 3\n3 0 1 4`,
-      /1 vertex \(.*1e\+99.*\), 1 face/,
-    ],
-    [
-      'faces of no vertex',
-      mesh(4, 3),
-      `${SQUARE}4 0 1 2 3\n4 0 1 2 -1\n3 0 1 4`,
-      /2 faces \(.* the vertex -1\)/,
-    ],
+    ['a vertex that is nan', mesh(5, 2), `nan 0 0\n${SQUARE}3 1 2 3\n3 1 3 4`, /1 vertex \("nan" is not a number\)/],
+    ['a face of a huge one', mesh(5, 2), `${SQUARE}1 1e99 1\n4 0 1 2 3\n3 0 1 4`, /1 vertex \(.*1e\+99.*\), 1 face/],
+    ['faces of no vertex', mesh(4, 3), `${SQUARE}4 0 1 2 3\n4 0 1 2 -1\n3 0 1 4`, /2 faces \(.* the vertex -1\)/],
     ['values that no header names', mesh(4, 1), `${SQUARE}4 0 1 2 3 6 0.5 1 1\n`, /1 line with more values/],
-    [
-      'a texture',
-      mesh(4, 1).replace('element', 'comment TextureFile a.png\n$&'),
-      `${SQUARE}4 0 1 2 3`,
-      /TextureFile/,
-    ],
+    ['a texture', mesh(4, 1).replace('element', 'comment TextureFile a.png\n$&'), `${SQUARE}4 0 1 2 3`, /TextureFile/],
     ['a comment', mesh(4, 1), `comment a\n${SQUARE}# b\n4 0 1 2 3`, null],
     ['line ends within rows', mesh(4, 1), '0 0\n0 1 0 0 1 1\n0 0 1 0\n4\n0 1\n2 3', null],
     ['any line ends', mesh(4, 1), '0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3', null],

@@ -136,9 +136,7 @@ describe('the figure', () => {
   it('has the angles that the words have', () => {
     const fragment = under({ position: [0.3, 1, -0.4, 0] });
     const [row] = probeSum(fragment, false).rows;
-    const said = [...stepsText(null, row!, fragment, false).matchAll(/cos ([\d.]+°)/g)].map(
-      ([, angle]) => angle,
-    );
+    const said = [...stepsText(null, row!, fragment, false).matchAll(/cos ([\d.]+°)/g)].map(([, angle]) => angle);
     const { vectors, arcs } = figure(fragment);
     expect([arcs[0]!.label, vectors.at(-1)!.name]).toEqual([said[0], `R ∠V ${said[1]!}`]);
   });
@@ -152,18 +150,14 @@ describe('the figure', () => {
       const room = { left: 0, top: 0, right: 600, bottom: 400 };
       const space = { outline: [], room, boxes: [], names, fontSize: 12 };
       const list = drawingOf(projection, [0, 0, 0], at, figure(fragment), space);
-      return list
-        .flatMap((each) => (each.kind === 'label' ? [each.text] : []))
-        .filter((text) => text.startsWith('L'));
+      return list.flatMap((each) => (each.kind === 'label' ? [each.text] : [])).filter((text) => text.startsWith('L'));
     };
     expect(texts(310).sort()).toEqual(['L', 'L light 3']);
     expect(texts(10).sort()).toEqual(['L light 1', 'L light 3']);
   });
 
   it('has arrows for the lights that add most if there are many, and always for the chosen one', () => {
-    const fragment = under(
-      ...Array.from({ length: 50 }, (_, i) => ({ ...FIRST, diffuse: [i, i, i] as const })),
-    );
+    const fragment = under(...Array.from({ length: 50 }, (_, i) => ({ ...FIRST, diffuse: [i, i, i] as const })));
     const strongest = byShare(probeSum(fragment, false).rows).slice(0, MOST_LIGHTS);
     const named = figure(fragment, 0)
       .vectors.filter(({ name }) => name.startsWith('L'))
@@ -217,11 +211,7 @@ describe('the words', () => {
     [THIRD, {}, 'N·L = cos 45° = 0.707; R·V = cos 0° = 1.000, to the power of 8: 1.000.'],
     [{ position: [0, -1, 0, 0] }, {}, 'N·L = cos 180° = −1.000 is not above 0, so only ambient.'],
     [away, {}, 'N·L = cos 71.6° = 0.316; R·V = −0.447 is not above 0: no highlight.'],
-    [
-      away,
-      { shininess: 1e-7 },
-      'N·L = cos 71.6° = 0.316; R·V = cos 116.57° = −0.447, to the power of 0: 1.000.',
-    ],
+    [away, { shininess: 1e-7 }, 'N·L = cos 71.6° = 0.316; R·V = cos 116.57° = −0.447, to the power of 0: 1.000.'],
     [away, { N: [0, 0, 0] }, 'no normal here, so only ambient.'],
     [{ position: [0, 0, 0, 1] }, {}, 'no direction, so only ambient.'],
     [
@@ -237,10 +227,7 @@ describe('the words', () => {
 
   it('are true of the numbers as they are written, for every angle and exponent', () => {
     const unit = fc.double({ min: -1, max: 1, noNaN: true });
-    const exponent = fc.oneof(
-      fc.double({ min: 0, max: 200, noNaN: true }),
-      fc.constantFrom(1e-6, 0.01, 1e4, 1e6),
-    );
+    const exponent = fc.oneof(fc.double({ min: 0, max: 200, noNaN: true }), fc.constantFrom(1e-6, 0.01, 1e4, 1e6));
     const number = (text: string): number => Number(text.replace('−', '-'));
     fc.assert(
       fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {
@@ -252,8 +239,7 @@ describe('the words', () => {
         for (const [, angle, cosine] of text.matchAll(/cos ([\d.]+)° = (−?[\d.]+)/g))
           expect(Math.cos((number(angle!) * Math.PI) / 180), text).toBeCloseTo(number(cosine!), 2.99);
         const power = /(−?[\d.]+), to the power of ([\d.]+): ([\d.]+)\./.exec(text)?.slice(1).map(number);
-        if (power !== undefined)
-          expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.01);
+        if (power !== undefined) expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.01);
         expect(power !== undefined, text).toBe(NoL > 0 && (RoV > 0 || shininess < 1e-6));
       }),
     );

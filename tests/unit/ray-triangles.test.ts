@@ -8,11 +8,7 @@ import { add, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { forEachHit, type TriangleHit, type ViewRay } from '../../src/scene/snapshot/ray-triangles.js';
 
 /** The ray at these slopes of a camera 3 from `target`; by default it looks along −z. */
-function rayAt(
-  slopeX: number,
-  slopeY: number,
-  { theta = 0, phi = 90, target = [0, 0, 0] as Vec3 } = {},
-): ViewRay {
+function rayAt(slopeX: number, slopeY: number, { theta = 0, phi = 90, target = [0, 0, 0] as Vec3 } = {}): ViewRay {
   const orbit = new Orbit({ theta, phi, radius: 3, target });
   const frame = { origin: orbit.target, eye: orbit.offset(), ...orbit.basis() };
   return { frame, slopeX, slopeY, near: 0.1, far: 100 };
@@ -20,10 +16,7 @@ function rayAt(
 
 /** Where the ray is at a depth, relative to the target. */
 const placeOf = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
-  add(
-    frame.eye,
-    scale(subtract(add(scale(frame.right, slopeX), scale(frame.up, slopeY)), frame.back), depth),
-  );
+  add(frame.eye, scale(subtract(add(scale(frame.right, slopeX), scale(frame.up, slopeY)), frame.back), depth));
 
 function hitsOf(ray: ViewRay, geometry: BufferGeometry, matrix = new Matrix4(), range?: [number, number]) {
   const hits: TriangleHit[] = [];
@@ -119,21 +112,16 @@ describe('a ray through triangles', () => {
     [1e12, 1e12, 1e12, 1e12],
     [1e-12, 1e-12, 1e-12, 1e-12],
     [1, 1, 0, 1],
-  ])(
-    'hits a box scaled by %d %d %d twice, front and back, from a distance of 3 times %d',
-    (x, y, z, size) => {
-      const { frame, ...rest } = rayAt(0.01, 0.02);
-      const eye: Vec3 = [0, 0, 3 * size];
-      const ray = { ...rest, frame: { ...frame, eye }, near: 0.1 * size, far: 100 * size };
-      const hits = hitsOf(ray, new BoxGeometry(), new Matrix4().makeScale(x, y, z));
-      const depths = z === 0 ? [3, 3] : [2.5, 3.5];
-      expect(hits.map(({ depth }) => depth / size)).toEqual(
-        depths.map((d) => expect.closeTo(d, 12) as unknown),
-      );
-      const fronts = hits.map(({ front }) => front);
-      expect(z === 0 ? fronts.sort().reverse() : fronts).toEqual([true, false]);
-    },
-  );
+  ])('hits a box scaled by %d %d %d twice, front and back, from a distance of 3 times %d', (x, y, z, size) => {
+    const { frame, ...rest } = rayAt(0.01, 0.02);
+    const eye: Vec3 = [0, 0, 3 * size];
+    const ray = { ...rest, frame: { ...frame, eye }, near: 0.1 * size, far: 100 * size };
+    const hits = hitsOf(ray, new BoxGeometry(), new Matrix4().makeScale(x, y, z));
+    const depths = z === 0 ? [3, 3] : [2.5, 3.5];
+    expect(hits.map(({ depth }) => depth / size)).toEqual(depths.map((d) => expect.closeTo(d, 12) as unknown));
+    const fronts = hits.map(({ front }) => front);
+    expect(z === 0 ? fronts.sort().reverse() : fronts).toEqual([true, false]);
+  });
 
   it('misses a mesh that is flattened and seen edge-on, or has no size', () => {
     for (const z of [1, 0])

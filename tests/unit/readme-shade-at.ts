@@ -6,8 +6,6 @@ const text = (name = '', rgb = fragment?.color ?? []) => `${name} ${rgb.map((x) 
 for (const share of fragment?.shares ?? []) {
   if (share === null) continue; // a light that is not active
   const { name, ambient, diffuse, specular } = share;
-  console.log(
-    `${name}: ${text('ambient', ambient)}, ${text('diffuse', diffuse)}, ${text('specular', specular)}`,
-  );
+  console.log(`${name}: ${text('ambient', ambient)}, ${text('diffuse', diffuse)}, ${text('specular', specular)}`);
 }
 console.log(text('color:'));

@@ -8,8 +8,7 @@ const read = (path: string): string => readFileSync(new URL(path, import.meta.ur
 const words = (code: string): string => code.replace(/\s+/g, '').replace(/,\)/g, ')');
 
 it('has the script about shadeAt as the compiler checks it', () => {
-  const script =
-    /## Ask why a pixel has its colour\n[^]*?```js\n([^]*?)```/.exec(read('../../src/API.md'))?.[1] ?? '';
+  const script = /## Ask why a pixel has its colour\n[^]*?```js\n([^]*?)```/.exec(read('../../src/API.md'))?.[1] ?? '';
   const [, copy = ''] = read('readme-shade-at.ts').split("import '../../src/index.js';");
   expect(script).toContain('shadeAt(');
   expect(words(script)).toBe(words(copy));

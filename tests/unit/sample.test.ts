@@ -18,11 +18,7 @@ const texels = {
   data: Uint8Array.from([0, 1].flatMap((row) => [0, 1, 2, 3].flatMap((column) => [column, row, 0, 255]))),
 };
 
-const sampler = (
-  wrap: Wrapping,
-  magFilter: Sampler['magFilter'] = NearestFilter,
-  flipY = false,
-): Sampler => ({
+const sampler = (wrap: Wrapping, magFilter: Sampler['magFilter'] = NearestFilter, flipY = false): Sampler => ({
   ...{ magFilter, wrapS: wrap, wrapT: wrap, flipY },
 });
 

@@ -23,33 +23,30 @@ const content = (parts: number) => ({
 
 const url = new URL('https://shop.example/a.glb');
 
-it.each([1, 2])(
-  'without memory for material %i of its content, keeps what it shows and its load fails',
-  (nth) => {
-    const ended = vi.fn();
-    const host = meshHost({ ended });
-    const scene = new Scene();
-    const { mesh } = meshOf(host, scene);
-    const [first, second] = [content(2), content(2)];
-    mesh.arrived(first, host.picture.budget.claim(mesh), url, true);
-    expect(ended).toHaveBeenLastCalledWith(mesh, url, null);
-    const [shown, ...others] = scene.children;
-    expect(others).toEqual([]);
-    const acquire = host.picture.materials.acquire.bind(host.picture.materials);
-    let calls = 0;
-    const release = vi.spyOn(host.picture.materials, 'release');
-    vi.spyOn(host.picture.materials, 'acquire').mockImplementation((appearance) => {
-      if (++calls === nth) throw new RangeError('Array buffer allocation failed');
-      return acquire(appearance);
-    });
-    mesh.arrived(second, host.picture.budget.claim(mesh), url, true);
-    expect(ended).toHaveBeenLastCalledWith(mesh, url, expect.any(RangeError));
-    expect(scene.children).toEqual([shown]);
-    expect(release).toHaveBeenCalledTimes(nth - 1);
-    expect(second.dispose).toHaveBeenCalledTimes(1);
-    expect(first.dispose).not.toHaveBeenCalled();
-  },
-);
+it.each([1, 2])('without memory for material %i of its content, keeps what it shows and its load fails', (nth) => {
+  const ended = vi.fn();
+  const host = meshHost({ ended });
+  const scene = new Scene();
+  const { mesh } = meshOf(host, scene);
+  const [first, second] = [content(2), content(2)];
+  mesh.arrived(first, host.picture.budget.claim(mesh), url, true);
+  expect(ended).toHaveBeenLastCalledWith(mesh, url, null);
+  const [shown, ...others] = scene.children;
+  expect(others).toEqual([]);
+  const acquire = host.picture.materials.acquire.bind(host.picture.materials);
+  let calls = 0;
+  const release = vi.spyOn(host.picture.materials, 'release');
+  vi.spyOn(host.picture.materials, 'acquire').mockImplementation((appearance) => {
+    if (++calls === nth) throw new RangeError('Array buffer allocation failed');
+    return acquire(appearance);
+  });
+  mesh.arrived(second, host.picture.budget.claim(mesh), url, true);
+  expect(ended).toHaveBeenLastCalledWith(mesh, url, expect.any(RangeError));
+  expect(scene.children).toEqual([shown]);
+  expect(release).toHaveBeenCalledTimes(nth - 1);
+  expect(second.dispose).toHaveBeenCalledTimes(1);
+  expect(first.dispose).not.toHaveBeenCalled();
+});
 
 it('makes the materials of 2,000 looks before the model arrives, in more than one task', async () => {
   const host = meshHost();

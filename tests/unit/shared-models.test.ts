@@ -61,10 +61,7 @@ const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void
   expect.poll(() => meshes.filter(({ mesh }) => mesh.root === null)).toEqual([]);
 const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }): BufferGeometry => mesh.parts[0]!.mesh.geometry;
 const positionsOf = (one: { readonly mesh: SceneMesh }): number[] =>
-  one.mesh.parts.flatMap(({ mesh }) => [
-    ...mesh.geometry.getAttribute('position').array,
-    ...mesh.matrix.elements,
-  ]);
+  one.mesh.parts.flatMap(({ mesh }) => [...mesh.geometry.getAttribute('position').array, ...mesh.matrix.elements]);
 
 describe('meshes with the same source', () => {
   it('on several viewers are one download, geometry and image, of own materials, until the last one goes', async () => {

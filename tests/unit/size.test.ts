@@ -16,9 +16,9 @@ const linesOf = (folder: string, ends: RegExp): number =>
     }, 0);
 
 it.each([
-  ['src', /\.ts$/, 37_460],
+  ['src', /\.ts$/, 36_700],
   ['shaders', /\.glsl$/, 798],
-  ['tests', /\.(ts|tsx|mjs|js|py)$/, 51_140],
+  ['tests', /\.(ts|tsx|mjs|js|py)$/, 49_810],
 ])('%s has no more lines than it needs', (folder, ends, most) => {
   const lines = linesOf(folder, ends);
   expect(lines).toBeLessThanOrEqual(most);

@@ -93,9 +93,7 @@ describe('a binary STL file', () => {
     const model = await loadFiles({ 'a.stl': binary([{ bits: red }, { corners: bad }, { bits: blue }]) });
     expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, ...TRIANGLE]);
     expect(numbersOf(model, 'color').slice(6, 12)).toEqual([1, 0, 0, 0, 0, 1]);
-    expect(warnings).toEqual([
-      expect.stringContaining('without 1 triangle (a vertex has the coordinate NaN'),
-    ]);
+    expect(warnings).toEqual([expect.stringContaining('without 1 triangle (a vertex has the coordinate NaN')]);
   });
 
   it.each([

@@ -32,11 +32,7 @@ describe('the published contract', () => {
       { ...first, loop: LOOP_MARK },
     ];
     const report = reportText(both, LOOP_MARK);
-    for (const part of [
-      '| as shipped |',
-      '| an earlier one |',
-      `| ${title} | ${String(bound)} | not measured here |`,
-    ])
+    for (const part of ['| as shipped |', '| an earlier one |', `| ${title} | ${String(bound)} | not measured here |`])
       expect(report).toContain(part);
   });
 

@@ -7,12 +7,7 @@ import { declaredFeatures } from '../../src/light/light-features.js';
 import { type LightValues, TERMS } from '../../src/light/light-state.js';
 import { type BaseLook, PLAIN_LOOK } from '../../src/material/file-surface.js';
 import { generalVariant, type MaterialFeatures } from '../../src/material/program/variant.js';
-import {
-  DEFAULT_STYLE,
-  REFLECTIONS,
-  SHADINGS,
-  type ShadingStyle,
-} from '../../src/material/material-values.js';
+import { DEFAULT_STYLE, REFLECTIONS, SHADINGS, type ShadingStyle } from '../../src/material/material-values.js';
 import { anyLight, light } from './arbitraries.js';
 
 /** What differs from a plain material: fields of its look, of its style and the others, side by side. */

@@ -27,8 +27,7 @@ const composed = new Set<string>([
 describe('the list of texts', () => {
   it('has only texts that the viewer uses', () => {
     const unused = VIEWER_TEXTS.filter(
-      (text) =>
-        !composed.has(text) && ![`'${text}'`, `"${text}"`].some((literal) => source.includes(literal)),
+      (text) => !composed.has(text) && ![`'${text}'`, `"${text}"`].some((literal) => source.includes(literal)),
     );
     expect(unused).toEqual([]);
   });

@@ -15,9 +15,7 @@ const { scripts, engines, peerDependencies } = jsonOf('package.json') as Readonl
 
 /** The values of a key in all workflows, without quotes. */
 const valuesOf = (key: string, text: string): readonly string[] =>
-  Array.from(text.matchAll(new RegExp(`^[ -]*${key}: (.+)$`, 'gm')), ([, value = '']) =>
-    value.replaceAll("'", ''),
-  );
+  Array.from(text.matchAll(new RegExp(`^[ -]*${key}: (.+)$`, 'gm')), ([, value = '']) => value.replaceAll("'", ''));
 
 /** The entries of a list in brackets. */
 const listOf = (key: string, text: string): readonly string[] =>

@@ -26,19 +26,13 @@ const SCALES: Readonly<Record<string, Step>> = {
 function insideOutline({ codes }: Drawn, width: number): number[] {
   const isFull = (i: number): boolean => codes[4 * i + 3] === 255;
   const near = [0, 1, -1, width, -width, width + 1, width - 1, -width + 1, -width - 1];
-  return Array.from({ length: codes.length / 4 }, (_, i) => i).filter((i) =>
-    near.every((d) => isFull(i + d)),
-  );
+  return Array.from({ length: codes.length / 4 }, (_, i) => i).filter((i) => near.every((d) => isFull(i + d)));
 }
 
 for (const shape of ['sphere', 'box'] as const) {
-  test(`a closed ${shape} looks the same with and without its back faces, and compiles nothing`, async ({
-    page,
-  }) => {
+  test(`a closed ${shape} looks the same with and without its back faces, and compiles nothing`, async ({ page }) => {
     await openCore(page);
-    const cases = Object.keys(SCALES).flatMap((scale) =>
-      Object.keys(VIEWS).map((view) => [scale, view] as const),
-    );
+    const cases = Object.keys(SCALES).flatMap((scale) => Object.keys(VIEWS).map((view) => [scale, view] as const));
     const steps = cases.flatMap(([scale, view]) =>
       (['double', 'closed'] as const).map((sides): Step => ({
         near: 0.1,

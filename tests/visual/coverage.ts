@@ -46,11 +46,7 @@ export const markupOf = ({ theta, phi, radius, target, fov, meshes }: CoverageSc
   `${meshes.map(meshMarkup).join('')}</phong-viewer>`;
 
 /** The codes r, g, b, a of each scene's picture, one viewer after the other on this page. */
-const drawAll = (
-  page: Page,
-  scenes: readonly CoverageScene[],
-  size: PictureSize,
-): Promise<(readonly number[])[]> =>
+const drawAll = (page: Page, scenes: readonly CoverageScene[], size: PictureSize): Promise<(readonly number[])[]> =>
   page.evaluate(
     async ({ markups, size: { width, height } }) => {
       const place = document.createElement('section');
@@ -73,11 +69,7 @@ const drawAll = (
   );
 
 /** Draws the scenes, and expects no pixel to differ from the caster's. */
-export async function expectNoHoles(
-  page: Page,
-  scenes: readonly CoverageScene[],
-  size: PictureSize,
-): Promise<void> {
+export async function expectNoHoles(page: Page, scenes: readonly CoverageScene[], size: PictureSize): Promise<void> {
   const pictures = await drawAll(page, scenes, size);
   const wrong = scenes.flatMap((scene, i) => {
     const { holes, others, compared } = coverageOf(pictures[i]!, scene, size);

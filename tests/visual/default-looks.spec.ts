@@ -47,12 +47,8 @@ for (const [lighting, light] of lightings) {
   });
 }
 
-test("the README's first scene reaches full brightness only in the centres of its highlights", async ({
-  mount,
-}) => {
+test("the README's first scene reaches full brightness only in the centres of its highlights", async ({ mount }) => {
   const viewer = await mount(readmeSnippet(), { csp: '', width: 760, height: 420 });
-  const found = tones(
-    await pixels(viewer, { width: 760 * README_PICTURE_SCALE, height: 420 * README_PICTURE_SCALE }),
-  );
+  const found = tones(await pixels(viewer, { width: 760 * README_PICTURE_SCALE, height: 420 * README_PICTURE_SCALE }));
   expect(share(found, (tone) => tone === 255)).toBeLessThan(0.005);
 });

@@ -25,10 +25,7 @@ const sizes = [
 test('a scene of any size from 1e-20 to 1e12 looks as it does at size 1', async ({ mount, page }) => {
   for (const geometry of ['sphere', 'torus-knot']) {
     const usual = (ks: number): string => scene(1, geometry, ks);
-    await mount(
-      [usual(0), usual(128), ...sizes.map(([scale, ks]) => scene(scale, geometry, ks))].join(''),
-      size,
-    );
+    await mount([usual(0), usual(128), ...sizes.map(([scale, ks]) => scene(scale, geometry, ks))].join(''), size);
     const viewers = await page.locator('phong-viewer').all();
     const [matt, shiny, ...others] = await Promise.all(viewers.map((viewer) => pixels(viewer, size)));
     for (const [i, [scale, ks]] of sizes.entries()) {
@@ -47,10 +44,7 @@ const placed = ([x, y, z]: readonly [number, number, number]): string =>
      <phong-light position="${x + 1} ${y + 1} ${z + 1} 1" diffuse="90 90 140" attenuation="1 0.1 0.05"></phong-light>
    </phong-viewer>`;
 
-test('a scene whose target is up to 1e15 units away looks as it does at the origin', async ({
-  mount,
-  page,
-}) => {
+test('a scene whose target is up to 1e15 units away looks as it does at the origin', async ({ mount, page }) => {
   const places = [1e9, 1e12, 2 ** 49].map((far): [number, number, number] => [far, -far / 2, far / 4]);
   await mount([placed([0, 0, 0]), ...places.map(placed)].join(''), size);
   const viewers = await page.locator('phong-viewer').all();

@@ -23,14 +23,7 @@ const MIRROR = 'ka="0" kd="0" ks';
 const SLANTED = Math.round(200 * ((1 + Math.SQRT1_2) / 2) ** 2);
 
 /** What the table says; a light; the codes in the middle and aside, null where the table says nothing. */
-type Row = readonly [
-  says: string,
-  light: string,
-  middle: number,
-  aside: number | null,
-  mesh?: string,
-  view?: string,
-];
+type Row = readonly [says: string, light: string, middle: number, aside: number | null, mesh?: string, view?: string];
 
 // prettier-ignore
 const ROWS: readonly Row[] = [

@@ -86,8 +86,7 @@ export function randomLowEye(seed: number): CoverageScene {
   const target: Vec3 = [eye[0] - radius * back[0], eye[1] - radius * back[1], eye[2] - radius * back[2]];
   const mirror = dice.pick([1, -1]);
   const meshes: CoverageMesh[] = [{ geometry: 'box', scale: [mirror * room, room, room] }];
-  if (dice.chance(0.5))
-    meshes.push({ geometry: 'plane', scale: cube(room), position: [0, eye[1] - 2 * gap, 0] });
+  if (dice.chance(0.5)) meshes.push({ geometry: 'plane', scale: cube(room), position: [0, eye[1] - 2 * gap, 0] });
   if (dice.chance(0.5))
     meshes.push({ geometry: 'box', scale: cube(radius), position: target, rotation: dice.vector(-90, 90) });
   return {

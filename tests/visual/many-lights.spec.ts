@@ -71,10 +71,7 @@ async function expectWithinPromises(page: Page): Promise<void> {
   }
 }
 
-test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 guarantees', async ({
-  page,
-  mount,
-}) => {
+test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 guarantees', async ({ page, mount }) => {
   test.setTimeout(120_000);
   await logGl(page, {
     MAX_FRAGMENT_UNIFORM_VECTORS: PROMISED.vectors,
@@ -154,9 +151,7 @@ async function usesGrid(page: Page): Promise<boolean> {
   await glSpent(page);
   await drawFrames(page, 1);
   const drawn = await page.evaluate(() => window.glLog.drawnWith());
-  return drawn
-    .filter(isLit)
-    .every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
+  return drawn.filter(isLit).every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
 }
 
 test('five hundred spots on a floor look the same as with a loop over all, whatever changes', async ({
@@ -194,9 +189,7 @@ test('five hundred spots on a floor look the same as with a loop over all, whate
   });
   await expectLike('after lights have moved', false);
   expect(await usesGrid(page)).toBe(true);
-  await viewer.evaluate((element: PhongViewer) =>
-    element.lights.forEach((light, i) => (light.active = i % 3 > 0)),
-  );
+  await viewer.evaluate((element: PhongViewer) => element.lights.forEach((light, i) => (light.active = i % 3 > 0)));
   await expectLike('with a third of the lights out', false);
   await drawUntilSpecialised(page);
   expect(await usesGrid(page)).toBe(true);
@@ -222,10 +215,7 @@ async function firstPicture(page: Page, markup: string): Promise<Picture> {
   return picture;
 }
 
-test('@release five hundred spots on a floor of many vertices look alike under Gouraud', async ({
-  page,
-  mount,
-}) => {
+test('@release five hundred spots on a floor of many vertices look alike under Gouraud', async ({ page, mount }) => {
   test.setTimeout(120_000);
   await logGl(page);
   const markup = sceneMarkup(overFloor(spots(500, 4), 'gouraud'), 'gouraud');

@@ -29,15 +29,11 @@ test(`floors, rooms, walls and boxes up to 1e6 have no holes, seen from just bes
   }
 });
 
-test('a picture in tiles, a linked viewer and shadeAt see the same floor as the picture', async ({
-  mount,
-  page,
-}) => {
+test('a picture in tiles, a linked viewer and shadeAt see the same floor as the picture', async ({ mount, page }) => {
   const [low] = LOW_EYES;
   const markup = markupOf(low!).replace('<phong-viewer', '<phong-viewer camera-group="low"');
   const viewer = await mount(markup + markup.replace(/theta="\d+"/u, 'theta="0"'), SIZE);
-  const codes = async (index: number): Promise<Picture> =>
-    pixels(page.locator('phong-viewer').nth(index), SIZE);
+  const codes = async (index: number): Promise<Picture> => pixels(page.locator('phong-viewer').nth(index), SIZE);
   expect((await codes(1)).data).toEqual((await codes(0)).data);
   // Larger than the GPU can draw at once: in tiles. Each column of the lowest row shows the floor.
   const { data } = await pixels(viewer, { width: 9000, height: 4 });

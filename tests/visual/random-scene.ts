@@ -76,9 +76,7 @@ export function randomMesh(dice: Dice, geometry: CastMesh['geometry']): CastMesh
     geometry,
     position: dice.chance(0.3) ? dice.vector(-1, 1) : [0, 0, 0],
     rotation: turned ? dice.vector(-180, 180) : [0, 0, 0],
-    scale: dice.chance(0.5)
-      ? [size, size, size]
-      : [size * dice.from(0.5, 2), size, -size * dice.from(0.5, 2)],
+    scale: dice.chance(0.5) ? [size, size, size] : [size * dice.from(0.5, 2), size, -size * dice.from(0.5, 2)],
     ka: dice.color(255),
     kd: dice.color(255),
     ks: dice.color(255),
@@ -110,10 +108,7 @@ export function randomScene(seed: number, geometry: CastMesh['geometry'] = 'plan
 }
 
 /** The scene as an author would write it. */
-export function sceneMarkup(
-  { pose, fov, meshes, lights, options }: DeclaredScene,
-  shading = 'phong',
-): string {
+export function sceneMarkup({ pose, fov, meshes, lights, options }: DeclaredScene, shading = 'phong'): string {
   const list = (v: readonly number[]): string => v.join(' ');
   const mesh = (m: CastMesh): string =>
     `<phong-mesh geometry="${m.geometry}" ${m.segments === undefined ? '' : `segments="${m.segments}" `}position="${list(m.position)}" rotation="${list(m.rotation)}" scale="${list(m.scale)}" ` +

@@ -38,11 +38,7 @@ export interface Hit {
 }
 
 /** Casts the ray through pixel x, y of a picture of `width` × `height`; null where nothing is hit. */
-export function caster(
-  scene: DeclaredScene,
-  width: number,
-  height: number,
-): (x: number, y: number) => Hit | null {
+export function caster(scene: DeclaredScene, width: number, height: number): (x: number, y: number) => Hit | null {
   const { axes, eyeOffset, plane } = lens(scene, width, height);
   const placed = scene.meshes.map(placement);
   return (x, y) => {

@@ -27,9 +27,7 @@ function leftOnWhite({ width, height, data }: Picture): Picture {
   return { width: FREE_WIDTH, height, data: left };
 }
 
-test("the README's picture shows its snippet (`npm run readme:picture` draws it again)", async ({
-  mount,
-}) => {
+test("the README's picture shows its snippet (`npm run readme:picture` draws it again)", async ({ mount }) => {
   const size = /style="width: (\d+)px; height: (\d+)px"/.exec(readmeSnippet());
   const width = Number(size?.[1]);
   const height = Number(size?.[2]);

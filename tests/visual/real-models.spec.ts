@@ -35,9 +35,7 @@ test('@release each model covers the pixels of the other picture, in similar col
     const item = page.locator(`#${id}`);
     const viewer = item.locator('phong-viewer');
     await viewer.scrollIntoViewIfNeeded();
-    await expect
-      .poll(() => viewer.evaluate((v) => (v as ViewerLike & { loaded?: boolean }).loaded))
-      .toBe(true);
+    await expect.poll(() => viewer.evaluate((v) => (v as ViewerLike & { loaded?: boolean }).loaded)).toBe(true);
     const { covered, colours } = await item.evaluate(compared);
     if (covered < COVERED) found.push(`${id}: ${covered.toFixed(3)} of the pixels are covered in both`);
     const distance = Math.max(...colours[0].map((c, i) => Math.abs(c - colours[1][i]!)));

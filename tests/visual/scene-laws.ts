@@ -91,11 +91,7 @@ export const withSilentTwins = (scene: DeclaredScene): DeclaredScene => ({
   ...scene,
   lights: scene.lights.flatMap((light) => {
     const elsewhere = { ...light, position: placed(light, (v) => scale(v, -0.7)) };
-    return [
-      light,
-      { ...elsewhere, ambient: BLACK, diffuse: BLACK, specular: BLACK },
-      { ...elsewhere, active: false },
-    ];
+    return [light, { ...elsewhere, ambient: BLACK, diffuse: BLACK, specular: BLACK }, { ...elsewhere, active: false }];
   }),
 });
 

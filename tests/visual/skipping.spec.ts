@@ -25,10 +25,7 @@ test(`random scenes differ by a code on few channels between the two programs, a
   await compareRandomScenes(page, FIRST, SCENES);
 });
 
-test('every kind of surface and light differs as little between the two programs', async ({
-  page,
-  mount,
-}) => {
+test('every kind of surface and light differs as little between the two programs', async ({ page, mount }) => {
   test.setTimeout(120_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
@@ -59,10 +56,7 @@ test('every kind of surface and light differs as little between the two programs
   sum.expectPromise();
 });
 
-test('a textured model differs as little between the two programs, under every shading', async ({
-  page,
-  mount,
-}) => {
+test('a textured model differs as little between the two programs, under every shading', async ({ page, mount }) => {
   test.setTimeout(120_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);

@@ -14,13 +14,11 @@ const lights = `<phong-light position="1 2 3 0" ambient="30 30 40"></phong-light
   <phong-light position="-2 1 2 1" diffuse="120 80 60"></phong-light>`;
 const bright = '<phong-light position="1 2 3 0" ambient="0" diffuse="255" specular="255"></phong-light>';
 /** Its edge crosses the picture. */
-const cone =
-  '<phong-light position="0.6 1.8 1.4 1" axis="-0.6 -1.85 -1.35" aperture="9" ambient="0"></phong-light>';
+const cone = '<phong-light position="0.6 1.8 1.4 1" axis="-0.6 -1.85 -1.35" aperture="9" ambient="0"></phong-light>';
 
 /** Checks of eight texels, so fine that each pixel has about four texels along its side. */
 const CHECKS = 256;
-const checked = (x: number, y: number): Texel =>
-  ((x >> 3) + (y >> 3)) % 2 === 0 ? [230, 200, 120] : [60, 90, 150];
+const checked = (x: number, y: number): Texel => (((x >> 3) + (y >> 3)) % 2 === 0 ? [230, 200, 120] : [60, 90, 150]);
 const texels = Array.from({ length: CHECKS ** 2 }, (_, i) => checked(i % CHECKS, Math.floor(i / CHECKS)));
 const texture: CastTexture = {
   width: CHECKS,

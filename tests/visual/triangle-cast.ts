@@ -139,23 +139,20 @@ function extent({ corners }: Triangle, pixel: number, width: number, height: num
   const xs = corners.map(({ view }) => width / 2 - view[0] / view[2] / pixel);
   const ys = corners.map(({ view }) => height / 2 + view[1] / view[2] / pixel);
   const low = (list: readonly number[]): number => Math.max(Math.floor(Math.min(...list)), 0);
-  const high = (list: readonly number[], size: number): number =>
-    Math.min(Math.ceil(Math.max(...list)), size - 1);
+  const high = (list: readonly number[], size: number): number => Math.min(Math.ceil(Math.max(...list)), size - 1);
   return [[low(xs), low(ys)], [high(xs, width), high(ys, height)]] as const; // prettier-ignore
 }
 
 type Color = (triangle: Triangle, shares: Vec3) => Omit<TriangleHit, 'edge' | 'beside'>;
 
-const mix = (corners: readonly Vec3[], shares: Vec3): Vec3 =>
-  corners.map((v, i) => scale(v, shares[i]!)).reduce(add);
+const mix = (corners: readonly Vec3[], shares: Vec3): Vec3 => corners.map((v, i) => scale(v, shares[i]!)).reduce(add);
 
 /** The reference at a place relative to the target. */
 function shader(scene: DeclaredScene, { axes, eyeOffset }: Lens): (place: Vec3, normal: Vec3) => Shaded {
   const { target } = scene.pose;
   const eye = add(target, eyeOffset);
   const options = { ...scene.options, camera: axes };
-  return (place, normal) =>
-    shade({ p: add(target, place), normal, eye }, scene.meshes[0]!, scene.lights, options);
+  return (place, normal) => shade({ p: add(target, place), normal, eye }, scene.meshes[0]!, scene.lights, options);
 }
 
 function perFragment(scene: DeclaredScene, view: Lens): Color {

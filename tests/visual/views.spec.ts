@@ -21,12 +21,7 @@ const QUANTITIES = VIEWS.filter((view) => !['shaded', 'triangles'].includes(view
 const TERMS: readonly View[] = ['ambient', 'diffuse', 'specular'];
 
 /** A view of a scene, against float64. `only`: the index of the light it is limited to. */
-async function errorsOf(
-  viewer: Locator,
-  scene: DeclaredScene,
-  view: View,
-  only: number | null,
-): Promise<Errors> {
+async function errorsOf(viewer: Locator, scene: DeclaredScene, view: View, only: number | null): Promise<Errors> {
   const name = only === null ? '' : `light ${String(only + 1)}`;
   await assign(viewer, { view, viewLight: name });
   const picture = await pixels(viewer, SIZE);
@@ -113,9 +108,7 @@ const lights = `
   <phong-light name="spot" space="camera" position="0.2 0.3 0 1" axis="0 -0.1 -1" aperture="14" cutoff="20" diffuse="0" ambient="30 0 0"></phong-light>`;
 
 for (const shading of firstOf(['phong', 'gouraud', 'flat', 'blinn-phong'] as const, 2)) {
-  test(`shows each quantity of a model with a normal map, metal and emission, ${shading}`, async ({
-    mount,
-  }) => {
+  test(`shows each quantity of a model with a normal map, metal and emission, ${shading}`, async ({ mount }) => {
     const style = shading === 'blinn-phong' ? 'reflection="blinn-phong"' : `shading="${shading}"`;
     const viewer = await mount(
       `<phong-viewer src="${file}" ${style} theta="20" phi="75" radius="3.5">${lights}</phong-viewer>`,
@@ -130,13 +123,10 @@ for (const shading of firstOf(['phong', 'gouraud', 'flat', 'blinn-phong'] as con
         const { data } = await pixels(viewer, SIZE);
         let wrong = 0;
         for (const { x, y, explained } of samples) {
-          const shares =
-            name === '' ? explained.shares : explained.shares.filter((_, i) => names[i] === name);
+          const shares = name === '' ? explained.shares : explained.shares.filter((_, i) => names[i] === name);
           const expected = viewColor(view, { ...explained, shares });
           const error = Math.max(
-            ...[0, 1, 2].map((c) =>
-              Math.abs(data[4 * (y * SIZE.width + x) + c]! - Math.round(expected[c]! * 255)),
-            ),
+            ...[0, 1, 2].map((c) => Math.abs(data[4 * (y * SIZE.width + x) + c]! - Math.round(expected[c]! * 255))),
           );
           if (error > 1) wrong += 1;
         }

@@ -169,8 +169,7 @@ export class Comparison implements DividerHost, ReactiveController {
 
   /** Viewers whose panels are open; while none is, those whose panels are about to be. */
   #withPanels(viewers: readonly PhongViewer[]): readonly PhongViewer[] {
-    const place = (viewer: PhongViewer): string | null =>
-      panelPlace(viewer)?.getAttribute(OPEN_PANEL) ?? null;
+    const place = (viewer: PhongViewer): string | null => panelPlace(viewer)?.getAttribute(OPEN_PANEL) ?? null;
     const awaited = viewers.filter((viewer) => place(viewer) === AWAITED);
     const open = viewers.filter((viewer) => place(viewer) === '');
     const waits = awaited.length > 0 && open.length === 0 && this.#element.clientWidth >= WIDE_PANEL;
@@ -227,8 +226,7 @@ export class Comparison implements DividerHost, ReactiveController {
   }
 }
 
-const panelPlace = (viewer: PhongViewer): Element | null =>
-  viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
+const panelPlace = (viewer: PhongViewer): Element | null => viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
 
 /** A closed rectangle as points of a polygon. */
 const corners = (left: string, top: string, right: string, bottom: string): string =>

@@ -10,10 +10,7 @@ export function placesOf(at: readonly number[] | 'auto', count: number): readonl
   const given = at === 'auto' ? [] : at.slice(0, dividers);
   const from = given.at(-1) ?? 0;
   const parts = count - given.length;
-  const rest = Array.from(
-    { length: dividers - given.length },
-    (_, i) => from + ((100 - from) * (i + 1)) / parts,
-  );
+  const rest = Array.from({ length: dividers - given.length }, (_, i) => from + ((100 - from) * (i + 1)) / parts);
   return [...given, ...rest];
 }
 

@@ -8,8 +8,7 @@ const MATERIAL = 'color colour fill material albedo basecolor';
 const SHAPE: Advice = {
   'Write geometry="box", or the name of another shape.': 'shape primitive mesh',
   'Write src="…".': 'model href url file path source',
-  'Write shininess="…": larger values make smaller highlights.':
-    'roughness gloss glossiness exponent smoothness',
+  'Write shininess="…": larger values make smaller highlights.': 'roughness gloss glossiness exponent smoothness',
   'Textures come with a model: write src="…".': 'texture map image',
 };
 
@@ -57,8 +56,7 @@ const GUESSES: Readonly<Record<string, Advice>> = {
   'phong-compare': {
     'CSS sets the size: write style="width: …; height: …".': 'width height size',
     'Write layout="split" or layout="side".': 'mode type kind',
-    'Write at="…": where the divider is, in percent.':
-      'position pos value start offset percent split divider',
+    'Write at="…": where the divider is, in percent.': 'position pos value start offset percent split divider',
     'Write direction="vertical" for viewers from top to bottom.': 'vertical orientation axis',
     'Write labels="…", separated by commas.': 'label names captions titles',
   },

@@ -47,8 +47,7 @@ const UNNAMED =
 
 /** As the element was defined with. */
 function attributesOf(tag: string): readonly string[] {
-  const definition = customElements.get(tag) as
-    { readonly observedAttributes?: readonly string[] } | undefined;
+  const definition = customElements.get(tag) as { readonly observedAttributes?: readonly string[] } | undefined;
   return definition?.observedAttributes ?? [];
 }
 
@@ -71,19 +70,16 @@ function diagnoseContent(viewer: Element): void {
     warn(`<phong-viewer> contains ${hidden}, which is not shown. ${cut === null ? UNCLOSED : EMPTY_LINE}`);
 }
 
-const UNCLOSED =
-  'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
+const UNCLOSED = 'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
 
-const EMPTY_LINE =
-  'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+const EMPTY_LINE = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
 
 /**
  * What Markdown made of the content after an empty line: a paragraph, in which the parser ignores the viewer's end tag,
  * or code if the line was indented. Null if it was not Markdown.
  */
 function cutByMarkdown(viewer: Element): 'paragraph' | 'code' | null {
-  for (const code of viewer.querySelectorAll('pre > code'))
-    if (/<\/?phong-/.test(code.textContent)) return 'code';
+  for (const code of viewer.querySelectorAll('pre > code')) if (/<\/?phong-/.test(code.textContent)) return 'code';
   return viewer.querySelector('p > :is(phong-light, phong-mesh)') === null ? null : 'paragraph';
 }
 
@@ -109,8 +105,7 @@ function lonely(element: Element): string {
 function hiddenContent(viewer: Element): string | null {
   const walker = document.createTreeWalker(viewer, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT, (node) => {
     const element = elementOf(node);
-    if (element !== null && (element.matches(UNSEEN) || isSlotted(element, viewer)))
-      return NodeFilter.FILTER_REJECT;
+    if (element !== null && (element.matches(UNSEEN) || isSlotted(element, viewer))) return NodeFilter.FILTER_REJECT;
     const shown = element === null ? node.nodeValue?.trim() !== '' : element.matches(SHOWN);
     return shown ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
   });
@@ -136,8 +131,7 @@ const UNSEEN = 'script,style,template,noscript';
 /** Elements that show something, whatever they contain. */
 const SHOWN = 'img,svg,canvas,video,audio,iframe,object,embed,button,input,select,textarea,hr,phong-viewer';
 
-const isSlotted = (node: Element, viewer: Element): boolean =>
-  node.slot !== '' && node.parentElement === viewer;
+const isSlotted = (node: Element, viewer: Element): boolean => node.slot !== '' && node.parentElement === viewer;
 
 /** Nothing follows but what scripts insert. Not even white space: the parser puts that inside an unclosed element. */
 function endsItsParent(viewer: Element): boolean {

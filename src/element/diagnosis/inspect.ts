@@ -15,8 +15,7 @@ export function inspect(element: Element): void {
   inspected.add(element);
   waiting.add(element);
   if (waiting.size > 1) return;
-  if (document.readyState === 'loading')
-    document.addEventListener('DOMContentLoaded', inspectSoon, { once: true });
+  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', inspectSoon, { once: true });
   else inspectSoon();
 }
 
@@ -103,8 +102,6 @@ function isSuspect(element: Element): boolean {
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
-    Array.from(element.childNodes).some(
-      (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',
-    )
+    Array.from(element.childNodes).some((node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '')
   );
 }

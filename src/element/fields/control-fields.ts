@@ -29,9 +29,7 @@ export interface ControlValues {
 export const CONTROL_FIELDS: Fields<ControlValues> = {
   for: textField(),
   attribute: textField(),
-  component: optional(
-    choiceField<NonNullable<ControlValues['component']>>('x', ['x', 'y', 'z', 'kc', 'kl', 'kq']),
-  ),
+  component: optional(choiceField<NonNullable<ControlValues['component']>>('x', ['x', 'y', 'z', 'kc', 'kl', 'kq'])),
   values: textField(),
   min: optional(numberField(0, {})),
   max: optional(numberField(1, {})),

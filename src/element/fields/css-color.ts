@@ -68,8 +68,7 @@ function read(canvas: CanvasRenderingContext2D, color: string): Vec3 | null {
 /** The three forms in which browsers serialise sRGB colours. */
 function fromSerialized(text: string): Vec3 | null {
   const hex = /^#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})$/.exec(text);
-  if (hex !== null)
-    return [parseInt(hex[1] ?? '', 16), parseInt(hex[2] ?? '', 16), parseInt(hex[3] ?? '', 16)];
+  if (hex !== null) return [parseInt(hex[1] ?? '', 16), parseInt(hex[2] ?? '', 16), parseInt(hex[3] ?? '', 16)];
   const rgb = /^rgba?\(([\d.]+), ([\d.]+), ([\d.]+)/.exec(text);
   if (rgb !== null) return [Number(rgb[1]), Number(rgb[2]), Number(rgb[3])];
   const srgb = /^color\(srgb (\S+) (\S+) (\S+?)(?: \/ \S+)?\)$/.exec(text);

@@ -37,11 +37,7 @@ export class FieldBinding<V extends object> {
   #warned: Set<string> | null = null;
 
   /** `assigned` is called after each successful assignment, even if the value stays the same. */
-  constructor(
-    element: HTMLElement,
-    store: FieldStore<V>,
-    assigned?: (key: keyof V, store: FieldStore<V>) => void,
-  ) {
+  constructor(element: HTMLElement, store: FieldStore<V>, assigned?: (key: keyof V, store: FieldStore<V>) => void) {
     this.store = store;
     this.#element = element;
     this.#assigned = assigned ?? null;

@@ -3,12 +3,8 @@
 // contains no texts.
 import type texts from './texts.json';
 
-export type ViewerErrorCode =
-  'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
+export type ViewerErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
 
 type Sections = typeof texts;
 
-export type ViewerText = Exclude<
-  { [S in keyof Sections]: keyof Sections[S] }[keyof Sections],
-  ViewerErrorCode
->;
+export type ViewerText = Exclude<{ [S in keyof Sections]: keyof Sections[S] }[keyof Sections], ViewerErrorCode>;

@@ -175,21 +175,15 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
       if (word === 'formula' || word === 'ask') return word;
       if (word === 'probe') return true;
       const message = `expected ${PROBE_VALUES}, got ${word}`;
-      throw typeof value === 'string' || Array.isArray(value)
-        ? new RangeError(message)
-        : new TypeError(message);
+      throw typeof value === 'string' || Array.isArray(value) ? new RangeError(message) : new TypeError(message);
     },
   },
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   cameraGroup: textField(),
-  gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [
-    GUI_FOLDERS,
-    GUI_ROWS,
-  ]),
+  gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [GUI_FOLDERS, GUI_ROWS]),
 };
 
-for (const fields of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS])
-  GUI_ROWS.push(...Object.keys(fields).map(attributeOf));
+for (const fields of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS]) GUI_ROWS.push(...Object.keys(fields).map(attributeOf));
 
 /** Assigning the same value again retries what failed. */
 export const RETRY_KEYS: ReadonlySet<string> = new Set(['src', 'geometry', 'gui']);

@@ -11,8 +11,7 @@ if (typeof document !== 'undefined' && customElements.get('phong-viewer') === un
     const viewer = element.closest('phong-viewer')!;
     const src = element.getAttribute('src')!;
     const isLazy = /^\s*lazy\s*$/i.test(viewer.getAttribute('loading') ?? '');
-    if (src === '' || isLazy || isSet(element) || isSet(viewer) || !URL.canParse(src, document.baseURI))
-      continue;
+    if (src === '' || isLazy || isSet(element) || isSet(viewer) || !URL.canParse(src, document.baseURI)) continue;
     const sends = viewer.getAttribute('crossorigin')?.trim().toLowerCase() === 'use-credentials';
     requestEarly(new URL(src, document.baseURI), sends ? 'use-credentials' : null);
   }

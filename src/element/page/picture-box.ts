@@ -8,8 +8,7 @@ import styles from './picture-box.css?inline';
  * Elements without size in the top left, top right and bottom left corner of the element around them, whose root has
  * {@link CORNER_STYLES}.
  */
-export const CORNER_MARKS = html`<i class="corner"></i><i class="corner right"></i
-  ><i class="corner low"></i>`;
+export const CORNER_MARKS = html`<i class="corner"></i><i class="corner right"></i><i class="corner low"></i>`;
 
 export const CORNER_STYLES = styles;
 

@@ -197,8 +197,7 @@ export class Visibility implements ReactiveController, Watcher {
     const zoom = zoomOf(this.#element);
     const ratio = Math.min((this.#page?.view.devicePixelRatio ?? 1) * zoom, this.#maxRatio);
     // A low limit leaves one pixel at least.
-    const pixels = (length: number): number =>
-      Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
+    const pixels = (length: number): number => Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
     this.#size = { width, height, pixelWidth: pixels(width), pixelHeight: pixels(height) };
   }
 }
@@ -234,8 +233,7 @@ function distanceFromView(element: Element): number {
 }
 
 /** The overflow of these is the window's. */
-const isPage = (box: Element): boolean =>
-  box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
+const isPage = (box: Element): boolean => box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
 
 type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
 
@@ -256,7 +254,4 @@ function isCollapsed(element: Element): boolean {
 }
 
 const parentOf = (element: Element): Element | null =>
-  element.assignedSlot ??
-  element.parentElement ??
-  (element.getRootNode() as Partial<ShadowRoot>).host ??
-  null;
+  element.assignedSlot ?? element.parentElement ?? (element.getRootNode() as Partial<ShadowRoot>).host ?? null;

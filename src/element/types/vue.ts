@@ -11,15 +11,11 @@ import type { HTMLAttributes, PublicProps } from 'vue';
 /** Vue writes `null` and `undefined` as 0, false or an empty text, not as the default. */
 type Given<Props> = { readonly [K in keyof Props]?: NonNullable<Props[K]> };
 
-type OwnProps<E extends AnyElement> = Given<ValueProps<E['values']>> &
-  E['properties'] &
-  Handlers<E['events']>;
+type OwnProps<E extends AnyElement> = Given<ValueProps<E['values']>> & E['properties'] & Handlers<E['events']>;
 
 /** A global component, as vue-tsc reads it: its props, and the element that a template ref holds. */
 type Component<E extends AnyElement> = new () => E['element'] & {
-  readonly $props: OwnProps<E> &
-    Omit<HTMLAttributes, keyof OwnProps<E>> &
-    Omit<PublicProps, keyof OwnProps<E>>;
+  readonly $props: OwnProps<E> & Omit<HTMLAttributes, keyof OwnProps<E>> & Omit<PublicProps, keyof OwnProps<E>>;
 };
 
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment

@@ -134,9 +134,7 @@ export class ViewerAnnouncements implements ReactiveController {
   #describe(): void {
     const texts = (this.#language = this.#texts);
     const { camera, lights } = this.#viewer;
-    const names = lights
-      .slice(0, NAMED + 1)
-      .map((light, i) => lightNameText(texts, this.#nameOf(light, i), light));
+    const names = lights.slice(0, NAMED + 1).map((light, i) => lightNameText(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
   }
 

@@ -137,8 +137,7 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
    */
   #settle(): void {
     const { isFixed } = this;
-    if (isFixed !== this.#wasFixed)
-      for (const { viewport } of this.#members.values()) viewport.picture.invalidate();
+    if (isFixed !== this.#wasFixed) for (const { viewport } of this.#members.values()) viewport.picture.invalidate();
     this.#wasFixed = isFixed;
     const [first] = this.#members.values();
     const framing = first?.viewport.picture.fit.framing ?? null;

@@ -28,12 +28,7 @@ export interface CameraLink {
 }
 
 /** Values that act when they are assigned: the viewer needs no update for them. */
-export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>([
-  'theta',
-  'phi',
-  'radius',
-  'target',
-]);
+export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
 
 export class ViewerCamera implements ReactiveController {
   readonly #context: ViewerContext;
@@ -130,8 +125,7 @@ export class ViewerCamera implements ReactiveController {
         orbit.set(key === 'theta' ? { theta } : { phi });
       } else {
         const kept = picture.fit.framing ?? orbit.pose;
-        picture.fit.framing =
-          key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
+        picture.fit.framing = key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
         picture.fit.settle();
       }
     });

@@ -14,8 +14,7 @@ export const NAMED = 8;
 
 const LIGHTS = 'Lights: {lights}.';
 
-const lightOf = (kind: LightKind): ViewerText =>
-  `{name}: ${kind} light, position {position}, diffuse {diffuse}`;
+const lightOf = (kind: LightKind): ViewerText => `{name}: ${kind} light, position {position}, diffuse {diffuse}`;
 
 export const cameraText = (
   texts: ViewerTexts | null,
@@ -57,11 +56,7 @@ export function lightText(texts: ViewerTexts | null, name: string, values: Light
 type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
 
 /** A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts from 0. */
-export function meshTitle(
-  texts: ViewerTexts | null,
-  { name, src, geometry }: MeshNames,
-  index: number,
-): string {
+export function meshTitle(texts: ViewerTexts | null, { name, src, geometry }: MeshNames, index: number): string {
   const file = typeof src === 'string' ? fileOf(src) : fileName(src);
   const shape = src === '' && geometry !== null ? phrase(texts, geometry) : '';
   return name || file || shape || phrase(texts, 'mesh {number}', { number: String(index + 1) });

@@ -119,8 +119,7 @@ export class ViewerDisplay {
   /** Those in use: the viewer's own, then the page's. */
   get texts(): ViewerTexts | null {
     const page = pageTexts();
-    if (this.#used === null || this.#used.page !== page)
-      this.#used = { page, texts: textsOver(this.#texts, page) };
+    if (this.#used === null || this.#used.page !== page) this.#used = { page, texts: textsOver(this.#texts, page) };
     return this.#used.texts;
   }
 
@@ -201,8 +200,7 @@ class ViewerStates {
  */
 function isUsed(event: KeyboardEvent): boolean {
   if (event.defaultPrevented) return true;
-  if (event.ctrlKey || event.altKey || event.metaKey || event.key === 'Tab' || event.key === 'Escape')
-    return false;
+  if (event.ctrlKey || event.altKey || event.metaKey || event.key === 'Tab' || event.key === 'Escape') return false;
   const [target] = event.composedPath() as [Element];
   // What is slotted is the page's own.
   return target.getRootNode() === event.currentTarget && target.matches('button, input, select, textarea');

@@ -20,8 +20,7 @@ interface Kind {
 
 /** Belong to the first picture: it would show another camera. */
 const LINKED: Kind = {
-  wanted: ({ cameraGroup }, viewer) =>
-    cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+  wanted: ({ cameraGroup }, viewer) => cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
   load: lazyCode(() => import('./camera-group.js'), 'linked cameras'),
 };
 
@@ -56,19 +55,13 @@ export class ViewerExtras implements ReactiveController {
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
-  constructor(
-    context: ViewerContext,
-    camera: ViewerCamera,
-    children: ViewerChildren,
-    visibility: Visibility,
-  ) {
+  constructor(context: ViewerContext, camera: ViewerCamera, children: ViewerChildren, visibility: Visibility) {
     const { signals } = (this.#context = context);
     this.#camera = camera;
     this.#children = children;
     this.#visibility = visibility;
     const { awaited } = signals;
-    signals.awaited = () =>
-      awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
+    signals.awaited = () => awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
     signals.drawn.listen(() => {
       for (const extra of this.#extras.values()) extra?.update();
     });

@@ -20,9 +20,7 @@ export function takeDrops(viewer: PhongViewer): void {
   viewer.addEventListener('drop', (event) => {
     const transfer = takes(event);
     if (transfer === null) return;
-    const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter(
-      (entry) => entry !== null,
-    );
+    const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
     const files = [...transfer.files];
     const drop = ++drops; // of two in a row, the later one counts
     viewer.focus({ preventScroll: true }); // as after a press: Escape removes a message

@@ -64,16 +64,12 @@ export class History {
 
   /** Takes the last step back. False if there is none. */
   undo(): boolean {
-    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) =>
-      subject.restore(after, before),
-    );
+    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) => subject.restore(after, before));
   }
 
   /** Repeats the step taken back last. False if there is none. */
   redo(): boolean {
-    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) =>
-      subject.restore(before, after),
-    );
+    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) => subject.restore(before, after));
   }
 
   /** Calls `changed` after every step, undo and redo. The returned function stops that. */
@@ -179,16 +175,12 @@ export function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElemen
   return {
     read: () =>
       new Map(
-        registryOf(viewer).inOrder.map((child) => [
-          child,
-          { parent: child.parentNode, next: child.nextSibling },
-        ]),
+        registryOf(viewer).inOrder.map((child) => [child, { parent: child.parentNode, next: child.nextSibling }]),
       ),
     same: (a, b) => a.size === b.size && [...a].every(([child, place]) => stays(place, b.get(child))),
     restore(from, to) {
       // A script may have moved the parent into the child since.
-      for (const [child, place] of to)
-        if (!stays(from.get(child), place) && holds(child, place.parent)) return;
+      for (const [child, place] of to) if (!stays(from.get(child), place) && holds(child, place.parent)) return;
       for (const child of from.keys()) if (!to.has(child)) child.remove();
       // Backwards, so that the sibling a child stands before is in its place already.
       for (const [child, place] of [...to].reverse()) {

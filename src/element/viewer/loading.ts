@@ -20,8 +20,7 @@ import { takeDrops } from './file-drop.js';
 export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
   const code = codeOf(error);
   let message = error instanceof Error ? error.message : String(error);
-  if (code === 'too-large' && !(error instanceof ModelError))
-    message = 'There is not enough memory to show this.';
+  if (code === 'too-large' && !(error instanceof ModelError)) message = 'There is not enough memory to show this.';
   return { code, message: clipMessage(message), url: url?.href ?? null };
 }
 
@@ -82,8 +81,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
-    signals.awaited = () =>
-      !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
+    signals.awaited = () => !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {

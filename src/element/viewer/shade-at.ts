@@ -25,14 +25,10 @@ export async function shadeAt(
 }
 
 /** The same of a point in world space. */
-export async function explain(
-  { scene, lights }: ViewerSnapshot,
-  point: unknown,
-): Promise<FragmentExplanation | null> {
+export async function explain({ scene, lights }: ViewerSnapshot, point: unknown): Promise<FragmentExplanation | null> {
   if (!Array.isArray(point) || point.length !== 3 || !point.every((x) => typeof x === 'number'))
     throw new TypeError(`explain: expected a point of three numbers, got ${String(point)}`);
-  if (!point.every(Number.isFinite))
-    throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
+  if (!point.every(Number.isFinite)) throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
   return explained(scene === null ? null : pickNear(scene, point as unknown as Vec3), lights);
 }
 
@@ -80,8 +76,7 @@ async function explained(
 
 /** The device pixel at CSS pixel `at`; the GPU draws the fragment at its centre. `exact`: the place from there. */
 function pixel(name: string, at: unknown, size: number, pixels: number, exact: boolean): number {
-  if (typeof at !== 'number')
-    throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
+  if (typeof at !== 'number') throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
   if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
   const place = (at * pixels) / size;
   return exact ? place - 0.5 : Math.floor(place);

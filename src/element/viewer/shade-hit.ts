@@ -27,8 +27,7 @@ export function shadeHit(
   const surface = surfaceAt(phong, geometry, hit, hit.base);
   const { style, linear } = phong;
   const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
-  const at = (p: Vec3, normal: Vec3): Shaded =>
-    equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
+  const at = (p: Vec3, normal: Vec3): Shaded => equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
   const [a, b, c] = corners;
   const N = weighted(weights, [a.N, b.N, c.N]);
   const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));

@@ -103,13 +103,7 @@ function progressTemplate(share: number | null, label: string, size: string): Te
   const percent = share === null ? null : String(Math.round(share * 100));
   // The style as a property: a strict CSP refuses style attributes.
   return html`<slot name="progress" .style=${pageText(size)}>
-    <div
-      class="progress"
-      part="progress"
-      role="progressbar"
-      aria-label=${label}
-      aria-valuenow=${percent ?? nothing}
-    >
+    <div class="progress" part="progress" role="progressbar" aria-label=${label} aria-valuenow=${percent ?? nothing}>
       <div
         class=${percent === null ? 'arrived unknown' : 'arrived'}
         .style=${percent === null ? '' : `inline-size: ${percent}%`}

@@ -69,8 +69,7 @@ export async function blobOf(
 ): Promise<Blob> {
   const { pending } = extras;
   if (pending !== null) await pending;
-  const picture =
-    options.samples === undefined ? pictureOf(viewport, options) : await meanOf(viewport, options);
+  const picture = options.samples === undefined ? pictureOf(viewport, options) : await meanOf(viewport, options);
   const drawn = picture === null ? null : extras.drawOver(picture, options);
   const { pictureBlob } = await lazy.picture();
   await drawn;
@@ -87,8 +86,7 @@ function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasEleme
 async function meanOf(viewport: Viewport, options: PictureOptions): Promise<HTMLCanvasElement | null> {
   const { samples = 1 } = options;
   const isCount = Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES;
-  if (!isCount)
-    throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
+  if (!isCount) throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
   const size = sizeOf(viewport, options);
   return size && viewport.still.capture(size, samples);
 }

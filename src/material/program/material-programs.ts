@@ -8,13 +8,7 @@ import type { PhongLighting } from '../lighting.js';
 import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../material-values.js';
 import { type Term } from '../../light/light-state.js';
 import type { Draw } from './program-cache.js';
-import {
-  type Form,
-  generalVariant,
-  type MaterialTerms,
-  specialisedVariant,
-  type Variant,
-} from './variant.js';
+import { type Form, generalVariant, type MaterialTerms, specialisedVariant, type Variant } from './variant.js';
 
 /** What one draw uses. */
 interface DrawnWith {

@@ -194,10 +194,7 @@ const programOf = ({ renderer, material }: Probe): Program | undefined =>
  * Reports a program that does not link to the page's error handlers, with the driver's logs. Not where the context was
  * lost meanwhile: then no program links.
  */
-export function reportLinkFailure(
-  gl: WebGLRenderingContext | WebGL2RenderingContext,
-  program: WebGLProgram,
-): void {
+export function reportLinkFailure(gl: WebGLRenderingContext | WebGL2RenderingContext, program: WebGLProgram): void {
   const shaders = gl.getAttachedShaders(program) ?? [];
   const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
   if (gl.isContextLost()) return;

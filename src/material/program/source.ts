@@ -88,9 +88,7 @@ export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceCo
     const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
     shaders = {
       vertexShader: [head('vertex'), phongVertex].join('\n'),
-      fragmentShader: [head('fragment'), ENCODING_GLSL, where(isTextured, FILE_SURFACE), phongFragment].join(
-        '\n',
-      ),
+      fragmentShader: [head('fragment'), ENCODING_GLSL, where(isTextured, FILE_SURFACE), phongFragment].join('\n'),
     };
     texts.set(key, shaders);
   }

@@ -3,10 +3,7 @@
 
 /** What the factory of such a decoder is given. */
 export interface WasmOptions {
-  readonly instantiateWasm: (
-    imports: WebAssembly.Imports,
-    done: (instance: WebAssembly.Instance) => void,
-  ) => object;
+  readonly instantiateWasm: (imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) => object;
   readonly print: (text: string) => void;
   readonly printErr: (text: string) => void;
 }

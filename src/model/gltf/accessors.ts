@@ -70,9 +70,7 @@ export class Accessors {
     return slices.map(this.#entries, (entry) => {
       // The parser looks up the types of attributes that Draco data hold.
       const { definition } = entry;
-      return this.#read.has(entry)
-        ? definition
-        : { ...definition, count: 0, bufferView: undefined, sparse: undefined };
+      return this.#read.has(entry) ? definition : { ...definition, count: 0, bufferView: undefined, sparse: undefined };
     });
   }
 }
@@ -104,11 +102,7 @@ const COMPONENTS: ReadonlyMap<unknown, number> = new Map([
   ['MAT4', 16],
 ]);
 
-export function readBufferViews(
-  json: JsonObject,
-  buffers: number,
-  slices: Slices,
-): Promise<readonly BufferView[]> {
+export function readBufferViews(json: JsonObject, buffers: number, slices: Slices): Promise<readonly BufferView[]> {
   return slices.map(objectsAt(json['bufferViews'], 'bufferViews'), (view, i) => {
     const what = `bufferViews[${String(i)}]`;
     const byteStride = view['byteStride'] || undefined; // some exporters write 0 for "packed"
@@ -175,9 +169,7 @@ function requireView(index: unknown, views: readonly BufferView[], run: Run, wha
   }
   // Typed arrays cannot read numbers across their own size.
   if (offset % unit !== 0 || stride % unit !== 0) {
-    throw new Error(
-      `${what} is not aligned: its byteOffset and byteStride must be multiples of ${String(unit)}`,
-    );
+    throw new Error(`${what} is not aligned: its byteOffset and byteStride must be multiples of ${String(unit)}`);
   }
   return stride;
 }

@@ -99,8 +99,7 @@ async function readChannels(
     const numbers = input.count * width * (interpolation === 'CUBICSPLINE' ? 3 : 1);
     if (input.components !== 1 || input.count === 0) throw new Error(`${what} has no times`);
     if (output.count * output.components < numbers) throw new Error(`${what} has fewer values than times`);
-    if (output.components !== (path === 'weights' ? 1 : width))
-      throw new Error(`${what} has values of another type`);
+    if (output.components !== (path === 'weights' ? 1 : width)) throw new Error(`${what} has values of another type`);
     return [{ node, path, input, output, width, interpolation }];
   });
   return channels.flat();

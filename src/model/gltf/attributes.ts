@@ -91,8 +91,7 @@ export async function gathered(
 }
 
 async function asFloats(source: Attribute, items: number, slices: Slices): Promise<BufferAttribute> {
-  if (source.itemSize < items)
-    throw new Error(`an attribute has ${String(source.itemSize)} of ${String(items)} parts`);
+  if (source.itemSize < items) throw new Error(`an attribute has ${String(source.itemSize)} of ${String(items)} parts`);
   const plain = source instanceof BufferAttribute && source.array instanceof Float32Array;
   if (plain && source.itemSize === items && !source.normalized) return source;
   const values = new Float32Array(source.count * items);

@@ -36,8 +36,7 @@ export function gltfBytes(
     }
     if (bytes.byteLength >= buffer.byteLength) return bytes;
     throw new Error(
-      `buffers[${String(index)}] is truncated: ` +
-        `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
+      `buffers[${String(index)}] is truncated: ` + `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
     );
   };
 
@@ -77,11 +76,7 @@ export function gltfBytes(
       const type = textAt(image['mimeType']);
       if (isDataUri(uri)) return data(uri);
       if (uri !== '') return { bytes: await bytesOf(uri), type };
-      const view = indexAt(
-        image['bufferView'],
-        document.bufferViews.length,
-        `images[${String(index)}].bufferView`,
-      );
+      const view = indexAt(image['bufferView'], document.bufferViews.length, `images[${String(index)}].bufferView`);
       return { bytes: await slice(view), type };
     },
   };
@@ -91,13 +86,9 @@ const meshoptCode = lazyCode(() => import('./meshopt.js'), 'the meshopt decoder'
 
 async function meshoptDecoder(): Promise<(bytes: Uint8Array, view: MeshoptView) => Promise<Uint8Array>> {
   const { decodeMeshopt } = await meshoptCode().catch((cause: unknown) => {
-    throw new ModelError(
-      'load-failed',
-      'The meshopt decoder, which this model needs, could not be fetched.',
-      {
-        cause,
-      },
-    );
+    throw new ModelError('load-failed', 'The meshopt decoder, which this model needs, could not be fetched.', {
+      cause,
+    });
   });
   return decodeMeshopt;
 }

@@ -32,8 +32,7 @@ export async function openContainer(
     return { ...(await parseText(bytes, budget, slices)), body: null };
   }
   const version = view.getUint32(4, true);
-  if (version !== 2)
-    throw new Error(`it is a GLB of version ${String(version)}; only version 2 is supported`);
+  if (version !== 2) throw new Error(`it is a GLB of version ${String(version)}; only version 2 is supported`);
   const claimed = view.getUint32(8, true);
   if (claimed > bytes.byteLength) {
     throw new Error(`it is truncated: ${String(bytes.byteLength)} of ${String(claimed)} bytes`);

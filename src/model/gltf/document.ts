@@ -24,13 +24,7 @@ import {
   type JsonObject,
 } from './json.js';
 import { readMaterials, readTextures, type GltfTexture } from './materials.js';
-import {
-  DRACO,
-  type MorphAccessors,
-  type Primitive,
-  type PrimitiveContext,
-  readPrimitives,
-} from './primitives.js';
+import { DRACO, type MorphAccessors, type Primitive, type PrimitiveContext, readPrimitives } from './primitives.js';
 
 export interface GltfDocument {
   /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
@@ -63,11 +57,7 @@ const DEPTH_LIMIT = 1000;
  * @param budget gets everything that the document claims, but images.
  * @throws ModelError for unsupported or too much content, a plain Error for broken content.
  */
-export async function readDocument(
-  value: unknown,
-  budget: ModelBudget,
-  slices: Slices,
-): Promise<GltfDocument> {
+export async function readDocument(value: unknown, budget: ModelBudget, slices: Slices): Promise<GltfDocument> {
   const json = objectAt(value, 'the document');
   const version = textAt(optionalObject(json['asset'], 'asset')['version']);
   if (!version.startsWith('2.')) {
@@ -140,11 +130,9 @@ export async function readDocument(
 }
 
 function unsupported(extension: string): ModelError {
-  return new ModelError(
-    'bad-model',
-    `The model needs the glTF extension ${clip(extension)}, which is not supported.`,
-    { advice: 'Save it without that extension.' },
-  );
+  return new ModelError('bad-model', `The model needs the glTF extension ${clip(extension)}, which is not supported.`, {
+    advice: 'Save it without that extension.',
+  });
 }
 
 interface Skin {
@@ -156,9 +144,7 @@ function readSkins(json: JsonObject, accessors: Accessors): readonly Skin[] {
   const nodeCount = listAt(json['nodes'], 'nodes').length;
   return objectsAt(json['skins'], 'skins').map((skin, i) => {
     const what = `skins[${String(i)}]`;
-    const joints = listAt(skin['joints'], `${what}.joints`).map((joint) =>
-      indexAt(joint, nodeCount, `${what}.joints`),
-    );
+    const joints = listAt(skin['joints'], `${what}.joints`).map((joint) => indexAt(joint, nodeCount, `${what}.joints`));
     if (skin['inverseBindMatrices'] === undefined) return { joints, inverseBindMatrices: undefined };
     const inverseBindMatrices = accessors.at(skin['inverseBindMatrices'], `${what}.inverseBindMatrices`);
     if (inverseBindMatrices.components !== 16 || inverseBindMatrices.count < joints.length)
@@ -177,11 +163,7 @@ interface GltfMesh {
   readonly bound: boolean;
 }
 
-async function readMeshes(
-  json: JsonObject,
-  context: PrimitiveContext,
-  slices: Slices,
-): Promise<readonly GltfMesh[]> {
+async function readMeshes(json: JsonObject, context: PrimitiveContext, slices: Slices): Promise<readonly GltfMesh[]> {
   const meshes: GltfMesh[] = [];
   for (const mesh of objectsAt(json['meshes'], 'meshes')) {
     const primitives = await readPrimitives(mesh, context, slices);
@@ -191,8 +173,7 @@ async function readMeshes(
       primitives,
       weights: listAt(mesh['weights'], 'weights').map((weight) => numberAt(weight, 'weights', 0)),
       targets: primitives.reduce((most, { targets }) => Math.max(most, targets.length), 0),
-      bound:
-        primitives.length > 0 && primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes),
+      bound: primitives.length > 0 && primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes),
     });
   }
   return meshes;
@@ -228,8 +209,7 @@ async function readNodes(
   const defs = objectsAt(json['nodes'], 'nodes');
   const nodes = await slices.map(defs, (node, i): GltfNode => {
     const what = `nodes[${String(i)}]`;
-    const index =
-      node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
+    const index = node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
     const mesh = index === undefined ? undefined : meshes[index];
     const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
     const instances = readInstances(node, accessors, what, dropped);
@@ -241,9 +221,7 @@ async function readNodes(
     const bind = bound ? skin : undefined;
     const visible = optionalObject(optionalObject(node['extensions'], what)[VISIBILITY], what)['visible'];
     return {
-      children: listAt(node['children'], `${what}.children`).map((child) =>
-        indexAt(child, defs.length, what),
-      ),
+      children: listAt(node['children'], `${what}.children`).map((child) => indexAt(child, defs.length, what)),
       hidden: visible === false,
       mesh: primitives.length > 0 ? index : undefined,
       primitives,
@@ -333,8 +311,8 @@ function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly numbe
   const listed =
     scenes.length === 0
       ? all
-      : listAt(scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')]?.['nodes'], 'the scene').map(
-          (root) => indexAt(root, nodes.length, 'the scene'),
+      : listAt(scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')]?.['nodes'], 'the scene').map((root) =>
+          indexAt(root, nodes.length, 'the scene'),
         );
   const below = withChildren(
     nodes,

@@ -36,8 +36,7 @@ function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: Dr
   const decoder = new draco.Decoder();
   const mesh = new draco.Mesh();
   try {
-    if (decoder.GetEncodedGeometryType(bytes) !== draco.TRIANGULAR_MESH)
-      throw new Error('it contains no Draco mesh');
+    if (decoder.GetEncodedGeometryType(bytes) !== draco.TRIANGULAR_MESH) throw new Error('it contains no Draco mesh');
     const status = decoder.DecodeArrayToMesh(bytes, bytes.byteLength, mesh);
     if (!status.ok() || mesh.ptr === 0) throw new Error(`its Draco data is broken (${status.error_msg()})`);
     const corners = mesh.num_faces() * 3;
@@ -71,9 +70,7 @@ type ArrayType =
   | Uint32ArrayConstructor
   | Float32ArrayConstructor;
 
-const arrayTypes = (
-  draco: Draco,
-): Readonly<Record<string, { readonly array: ArrayType; readonly id: number }>> => ({
+const arrayTypes = (draco: Draco): Readonly<Record<string, { readonly array: ArrayType; readonly id: number }>> => ({
   Int8Array: { array: Int8Array, id: draco.DT_INT8 },
   Uint8Array: { array: Uint8Array, id: draco.DT_UINT8 },
   Int16Array: { array: Int16Array, id: draco.DT_INT16 },

@@ -86,9 +86,7 @@ export class Geometries {
 
   async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BufferGeometry> {
     const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
-    const uvs = [
-      ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
-    ];
+    const uvs = [...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : [])))];
     const tangents = normalMap === null ? null : uvNameOf(normalMap);
     const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
     const targets = this.#targetsOf(mesh);
@@ -128,10 +126,7 @@ export class Geometries {
     const separate = corners && (flat || split || corners.length * 2 < count) ? corners : null;
     const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
     const each =
-      (separate ? items : 0) +
-      (flat || split ? 3 : 0) +
-      (moves ? MOVING_VALUES : 0) +
-      (computed ? TANGENT_VALUES : 0);
+      (separate ? items : 0) + (flat || split ? 3 : 0) + (moves ? MOVING_VALUES : 0) + (computed ? TANGENT_VALUES : 0);
     // An index, and one of its own where joints mirror it.
     const indices = separate ? 0 : (corners?.length ?? 0) * (isSkinned(mesh) ? 2 : 1);
     this.#source.budget.add({ values: (separate?.length ?? count) * each + indices });

@@ -26,10 +26,7 @@ export function readInstances(
   if (extension === undefined) return undefined;
   const attributes = optionalObject(optionalObject(extension, what)['attributes'], `${what}.attributes`);
   const lists: Partial<Record<keyof typeof LISTS, Accessor>> = {};
-  for (const [name, [least, most]] of Object.entries(LISTS) as [
-    keyof typeof LISTS,
-    readonly [number, number],
-  ][]) {
+  for (const [name, [least, most]] of Object.entries(LISTS) as [keyof typeof LISTS, readonly [number, number]][]) {
     if (attributes[name] === undefined) continue;
     const accessor = accessors.at(attributes[name], `${what}.${name}`);
     const { components } = accessor;
@@ -61,11 +58,7 @@ export async function placeInstances(
     const accessor = lists[name];
     return accessor === undefined ? null : numbers(accessor);
   };
-  const [translations, rotations, scales] = [
-    await read('TRANSLATION'),
-    await read('ROTATION'),
-    await read('SCALE'),
-  ];
+  const [translations, rotations, scales] = [await read('TRANSLATION'), await read('ROTATION'), await read('SCALE')];
   const colors = await read('_COLOR_0');
   const position = new Vector3();
   const rotation = new Quaternion();
@@ -75,8 +68,7 @@ export async function placeInstances(
     if (rotations !== null) setRotation(rotation, rotations, i);
     if (scales !== null) scale.fromBufferAttribute(scales, i);
     const matrix = new Matrix4().compose(position, rotation, scale);
-    if (!matrix.elements.every(Number.isFinite))
-      throw new Error('the transform of an instance is not finite');
+    if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of an instance is not finite');
     return { matrix, color: colors === null ? null : colorOf(colors, i) };
   });
 }

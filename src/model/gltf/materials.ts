@@ -16,11 +16,7 @@ const WEBP = 'EXT_texture_webp';
 /** Used where there is no other image: those need no transcoder, and have more of the original's colours. */
 const KTX2 = 'KHR_texture_basisu';
 
-export function readTextures(
-  json: JsonObject,
-  images: number,
-  slices: Slices,
-): Promise<readonly GltfTexture[]> {
+export function readTextures(json: JsonObject, images: number, slices: Slices): Promise<readonly GltfTexture[]> {
   const samplers = objectsAt(json['samplers'], 'samplers');
   return slices.map(objectsAt(json['textures'], 'textures'), (texture, i) => {
     const what = `textures[${String(i)}]`;
@@ -113,20 +109,14 @@ function readEmissive(material: JsonObject, extensions: JsonObject, what: string
   return factor.map((c) => c * strength);
 }
 
-function readMetalRough(
-  metallic: JsonObject,
-  glossy: JsonObject,
-  what: string,
-): MaterialValues['metalRough'] {
+function readMetalRough(metallic: JsonObject, glossy: JsonObject, what: string): MaterialValues['metalRough'] {
   const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = metallic;
   const glossiness = share(glossy['glossinessFactor'], `${what}.glossinessFactor`);
   if (glossiness < 1) return { metalness: 0, roughness: 1 - glossiness };
   const metalness = share(metallicFactor, `${what}.metallicFactor`);
   const roughness = share(roughnessFactor, `${what}.roughnessFactor`);
   if (metallicRoughnessTexture !== undefined) return { metalness, roughness };
-  return metalness === 1 && roughness === 1
-    ? null
-    : { metalness: Math.min(metalness, MOST_METAL), roughness };
+  return metalness === 1 && roughness === 1 ? null : { metalness: Math.min(metalness, MOST_METAL), roughness };
 }
 
 /**

@@ -34,8 +34,7 @@ export function readMeshoptView(view: JsonObject, buffers: number, what: string)
   const count = countAt(packed['count'], `${what}.count`);
   const stride = countAt(packed['byteStride'], `${what}.byteStride`);
   if (mode === undefined || filter === undefined) throw new Error(`${what} has an unknown mode or filter`);
-  const fits =
-    mode === 'ATTRIBUTES' ? stride % 4 === 0 && stride > 0 && stride <= 256 : stride === 2 || stride === 4;
+  const fits = mode === 'ATTRIBUTES' ? stride % 4 === 0 && stride > 0 && stride <= 256 : stride === 2 || stride === 4;
   const filtered = filter === 'NONE' || (mode === 'ATTRIBUTES' && filterFits(filter, stride));
   const whole = mode !== 'TRIANGLES' || count % 3 === 0;
   if (!fits || !filtered || !whole || count * stride !== view['byteLength']) {

@@ -99,21 +99,17 @@ function isDrawn(primitive: JsonObject, dropped: Set<string>): boolean {
 
 function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
   const { accessors } = context;
-  const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(
-    ([name, value]) => {
-      const least = ATTRIBUTES.get(name);
-      if (least === undefined) return [];
-      const accessor = accessors.at(value, name);
-      return [{ name, accessor, items: Math.max(least, accessor.components) }];
-    },
-  );
+  const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(([name, value]) => {
+    const least = ATTRIBUTES.get(name);
+    if (least === undefined) return [];
+    const accessor = accessors.at(value, name);
+    return [{ name, accessor, items: Math.max(least, accessor.components) }];
+  });
   const indexes = Object.fromEntries(attributes.map(({ name, accessor }) => [name, accessor.index]));
-  const order =
-    primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
+  const order = primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
   const material = primitive['material'];
   const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
-  const packed =
-    extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
+  const packed = extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
   const vertices = attributes.find(({ name }) => name === 'POSITION')?.accessor.count ?? 0;
   const count = (order ?? { count: vertices }).count;
   // The Draco decoder returns separate triangles, whatever the mode was.

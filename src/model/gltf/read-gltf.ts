@@ -51,8 +51,7 @@ export const readGltf: ModelReader = async (source) => {
     const { animations, targets, weights, instances } = document;
     const accessor = ({ index }: Accessor): Promise<Attribute> =>
       parser.getDependency('accessor', index) as Promise<Attribute>;
-    const node = (index: number): Promise<Object3D> =>
-      parser.getDependency('node', index) as Promise<Object3D>;
+    const node = (index: number): Promise<Object3D> => parser.getDependency('node', index) as Promise<Object3D>;
     const indicesOf = (object: Object3D): FileIndices | undefined => parser.associations.get(object);
     const file = { indicesOf, accessor, targets, weights, instances, budget };
     const { parts, movable } = await collectParts(scene, file, slices);

@@ -69,8 +69,7 @@ export function checkKtx2(bytes: Uint8Array): void {
   const [format, width, height, depth, layers, faces] = [12, 20, 24, 28, 32, 36].map(uint);
   if (format !== 0)
     throw new Error('is a KTX2 file in a format of its own; only those of Basis Universal can be shown');
-  if (depth !== 0 || (layers ?? 0) > 1 || faces !== 1)
-    throw new Error('is a KTX2 file that holds no single picture');
+  if (depth !== 0 || (layers ?? 0) > 1 || faces !== 1) throw new Error('is a KTX2 file that holds no single picture');
   const levels = Math.max(uint(40), 1);
   if (levels > MOST_LEVELS || HEADER + 24 * levels > view.byteLength)
     throw new Error('is a KTX2 file that is cut short');

@@ -18,9 +18,7 @@ const RGBA32 = 13;
  * @param address of the transcoder's WebAssembly.
  * @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it.
  */
-export async function createDecoder(
-  address: string,
-): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
+export async function createDecoder(address: string): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
   const basis = await startWasm(createBasis, address);
   basis.initializeBasis();
   return async ({ bytes, scale }) => {

@@ -116,19 +116,7 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft): 
 /** Statements that change the picture in other programs, by their lower-case keywords. */
 const LEFT_OUT: ReadonlyMap<string, string> = new Map(
   [
-    ...[
-      'map_Ks',
-      'map_Ns',
-      'map_d',
-      'map_Tr',
-      'map_bump',
-      'bump',
-      'norm',
-      'disp',
-      'decal',
-      'refl',
-      'map_refl',
-    ],
+    ...['map_Ks', 'map_Ns', 'map_d', 'map_Tr', 'map_bump', 'bump', 'norm', 'disp', 'decal', 'refl', 'map_refl'],
     ...['Tf', 'Pr', 'Pm', 'Ps', 'Pc', 'Pcr', 'aniso', 'map_Pr', 'map_Pm', 'map_Ps'],
   ].map((name) => [name.toLowerCase(), name]),
 );
@@ -175,8 +163,7 @@ const VECTORS = new Set(['-o', '-s', '-t']);
 /** An option and what may be its values. */
 const OPTION = /^\s*(-[a-z]+)(?=\s)/i;
 /** An option behind the name. A name may contain what looks like one, but not with a number or a switch behind it. */
-const TRAILING =
-  /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
+const TRAILING = /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
 
 function readMap(text: string): MtlMap | null {
   const options: Options = { scale: [1, 1], offset: [0, 0], clamped: false };
@@ -203,8 +190,7 @@ function takeOptions(text: string, options: Options): string {
     while (values.length < most) {
       const value = /^\s*(\S+)/.exec(rest)?.[1];
       // The name of a file may follow after one or two numbers.
-      if (value === undefined || (VECTORS.has(option) && values.length > 0 && Number.isNaN(Number(value))))
-        break;
+      if (value === undefined || (VECTORS.has(option) && values.length > 0 && Number.isNaN(Number(value)))) break;
       values.push(value);
       rest = rest.trimStart().slice(value.length);
     }

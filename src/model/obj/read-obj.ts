@@ -140,11 +140,7 @@ const OBJECT_LIMIT = 1000;
 
 /** Runs by object and material. Past {@link OBJECT_LIMIT} objects of the same material become one part. */
 async function groupsOf(runs: readonly ObjRun[], slices: Slices): Promise<readonly Group[]> {
-  const byObject = await groupedBy(
-    runs,
-    ({ object, material }) => JSON.stringify([object, material]),
-    slices,
-  );
+  const byObject = await groupedBy(runs, ({ object, material }) => JSON.stringify([object, material]), slices);
   return byObject.length <= OBJECT_LIMIT ? byObject : groupedBy(runs, ({ material }) => material, slices);
 }
 

@@ -4,14 +4,7 @@ import { clip } from '../../fields/clip.js';
 import type { LeftOut } from '../left-out.js';
 import { CORNER_LIMIT } from '../limits.js';
 import type { Slices } from '../slices.js';
-import {
-  CornerLists,
-  type Growing,
-  NONE,
-  NOT_THERE,
-  UNSTATED,
-  wrongCoordinate,
-} from '../triangles/corner-lists.js';
+import { CornerLists, type Growing, NONE, NOT_THERE, UNSTATED, wrongCoordinate } from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
 import { countOf, type PlyElement, type PlyHeader, type PlyProperty, type PlyType } from './ply-header.js';
 import type { PlyValues } from './ply-values.js';
@@ -34,8 +27,7 @@ export async function readRows(
   chooseColors(colors.ofVertices, colors.ofFaces, file);
   const { vertex } = file.highest;
   const { count } = lists.places;
-  if (vertex >= count)
-    leftOut.because('face', `a face refers to vertex ${String(vertex)} of ${String(count)}`);
+  if (vertex >= count) leftOut.because('face', `a face refers to vertex ${String(vertex)} of ${String(count)}`);
   return lists;
 }
 
@@ -117,11 +109,7 @@ interface Takers {
 }
 
 /** @param takers what takes each property. Others are skipped. */
-function columnsOf(
-  properties: readonly PlyProperty[],
-  file: PlyFile,
-  takers: Takers = {},
-): readonly Column[] {
+function columnsOf(properties: readonly PlyProperty[], file: PlyFile, takers: Takers = {}): readonly Column[] {
   const { values } = file;
   return properties.map((property) => {
     const { type, countType } = property;
@@ -138,12 +126,7 @@ function columnsOf(
 /** Longest list that is read at once. */
 const SHORT_LIST = 256;
 
-function listColumn(
-  type: PlyType,
-  countType: PlyType,
-  { values, slices }: PlyFile,
-  taker: ListTaker | null,
-): Column {
+function listColumn(type: PlyType, countType: PlyType, { values, slices }: PlyFile, taker: ListTaker | null): Column {
   const read = (most: number): number => {
     if (taker === null) return values.skip(type, most);
     taker.item(values.next(type));
@@ -172,9 +155,7 @@ type Slot = 'x' | 'y' | 'z' | 'nx' | 'ny' | 'nz' | ColorSlot;
 type ColorSlot = 'red' | 'green' | 'blue' | 'alpha';
 
 const SLOTS: ReadonlyMap<string, Slot> = new Map([
-  ...(['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'] as const).map(
-    (name) => [name, name] as const,
-  ),
+  ...(['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'] as const).map((name) => [name, name] as const),
   ['r', 'red'],
   ['g', 'green'],
   ['b', 'blue'],

@@ -18,14 +18,8 @@ export interface PlyValues {
 }
 
 /** @param byLines whether each row of a text is a line, and may have more values than its header names. */
-export function plyValues(
-  bytes: Uint8Array<ArrayBuffer>,
-  { encoding, end }: PlyHeader,
-  byLines: boolean,
-): PlyValues {
-  return encoding === 'text'
-    ? textValues(bytes, end, byLines)
-    : binaryValues(bytes, end, encoding === 'little-endian');
+export function plyValues(bytes: Uint8Array<ArrayBuffer>, { encoding, end }: PlyHeader, byLines: boolean): PlyValues {
+  return encoding === 'text' ? textValues(bytes, end, byLines) : binaryValues(bytes, end, encoding === 'little-endian');
 }
 
 const truncated = (): Error => new Error('it is truncated: it ends before its last value');

@@ -20,9 +20,7 @@ export const readStl: ModelReader = async ({ bytes, signal, budget }) => {
   const leftOut = new LeftOut();
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
   if (asText) budget.add({ text: bytes.byteLength });
-  const solids = asText
-    ? await readStlText(bytes, leftOut, slices)
-    : [await readBinary(bytes, leftOut, slices)];
+  const solids = asText ? await readStlText(bytes, leftOut, slices) : [await readBinary(bytes, leftOut, slices)];
   const parts: ContentPart[] = [];
   for (const solid of solids) {
     if (solid.places.count > 0) parts.push(await partOf(solid, budget, slices));
@@ -45,11 +43,7 @@ export interface StlSolid {
   readonly opacity: number;
 }
 
-async function readBinary(
-  bytes: Uint8Array<ArrayBuffer>,
-  leftOut: LeftOut,
-  slices: Slices,
-): Promise<StlSolid> {
+async function readBinary(bytes: Uint8Array<ArrayBuffer>, leftOut: LeftOut, slices: Slices): Promise<StlSolid> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = countOf(view);
   // Before anything is allocated.
@@ -112,8 +106,7 @@ const SPACE = 0x20;
 function headerColor(view: DataView): { readonly color: Vec3; readonly opacity: number } | null {
   const word = 'COLOR=';
   for (let at = 0; at + word.length + 4 <= STL_HEADER - 4; at += 1) {
-    if (!Array.from(word).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0)))
-      continue;
+    if (!Array.from(word).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0))) continue;
     const [r = 0, g = 0, b = 0] = [6, 7, 8].map((i) => view.getUint8(at + i) / 255);
     const alpha = view.getUint8(at + 9);
     // Some writers leave it 0, and do not mean an invisible body. Others write three bytes and a space.

@@ -10,11 +10,7 @@ import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
 import type { StlSolid } from './read-stl.js';
 
 /** @throws Error for a file that ends inside a facet; ModelError `too-large`. */
-export async function readStlText(
-  bytes: Uint8Array,
-  leftOut: LeftOut,
-  slices: Slices,
-): Promise<readonly StlSolid[]> {
+export async function readStlText(bytes: Uint8Array, leftOut: LeftOut, slices: Slices): Promise<readonly StlSolid[]> {
   const reader = new StlTextReader(bytes, leftOut);
   for (let { at, names } = reader; reader.readWord(); { at, names } = reader) {
     if (slices.took((reader.at - at) / 8 + (reader.names - names) * NAME_WORK)) await slices.pause();

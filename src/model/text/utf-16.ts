@@ -17,11 +17,7 @@ export async function asUtf8(
   budget: ModelBudget,
   slices: Slices,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const encoding = beginsWith(bytes, LITTLE_ENDIAN)
-    ? 'utf-16le'
-    : beginsWith(bytes, BIG_ENDIAN)
-      ? 'utf-16be'
-      : null;
+  const encoding = beginsWith(bytes, LITTLE_ENDIAN) ? 'utf-16le' : beginsWith(bytes, BIG_ENDIAN) ? 'utf-16be' : null;
   if (encoding === null) return bytes;
   budget.add({ text: bytes.byteLength });
   // Two bytes become three at most, and four stay four.
@@ -37,5 +33,4 @@ export async function asUtf8(
   return text.subarray(0, length);
 }
 
-const beginsWith = (bytes: Uint8Array, mark: readonly number[]): boolean =>
-  mark.every((byte, i) => bytes[i] === byte);
+const beginsWith = (bytes: Uint8Array, mark: readonly number[]): boolean => mark.every((byte, i) => bytes[i] === byte);

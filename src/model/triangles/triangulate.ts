@@ -158,8 +158,7 @@ function turn(flat: Float64Array, a: number, b: number, c: number): number {
   const x = flat[2 * a] ?? 0;
   const y = flat[2 * a + 1] ?? 0;
   return (
-    ((flat[2 * b] ?? 0) - x) * ((flat[2 * c + 1] ?? 0) - y) -
-    ((flat[2 * b + 1] ?? 0) - y) * ((flat[2 * c] ?? 0) - x)
+    ((flat[2 * b] ?? 0) - x) * ((flat[2 * c + 1] ?? 0) - y) - ((flat[2 * b + 1] ?? 0) - y) * ((flat[2 * c] ?? 0) - x)
   );
 }
 
@@ -187,13 +186,7 @@ export interface FaceVector {
  * Writes the cross product of two edges to `out`, in float64, and returns its length: twice the area of the triangle.
  * The side from which its corners turn left is outside. `a`, `b` and `c` are the corners' indices in `positions`.
  */
-export function faceVector(
-  positions: Float32Array,
-  a: number,
-  b: number,
-  c: number,
-  out: FaceVector,
-): number {
+export function faceVector(positions: Float32Array, a: number, b: number, c: number, out: FaceVector): number {
   const ax = positions[a] ?? 0;
   const ay = positions[a + 1] ?? 0;
   const az = positions[a + 2] ?? 0;

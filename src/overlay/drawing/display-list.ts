@@ -70,11 +70,7 @@ export function arrowHead(from: Point, tip: Point, size: number = HEAD.length): 
   const reach = Math.min(size, length);
   const half = (HEAD.half * reach) / HEAD.length;
   const base = { x: tip.x - reach * ux, y: tip.y - reach * uy };
-  return [
-    tip,
-    { x: base.x - half * uy, y: base.y + half * ux },
-    { x: base.x + half * uy, y: base.y - half * ux },
-  ];
+  return [tip, { x: base.x - half * uy, y: base.y + half * ux }, { x: base.x + half * uy, y: base.y - half * ux }];
 }
 
 /** A line through `points` with a head at its end. */
@@ -85,7 +81,5 @@ export function arrow(
   const [from, tip] = [points.at(-2), points.at(-1)];
   const head = from === undefined || tip === undefined ? null : arrowHead(from, tip);
   const line: Stroke = { kind: 'stroke', lines: [points], ...look };
-  return head === null
-    ? [line]
-    : [line, { ...look, kind: 'stroke', lines: [head], filled: true, dashed: false }];
+  return head === null ? [line] : [line, { ...look, kind: 'stroke', lines: [head], filled: true, dashed: false }];
 }

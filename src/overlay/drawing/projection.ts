@@ -176,12 +176,7 @@ export class Projection {
   /** Not so far outside the layer that lines are cut. */
   #isNear({ x, y }: Point): boolean {
     const { width, height } = this;
-    return (
-      x >= -OUTSIDE * width &&
-      x <= (1 + OUTSIDE) * width &&
-      y >= -OUTSIDE * height &&
-      y <= (1 + OUTSIDE) * height
-    );
+    return x >= -OUTSIDE * width && x <= (1 + OUTSIDE) * width && y >= -OUTSIDE * height && y <= (1 + OUTSIDE) * height;
   }
 
   /** Liang and Barsky's clipping. */
@@ -214,11 +209,7 @@ export class Projection {
 const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 
 /** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
-export function inside(
-  { x, y }: Point,
-  { width, height }: { width: number; height: number },
-  margin: number,
-): Point {
+export function inside({ x, y }: Point, { width, height }: { width: number; height: number }, margin: number): Point {
   const within = (value: number, size: number): number =>
     size <= 2 * margin ? size / 2 : Math.min(Math.max(value, margin), size - margin);
   return { x: within(x, width), y: within(y, height) };

@@ -43,8 +43,7 @@ export class SvgLayer {
     list.forEach((primitive, i) => {
       const shown = this.#shown[i];
       if (shown !== undefined && isSame(shown.primitive, primitive)) return;
-      const elements =
-        shown?.primitive.kind === primitive.kind ? shown.elements : this.#replace(shown, primitive.kind);
+      const elements = shown?.primitive.kind === primitive.kind ? shown.elements : this.#replace(shown, primitive.kind);
       this.#shown[i] = { primitive, elements };
       draw(elements, primitive);
     });
@@ -115,9 +114,7 @@ function draw(elements: readonly SVGElement[], primitive: DrawnItem): void {
 }
 
 const pathOf = (lines: readonly (readonly Point[])[], closed: boolean): string =>
-  lines
-    .map((line) => `M${line.map(({ x, y }) => `${round(x)} ${round(y)}`).join('L')}${closed ? 'Z' : ''}`)
-    .join('');
+  lines.map((line) => `M${line.map(({ x, y }) => `${round(x)} ${round(y)}`).join('L')}${closed ? 'Z' : ''}`).join('');
 
 /** A hundredth of a pixel is less than any screen shows. */
 const round = (value: number): string => String(Math.round(100 * value) / 100);

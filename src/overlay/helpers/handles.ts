@@ -48,9 +48,7 @@ export class Handles {
     this.#move = new LightMove(host.viewer, surfaceOf);
     place.append(this.#list, this.#region);
     this.#list.addEventListener('keydown', (event) => this.#onKey(event));
-    this.#list.addEventListener('focusin', ({ target }) =>
-      this.#choose(this.#byElement.get(target as Element)),
-    );
+    this.#list.addEventListener('focusin', ({ target }) => this.#choose(this.#byElement.get(target as Element)));
     this.#list.addEventListener('focusout', () => this.#endKeys());
     // The picture below zooms, if it may.
     this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
@@ -68,12 +66,7 @@ export class Handles {
   }
 
   /** Updates the elements to what is drawn. */
-  show(
-    lights: readonly PhongLight[],
-    marks: readonly LightMarks[],
-    view: Projection,
-    scene: SceneBall,
-  ): void {
+  show(lights: readonly PhongLight[], marks: readonly LightMarks[], view: Projection, scene: SceneBall): void {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, { 'aria-label': phrase(texts, 'Lights in the picture') });
@@ -84,8 +77,7 @@ export class Handles {
         const key = this.#keyOf(light, handle.part);
         kept.add(key);
         const shown = this.#shown.get(key) ?? this.#add(key, light, handle.part);
-        const expected: Element | null =
-          before === null ? this.#list.firstElementChild : before.nextElementSibling;
+        const expected: Element | null = before === null ? this.#list.firstElementChild : before.nextElementSibling;
         if (expected !== shown.element) this.#list.insertBefore(shown.element, expected);
         before = shown.element;
         this.#place(shown, handle, index, view);

@@ -80,13 +80,7 @@ export class LightHelpers {
   drawingAt(view: Projection, scene: SceneBall): Drawing {
     const { lights } = this.#host.children;
     const marks = lights.map((light) =>
-      lightMarks(
-        fieldsOf(light).store.values,
-        view,
-        scene,
-        this.#occlusion.isHidden(light),
-        this.#surfaceOf(light),
-      ),
+      lightMarks(fieldsOf(light).store.values, view, scene, this.#occlusion.isHidden(light), this.#surfaceOf(light)),
     );
     return this.#drawing(lights, marks);
   }

@@ -86,9 +86,7 @@ export function lightMarks(
     const tip = add(place, scale(spot.axis, spot.arrow));
     handles.push(handleAt('axis', tip, view));
     if (spot.aperture < 180)
-      handles.push(
-        handleAt('aperture', onCone(cone, spot.aperture, coneSide(spot.grip, spot, spot.aperture)), view),
-      );
+      handles.push(handleAt('aperture', onCone(cone, spot.aperture, coneSide(spot.grip, spot, spot.aperture)), view));
     for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
     // Over its handle, which would hide the head.
     arrowTo(tip);
@@ -164,9 +162,7 @@ function pointerTo(at: Point, { width, height }: Projection, look: Look): DrawnI
   if (length === 0) return [];
   const tip = { x: at.x + (POINTER * dx) / length, y: at.y + (POINTER * dy) / length };
   const head = arrowHead(at, tip);
-  return head === null
-    ? []
-    : [{ ...look, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
+  return head === null ? [] : [{ ...look, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
 }
 
 /** From the disc's centre to the tip, CSS pixels; less than {@link EDGE}. */

@@ -135,8 +135,7 @@ export class LightMove {
     if (view === null) return;
     const { along, byKeys } = move;
     move.written = moved(move.anchor, view, { dx, dy, along, byKeys });
-    for (const [key, value] of Object.entries(move.written))
-      fieldsOf(move.light).set(key as keyof Change, value);
+    for (const [key, value] of Object.entries(move.written)) fieldsOf(move.light).set(key as keyof Change, value);
   }
 
   /** The light by its current values. What is drawn may be older, because keys can be faster than frames. */

@@ -5,14 +5,7 @@ import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Point, Projection, Ray } from '../drawing/projection.js';
 import type { Handle, HandlePart } from './light-marks.js';
-import {
-  acrossAxis,
-  coneSide,
-  DIRECTIONAL_AT,
-  onCone,
-  type PlacedLight,
-  type SceneBall,
-} from './placed-light.js';
+import { acrossAxis, coneSide, DIRECTIONAL_AT, onCone, type PlacedLight, type SceneBall } from './placed-light.js';
 
 /** The start of a move. */
 export interface Anchor {
@@ -66,9 +59,7 @@ function rounded(value: number, radius: number): number {
   const step = 10 ** (Math.floor(Math.log10(radius)) - 4);
   // By division where the step is below 1: it has no exact binary form, its inverse has.
   return (
-    (step < 1
-      ? Math.round(value * Math.round(1 / step)) / Math.round(1 / step)
-      : Math.round(value / step) * step) + 0
+    (step < 1 ? Math.round(value * Math.round(1 / step)) / Math.round(1 / step) : Math.round(value / step) * step) + 0
   );
 }
 
@@ -81,11 +72,7 @@ const DISTANCES = { least: 1e-3, most: 1e3 } as const;
 /** Share of the orbit's radius at which a pixel's worth is measured for places beside or behind the eye. */
 const LEAST_DEPTH = 0.1;
 
-function placeAfter(
-  { placed, handle, scene, view: start }: Anchor,
-  view: Projection,
-  travel: HandleMove,
-): Vec3 {
+function placeAfter({ placed, handle, scene, view: start }: Anchor, view: Projection, travel: HandleMove): Vec3 {
   const { dx, dy } = travel;
   const { place } = placed;
   const depth = start.depthOf(place);
@@ -176,11 +163,7 @@ const COARSE = 2;
 const WIDEST = 179;
 
 /** In degrees, to a tenth: the cone whose edge passes nearest to the pointer. */
-function apertureAfter(
-  { placed, handle, values, view: start }: Anchor,
-  view: Projection,
-  travel: HandleMove,
-): number {
+function apertureAfter({ placed, handle, values, view: start }: Anchor, view: Projection, travel: HandleMove): number {
   const { place, spot } = placed;
   const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), WIDEST);
   if (spot === null) return values.aperture;
@@ -191,8 +174,7 @@ function apertureAfter(
     distance(view.point(onCone(cone, degrees, coneSide(spot.grip, spot, degrees))), pointer);
   const nearest = (from: number, to: number, step: number): number => {
     let best = from;
-    for (let degrees = from; degrees <= to; degrees += step)
-      if (distanceAt(degrees) < distanceAt(best)) best = degrees;
+    for (let degrees = from; degrees <= to; degrees += step) if (distanceAt(degrees) < distanceAt(best)) best = degrees;
     return best;
   };
   const coarse = nearest(0, WIDEST, COARSE);
@@ -203,5 +185,4 @@ const distance = (point: Point | null, { x, y }: Point): number =>
   point === null ? Infinity : Math.hypot(point.x - x, point.y - y);
 
 /** Degrees to the travel that turns by as much. */
-export const travelOfTurn = (degrees: number, view: Projection): number =>
-  (radians(degrees) * view.height) / Math.PI;
+export const travelOfTurn = (degrees: number, view: Projection): number => (radians(degrees) * view.height) / Math.PI;

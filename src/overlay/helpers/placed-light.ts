@@ -3,17 +3,7 @@
 import { isSpot } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
-import {
-  add,
-  cross,
-  dot,
-  length,
-  normalize,
-  perpendicular,
-  scale,
-  subtract,
-  type Vec3,
-} from '../../math/vector.js';
+import { add, cross, dot, length, normalize, perpendicular, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Projection } from '../drawing/projection.js';
 
 /** A sphere that contains the scene; its radius is above 0. */

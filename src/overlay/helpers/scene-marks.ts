@@ -4,17 +4,7 @@ import { Matrix3, type Mesh } from 'three';
 import { normalMatrix } from '../../material/normal-matrix.js';
 import { PhongMaterial } from '../../material/phong-material.js';
 import { niceCeil } from '../../math/round-number.js';
-import {
-  add,
-  cross,
-  dot,
-  length,
-  normalize,
-  scale,
-  subtract,
-  transformed,
-  type Vec3,
-} from '../../math/vector.js';
+import { add, cross, dot, length, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
 import { arrowHead, type DrawnItem, type Stroke } from '../drawing/display-list.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import type { Name } from './labels.js';
@@ -100,10 +90,8 @@ export function gridMarks(view: Projection, { center, radius }: SceneBall, hidin
   const draw = (key: string, from: Vec3, to: Vec3): void => {
     lines.push(...pieces(from, to, GRID_PIECES, key, view, hiding).shown);
   };
-  for (let x = lowX; x <= highX; x++)
-    draw(`grid x ${x}`, [x * step, 0, lowZ * step], [x * step, 0, highZ * step]);
-  for (let z = lowZ; z <= highZ; z++)
-    draw(`grid z ${z}`, [lowX * step, 0, z * step], [highX * step, 0, z * step]);
+  for (let x = lowX; x <= highX; x++) draw(`grid x ${x}`, [x * step, 0, lowZ * step], [x * step, 0, highZ * step]);
+  for (let z = lowZ; z <= highZ; z++) draw(`grid z ${z}`, [lowX * step, 0, z * step], [highX * step, 0, z * step]);
   return lines.length === 0
     ? []
     : [{ kind: 'stroke', lines, color: COLORS.grid, width: 1, outline: 0.5, opacity: 0.7 }];
@@ -153,12 +141,7 @@ export function boundsMarks(meshes: readonly Mesh[], view: Projection): DrawnIte
 /** More would run into each other. */
 const MOST_BOXES = 200;
 
-function boxEdges(
-  mesh: Mesh,
-  view: Projection,
-  front: (readonly Point[])[],
-  back: (readonly Point[])[],
-): void {
+function boxEdges(mesh: Mesh, view: Projection, front: (readonly Point[])[], back: (readonly Point[])[]): void {
   const { geometry, matrixWorld } = mesh;
   if (geometry.boundingBox === null) geometry.computeBoundingBox();
   const box = geometry.boundingBox;
@@ -166,11 +149,7 @@ function boxEdges(
   const [low, high] = [box.min.toArray(), box.max.toArray()];
   const e = matrixWorld.elements;
   const corner = (bits: number): Vec3 => {
-    const [x, y, z] = [0, 1, 2].map((i) => ((bits >> i) & 1 ? high[i]! : low[i]!)) as [
-      number,
-      number,
-      number,
-    ];
+    const [x, y, z] = [0, 1, 2].map((i) => ((bits >> i) & 1 ? high[i]! : low[i]!)) as [number, number, number];
     return transformed(e, x, y, z);
   };
   /** A face is in front if the eye is on its outer side: farther along its axis than the opposite one. */
@@ -215,9 +194,7 @@ export function normalMarks(
   { center, radius }: SceneBall,
   hiding: Hiding,
 ): DrawnItem[] {
-  const drawn = meshes.filter(
-    ({ geometry }) => geometry.hasAttribute('normal') && geometry.hasAttribute('position'),
-  );
+  const drawn = meshes.filter(({ geometry }) => geometry.hasAttribute('normal') && geometry.hasAttribute('position'));
   const pixels = Math.PI * (radius * view.pixelsPerUnit(view.depthOf(center))) ** 2;
   const each = Math.min(MOST_NORMALS, pixels / NORMAL_PIXELS) / drawn.length;
   const lines: (readonly Point[])[] = [];
@@ -276,9 +253,7 @@ function normalsOf({ geometry, matrixWorld, material }: Mesh): (vertex: number) 
       m[2] * x + m[5] * y + m[8] * z,
     ]);
     const first = vertex - (vertex % 3);
-    const p = isFlat
-      ? scale(add(add(placeOf(first), placeOf(first + 1)), placeOf(first + 2)), 1 / 3)
-      : placeOf(vertex);
+    const p = isFlat ? scale(add(add(placeOf(first), placeOf(first + 1)), placeOf(first + 2)), 1 / 3) : placeOf(vertex);
     return { p, N, isTwoSided };
   };
 }

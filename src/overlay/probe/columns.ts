@@ -39,8 +39,7 @@ export function cellText(
   { columns, digits }: TableShape,
   texts: ViewerTexts | null,
 ): string {
-  if (column === '…')
-    return TERMS.some((term) => !columns.includes(term) && !isBlack(row[term])) ? column : '';
+  if (column === '…') return TERMS.some((term) => !columns.includes(term) && !isBlack(row[term])) ? column : '';
   if (column === 'sum') return termText(row.total, digits, texts);
   if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
   // 1 for most lights.

@@ -114,8 +114,7 @@ function product(
       value: 1,
       wrongs: [{ mistake: 'attenuation', value: att, text: attenuation }],
     });
-  else if (att !== 1)
-    factors.push({ symbol: 'att', value: att, wrongs: [instead('1 / att', 'att', 1 / att)] });
+  else if (att !== 1) factors.push({ symbol: 'att', value: att, wrongs: [instead('1 / att', 'att', 1 / att)] });
   if (!insideCone) {
     const text = say('The point is outside the cone.');
     factors.push({
@@ -123,9 +122,7 @@ function product(
       wrongs: [decay, 1].map((value) => ({ mistake: 'cone', value, text })),
     });
   } else if (decay !== 1 || light.aperture < 180) {
-    const wrongs = [
-      instead(`c^${light.cutoff}`, `((1 + c) / 2)^${light.cutoff}`, Math.max(c, 0) ** light.cutoff),
-    ];
+    const wrongs = [instead(`c^${light.cutoff}`, `((1 + c) / 2)^${light.cutoff}`, Math.max(c, 0) ** light.cutoff)];
     if (degreesOf(c) > light.aperture / 2)
       wrongs.push({
         ...{ mistake: 'aperture', value: 0 },
@@ -224,8 +221,7 @@ function product(
   });
   const shown = factors.filter(({ symbol }) => symbol !== '');
   const numberOf = (factor: Factor, digits: number): string =>
-    factor.text?.(digits) ??
-    shortNumber(factor.value, factor.value === 0 || factor.value === 1 ? 0 : digits, texts);
+    factor.text?.(digits) ?? shortNumber(factor.value, factor.value === 0 || factor.value === 1 ? 0 : digits, texts);
   // As many decimals as make the product of the rounded numbers round to the result.
   const isTrue = (digits: number): boolean =>
     Math.abs(
@@ -346,8 +342,7 @@ export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerT
   const isNear = (x: number): boolean =>
     Math.abs(answer - x) <= Math.max(0.5 * unit, SLACK * Math.abs(x)) * (1 + 1e-9) + 1e-12;
   /** Digits that would fit many numbers. */
-  const isCoarse = (x: number): boolean =>
-    Math.abs(answer - x) > UNSEEN && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
+  const isCoarse = (x: number): boolean => Math.abs(answer - x) > UNSEEN && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
   // A bare 0 is an answer, not a rounded one.
   if (isNear(value) && !(answer === 0 && isCoarse(value))) {
     const correct = !isCoarse(value);
@@ -366,10 +361,8 @@ export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerT
   const text =
     said.length > 0
       ? said.join(` ${phrase(texts, 'Or:')} `)
-      : phrase(
-          texts,
-          answer > value ? 'Not yet: too large by {difference}.' : 'Not yet: too small by {difference}.',
-          { difference },
-        );
+      : phrase(texts, answer > value ? 'Not yet: too large by {difference}.' : 'Not yet: too small by {difference}.', {
+          difference,
+        });
   return { value: answer, correct: false, mistake: found[0]?.mistake ?? null, text };
 }

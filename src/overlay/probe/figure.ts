@@ -3,17 +3,7 @@
 // angle between R and V has no arc: it would lie on R itself.
 import type { FragmentExplanation } from '../../element/explanation.js';
 import type { ViewerTexts } from '../../element/fields/texts.js';
-import {
-  add,
-  dot,
-  length,
-  map,
-  normalize,
-  scale,
-  subtract,
-  transformed,
-  type Vec3,
-} from '../../math/vector.js';
+import { add, dot, length, map, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
 import { byShare, type Sum, type SumRow } from './sum.js';
 import { lobeWords, normalWords } from './words.js';
 

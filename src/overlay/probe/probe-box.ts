@@ -142,11 +142,7 @@ export class ProbeBox {
       this.#render(state, { ...form, lights: low });
       return true;
     };
-    const fitsSomehow = (
-      isColumn: boolean,
-      shapes: readonly TableShape[],
-      last: readonly TableShape[],
-    ): boolean => {
+    const fitsSomehow = (isColumn: boolean, shapes: readonly TableShape[], last: readonly TableShape[]): boolean => {
       const full: Form = { ...bare, isColumn, lights: all };
       return (
         [true, false].some((note) => shapes.some((each) => fits({ ...full, note, shape: each }))) ||
@@ -227,21 +223,11 @@ export class ProbeBox {
     </div>`;
   }
 
-  #sumTemplate(
-    content: BoxContent,
-    texts: ViewerTexts | null,
-    shape: TableShape,
-    lights: number,
-  ): TemplateResult {
+  #sumTemplate(content: BoxContent, texts: ViewerTexts | null, shape: TableShape, lights: number): TemplateResult {
     const { sum, row } = content;
     return html`
       ${this.#table.template(sum, row, texts, shape, lights)}
-      <p
-        class="steps"
-        id=${STEPS}
-        dir="auto"
-        .textContent=${row === null ? '' : stepsOf(content, row, texts)}
-      ></p>
+      <p class="steps" id=${STEPS} dir="auto" .textContent=${row === null ? '' : stepsOf(content, row, texts)}></p>
     `;
   }
 }

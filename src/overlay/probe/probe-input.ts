@@ -33,11 +33,7 @@ interface Elements {
 }
 
 /** Listens until `signal` is aborted. */
-export function listen(
-  { surface, cursor, boxes }: Elements,
-  host: ProbeInputHost,
-  signal: AbortSignal,
-): void {
+export function listen({ surface, cursor, boxes }: Elements, host: ProbeInputHost, signal: AbortSignal): void {
   let pressed: Point = { x: 0, y: 0 };
   let steady = false;
   const on = <K extends keyof HTMLElementEventMap>(

@@ -31,8 +31,7 @@ export interface ProbedPoint {
   readonly pinned: boolean;
 }
 
-const KEYS =
-  'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
+const KEYS = 'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export class ProbeView {
   /** What is drawn, below boxes and notices. */
@@ -130,9 +129,7 @@ export class ProbeView {
     const { fragment, message } = this.#shown;
     // It would tell the answers.
     if (fragment !== null && this.#host.values.probe === 'ask') return;
-    this.#announcer.say(
-      fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)),
-    );
+    this.#announcer.say(fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)));
   }
 
   /** Writes what is shown in other words, if the page's texts have changed. */

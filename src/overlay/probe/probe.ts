@@ -224,8 +224,7 @@ class Probe implements Extra, ProbeInputHost {
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
     if (fragment === null && message === '') return viewer.loaded ? without(NO_SURFACE) : null;
-    const isHidden =
-      fragment !== null && projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point);
+    const isHidden = fragment !== null && projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point);
     if (isHidden) return without(HIDDEN);
     // Who asks for numbers gets those of the very point: the pixel's centre is beside it.
     const exact = this.#host.values.probe === true ? null : await viewer.explain(point);

@@ -35,13 +35,7 @@ export class SumTable {
   }
 
   /** `shown`: the light that the figure is about. `most`: lights with a row of their own. */
-  template(
-    sum: Sum,
-    shown: SumRow | null,
-    texts: ViewerTexts | null,
-    shape: TableShape,
-    most: number,
-  ): TemplateResult {
+  template(sum: Sum, shown: SumRow | null, texts: ViewerTexts | null, shape: TableShape, most: number): TemplateResult {
     const { columns, digits } = shape;
     const own = this.#own(sum.rows, most);
     const others = sum.rows.filter((row) => !own.has(row));

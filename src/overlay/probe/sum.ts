@@ -107,17 +107,14 @@ export function shortNumber(value: number, digits: number, texts: ViewerTexts | 
 
 /** Three numbers with a space between: a wider one where a comma would run into it. */
 export const tripleText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
-  color
-    .map((x) => shortNumber(x, digits, texts))
-    .join(digits > 0 && localNumber('.', texts) === ',' ? '\u2002' : ' ');
+  color.map((x) => shortNumber(x, digits, texts)).join(digits > 0 && localNumber('.', texts) === ',' ? '\u2002' : ' ');
 
 /** A term that adds nothing is one zero: most are, and the others are easier to find. */
 export const termText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
   isBlack(color) ? localNumber('0', texts) : tripleText(color, digits, texts);
 
 /** The angle whose cosine this is, in degrees. */
-export const degreesOf = (cosine: number): number =>
-  Math.acos(Math.min(Math.max(cosine, -1), 1)) / radians(1);
+export const degreesOf = (cosine: number): number => Math.acos(Math.min(Math.max(cosine, -1), 1)) / radians(1);
 
 export const degreesText = (cosine: number, digits: number, texts: ViewerTexts | null): string =>
   `${shortNumber(degreesOf(cosine), digits, texts)}°`;

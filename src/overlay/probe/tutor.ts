@@ -88,9 +88,7 @@ export class Tutor {
     texts: ViewerTexts | null,
   ): TemplateResult {
     const copy = (): void => {
-      const lines = equations.map(({ symbols, numbers, result }) =>
-        write(`${symbols} = ${numbers} = ${result}`),
-      );
+      const lines = equations.map(({ symbols, numbers, result }) => write(`${symbols} = ${numbers} = ${result}`));
       // Pages without TLS have no clipboard; a frame without the permission rejects.
       const { clipboard } = navigator as { readonly clipboard?: Clipboard };
       void clipboard?.writeText(lines.join('\n')).catch(() => undefined);
@@ -102,6 +100,4 @@ export class Tutor {
 const plainOf = (equation: string): string => equation;
 
 const equationTitle = ({ name, term, channel }: Equation, texts: ViewerTexts | null): string =>
-  [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)]
-    .filter((part) => part !== '')
-    .join(' · ');
+  [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)].filter((part) => part !== '').join(' · ');

@@ -31,8 +31,7 @@ export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplan
   const shown = byShare(sum.rows).slice(0, NAMED);
   for (const row of shown) parts.push(rowText(texts, row));
   const more = sum.rows.length - shown.length;
-  if (more > 0)
-    parts.push(`${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`);
+  if (more > 0) parts.push(`${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`);
   return parts.join(' ');
 }
 
@@ -108,8 +107,7 @@ export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation
 /** R·V or N·H, and its angle. A large exponent magnifies what the cosine is rounded by. */
 export function lobeWords(texts: ViewerTexts | null, cosine: number, shininess: number): CosineWords {
   const exponent = exponentOf(shininess);
-  const isNear = (n: number): boolean =>
-    Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
+  const isNear = (n: number): boolean => Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
   return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
 }
 

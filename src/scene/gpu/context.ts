@@ -73,8 +73,7 @@ type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
  * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup shows. three.js
  * would sort by material, in the order in which materials were created.
  */
-const byScene = (a: Ordered, b: Ordered): number =>
-  a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
+const byScene = (a: Ordered, b: Ordered): number => a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
 
 /** Farther objects first. At equal depth this keeps the scene's order; three.js would sort by creation. */
 const fromBehind = (a: Ordered, b: Ordered): number => byScene(a, b) || b.z - a.z;
@@ -94,11 +93,7 @@ interface Ordered {
 export function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
-  const sides = [
-    ...viewport,
-    gl.getParameter(gl.MAX_RENDERBUFFER_SIZE),
-    gl.getParameter(gl.MAX_TEXTURE_SIZE),
-  ];
+  const sides = [...viewport, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), gl.getParameter(gl.MAX_TEXTURE_SIZE)];
   return Math.min(...sides.map(Number));
 }
 

@@ -157,10 +157,7 @@ class Stage {
    * larger than the context can hold. `render` draws the given part and must not clear. Throws RangeError where no
    * canvas can hold the picture.
    */
-  capture(
-    { width, height }: Size,
-    render: (renderer: WebGLRenderer, part: Region) => void,
-  ): HTMLCanvasElement {
+  capture({ width, height }: Size, render: (renderer: WebGLRenderer, part: Region) => void): HTMLCanvasElement {
     const target = newTarget(width, height);
     if (target === null) {
       // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory
@@ -292,8 +289,7 @@ class Stage {
     // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked in each frame.)
     if (this.#drawn.size === 0 || this.#context.noticeLoss()) return;
     const source = this.#context.renderer?.domElement;
-    if (source !== undefined)
-      for (const [client, place] of this.#drawn) this.#copies.show(client, source, place);
+    if (source !== undefined) for (const [client, place] of this.#drawn) this.#copies.show(client, source, place);
     this.#drawn.clear();
   }
 

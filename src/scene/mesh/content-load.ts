@@ -4,13 +4,7 @@ import { sameValue } from '../../fields/field-store.js';
 import { fileName } from '../../model/file-name.js';
 import { type Content, NO_CONTENT } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import {
-  acquireGeometry,
-  releaseGeometry,
-  type ShapeKey,
-  shapeKey,
-  shapeNeeds,
-} from './shapes/shared-shapes.js';
+import { acquireGeometry, releaseGeometry, type ShapeKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { CLOSED, type GeometryName, type LoadedShape } from './shapes/shapes.js';
 import type { Budget, Claim, Need } from '../../model/budget.js';
 import { acquireModel } from './shared-models.js';
@@ -140,8 +134,7 @@ export class ContentLoad<Owner extends ContentOwner> {
   ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const { crossOrigin } = this.#host;
-    const onProgress = (loaded: number, total: number): void =>
-      this.#host.progress(this.#owner, loaded, total);
+    const onProgress = (loaded: number, total: number): void => this.#host.progress(this.#owner, loaded, total);
     const name = { url, src, type: type ?? '', crossOrigin };
     const content = await acquireModel(name, { claim, signal, onProgress });
     try {

@@ -114,11 +114,7 @@ const LARGE_SEGMENTS = 64;
 const LARGE = 8;
 
 /** Whether a flat shape under its world matrix is {@link LARGE} for the eye. */
-export function isLargeFor(
-  { frame: { origin, eye } }: Frustum,
-  name: GeometryName,
-  m: readonly number[],
-): boolean {
+export function isLargeFor({ frame: { origin, eye } }: Frustum, name: GeometryName, m: readonly number[]): boolean {
   const x = origin[0] + eye[0] - m[12]!;
   const y = origin[1] + eye[1] - m[13]!;
   const z = origin[2] + eye[2] - m[14]!;

@@ -98,12 +98,7 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
  * Shows `shape`, the one that is shown, as another level of it. Its bounds are the same. Throws if there is no memory
  * for it.
  */
-export function showLevel(
-  shown: ShownContent,
-  shape: LoadedShape,
-  level: number,
-  flat: boolean,
-): ShownContent {
+export function showLevel(shown: ShownContent, shape: LoadedShape, level: number, flat: boolean): ShownContent {
   const content = shapeContent(levelKey(shape, level));
   let geometries: readonly BufferGeometry[];
   try {
@@ -195,10 +190,7 @@ export class WrittenTransform {
   }
 
   /** Puts the root there, `rotation` in degrees; without one only takes note. False if the values are as before. */
-  put(
-    root: Object3D | null,
-    { position = ZERO, rotation = ZERO, scale = ONE }: Partial<PlaceValues>,
-  ): boolean {
+  put(root: Object3D | null, { position = ZERO, rotation = ZERO, scale = ONE }: Partial<PlaceValues>): boolean {
     if (position === this.#position && rotation === this.#rotation && scale === this.#scale) return false;
     this.#position = position;
     this.#rotation = rotation;
@@ -222,8 +214,7 @@ export function followPose(parts: readonly Part[]): void {
   for (const { mesh, source } of parts) {
     mesh.matrix.copy(source.matrix);
     mesh.matrixWorldNeedsUpdate = true;
-    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry))
-      updateFlatGeometry(source.geometry);
+    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry)) updateFlatGeometry(source.geometry);
   }
 }
 
@@ -261,12 +252,7 @@ const smooth = new WeakMap<BaseLook, BaseLook>();
  * Gives a part the material for how it looks now. False if that is as before, unless `restyled`. Throws if there is no
  * memory for it: the part keeps the material that it has, and is not tried again for the same values.
  */
-export function dress(
-  part: Part,
-  appearance: Appearance,
-  materials: SharedMaterials,
-  restyled: boolean,
-): boolean {
+export function dress(part: Part, appearance: Appearance, materials: SharedMaterials, restyled: boolean): boolean {
   const { look, surface } = appearance;
   if (!restyled && look === part.look && sameSurface(surface, part.surface)) return false;
   part.look = look;

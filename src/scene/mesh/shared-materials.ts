@@ -42,8 +42,7 @@ export class SharedMaterials {
 
   set style(style: ShadingStyle) {
     this.#style = style;
-    for (const { material, appearance } of this.#byMaterial.values())
-      material.setStyle(this.#styleOf(appearance));
+    for (const { material, appearance } of this.#byMaterial.values()) material.setStyle(this.#styleOf(appearance));
   }
 
   /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */

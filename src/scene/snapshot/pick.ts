@@ -1,27 +1,10 @@
 // Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64,
 // from the orbit's own basis. Knows three.js and the Phong material, but neither lights nor elements.
-import {
-  type Intersection,
-  type Mesh,
-  type Object3D,
-  type PerspectiveCamera,
-  Raycaster,
-  type Vector3,
-} from 'three';
+import { type Intersection, type Mesh, type Object3D, type PerspectiveCamera, Raycaster, type Vector3 } from 'three';
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
-import {
-  add,
-  cross,
-  dot,
-  length,
-  normalize,
-  perpendicular,
-  scale,
-  subtract,
-  type Vec3,
-} from '../../math/vector.js';
+import { add, cross, dot, length, normalize, perpendicular, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';

@@ -105,10 +105,7 @@ const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: n
  * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is
  * subtracted first, so that accuracy does not depend on the distance from the world's origin.
  */
-function rowsOf(
-  { frame, slopeX, slopeY }: ViewRay,
-  { elements }: Matrix4,
-): readonly [MatrixRow, MatrixRow, MatrixRow] {
+function rowsOf({ frame, slopeX, slopeY }: ViewRay, { elements }: Matrix4): readonly [MatrixRow, MatrixRow, MatrixRow] {
   const m = writeModelViewProjection({ frame, slopeX: 1, slopeY: 1 }, elements, new Float64Array(12));
   const row = (at: number, slope: number): MatrixRow => {
     const of = (i: number): number => m[at + i]! - slope * m[8 + i]!;

@@ -59,11 +59,7 @@ export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: Triang
 type TrianglePoint = Pick<TriangleHit, 'corners' | 'weights'>;
 
 /** u, v after the texture's transform. */
-function coordinatesAt(
-  { channel, matrix }: Texture,
-  geometry: BufferGeometry,
-  place: TrianglePoint,
-): [number, number] {
+function coordinatesAt({ channel, matrix }: Texture, geometry: BufferGeometry, place: TrianglePoint): [number, number] {
   const [u = 0, v = 0] = interpolated(geometry, channel === 0 ? 'uv' : `uv${String(channel)}`, place);
   const m = matrix.elements;
   return [m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]];
@@ -106,11 +102,7 @@ export function isMinified(
 }
 
 /** A vertex attribute at the hit; empty if the geometry lacks it. */
-export function interpolated(
-  geometry: BufferGeometry,
-  name: string,
-  { corners, weights }: TrianglePoint,
-): number[] {
+export function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: TrianglePoint): number[] {
   if (!geometry.hasAttribute(name)) return [];
   const attribute = geometry.getAttribute(name);
   return Array.from({ length: attribute.itemSize }, (_, c) =>

@@ -1,15 +1,7 @@
 // What a picture shows at one moment. Taken when shadeAt is called: its code may still have to be fetched, and the
 // scene changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are
 // overwritten.
-import type {
-  BufferAttribute,
-  BufferGeometry,
-  Material,
-  Matrix4,
-  Mesh,
-  Object3D,
-  PerspectiveCamera,
-} from 'three';
+import type { BufferAttribute, BufferGeometry, Material, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
 import type { Sides } from '../../material/back-faces.js';
 import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
@@ -66,8 +58,7 @@ export function drawnObjects<Owner>(
     const phong = material instanceof PhongMaterial ? material : null;
     const owner = isMesh === true && phong !== null ? ownerOf(object) : undefined;
     // A view may show separate triangles where the shading is smooth.
-    const shown =
-      geometry !== undefined && phong?.style.shading !== 'flat' ? smoothGeometry(geometry) : geometry;
+    const shown = geometry !== undefined && phong?.style.shading !== 'flat' ? smoothGeometry(geometry) : geometry;
     into.push({
       object,
       matrixWorld: object.matrixWorld.clone(),

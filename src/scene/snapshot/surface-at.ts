@@ -10,17 +10,7 @@ import {
 } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
-import {
-  add,
-  cross,
-  map,
-  multiply,
-  negate,
-  normalize,
-  scale,
-  type Vec3,
-  type Vec4,
-} from '../../math/vector.js';
+import { add, cross, map, multiply, negate, normalize, scale, type Vec3, type Vec4 } from '../../math/vector.js';
 import type { DrawnLook } from './scene-snapshot.js';
 import type { TriangleHit } from './ray-triangles.js';
 import { interpolated, isMinified, type PixelSlopes, sampleAt } from './sample.js';
@@ -44,8 +34,7 @@ export function surfaceAt(
   const { unlit, emissiveMap, metalRoughMap, roughness } = look;
   const metalRough = metalRoughMap === null ? WHITE : texelAt(metalRoughMap, geometry, hit);
   const varies = metalRoughMap !== null && style.shading !== 'gouraud';
-  const shininess =
-    roughness !== null && varies ? exponentOfRoughness(roughness * metalRough[1]) : surface.shininess;
+  const shininess = roughness !== null && varies ? exponentOfRoughness(roughness * metalRough[1]) : surface.shininess;
   const light = emissiveMap === null ? WHITE : texelAt(emissiveMap, geometry, hit);
   const emissive = linear
     ? map(multiply(map(look.emissive, srgbDecode), map(light, srgbDecode)), srgbEncode)
@@ -119,12 +108,7 @@ export interface BaseColor {
  * The look's colour times its texture times its vertex colours. With `linear`, colours are decoded before they are
  * multiplied, and the product is encoded again.
  */
-export function baseColorAt(
-  look: BaseLook,
-  geometry: BufferGeometry,
-  hit: TriangleHit,
-  linear: boolean,
-): BaseColor {
+export function baseColorAt(look: BaseLook, geometry: BufferGeometry, hit: TriangleHit, linear: boolean): BaseColor {
   const factors: Vec4[] = [[...look.baseColor, look.opacity]];
   if (look.map !== null) factors.push(sampleAt(look.map, geometry, hit));
   if (look.vertexColors) {

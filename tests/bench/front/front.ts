@@ -35,11 +35,7 @@ const ERROR_SIDE = 128;
 const TASK_MS = 12;
 
 /** `holder` shows the canvas. */
-export function openFront(
-  holder: HTMLElement,
-  name: string,
-  [width, height]: readonly [number, number],
-): Front {
+export function openFront(holder: HTMLElement, name: string, [width, height]: readonly [number, number]): Front {
   const floor = FLOORS[name]?.();
   if (floor === undefined) throw new RangeError(`no front is called ${name}`);
   const canvas = document.createElement('canvas');

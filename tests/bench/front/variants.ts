@@ -1,12 +1,6 @@
 // Ways to write the light loop: as in the specification, with constants hoisted, with approximate lobes, and the shipped one as
 // `phong-viewer/core` documents it for any program. Text and data; nothing is drawn here.
-import {
-  declaredFeatures,
-  emptyPack,
-  LIGHT_LOOP_GLSL,
-  type LightValues,
-  packLights,
-} from 'phong-viewer/core';
+import { declaredFeatures, emptyPack, LIGHT_LOOP_GLSL, type LightValues, packLights } from 'phong-viewer/core';
 import hoistedGlsl from './hoisted.glsl?raw';
 import literalGlsl from './literal.glsl?raw';
 
@@ -45,16 +39,14 @@ type Triple = readonly [number, number, number];
 const full = ([r, g, b]: Triple): Triple => [r / 255, g / 255, b / 255];
 
 function literal(lights: readonly LightValues[]): Variant {
-  const rows = lights.flatMap(
-    ({ position, axis, aperture, ambient, diffuse, cutoff, specular, attenuation }) => [
-      ...position,
-      ...[...axis, aperture],
-      ...[...full(ambient), 0],
-      ...[...full(diffuse), cutoff],
-      ...[...full(specular), 0],
-      ...[...attenuation, 0],
-    ],
-  );
+  const rows = lights.flatMap(({ position, axis, aperture, ambient, diffuse, cutoff, specular, attenuation }) => [
+    ...position,
+    ...[...axis, aperture],
+    ...[...full(ambient), 0],
+    ...[...full(diffuse), cutoff],
+    ...[...full(specular), 0],
+    ...[...attenuation, 0],
+  ]);
   return {
     label: BASE,
     glsl: defines({ COUNT: lights.length }) + literalGlsl,

@@ -103,8 +103,7 @@ async function openSide(browser, lab, scene, side, size) {
 /** The sides have to draw the same number of samples of as many pixels. @param {readonly Opened[]} opened */
 function assertAlike(opened) {
   const [one, ...others] = opened.map(({ facts }) => JSON.stringify(facts.canvas));
-  for (const other of others)
-    if (other !== one) throw new Error(`the sides' canvases differ: ${one} and ${other}`);
+  for (const other of others) if (other !== one) throw new Error(`the sides' canvases differ: ${one} and ${other}`);
   const shares = opened.map(({ facts }) => facts.lit);
   if (Math.max(...shares) - Math.min(...shares) > 0.02)
     throw new Error(`the sides' pictures differ: shares ${shares.join(', ')} are covered`);

@@ -60,9 +60,7 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
   /** @param {'full' | 'edges'} antialias */
   const time = (antialias) =>
     page.evaluate(async (mode) => {
-      const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (
-        document.querySelector('phong-viewer')
-      );
+      const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (document.querySelector('phong-viewer'));
       viewer.antialias = mode;
       await viewer.ready;
       await new Promise((resolve) => setTimeout(resolve, 100));

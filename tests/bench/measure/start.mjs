@@ -42,8 +42,7 @@ export async function measureInTurns(pages, round, load, measures, add) {
   const sides = Object.keys(pages);
   /** @type {Record<string, T>} */
   const loads = {};
-  for (const side of round % 2 === 0 ? sides : [...sides].reverse())
-    loads[side] = await load(pages[side] ?? '');
+  for (const side of round % 2 === 0 ? sides : [...sides].reverse()) loads[side] = await load(pages[side] ?? '');
   for (const [measure, unit, key] of measures) {
     const values = sides.map((side) => /** @type {const} */ ([side, loads[side]?.[key] ?? NaN]));
     if (values.every(([, value]) => !Number.isNaN(value))) add(measure, unit, Object.fromEntries(values));
@@ -100,12 +99,7 @@ async function heapOf(page) {
  */
 function watchFirstPicture() {
   const prototype = WebGL2RenderingContext.prototype;
-  const names = /** @type {const} */ ([
-    'drawElements',
-    'drawArrays',
-    'drawElementsInstanced',
-    'drawArraysInstanced',
-  ]);
+  const names = /** @type {const} */ (['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']);
   const originals = names.map((name) => prototype[name]);
   let waiting = false;
   /** @param {WebGL2RenderingContext} gl */

@@ -21,7 +21,6 @@ window.connectLights = async (count) => {
   }
   const ms = performance.now() - start;
   runFrame();
-  if (viewer.lights.length !== count)
-    throw new Error(`the viewer has ${viewer.lights.length} of ${count} lights`);
+  if (viewer.lights.length !== count) throw new Error(`the viewer has ${viewer.lights.length} of ${count} lights`);
   return ms;
 };

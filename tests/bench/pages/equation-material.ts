@@ -77,8 +77,7 @@ export function equationMaterial(
   const values = [...lights];
   const packed = emptyPack();
   packLights(values, { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false }, packed);
-  const channels = (k: Vec3, base: Vec3): Vector3 =>
-    new Vector3(...k.map((value, i) => (value / 255) * base[i]!));
+  const channels = (k: Vec3, base: Vec3): Vector3 => new Vector3(...k.map((value, i) => (value / 255) * base[i]!));
   const { map, baseColor } = look;
   return new ShaderMaterial({
     defines: {

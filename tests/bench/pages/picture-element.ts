@@ -25,8 +25,7 @@ export interface Mode {
 export async function showViewers(holder: HTMLElement, { viewers }: PictureScene): Promise<Viewer[]> {
   holder.innerHTML = viewers.join('');
   const shown = Array.from(holder.querySelectorAll('phong-viewer'));
-  for (const viewer of shown)
-    Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
+  for (const viewer of shown) Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
   await drawUntilReady(...shown);
   return shown;
 }
@@ -89,9 +88,7 @@ export const openElement =
     return {
       methods: { element: { steps: 1 } },
       scenes: (round) =>
-        viewers.map((viewer) =>
-          castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null),
-        ),
+        viewers.map((viewer) => castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null)),
       async time() {
         finish(gl);
         const start = performance.now();

@@ -1,14 +1,6 @@
 // A whole picture by three.js, under a ShaderMaterial of the same equation: the triangles of the element's plain picture,
 // multisampled by the canvas; or those of its samples, by three.js's passes as shipped.
-import {
-  LinearSRGBColorSpace,
-  Mesh,
-  PerspectiveCamera,
-  Scene,
-  SRGBColorSpace,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { LinearSRGBColorSpace, Mesh, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js';
 import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { SSAARenderPass } from 'three/addons/postprocessing/SSAARenderPass.js';

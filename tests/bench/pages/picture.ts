@@ -38,9 +38,7 @@ declare global {
 const openElement = async (mode: Mode): Promise<OpenPicture> =>
   (await import('./picture-element.js')).openElement(mode);
 const SIDES: Readonly<Record<string, () => Promise<OpenPicture>>> = {
-  ...Object.fromEntries(
-    FULL.map((samples) => [full(samples), () => openElement({ antialias: 'full', samples })]),
-  ),
+  ...Object.fromEntries(FULL.map((samples) => [full(samples), () => openElement({ antialias: 'full', samples })])),
   [PLAIN]: () => openElement({ antialias: 'edges', samples: 0 }),
   multisampled: async () => (await import('./picture-three.js')).openMultisampled,
   passes: async () => (await import('./picture-three.js')).openPasses,

@@ -8,9 +8,7 @@ const viewers = Array.from({ length: 64 }, () => {
     alt: 'A sphere',
     geometry: 'sphere',
   });
-  viewer.append(
-    ...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)),
-  );
+  viewer.append(...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)));
   return viewer;
 });
 document.body.append(...viewers);

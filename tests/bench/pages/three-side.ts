@@ -140,8 +140,7 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
         }
         break;
       case 'toggle':
-        for (const light of lights.slice(lights.length >> 1, (lights.length >> 1) + 1))
-          light.visible = i % 2 === 0;
+        for (const light of lights.slice(lights.length >> 1, (lights.length >> 1) + 1)) light.visible = i % 2 === 0;
         break;
       case 'mesh':
         meshes[0]!.position.x = 0.1 * swing(i);

@@ -9,9 +9,7 @@ import { fileURLToPath } from 'node:url';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const packages = join(here, 'node_modules');
-const threeDraco = fileURLToPath(
-  new URL('../../../node_modules/three/examples/jsm/libs/draco/gltf/', import.meta.url),
-);
+const threeDraco = fileURLToPath(new URL('../../../node_modules/three/examples/jsm/libs/draco/gltf/', import.meta.url));
 const BABYLON_HOST = 'https://cdn.babylonjs.com';
 
 /** Versions of the packages by name; null where they are not installed and there is no network. @returns {Record<string, string> | null} */
@@ -19,8 +17,7 @@ export function installPeers() {
   if (!existsSync(join(packages, '@babylonjs/viewer/dist'))) {
     const npm = process.platform === 'win32' ? 'npm.cmd' : 'npm';
     const args = ['ci', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund'];
-    if (spawnSync(npm, args, { cwd: here, stdio: 'ignore', shell: npm.endsWith('.cmd') }).status !== 0)
-      return null;
+    if (spawnSync(npm, args, { cwd: here, stdio: 'ignore', shell: npm.endsWith('.cmd') }).status !== 0) return null;
   }
   /** @param {string} name */
   const version = (name) => JSON.parse(readFileSync(join(packages, name, 'package.json'), 'utf8')).version;
@@ -33,10 +30,7 @@ export function installPeers() {
 /** Their scripts and decoders, below `folder`. @param {string} folder */
 export function copyPeers(folder) {
   mkdirSync(join(folder, 'babylon/chunks'), { recursive: true });
-  cpSync(
-    join(packages, '@google/model-viewer/dist/model-viewer.min.js'),
-    join(folder, 'model-viewer.min.js'),
-  );
+  cpSync(join(packages, '@google/model-viewer/dist/model-viewer.min.js'), join(folder, 'model-viewer.min.js'));
   const dist = join(packages, '@babylonjs/viewer/dist');
   const scripts = readdirSync(join(dist, 'chunks'))
     .filter((file) => file.endsWith('.min.js'))

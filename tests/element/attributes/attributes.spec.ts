@@ -38,9 +38,7 @@ for (const [tag, rows] of Object.entries(tables)) {
     const inside =
       tag === 'phong-viewer' || tag === 'phong-compare'
         ? keys.filter((key) => internals.includes(key))
-        : keys.filter(
-            (key) => !['constructor', ...rows.map(propertyOf)].includes(key) && !key.endsWith('Callback'),
-          );
+        : keys.filter((key) => !['constructor', ...rows.map(propertyOf)].includes(key) && !key.endsWith('Callback'));
     expect(inside).toEqual([]);
   });
 }
@@ -60,8 +58,7 @@ function faultsOf({ tag, row, property }: { tag: string; row: Row; property: str
     const got = JSON.stringify(value);
     if (got !== JSON.stringify(wanted)) faults.push(`${what} gives ${got}, not ${JSON.stringify(wanted)}`);
     if ([value].flat().some((n) => Object.is(n, -0))) faults.push(`${what} gives -0`);
-    if (Array.isArray(value) && !Object.isFrozen(value))
-      faults.push(`${what} gives a list that is not frozen`);
+    if (Array.isArray(value) && !Object.isFrozen(value)) faults.push(`${what} gives a list that is not frozen`);
   };
   check('absence', fallback);
   for (const [text, value] of texts) {
@@ -187,10 +184,7 @@ test('colours of other spaces are converted to sRGB as the browser does', async 
   }
 });
 
-test('text that is too long or too deep for a colour never reaches the browser’s parser', async ({
-  page,
-  mount,
-}) => {
+test('text that is too long or too deep for a colour never reaches the browser’s parser', async ({ page, mount }) => {
   await mount('<main></main>');
   const outcome = await page.evaluate(() => {
     const parser = Object.getOwnPropertyDescriptor(CanvasRenderingContext2D.prototype, 'fillStyle')!;
@@ -235,9 +229,7 @@ test('values that were refused are not kept, and a warning repeats no more than 
   consoleGuard,
 }) => {
   const warnings = consoleGuard.allow(/^warning: <phong-light> diffuse=/);
-  const light = (await mount('<phong-viewer><phong-light></phong-light></phong-viewer>')).locator(
-    'phong-light',
-  );
+  const light = (await mount('<phong-viewer><phong-light></phong-light></phong-viewer>')).locator('phong-light');
   const session = await page.context().newCDPSession(page);
   const heap = async (): Promise<number> => {
     await session.send('HeapProfiler.collectGarbage');

@@ -15,8 +15,7 @@ const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" ter
     <phong-light position="0 3 3" axis="0 -1 -1" aperture="20" cutoff="12" attenuation="1 0.1 0.05" space="camera"></phong-light>
     <phong-light active="false" diffuse="#f00"></phong-light></phong-viewer>`;
 
-const html = (viewer: Locator): Promise<string> =>
-  viewer.evaluate((element: PhongViewer) => element.toHTML());
+const html = (viewer: Locator): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
 
 async function roundTrip(page: Page, viewer: Locator): Promise<void> {
   const before = await pixels(viewer, size);

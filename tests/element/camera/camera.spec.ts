@@ -175,10 +175,7 @@ test.describe('auto', () => {
     }
   });
 
-  test('refits to new meshes, size and field of view until the user moves the camera', async ({
-    page,
-    mount,
-  }) => {
+  test('refits to new meshes, size and field of view until the user moves the camera', async ({ page, mount }) => {
     const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>');
     const reach = Math.sqrt(0.75);
     const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
@@ -237,10 +234,7 @@ test.describe('auto-rotate', () => {
     await expect.poll(async () => (await cameraOf(viewer)).theta).not.toBe(theta);
   });
 
-  test('stops for users who prefer reduced motion, and starts when they no longer do', async ({
-    page,
-    mount,
-  }) => {
+  test('stops for users who prefer reduced motion, and starts when they no longer do', async ({ page, mount }) => {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     const viewer = await mount(turning);
     const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;

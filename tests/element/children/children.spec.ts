@@ -13,13 +13,9 @@ test('children belong to the nearest viewer in wrappers, one another and shadow 
   mount,
   consoleGuard,
 }) => {
-  const ignored = consoleGuard.allow(
-    / is inside an element with a slot, so it has no effect\. Move it out/,
-    2,
-  );
+  const ignored = consoleGuard.allow(/ is inside an element with a slot, so it has no effect\. Move it out/, 2);
   const nested = consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
-  const tree = (mode: string, inner: string): string =>
-    `<div><template shadowrootmode="${mode}">${inner}</template>`;
+  const tree = (mode: string, inner: string): string => `<div><template shadowrootmode="${mode}">${inner}</template>`;
   const selfClosed = [red, box, green].map((tag) => tag.replace(/><\/[^>]*>$/, '/>')).join('');
   /** Each with the lights and meshes of its viewers, in document order. */
   const scenes: readonly (readonly [markup: string, ...names: string[]])[] = [
@@ -145,9 +141,7 @@ test('moveBefore of a wrapper or of the viewer keeps models, camera and panel, a
   expect([...requests, ...(await events.take())]).toEqual([]);
 });
 
-test('many lights connected one per microtask make one frame and one search, in document order', async ({
-  mount,
-}) => {
+test('many lights connected one per microtask make one frame and one search, in document order', async ({ mount }) => {
   const viewer = await mount(open + '</phong-viewer>', size);
   const facts = await viewer.evaluate(async (element: PhongViewer) => {
     const { frames } = element.stats;

@@ -12,10 +12,7 @@ const open = '<phong-viewer theta="20" phi="60" radius="3" target="0 0 0">';
 const light = '<phong-light position="0.6 1 1.2 0" ambient="60" diffuse="120"></phong-light>';
 const scene = (...meshes: readonly string[]): string => `${open}${light}${meshes.join('')}</phong-viewer>`;
 
-test('of meshes at one place the last one in document order is visible, with any program', async ({
-  page,
-  mount,
-}) => {
+test('of meshes at one place the last one in document order is visible, with any program', async ({ page, mount }) => {
   await logGl(page);
   const red = '<phong-mesh geometry="sphere" kd="200 40 40"></phong-mesh>';
   const green = red.replace('200 40', '40 200');
@@ -36,10 +33,7 @@ test('of meshes at one place the last one in document order is visible, with any
   expectAlike(await pixels(viewer), wanted.red, 'one of them changed');
 });
 
-test('of blended meshes at one place the last one in document order lies over the others', async ({
-  page,
-  mount,
-}) => {
+test('of blended meshes at one place the last one in document order lies over the others', async ({ page, mount }) => {
   const file = readFileSync(new URL('../../fixtures/models/mask.glb', import.meta.url), 'latin1');
   const blended = file.replace(/"MASK"(.*?) (?= *[^ ]{4}BIN)/s, '"BLEND"$1'); // a space less keeps its length
   expect(blended).toHaveLength(file.length);

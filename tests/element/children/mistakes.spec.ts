@@ -25,10 +25,8 @@ const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
 
 const LITE = '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?'; // prettier-ignore
 const ALONE = 'is not inside a <phong-viewer>, so it has no effect.';
-const NO_END =
-  'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
-const MARKDOWN =
-  'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+const NO_END = 'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
+const MARKDOWN = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
 
 /** Pages, each with all of its warnings in alphabetical order. */
 const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
@@ -68,11 +66,7 @@ const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
   ],
 ];
 
-test('each mistake in the markup is named once a page, with its cure', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('each mistake in the markup is named once a page, with its cure', async ({ page, mount, consoleGuard }) => {
   const warnings = claim(consoleGuard, pages.flatMap(([, ...texts]) => texts).length);
   for (const [markup, ...wanted] of pages) {
     const before = warnings.length;
@@ -90,9 +84,7 @@ test('later mistakes are named too: tags of this family at any depth, but no att
 }) => {
   const warnings = claim(consoleGuard, 4);
   const viewer = await mount(
-    scene(
-      `<phong-lite></phong-lite><x-foo></x-foo><div><phong-mehs></phong-mehs></div>${light('difuse="1"')}`,
-    ),
+    scene(`<phong-lite></phong-lite><x-foo></x-foo><div><phong-mehs></phong-mehs></div>${light('difuse="1"')}`),
     size,
   );
   expect(await reported(page, warnings, 3)).toEqual([
@@ -101,8 +93,7 @@ test('later mistakes are named too: tags of this family at any depth, but no att
     '<phong-mehs> inside a <phong-viewer>: there is no such element. Did you mean <phong-mesh>?',
   ]);
   await viewer.evaluate((element) => {
-    const inner =
-      '<p><phong-lite></phong-lite><phong-group></phong-group></p><phong-light difuse="1"></phong-light>';
+    const inner = '<p><phong-lite></phong-lite><phong-group></phong-group></p><phong-light difuse="1"></phong-light>';
     element.insertAdjacentHTML('beforeend', inner);
     document.body.append(element);
   });
@@ -173,11 +164,7 @@ test('an unknown word is named with the nearest one', async ({ mount, consoleGua
   );
   const [first, ...others] = [...warnings].sort();
   expect(first).toMatch(/<phong-mesh> geometry="house": expected one of box, .* using none instead\.$/);
-  expect(others.map((text) => /Did you mean "(.*)"\?$/.exec(text)?.[1])).toEqual([
-    'torus-knot',
-    'sphere',
-    'gouraud',
-  ]);
+  expect(others.map((text) => /Did you mean "(.*)"\?$/.exec(text)?.[1])).toEqual(['torus-knot', 'sphere', 'gouraud']);
 });
 
 test('a viewer that swallowed another one is named, also by a classic script that runs during parsing', async ({
@@ -187,9 +174,7 @@ test('a viewer that swallowed another one is named, also by a classic script tha
 }) => {
   const warnings = claim(consoleGuard, 1);
   const head = '<script type="module" async src="/dist/phong-viewer.standalone.js"></script>';
-  await page.goto(
-    site.page('<phong-viewer geometry="box" /><p>Text</p><phong-viewer geometry="box" />', { head }),
-  );
+  await page.goto(site.page('<phong-viewer geometry="box" /><p>Text</p><phong-viewer geometry="box" />', { head }));
   expect(await reported(page, warnings, 1)).toEqual([
     `<phong-viewer> contains another <phong-viewer>, which is not shown. ${NO_END}`,
   ]);

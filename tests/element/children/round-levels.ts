@@ -89,8 +89,7 @@ export async function filmZoom(
       data[i | 3]! % 255 !== 0 ||
       around.some(
         (by) =>
-          (data[(i | 3) + by] ?? data[i | 3]) !== data[i | 3] ||
-          Math.abs((data[i + by] ?? data[i]!) - data[i]!) > most,
+          (data[(i | 3) + by] ?? data[i | 3]) !== data[i | 3] || Math.abs((data[i + by] ?? data[i]!) - data[i]!) > most,
       );
     const film = [];
     let before: Float32Array[] | null = null;

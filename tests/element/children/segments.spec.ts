@@ -18,9 +18,7 @@ const triangles = (viewer: Locator): Promise<number> =>
 /** Of a sphere. */
 const sphereOf = (segments: number): number => 2 * segments * (segments / 2 - 1);
 
-test('a sphere has the segments that its size and the camera need, and the camera stays', async ({
-  mount,
-}) => {
+test('a sphere has the segments that its size and the camera need, and the camera stays', async ({ mount }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
   expect(await triangles(viewer)).toBe(sphereOf(64));
   const { radius } = await cameraOf(viewer);
@@ -79,10 +77,7 @@ test('Gouraud and flat pictures keep the fixed number, and so does a Phong one b
   expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
 });
 
-test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({
-  page,
-  mount,
-}) => {
+test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({ page, mount }) => {
   for (const geometry of ['sphere', 'cone'])
     expectSmooth(await filmZoom(page, mount, geometry, 24, { width: 60, height: 60 }), geometry);
 });
@@ -124,8 +119,5 @@ test('beyond the limit of triangles a mesh is reported, and shown on request onc
       return (error as Error).name;
     }
   });
-  expect([bad, await viewer.evaluate((element: PhongViewer) => element.maxTriangles)]).toEqual([
-    'RangeError',
-    40_000,
-  ]);
+  expect([bad, await viewer.evaluate((element: PhongViewer) => element.maxTriangles)]).toEqual(['RangeError', 40_000]);
 });

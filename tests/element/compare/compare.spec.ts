@@ -7,23 +7,13 @@ import { decodePng, type Picture, pixelAt } from '../../support/picture.js';
 import { allReady, expect, strictPolicy, test, type Mount } from '../../support/test.js';
 import { countEverything, countsOf } from '../support/counting.js';
 import { opened, panelOf, titleOf } from '../panel/panel-rows.js';
-import {
-  assign,
-  cameraOf,
-  drag,
-  Fingers,
-  nextFrame,
-  type PhongViewer,
-  record,
-  settled,
-} from '../support/viewer.js';
+import { assign, cameraOf, drag, Fingers, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0" ambient="40" diffuse="180"></phong-light>';
 const sphere = (attributes: string): string =>
   `<phong-viewer geometry="sphere" segments="12" ${attributes}>${light}</phong-viewer>`;
 const two = sphere('shading="gouraud" alt="Gouraud"') + sphere('alt="Phong"');
-const comparison = (attributes = '', inner = two): string =>
-  `<phong-compare ${attributes}>${inner}</phong-compare>`;
+const comparison = (attributes = '', inner = two): string => `<phong-compare ${attributes}>${inner}</phong-compare>`;
 
 const css = 'phong-compare { display: block; width: 400px; height: 200px } main { display: block }';
 
@@ -44,16 +34,12 @@ const placeOf = (divider: Locator): Promise<number> =>
 
 const at = (compare: Locator): Promise<unknown> => compare.evaluate((element: PhongCompare) => element.at);
 
-test('two viewers fill the comparison, and a divider stands in the middle between them', async ({
-  page,
-  mount,
-}) => {
+test('two viewers fill the comparison, and a divider stands in the middle between them', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   await expect(dividers(compare)).toHaveCount(1);
   expect(await placeOf(dividers(compare))).toBe(50);
   const whole = { x: 0, y: 0, width: 400, height: 200 };
-  for (const viewer of await page.locator('phong-viewer').all())
-    expect(await viewer.boundingBox()).toEqual(whole);
+  for (const viewer of await page.locator('phong-viewer').all()) expect(await viewer.boundingBox()).toEqual(whole);
   const { x, width } = (await dividers(compare).boundingBox())!;
   expect(x + width / 2).toBe(200);
   expect(width).toBeGreaterThanOrEqual(24);
@@ -159,8 +145,7 @@ test('both halves of a split show exactly what each viewer alone shows there', a
     sphere('shading="gouraud" alt="Gouraud" theta="20"'),
     sphere('reflection="blinn-phong" alt="Blinn-Phong" theta="20"'),
   ];
-  const bare =
-    'phong-compare::part(line), phong-compare::part(divider), phong-compare::part(label) { display: none }';
+  const bare = 'phong-compare::part(line), phong-compare::part(divider), phong-compare::part(label) { display: none }';
   const shot = async (): Promise<Picture> =>
     decodePng(await page.screenshot({ clip: { x: 0, y: 0, width: 400, height: 200 } }));
   await compared(page, mount, comparison('at="45"', views.join('')), bare);
@@ -181,10 +166,7 @@ test('both halves of a split show exactly what each viewer alone shows there', a
   expect(pixelAt(alone[0]!, 180, 90)).not.toEqual(pixelAt(alone[1]!, 180, 90));
 });
 
-test('a drag on either picture turns both, unless a viewer has a camera group of its own', async ({
-  page,
-  mount,
-}) => {
+test('a drag on either picture turns both, unless a viewer has a camera group of its own', async ({ page, mount }) => {
   await compared(page, mount, comparison('', two + sphere('alt="Other" camera-group="other"')));
   const viewers = [0, 1, 2].map((i) => page.locator('phong-viewer').nth(i));
   const before = await cameraOf(viewers[2]!);
@@ -223,9 +205,7 @@ test('a move draws each viewer once, except those that the divider hides', async
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();
   const frames = (): Promise<number[]> =>
-    page.evaluate(() =>
-      Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames),
-    );
+    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames));
   const moved = async (): Promise<number[]> => {
     const before = await frames();
     for (let i = 0; i < 5; i++) {
@@ -244,14 +224,10 @@ test('a move draws each viewer once, except those that the divider hides', async
   expect(await cameraOf(first)).toEqual(await cameraOf(page.locator('phong-viewer').nth(1)));
 });
 
-test('side by side, each viewer has a share of the width, and rows where that is narrow', async ({
-  page,
-  mount,
-}) => {
+test('side by side, each viewer has a share of the width, and rows where that is narrow', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison('layout="side"', two + two));
   await expect(dividers(compare)).toHaveCount(0);
-  const boxes = async () =>
-    Promise.all([0, 1, 2, 3].map((i) => page.locator('phong-viewer').nth(i).boundingBox()));
+  const boxes = async () => Promise.all([0, 1, 2, 3].map((i) => page.locator('phong-viewer').nth(i).boundingBox()));
   expect(new Set((await boxes()).map((box) => box!.y)).size).toBe(2);
   await page.setViewportSize({ width: 1000, height: 700 });
   await compare.evaluate((element) => (element.style.width = '800px'));
@@ -333,10 +309,7 @@ test('if its code cannot be fetched, the viewers are shown one after the other, 
   await expect(page.getByRole('separator')).toBeAttached();
 });
 
-test("works where the page allows only Lit's Trusted Types policy, and in a shadow tree", async ({
-  page,
-  mount,
-}) => {
+test("works where the page allows only Lit's Trusted Types policy, and in a shadow tree", async ({ page, mount }) => {
   const csp = `${strictPolicy}; require-trusted-types-for 'script'; trusted-types lit-html`;
   await mount('<main></main>', { csp });
   await page.evaluate(() => {

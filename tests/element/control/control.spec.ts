@@ -10,8 +10,7 @@ const de = readyTexts('de');
 const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
 const scene = `<phong-viewer id="v" geometry="torus"><phong-light id="spot" name="spot" position="0 2 0"
   axis="0 -1 0" aperture="30" cutoff="8"></phong-light><phong-mesh id="m" geometry="plane"></phong-mesh></phong-viewer>`;
-const control = (attributes: string, label = ''): string =>
-  `<phong-control ${attributes}>${label}</phong-control>`;
+const control = (attributes: string, label = ''): string => `<phong-control ${attributes}>${label}</phong-control>`;
 
 const lightOf = (page: Page): Locator => page.locator('phong-light').first();
 const valueOf = (of: Locator, key: string): Promise<number> =>
@@ -90,10 +89,7 @@ test('looks as the value asks: switch, choice, colour, component, and a stepper 
   ).toEqual(['flat', false, ['ambient', 'diffuse'], false, [10, 20, 30], [1.5, 2, 0, 1], 7]);
   await expect(page.locator('output')).toHaveText('ambient diffuse');
   await page.getByRole('button', { name: 'the sum forward' }).click();
-  await expect(page.getByRole('button', { name: 'the sum forward' })).toHaveAttribute(
-    'aria-disabled',
-    'true',
-  );
+  await expect(page.getByRole('button', { name: 'the sum forward' })).toHaveAttribute('aria-disabled', 'true');
 });
 
 test('turns two viewers together, as one step of each, and shows the camera live during a drag', async ({

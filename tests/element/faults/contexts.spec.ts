@@ -125,8 +125,7 @@ test('a context lost again while it is restored comes back with the next restora
     window.faults.restore();
   });
   await expect(notices).toHaveCount(0);
-  for (const one of await page.locator('phong-viewer').all())
-    expect(compare(await pixels(one), expected).max).toBe(0);
+  for (const one of await page.locator('phong-viewer').all()) expect(compare(await pixels(one), expected).max).toBe(0);
   expect((await events.take()).length).toBeLessThanOrEqual(2);
 });
 

@@ -127,9 +127,7 @@ export function installFaultDeeds(): void {
     const settled = Promise.all(promises.keys()).then(() => '');
     const late = wait(LATE).then(() => `never settled: ${[...promises.values()].join()}`);
     const outcome = await Promise.race([settled, late]);
-    const notices = viewers().map(
-      ({ shadowRoot }) => shadowRoot?.querySelector('[part=notice]')?.textContent ?? '',
-    );
+    const notices = viewers().map(({ shadowRoot }) => shadowRoot?.querySelector('[part=notice]')?.textContent ?? '');
     return [outcome, ...notices].filter((text) => text !== '').join('; ');
   }
 

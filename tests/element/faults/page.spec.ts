@@ -14,10 +14,7 @@ test('nothing waits for an aborted load in a viewer out of view', async ({ mount
   });
   const outcomes = await viewer.evaluate(async (element: PhongViewer) => {
     const outcome = (): Promise<unknown> =>
-      Promise.race([
-        element.ready.then(() => 'ready'),
-        new Promise((resolve) => setTimeout(resolve, 5000, 'late')),
-      ]);
+      Promise.race([element.ready.then(() => 'ready'), new Promise((resolve) => setTimeout(resolve, 5000, 'late'))]);
     const asked = outcome();
     element.removeAttribute('src');
     const first = await asked;

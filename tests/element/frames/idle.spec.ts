@@ -54,11 +54,9 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
 const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => void>> = {
   'off screen': ({ style }, hidden) => (style.cssText = hidden ? 'position: absolute; top: 9000px' : ''),
   'not displayed': ({ style }, hidden) => (style.display = hidden ? 'none' : ''),
-  'of no size': ({ style }, hidden) =>
-    (style.cssText = hidden ? 'width: 0; height: 0; overflow: hidden' : ''),
+  'of no size': ({ style }, hidden) => (style.cssText = hidden ? 'width: 0; height: 0; overflow: hidden' : ''),
   'under visibility: hidden': ({ style }, hidden) => (style.visibility = hidden ? 'hidden' : ''),
-  'under content-visibility: hidden': ({ style }, hidden) =>
-    (style.contentVisibility = hidden ? 'hidden' : ''),
+  'under content-visibility: hidden': ({ style }, hidden) => (style.contentVisibility = hidden ? 'hidden' : ''),
   'under the hidden attribute': (place, hidden) => (place.hidden = hidden),
   'hidden itself': (place, hidden) => {
     for (const viewer of place.querySelectorAll('phong-viewer')) viewer.hidden = hidden;
@@ -102,10 +100,7 @@ test('nothing happens out of sight, and changes are drawn once when the viewer b
   }
 });
 
-test('many changes in one task make one frame, and those that change nothing make none', async ({
-  page,
-  mount,
-}) => {
+test('many changes in one task make one frame, and those that change nothing make none', async ({ page, mount }) => {
   const viewer = await mount(`${box}${box}`, size);
   const renders = await record(viewer, 'render');
   await nextFrame(page);
@@ -145,8 +140,7 @@ test('a viewer alone on its page shows the WebGL canvas itself, also after other
   const alone = await viewer.screenshot();
   const other = box.replace('box', 'torus');
   for (const count of [1, 2, 1]) {
-    if (count === 2)
-      await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), other);
+    if (count === 2) await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), other);
     else await page.evaluate(() => document.querySelector('phong-viewer + phong-viewer')?.remove());
     await allReady(page);
     await nextFrame(page);

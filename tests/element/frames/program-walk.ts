@@ -39,12 +39,7 @@ const STEPS: readonly (readonly [what: string, values: readonly string[]])[] = [
 const MOST_SPECIALISED = 32;
 
 /** Takes this many random steps and compares the programs made with those needed. */
-export async function expectFewPrograms(
-  page: Page,
-  viewer: Locator,
-  seed: number,
-  steps: number,
-): Promise<void> {
+export async function expectFewPrograms(page: Page, viewer: Locator, seed: number, steps: number): Promise<void> {
   const dice = new Dice(seed);
   await viewer.evaluate((element: PhongViewer) => {
     element.geometry = 'box';
@@ -64,9 +59,7 @@ export async function expectFewPrograms(
   }
   const general = (await glPrograms(page)).filter((one) => isLit(one) && !isSpecialised(one));
   const texts = general.map(({ vertex, fragment }) => vertex + fragment);
-  console.log(
-    `Seed ${seed}, ${steps} steps: ${general.length} general programs for ${needs.size} sets of needs`,
-  );
+  console.log(`Seed ${seed}, ${steps} steps: ${general.length} general programs for ${needs.size} sets of needs`);
   expect(new Set(texts).size, 'no text twice').toBe(texts.length);
   expect(general.length).toBeLessThanOrEqual(needs.size);
 }

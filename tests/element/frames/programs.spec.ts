@@ -51,10 +51,7 @@ function declaresMore(more: string, less: string): boolean {
   );
 }
 
-test('scenes with the same needs have the same program, and only further needs add code', async ({
-  page,
-  mount,
-}) => {
+test('scenes with the same needs have the same program, and only further needs add code', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   const drawn: { which: string; needs: string; text: string; length: number }[] = [];
@@ -96,10 +93,7 @@ test('ten meshes reached by different lights get a specialised program each', as
   expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
 });
 
-test('a picture without lights in the loop gets a specialised program that shows the same', async ({
-  page,
-  mount,
-}) => {
+test('a picture without lights in the loop gets a specialised program that shows the same', async ({ page, mount }) => {
   await logGl(page);
   const light = (more: string): string => `<phong-light ambient="90 60 30" ${more}></phong-light>`;
   for (const lights of [light('diffuse="0" specular="0"'), light('active="false"')]) {
@@ -124,10 +118,7 @@ test('a specialised program that does not link is reported once, and the general
       real.call(this, shader, text.replace('#define LIGHT_STATEMENTS', '#error broken by hand\n$&'));
     };
   });
-  const viewer = await mount(
-    '<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>',
-    size,
-  );
+  const viewer = await mount('<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>', size);
   const before = await pixels(viewer);
   await drawFrames(page, 80);
   expect((await drawnWith(page)).filter(isLit).some(isSpecialised)).toBe(false);

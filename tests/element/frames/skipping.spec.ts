@@ -122,9 +122,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
   return viewer.evaluate(
     async (element: PhongViewer, [what, some]) => {
       const rest = () =>
-        new Promise<void>((resolve) =>
-          requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),
-        );
+        new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))));
       await rest();
       const before = element.stats;
       window.glLog.take();

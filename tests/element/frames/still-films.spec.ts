@@ -30,9 +30,7 @@ test('a picture keeps its brightness while it converges, changes in outlines onl
     expect(new Set(frames.map(({ samples }) => samples)).size, `${what}: pictures shown`).toBeGreaterThan(2);
     for (const [i, { samples, mean, inside }] of frames.entries()) {
       const which = `${what}, frame ${String(i)} with ${String(samples)} samples`;
-      mean.forEach((code, channel) =>
-        expect(Math.abs(code - plain!.mean[channel]!), which).toBeLessThan(0.5),
-      );
+      mean.forEach((code, channel) => expect(Math.abs(code - plain!.mean[channel]!), which).toBeLessThan(0.5));
       expect(inside, which).toBe(0);
     }
   }
@@ -100,10 +98,7 @@ test('whatever happens in the middle, each frame is a whole picture, and it conv
 test('samples trigger nothing but themselves: no frame, program, description, overlay or third `render`', async ({
   mount,
 }) => {
-  const viewer = await mount(
-    viewerOf(64, 'geometry="box" helpers="lights axes" probe probe-at="0 0 0.5"'),
-    size,
-  );
+  const viewer = await mount(viewerOf(64, 'geometry="box" helpers="lights axes" probe probe-at="0 0 0.5"'), size);
   const seen = (antialias: string) =>
     viewer.evaluate(async (element: PhongViewer, mode) => {
       const wait = (ms: number): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, ms));
@@ -114,8 +109,7 @@ test('samples trigger nothing but themselves: no frame, program, description, ov
       const before = element.stats;
       const changed: string[] = [];
       const watch = new MutationObserver((records) => {
-        for (const { target, attributeName } of records)
-          changed.push(`${target.nodeName} ${String(attributeName)}`);
+        for (const { target, attributeName } of records) changed.push(`${target.nodeName} ${String(attributeName)}`);
       });
       let renders = 0;
       const count = (): unknown => (renders += 1);
@@ -137,10 +131,7 @@ test('samples trigger nothing but themselves: no frame, program, description, ov
   expect(full).toEqual({ ...edges, samples: 64, renders: edges.renders + 1 });
 });
 
-test('six viewers converge in one context, and leave no buffers and nothing running', async ({
-  page,
-  mount,
-}) => {
+test('six viewers converge in one context, and leave no buffers and nothing running', async ({ page, mount }) => {
   await countEverything(page);
   const kinds = ['box', 'sphere', 'cone', 'cylinder', 'plane', 'pyramid'];
   await mount(kinds.map((kind) => viewerOf(16, `geometry="${kind}"`)).join(''), size);
@@ -205,8 +196,7 @@ test('on a slow machine each input shows the plain picture in its next frame, an
   await session.send('Emulation.setCPUThrottlingRate', { rate: 6 });
   try {
     const log = await page.evaluateHandle(() => (window as unknown as { log: string[] }).log);
-    const batches = (): Promise<number> =>
-      log.evaluate((list) => list.filter((one) => one.startsWith('batch')).length);
+    const batches = (): Promise<number> => log.evaluate((list) => list.filter((one) => one.startsWith('batch')).length);
     await page.mouse.move(20, 20);
     await page.mouse.down();
     const inputs = [

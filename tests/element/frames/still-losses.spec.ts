@@ -28,8 +28,7 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     HTMLCanvasElement.prototype.getContext = function (this: unknown, ...given: unknown[]) {
       const made = real.apply(this, given);
       // Null while it is lost.
-      if (made instanceof WebGL2RenderingContext)
-        window.loss = made.getExtension('WEBGL_lose_context') ?? window.loss;
+      if (made instanceof WebGL2RenderingContext) window.loss = made.getExtension('WEBGL_lose_context') ?? window.loss;
       return made;
     } as typeof HTMLCanvasElement.prototype.getContext;
   });
@@ -52,9 +51,7 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     expect(await samples(), `${what}, lost`).toBe(0);
     await allReady(page);
     const { frames: filmed, timers, ...spent } = await spentIn(page, 200);
-    expect({ ...spent, frames: 0, timers: 0 }, `${what}: ${String(filmed)} frames are the film's`).toEqual(
-      NOTHING,
-    );
+    expect({ ...spent, frames: 0, timers: 0 }, `${what}: ${String(filmed)} frames are the film's`).toEqual(NOTHING);
     expect(timers, what).toBe(0);
     await restore();
     await expect(notice).toHaveCount(0);
@@ -68,8 +65,7 @@ test('a context lost in the middle shows no part of a picture, and its samples b
       const which = `${what}, frame ${String(i)} of ${String(frames.length)} with ${String(count)} samples`;
       // A lone picture is the context's own canvas, which the browser empties, or now and then makes white.
       const isEmpty = what === 'alone' && mean.every((code) => code === 0 || code === 255);
-      if (!isEmpty)
-        mean.forEach((code, k) => expect(Math.abs(code - first!.mean[k]!), which).toBeLessThan(0.5));
+      if (!isEmpty) mean.forEach((code, k) => expect(Math.abs(code - first!.mean[k]!), which).toBeLessThan(0.5));
       // The browser empties the canvas before it reports the loss.
       reported ||= isEmpty && count === 0;
       if (isEmpty && reported) expect(count, which).toBe(0);
@@ -81,18 +77,14 @@ test('a context lost in the middle shows no part of a picture, and its samples b
   }
 });
 
-test('blended surfaces, cut-outs and materials of the page keep their colours on the way', async ({
-  page,
-  site,
-}) => {
+test('blended surfaces, cut-outs and materials of the page keep their colours on the way', async ({ page, site }) => {
   await keepPixels(page);
   const markup = `<phong-viewer alt="" theta="0" phi="90" radius="2.4" target="0 0 0" samples="256">${LIGHT}</phong-viewer>`;
   await page.goto(site.page(markup, usages.modules));
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   const viewer = page.locator('phong-viewer');
   await viewer.evaluate(async (element: PhongViewer) => {
-    element.style.cssText =
-      'display: block; width: 64px; height: 48px; background: linear-gradient(red, blue)';
+    element.style.cssText = 'display: block; width: 64px; height: 48px; background: linear-gradient(red, blue)';
     const three = await import('three');
     const encodes = `void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 0.5);
       #include <tonemapping_fragment>

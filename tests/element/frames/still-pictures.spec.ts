@@ -112,8 +112,7 @@ test('several viewers converge, one after the other, and keep their pictures whe
 
 test('a picture that is taken away in the middle converges when it is back', async ({ mount }) => {
   const viewer = await mount(viewerOf(full.replace('16', '1024')), { ...size, waitForReady: false });
-  const begins = (): Promise<void> =>
-    expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
+  const begins = (): Promise<void> => expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
   await begins();
   const moved = await viewer.evaluate((element: PhongViewer) => {
     const parent = element.parentElement!;
@@ -155,10 +154,7 @@ const without = (page: Page, ...names: string[]): Promise<unknown> =>
 test('without float targets `full` is like `edges`, and `stats` says so', async ({ page, mount }) => {
   await without(page, 'EXT_color_buffer_float');
   await countEverything(page);
-  const viewer = await mount(
-    viewerOf(`${full} segments="24"`) + viewerOf(full.replace('torus', 'box')),
-    size,
-  );
+  const viewer = await mount(viewerOf(`${full} segments="24"`) + viewerOf(full.replace('torus', 'box')), size);
   const seen = await renders(viewer);
   await assign(viewer, { theta: 40 });
   await allReady(page);
@@ -179,10 +175,7 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   expect(await spentIn(page, 200)).toEqual(NOTHING);
 });
 
-test('objects of a page keep their colours, whichever way their materials encode them', async ({
-  page,
-  site,
-}) => {
+test('objects of a page keep their colours, whichever way their materials encode them', async ({ page, site }) => {
   await page.goto(site.page(viewerOf('antialias="edges" samples="16"'), usages.modules));
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   const viewer = page.locator('phong-viewer');

@@ -87,14 +87,10 @@ test('linear and flat shading, textures, blended surfaces, cut-outs and a backgr
   const markup = Object.values(viewers).map((attributes) => `<phong-viewer ${full} ${attributes}>${light}</phong-viewer>`); // prettier-ignore
   await mount(markup.join(''), { ...SIZE, css: 'phong-viewer { background: red }' });
   await allReady(page);
-  for (const [i, what] of Object.keys(viewers).entries())
-    await showsTheMean(page.locator('phong-viewer').nth(i), what);
+  for (const [i, what] of Object.keys(viewers).entries()) await showsTheMean(page.locator('phong-viewer').nth(i), what);
 });
 
-test('both sides of a comparison converge, and moving its divider samples nothing again', async ({
-  page,
-  mount,
-}) => {
+test('both sides of a comparison converge, and moving its divider samples nothing again', async ({ page, mount }) => {
   await countEverything(page);
   const side = (shading: string): string =>
     `<phong-viewer ${full} geometry="sphere" segments="12" shading="${shading}">${light}</phong-viewer>`;
@@ -105,9 +101,7 @@ test('both sides of a comparison converge, and moving its divider samples nothin
   await showsTheMean(first, 'left');
   await showsTheMean(second, 'right');
   const frames = (): Promise<readonly number[]> =>
-    page.evaluate(() =>
-      [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.frames),
-    );
+    page.evaluate(() => [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.frames));
   const before = await frames();
   for (const at of [20, 80]) {
     await page.evaluate((place) => (document.querySelector('phong-compare')!.at = [place]), at);

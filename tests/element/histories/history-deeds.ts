@@ -179,14 +179,9 @@ export function installDeeds(): void {
       frames(Number(step.value), () => {
         const mesh = childOf(viewer, { ...step, tag: 'phong-mesh' }) as PhongMesh | undefined;
         if (mesh !== undefined)
-          mesh.position = [
-            inside(mesh.position[0] + 0.01),
-            mesh.position[1],
-            inside(mesh.position[2] - 0.02),
-          ];
+          mesh.position = [inside(mesh.position[0] + 0.01), mesh.position[1], inside(mesh.position[2] - 0.02)];
       }),
-    'draw on': (_, { value }) =>
-      frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
+    'draw on': (_, { value }) => frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
     'stand still': (_, { value }) => frames(Number(value), () => undefined),
     turn: async (viewer, { value }) => {
       viewer.autoRotate = Number(value);

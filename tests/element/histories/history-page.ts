@@ -46,8 +46,7 @@ declare global {
 
 /** For all pages of this context that are opened later. */
 export async function walkOn(page: Page): Promise<void> {
-  for (const install of [installWatch, installTrees, installDeeds, installWalk])
-    await page.addInitScript(install);
+  for (const install of [installWatch, installTrees, installDeeds, installWalk]) await page.addInitScript(install);
 }
 
 /** Runs in the page, after the others. */

@@ -33,10 +33,7 @@ async function shortest(scenario: Scenario, play: Play): Promise<Readonly<Found>
     found.scenario = { ...candidate, tasks: candidate.tasks.slice(0, last + 1) };
     found.fault = fault;
   };
-  const thin = async <T>(
-    list: () => readonly T[],
-    withOnly: (left: readonly T[]) => Scenario,
-  ): Promise<void> => {
+  const thin = async <T>(list: () => readonly T[], withOnly: (left: readonly T[]) => Scenario): Promise<void> => {
     let size = list().length;
     while (size > 1) {
       size = Math.ceil(size / 2);

@@ -101,9 +101,7 @@ const property = (attribute: string): string =>
 
 function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number): string {
   const attributes = Object.entries(VALUES[tag])
-    .filter(
-      ([key]) => (tag === 'phong-mesh' && key === 'geometry') || dice.chance(key === 'src' ? 0.05 : share),
-    )
+    .filter(([key]) => (tag === 'phong-mesh' && key === 'geometry') || dice.chance(key === 'src' ? 0.05 : share))
     .map(([key, value]) => ` ${key}="${value(dice)}"`);
   return `<${tag}${attributes.join('')}></${tag}>`;
 }
@@ -247,9 +245,7 @@ function anything(dice: Dice, mix: Mix): Task[] {
 function afterMotion(dice: Dice, mix: Mix): Task[] {
   const { viewer } = made(dice);
   const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // prettier-ignore
-  const changes = dice.chance(0.5)
-    ? [{ ...made(dice), ...styled(dice), viewer }]
-    : several(dice, mix, [1, 1, 2]);
+  const changes = dice.chance(0.5) ? [{ ...made(dice), ...styled(dice), viewer }] : several(dice, mix, [1, 1, 2]);
   return [
     { steps: [moving('45')], then: 'at once' },
     { steps: changes, then: dice.pick(['at once', 'a frame']) },

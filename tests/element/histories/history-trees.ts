@@ -103,8 +103,7 @@ export function installTrees(): void {
     },
     reverse: (viewer, { child }) => {
       const parent = round(parentsIn(viewer), child);
-      if (parent?.querySelector('phong-viewer') === null)
-        parent.replaceChildren(...[...parent.children].reverse());
+      if (parent?.querySelector('phong-viewer') === null) parent.replaceChildren(...[...parent.children].reverse());
     },
     'junk property': (viewer, { child, key, value }) => {
       const element = round([viewer, ...viewer.lights, ...viewer.meshes], child)!;
@@ -124,8 +123,7 @@ export function installTrees(): void {
     const found: Element[] = [];
     const visit = (parent: Parent): void => {
       for (const child of parent.children) {
-        if (child.localName === 'phong-viewer' || (child.parentNode === viewer && child.slot !== ''))
-          continue;
+        if (child.localName === 'phong-viewer' || (child.parentNode === viewer && child.slot !== '')) continue;
         if (child.localName.startsWith('phong-')) found.push(child);
         const shadow = shadows.get(child);
         if (shadow !== undefined) visit(shadow);
@@ -175,18 +173,7 @@ const KINDS = 'div div open closed slotted slotted phong-light phong-light phong
 const JUNK = [
   ...['x'.repeat(2000), '😀'.repeat(300), 'color-mix('.repeat(30), 'rgb('.repeat(5e4), '1 '.repeat(3000)],
   ...['\0', ' ', '1e309', '-1e-320', '1,2,3', '1;2', 'NaN NaN NaN', 'calc(1)', 'rgb(1 2 3', '-0', '１２３'],
-  ...[
-    'constructor',
-    '__proto__',
-    'auto',
-    'none',
-    'null',
-    '[object Object]',
-    '0x10',
-    '1 2 3 0',
-    '1e6',
-    '0 0 0',
-  ],
+  ...['constructor', '__proto__', 'auto', 'none', 'null', '[object Object]', '0x10', '1 2 3 0', '1e6', '0 0 0'],
   '1e15 -1e15 1e15',
 ];
 const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // prettier-ignore

@@ -74,9 +74,7 @@ export function installWatch(): void {
   };
   const add = (self: object, text: string): void => void texts.set(self, (texts.get(self) ?? '') + text);
   wrap(gl, 'shaderSource', (_, [shader, text]) => add(shader as object, String(text)));
-  wrap(gl, 'attachShader', (_, [program, shader]) =>
-    add(program as object, texts.get(shader as object) ?? ''),
-  );
+  wrap(gl, 'attachShader', (_, [program, shader]) => add(program as object, texts.get(shader as object) ?? ''));
   wrap(gl, 'useProgram', (self, [program]) => {
     if (program !== null) current.set(self, nameOf(program as object));
   });
@@ -165,8 +163,7 @@ export function installWatch(): void {
   }
   function seenOf(viewer: PhongViewer): Drawn | null {
     const { left, top, right, bottom } = viewer.getBoundingClientRect();
-    const inside =
-      right > left && bottom > top && bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
+    const inside = right > left && bottom > top && bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
     if (!inside || !viewer.checkVisibility({ visibilityProperty: true })) return null;
     const canvas = canvasOf(viewer);
     const by = seenBy.get(viewer) ?? { programs: '', place: '' };

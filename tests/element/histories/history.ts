@@ -145,8 +145,7 @@ class Player {
     });
     const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
       JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // prettier-ignore
-    if (cost(stats) !== cost(began.stats))
-      faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
+    if (cost(stats) !== cost(began.stats)) faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
     if (seen !== null && stats['samples'] !== samples)
       faults.push(`${String(stats['samples'])} samples, not ${String(samples)}`);
     if (stats['lightsActive'] !== active)
@@ -226,8 +225,7 @@ async function over(page: Page, step: Step): Promise<boolean> {
   return true;
 }
 
-export const seedsFrom = (first: number, count: number): number[] =>
-  Array.from({ length: count }, (_, i) => first + i);
+export const seedsFrom = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
 
 interface Fixtures {
   readonly page: Page;

@@ -54,8 +54,7 @@ const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
     return found;
   });
 
-const loaded = (viewer: Locator): Promise<boolean> =>
-  viewer.evaluate((element: PhongViewer) => element.loaded);
+const loaded = (viewer: Locator): Promise<boolean> => viewer.evaluate((element: PhongViewer) => element.loaded);
 
 /** Every worker that has started on the page. */
 function workersOf(page: Page): readonly string[] {
@@ -71,10 +70,7 @@ function requestsOf(page: Page): readonly string[] {
   return requested;
 }
 
-test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({
-  page,
-  mount,
-}) => {
+test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({ page, mount }) => {
   const started = workersOf(page);
   const meshes = `<phong-viewer src="${bunny}"><phong-mesh src="${engine}"></phong-mesh></phong-viewer>`;
   const first = await shown(page, meshes);
@@ -203,16 +199,11 @@ test.describe('a KTX2 texture', () => {
     const viewer = await mount(sceneOf('ktx2.glb'), ktx2);
     await code;
     expect(compare(await pixels(viewer), png).max).toBe(0);
-    const color = await viewer.evaluate(
-      async (element: PhongViewer) => (await element.shadeAt(50, 40))?.color,
-    );
+    const color = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(50, 40))?.color);
     expect(color?.map((channel) => Math.round(channel * 1e9) / 1e9)).toEqual([1, 0, 0]);
   });
 
-  test('under a policy without WebAssembly gives an error that says what to allow', async ({
-    mount,
-    consoleGuard,
-  }) => {
+  test('under a policy without WebAssembly gives an error that says what to allow', async ({ mount, consoleGuard }) => {
     consoleGuard.allow(/wasm|WebAssembly/);
     const viewer = await mount('<phong-viewer></phong-viewer>', size);
     expect(await outcomeOf(viewer, model('ktx2.glb'))).toMatch(/^csp: .*KTX2.*'wasm-unsafe-eval'/);

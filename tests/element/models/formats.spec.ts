@@ -19,9 +19,7 @@ const viewerOf = (attributes: string, inner = ''): string =>
 /** The colour at a point of the plane z = 0. */
 async function colorAt(viewer: Locator, x: number, y: number): Promise<readonly number[]> {
   const perUnit = 100 / (2 * Math.tan(Math.PI / 6));
-  return [
-    ...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit)),
-  ].slice(0, 3);
+  return [...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit))].slice(0, 3);
 }
 
 function expectNear(color: readonly number[], wanted: readonly number[], tolerance = 1): void {
@@ -137,11 +135,7 @@ test('`src` of a viewer and of a mesh accepts a File or a Blob, and returns it',
   expect(compare(await pixels(viewer), shown).max).toBe(0);
 });
 
-test('toHTML writes a file’s name, and warns once that it must be hosted', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('toHTML writes a file’s name, and warns once that it must be hosted', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/warning: <phong-viewer src="my quad.glb"> is a file on this device/, 1);
   const viewer = await mount(viewerOf(''), size);
   await filesIn(page, ['textured.glb'], ['my quad.glb']);
@@ -167,10 +161,7 @@ test('a model compressed by meshopt without WebAssembly gives an error that says
 });
 
 test.describe('a droppable viewer', () => {
-  test('shows a folder dropped on it as one model, and files dropped together too', async ({
-    page,
-    mount,
-  }) => {
+  test('shows a folder dropped on it as one model, and files dropped together too', async ({ page, mount }) => {
     const wanted = await pixels(await mount(viewerOf(`src="${model('beside/quad.gltf')}"`), size));
     const viewer = await mount(viewerOf('droppable'), size);
     expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe('load');
@@ -212,9 +203,7 @@ test.describe('a droppable viewer', () => {
   }) => {
     const viewer = await mount(viewerOf(`droppable src="${model('textured.glb')}"`), size);
     const before = await pixels(viewer);
-    const [notice, close, retry] = ['notice', 'dismiss', 'retry'].map((part) =>
-      viewer.locator(`[part=${part}]`),
-    );
+    const [notice, close, retry] = ['notice', 'dismiss', 'retry'].map((part) => viewer.locator(`[part=${part}]`));
     const fail = async (): Promise<void> => {
       await filesIn(page, ['truncated.glb']);
       const { detail } = await drop(viewer);
@@ -269,11 +258,7 @@ test.describe('a droppable viewer', () => {
         /There are 2 models: coloured\.stl, coloured\.ply\. Drop one of them/,
       ],
       [['quads.mtl', 'beside/quad.bin'], ['a.mtl', 'b.bin'], /None of the 2 files is a model: glTF/],
-      [
-        ['beside/quad.bin'],
-        ['chair.fbx'],
-        /^It is an FBX file, which cannot be shown: chair\.fbx\. Export it as glTF/,
-      ],
+      [['beside/quad.bin'], ['chair.fbx'], /^It is an FBX file, which cannot be shown: chair\.fbx\. Export it as glTF/],
     ] as const) {
       await filesIn(page, paths, names);
       expect((await drop(viewer)).detail.message).toMatch(message);
@@ -288,9 +273,7 @@ test.describe('a droppable viewer', () => {
     await filesIn(page, ['textured.glb']);
     expect(await dropFiles(viewer)).toEqual({ taken: false });
     await assign(viewer, { droppable: true });
-    await page.evaluate(() =>
-      document.addEventListener('drop', (event) => event.preventDefault(), { capture: true }),
-    );
+    await page.evaluate(() => document.addEventListener('drop', (event) => event.preventDefault(), { capture: true }));
     await dropFiles(viewer);
     await settled(viewer);
     expect(await viewer.evaluate((element: PhongViewer) => element.src)).toBe('');

@@ -90,9 +90,7 @@ const axeViolations = async (page: Page): Promise<string[]> => {
   return violations.map(({ id }) => id);
 };
 const statesOf = (viewer: Locator): Promise<string[]> =>
-  viewer.evaluate((element) =>
-    ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)),
-  );
+  viewer.evaluate((element) => ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)));
 
 test('shows a progress bar with a name and a value once loading has taken 300 ms, until it ends', async ({
   page,
@@ -125,8 +123,7 @@ test('the bar of a load of unknown size moves, except with reduced motion; paper
   await sendNext(page);
   await expect(barOf(viewer)).toBeVisible();
   await expect(barOf(viewer)).not.toHaveAttribute('aria-valuenow');
-  const animations = (): Promise<number> =>
-    viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
+  const animations = (): Promise<number> => viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
   expect(await animations()).toBe(1);
   await page.emulateMedia({ reducedMotion: 'reduce' });
   expect(await animations()).toBe(0);
@@ -160,10 +157,7 @@ test('progress does not decrease when one of several loads ends', async ({ page,
   await expect(barOf(viewer)).toHaveCount(0);
 });
 
-test('an author’s own element in the slot progress takes the bar’s place, for as long', async ({
-  page,
-  mount,
-}) => {
+test('an author’s own element in the slot progress takes the bar’s place, for as long', async ({ page, mount }) => {
   const viewer = await mountSlow(page, mount, { inner: '<b slot="progress">Wait</b>' });
   await expect(viewer.locator('b')).toBeHidden();
   await delayOver(page);
@@ -299,11 +293,7 @@ test('the button of the message repeats what failed, and the focus stays in the 
   await page.emulateMedia({ media: null });
 });
 
-test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('invalid `texts` throw, or give a warning if set before the upgrade', async ({ page, mount, consoleGuard }) => {
   const viewer = await mount('<phong-viewer alt="Nothing"></phong-viewer>', size);
   await assign(viewer, { texts: { 'Try again': 'Nochmal' } });
   for (const texts of ['Nochmal', 1, true, [], ['a'], { Loading: 1 }, { Loading: null }]) {

@@ -111,15 +111,9 @@ test('a newer src wins, whichever arrives first', async ({ mount }) => {
   expect((await events.take()).filter(({ type }) => type === 'error')).toEqual([]);
 });
 
-test('an author’s own element in the slot error takes the place of the message', async ({
-  mount,
-  consoleGuard,
-}) => {
+test('an author’s own element in the slot error takes the place of the message', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/error: Failed to load resource.*404/);
-  const viewer = await mount(
-    '<phong-viewer src="/none.glb"><b slot="error">No bunny today</b></phong-viewer>',
-    size,
-  );
+  const viewer = await mount('<phong-viewer src="/none.glb"><b slot="error">No bunny today</b></phong-viewer>', size);
   await expect(viewer.locator('b')).toBeVisible();
   await expect(viewer.locator('[part=notice]')).toBeHidden();
 });

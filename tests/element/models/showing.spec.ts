@@ -3,15 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
-import {
-  assign,
-  nextFrame,
-  type PhongMesh,
-  type PhongViewer,
-  record,
-  set,
-  settled,
-} from '../support/viewer.js';
+import { assign, nextFrame, type PhongMesh, type PhongViewer, record, set, settled } from '../support/viewer.js';
 
 const SIZE = { width: 120, height: 90 };
 const BUNNY = '/assets/models/bunny.glb';
@@ -48,8 +40,7 @@ const limitMemory = (page: Page, type: 'Float32Array' | 'Uint8Array', most: numb
 
 const giveMemoryBack = (page: Page): Promise<void> => page.evaluate(() => window.giveMemoryBack());
 
-const shows = (viewer: Locator): Promise<boolean> =>
-  viewer.evaluate((element: PhongViewer) => element.loaded);
+const shows = (viewer: Locator): Promise<boolean> => viewer.evaluate((element: PhongViewer) => element.loaded);
 
 /** Makes the typed array with this number fail, counted from now on over all types. */
 const failArray = (page: Page, failing: number): Promise<void> =>
@@ -179,10 +170,7 @@ test('a shape without memory is too-large, and the previous picture stays', asyn
 });
 
 for (const earlier of ['phong', 'gouraud'] as const) {
-  test(`a model that cannot be flattened keeps its ${earlier} shading, with one error`, async ({
-    page,
-    mount,
-  }) => {
+  test(`a model that cannot be flattened keeps its ${earlier} shading, with one error`, async ({ page, mount }) => {
     const viewer = await mount(
       `<phong-viewer shading="${earlier}"><phong-mesh src="${BUNNY}"></phong-mesh></phong-viewer>`,
       SIZE,
@@ -207,11 +195,7 @@ for (const earlier of ['phong', 'gouraud'] as const) {
   });
 }
 
-test('a broken own object of the page is not blamed on a mesh added with it', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('a broken own object of the page is not blamed on a mesh added with it', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/uncaught: .*broken/);
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const events = await record(viewer, 'error');

@@ -23,10 +23,7 @@ const viewerOf = (options: PatchOptions, attributes = '', mesh = ''): string =>
 /** The result of shadeAt for the pixel in the middle. */
 const middle = (viewer: Locator) =>
   viewer.evaluate(async (element: PhongViewer) => {
-    const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } = (await element.shadeAt(
-      80,
-      60,
-    ))!;
+    const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } = (await element.shadeAt(80, 60))!;
     return { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum };
   });
 
@@ -145,9 +142,7 @@ test('the picture of each kind of material is what shadeAt explains, within one 
 test.describe('by the rules of src/MODELS.md', () => {
   const base = RED.slice(0, 3).map(encoded);
 
-  test('a metal without a texture keeps half of Kd, and half of Ks has its base colour', async ({
-    mount,
-  }) => {
+  test('a metal without a texture keeps half of Kd, and half of Ks has its base colour', async ({ mount }) => {
     const viewer = await mount(viewerOf(MATERIALS['metal']!, '', 'ka="255" kd="255"'), SIZE);
     const { ka, kd, ks, shininess, metalness } = await middle(viewer);
     expect(metalness).toBe(0.5);
@@ -159,9 +154,7 @@ test.describe('by the rules of src/MODELS.md', () => {
     });
   });
 
-  test('a rough surface has a broad lobe that reflects no more light than a narrow one', async ({
-    mount,
-  }) => {
+  test('a rough surface has a broad lobe that reflects no more light than a narrow one', async ({ mount }) => {
     const viewer = await mount(viewerOf(MATERIALS['a rough surface']!, '', 'kd="255"'), SIZE);
     const { kd, ks, shininess } = await middle(viewer);
     expect(shininess).toBeCloseTo(1, 12); // (1 / 0.8⁴ − 1) / 2 is below 1, the smallest exponent

@@ -23,12 +23,10 @@ const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"'): 
 
 const lamp = '<phong-light name="lamp" position="0.5 0.4 0 1"></phong-light>';
 const sun = '<phong-light name="sun" position="0 1 2 0"></phong-light>';
-const spot =
-  '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
+const spot = '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
 
 /** The handle whose name begins with this. */
-const handle = (viewer: Locator, name: string): Locator =>
-  viewer.getByRole('option', { name: new RegExp(`^${name}`) });
+const handle = (viewer: Locator, name: string): Locator => viewer.getByRole('option', { name: new RegExp(`^${name}`) });
 
 const light = (viewer: Locator, index = 0): Promise<Pick<PhongLight, 'position' | 'axis' | 'aperture'>> =>
   viewer.evaluate((element: PhongViewer, i) => {
@@ -189,10 +187,7 @@ test.describe('a light in the picture', () => {
 });
 
 test.describe('helpers by keyboard', () => {
-  test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({
-    page,
-    mount,
-  }) => {
+  test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({ page, mount }) => {
     const viewer = await mount(`${scene(lamp + sun + spot)}<a href="#next">Next</a>`);
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
@@ -298,10 +293,7 @@ test.describe('helpers throw nothing and stay usable', () => {
     expect((await positionOf(viewer))[1]).toBeLessThan(position[1]);
   });
 
-  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({
-    page,
-    mount,
-  }) => {
+  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp) + scene(sun), { width: 300, height: 200 });
     const other = page.locator('phong-viewer').nth(1);
     await dragged(page, handle(viewer, 'lamp'), -20, 10);
@@ -340,10 +332,7 @@ test('helpers are in a picture file only on request', async ({ mount }) => {
 });
 
 test.describe('a viewer with helpers', () => {
-  test('fetches nothing while helpers are off, and redraws nothing while nothing changes', async ({
-    page,
-    mount,
-  }) => {
+  test('fetches nothing while helpers are off, and redraws nothing while nothing changes', async ({ page, mount }) => {
     const requests: string[] = [];
     page.on('request', (request) => requests.push(new URL(request.url()).pathname));
     const viewer = await mount(scene(lamp).replace(' helpers', ''));
@@ -370,8 +359,7 @@ test.describe('a viewer with helpers', () => {
   test('changes only the elements of the dragged light, of 64', async ({ page, mount }) => {
     const lights = Array.from(
       { length: 64 },
-      (_, i) =>
-        `<phong-light name="l${i}" position="${Math.cos(i)} ${Math.sin(i)} ${i / 64} 1"></phong-light>`,
+      (_, i) => `<phong-light name="l${i}" position="${Math.cos(i)} ${Math.sin(i)} ${i / 64} 1"></phong-light>`,
     );
     const viewer = await mount(scene(lights.join('')));
     const [x, y] = await hold(page, handle(viewer, 'l0:'), -10, -5);
@@ -423,10 +411,7 @@ test.describe('a viewer with helpers', () => {
     expect(y).toBeCloseTo(30, 0);
   });
 
-  test('moves the focus of a removed light to the next one, and then to the picture', async ({
-    page,
-    mount,
-  }) => {
+  test('moves the focus of a removed light to the next one, and then to the picture', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp + sun));
     await handle(viewer, 'lamp').focus();
     await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
@@ -446,9 +431,7 @@ test.describe('a viewer with helpers', () => {
       await assign(viewer, { helpers: name });
       await expect(viewer.locator('svg text')).toHaveCount(0);
       await expect(paths.first(), name).toBeAttached();
-      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
-        `helpers="${name}"`,
-      );
+      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(`helpers="${name}"`);
     }
     await assign(viewer, { helpers: [] });
     await expect(viewer.locator('svg')).toHaveCount(0);

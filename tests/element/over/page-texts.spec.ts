@@ -9,8 +9,7 @@ const de = readyTexts('de');
 
 type ViewerClass = { texts: Readonly<Record<string, string>> | null };
 
-const script = (texts: string): string =>
-  `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
+const script = (texts: string): string => `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
 const viewer = '<phong-viewer geometry="box" view="normals"></phong-viewer>';
 const size = { width: 200, height: 120 };
 
@@ -27,19 +26,13 @@ test('a script of texts holds for all viewers and comparisons, those added later
 }) => {
   const compared = `<phong-compare>${viewer}${viewer}</phong-compare>`;
   // Of two scripts the later one has the last word.
-  const first = await mount(
-    `${viewer}${compared}${script(JSON.stringify(de))}${script('{"Legend": "Farben"}')}`,
-    size,
-  );
+  const first = await mount(`${viewer}${compared}${script(JSON.stringify(de))}${script('{"Legend": "Farben"}')}`, size);
   for (const each of [first, page.locator('phong-compare phong-viewer').last()]) {
     await expect(legend(each)).toHaveAttribute('aria-label', 'Farben');
     await expect(legend(each)).toContainText('Normalen');
     await expect(each.locator('[part=surface]')).toHaveAttribute('aria-description', /Pfeiltasten drehen/);
   }
-  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute(
-    'aria-label',
-    /^Trennlinie zwischen/,
-  );
+  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute('aria-label', /^Trennlinie zwischen/);
   await first.evaluate((element) => element.before(element.cloneNode()));
   await expect(legend(page.locator('phong-viewer').first())).toContainText('Normalen');
   // Changed by a script of the page: read with the next viewer.
@@ -49,20 +42,11 @@ test('a script of texts holds for all viewers and comparisons, those added later
   await first.evaluate((element) => element.before(element.cloneNode()));
   for (const each of [first, page.locator('phong-compare phong-viewer').first()])
     await expect(legend(each)).toContainText('normals!');
-  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute(
-    'aria-label',
-    /^Divider between/,
-  );
+  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute('aria-label', /^Divider between/);
 });
 
-test('PhongViewer.texts goes before the script, and a viewer’s own texts before both', async ({
-  mount,
-  page,
-}) => {
-  const first = await mount(
-    `${script('{"Legend": "S", "Normals": "S", "Probe": "S"}')}${viewer}${viewer}`,
-    size,
-  );
+test('PhongViewer.texts goes before the script, and a viewer’s own texts before both', async ({ mount, page }) => {
+  const first = await mount(`${script('{"Legend": "S", "Normals": "S", "Probe": "S"}')}${viewer}${viewer}`, size);
   const second = page.locator('phong-viewer').last();
   await assign(first, { texts: { Normals: 'V' } });
   await assignToPage(page, { Normals: 'P', Legend: 'P' });

@@ -57,10 +57,7 @@ test('rests: no frame and no timer while nothing happens', async ({ page, mount 
   expect(await spentIn(page, 500)).toEqual(NOTHING);
 });
 
-test('never throws when lights, meshes and the viewer are removed under the mouse', async ({
-  page,
-  mount,
-}) => {
+test('never throws when lights, meshes and the viewer are removed under the mouse', async ({ page, mount }) => {
   const viewer = await mount(`${scene()}${scene('probe probe-at="0 0 0.5"')}`);
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
@@ -90,9 +87,7 @@ test('continues after a lost context', async ({ page, mount }) => {
   await restore();
   await settled(viewer);
   await page.mouse.move(290, 130);
-  const color = await viewer.evaluate(
-    async (element: PhongViewer) => (await element.shadeAt(290, 130))!.color,
-  );
+  const color = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(290, 130))!.color);
   await expect(box(viewer).locator('.codes')).toHaveText(color.map((c) => (255 * c).toFixed(1)).join(' '));
 });
 

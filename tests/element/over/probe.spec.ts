@@ -66,9 +66,7 @@ test.describe('a mouse over a viewer with a probe', () => {
     await page.mouse.move(280, 130);
     const rows = await box(viewer)
       .locator('tbody tr')
-      .evaluateAll((all) =>
-        all.map((row) => Array.from(row.querySelectorAll('td'), (cell) => cell.textContent)),
-      );
+      .evaluateAll((all) => all.map((row) => Array.from(row.querySelectorAll('td'), (cell) => cell.textContent)));
     const shares = await viewer.evaluate(async (element: PhongViewer) => {
       const { shares } = (await element.shadeAt(280, 130))!;
       return shares.flatMap((share) => (share === null ? [] : [share]));
@@ -161,10 +159,7 @@ test.describe('a click', () => {
 });
 
 test.describe('`probe-at`', () => {
-  test('is explained while the mouse is not on the shape, and follows the attribute', async ({
-    page,
-    mount,
-  }) => {
+  test('is explained while the mouse is not on the shape, and follows the attribute', async ({ page, mount }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
     await expect(box(viewer)).toHaveClass(/pinned/);
@@ -274,9 +269,7 @@ test.describe('the cross-hair', () => {
     await page.keyboard.press('Tab');
     await expect(unpin(viewer)).toBeFocused();
     await page.keyboard.press('Tab');
-    await expect
-      .poll(async () => (await labels(viewer)).filter((text) => text.startsWith('L')))
-      .toHaveLength(1);
+    await expect.poll(async () => (await labels(viewer)).filter((text) => text.startsWith('L'))).toHaveLength(1);
     const before = await labels(viewer);
     await page.keyboard.press(before.includes('L sun') ? 'ArrowDown' : 'ArrowUp');
     await expect.poll(() => labels(viewer)).toContain(before.includes('L sun') ? 'L lamp' : 'L sun');
@@ -411,9 +404,7 @@ test.describe('the box', () => {
   });
 
   test('says where the picture averages a texture', async ({ mount }) => {
-    const columns = Array.from({ length: 64 * 64 }, (_, i): Texel =>
-      i % 2 === 0 ? [255, 255, 255] : [0, 0, 0],
-    );
+    const columns = Array.from({ length: 64 * 64 }, (_, i): Texel => (i % 2 === 0 ? [255, 255, 255] : [0, 0, 0]));
     const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } };
     const src = patch({ material, textures: [columns], mipmaps: true });
     const viewer = await mount(
@@ -447,10 +438,7 @@ test.describe('the box', () => {
   });
 });
 
-test('`probe-change` has the fragment, whether it is pinned, and null when there is none', async ({
-  page,
-  mount,
-}) => {
+test('`probe-change` has the fragment, whether it is pinned, and null when there is none', async ({ page, mount }) => {
   const viewer = await mount(scene());
   const events = await viewer.evaluateHandle((element: PhongViewer) => {
     const list: (number | boolean | null)[][] = [];
@@ -491,9 +479,7 @@ test('without `probe` none of its code is fetched; with it, one file, once', asy
   expect(fetched.filter((path) => path.includes('probe'))).toHaveLength(1);
 });
 
-test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({
-  mount,
-}) => {
+test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({ mount }) => {
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
   await expect(box(viewer)).toBeVisible();
   const [without, inside] = await viewer.evaluate(async (element: PhongViewer) => {

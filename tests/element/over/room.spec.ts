@@ -77,10 +77,7 @@ test.describe('the probe between the dividers of a comparison', () => {
       Array.from({ length: 21 }, (_, i) => 5 * i),
     ],
   ] as const)
-    test(`never cuts a sum, whatever the width and the place of the divider${title}`, async ({
-      page,
-      mount,
-    }) => {
+    test(`never cuts a sum, whatever the width and the place of the divider${title}`, async ({ page, mount }) => {
       test.slow(title !== '');
       await mount(comparison, { css, waitForReady: false });
       await allReady(page);
@@ -182,9 +179,7 @@ test('the lines of helpers lie below the box of the probe and the legend', async
     const heights = ['.helpers', '.probe', '.room'].map((part) =>
       Number(getComputedStyle(root.querySelector(part)!).zIndex.replace('auto', '0')),
     );
-    const inRoom = ['[part=probe]', '[part=legend]'].map((part) =>
-      root.querySelector(part)!.closest('.room'),
-    );
+    const inRoom = ['[part=probe]', '[part=legend]'].map((part) => root.querySelector(part)!.closest('.room'));
     return { heights, inRoom: inRoom.every((room) => room !== null) };
   });
   expect(order).toEqual({ heights: [0, 1, 2], inRoom: true });

@@ -4,17 +4,7 @@
 import type { Locator } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../support/texts.js';
 import { expect, test } from '../../support/test.js';
-import {
-  button,
-  choice,
-  field,
-  folderOf,
-  listOf,
-  opened,
-  panelOf,
-  row,
-  titleOf,
-} from '../panel/panel-rows.js';
+import { button, choice, field, folderOf, listOf, opened, panelOf, row, titleOf } from '../panel/panel-rows.js';
 import { assign, type PhongViewer } from '../support/viewer.js';
 
 const bracketed = Object.fromEntries(VIEWER_TEXTS.map((text) => [text, `[${text}]`]));
@@ -47,8 +37,7 @@ const described = (viewer: Locator): Promise<void> =>
 
 async function openAll(viewer: Locator): Promise<void> {
   const closed = viewer.locator('.lil-title[aria-expanded=false]');
-  while ((await closed.filter({ visible: true }).count()) > 0)
-    await closed.filter({ visible: true }).first().click();
+  while ((await closed.filter({ visible: true }).count()) > 0) await closed.filter({ visible: true }).first().click();
 }
 
 test('texts replaces every text of the panel, of the picture and of its description', async ({ mount }) => {
@@ -77,10 +66,7 @@ test('texts replaces every text of helpers, legend and probe', async ({ page, mo
   await described(viewer);
   const left = (await textsIn(viewer)).filter((text) => !isReplaced(text));
   // Without numbers, the names of vectors, and the cross of the button "Unpin".
-  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual([
-    'Sonne',
-    'Szene',
-  ]);
+  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual(['Sonne', 'Szene']);
 });
 
 test('texts relabels an open panel without changing its state', async ({ page, mount }) => {
@@ -134,10 +120,7 @@ test('texts replaces temporary labels of the panel’s buttons', async ({ page, 
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
-test('a panel that is removed while the clipboard is written leaves nothing behind', async ({
-  page,
-  mount,
-}) => {
+test('a panel that is removed while the clipboard is written leaves nothing behind', async ({ page, mount }) => {
   await page.addInitScript(() => {
     const writeText = () => new Promise<void>((resolve) => Object.assign(window, { allow: resolve }));
     Object.defineProperty(navigator, 'clipboard', { value: { writeText } });

@@ -12,14 +12,10 @@ const scene = (attributes: string): string =>
 
 const box = (viewer: Locator): Locator => viewer.locator('[part=probe]');
 
-test('`formula` puts the numbers of the point into the equation; `probe` alone keeps the table', async ({
-  mount,
-}) => {
+test('`formula` puts the numbers of the point into the equation; `probe` alone keeps the table', async ({ mount }) => {
   const viewer = await mount(scene('probe="formula"'));
   const lines = box(viewer).getByRole('listitem');
-  await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(1)).toHaveText(
-    '=0.78·0.80·0.25·0.50',
-  );
+  await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(1)).toHaveText('=0.78·0.80·0.25·0.50');
   await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(2)).toHaveText('=0.08');
   await expect(box(viewer).getByRole('table')).toHaveCount(0);
   expect(await viewer.evaluate((element: PhongViewer) => element.probe)).toBe('formula');
@@ -62,9 +58,7 @@ test('`ask` hides results, judges by keyboard, reports `answer`, then shows', as
   await expect(box(viewer)).toContainText('=0.08');
 });
 
-test('`explain` says what `shadeAt` says, of hidden points and outside the picture too', async ({
-  mount,
-}) => {
+test('`explain` says what `shadeAt` says, of hidden points and outside the picture too', async ({ mount }) => {
   const viewer = await mount(scene(''));
   const [drawn, pixel, hidden, away, none] = await viewer.evaluate(async (element: PhongViewer) => {
     const red = async (point: [number, number, number]): Promise<number | null> =>
@@ -72,10 +66,7 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
     const [x, y] = [element.clientWidth / 2, element.clientHeight / 2];
     const drawn = await red([0, 0, 0]);
     const pixel = (await element.shadeAt(x, y, { exact: true }))?.sum[0] ?? null;
-    element.insertAdjacentHTML(
-      'beforeend',
-      '<phong-mesh geometry="box" position="0 1 0" scale="0.2"></phong-mesh>',
-    );
+    element.insertAdjacentHTML('beforeend', '<phong-mesh geometry="box" position="0 1 0" scale="0.2"></phong-mesh>');
     await element.ready;
     const hidden = await red([0, 0, 0]);
     element.target = [30, 0, 0];
@@ -108,11 +99,7 @@ test('`probe-change` says the same with and without `probe`, inside CSS zoom, an
         element.addEventListener('probe-change', ({ detail }) => resolve(detail), { once: true });
         Object.assign(element, change);
       });
-    const told = ({ fragment, x, y }: Detail): readonly number[] => [
-      fragment!.kd[0],
-      Math.round(x!),
-      Math.round(y!),
-    ];
+    const told = ({ fragment, x, y }: Detail): readonly number[] => [fragment!.kd[0], Math.round(x!), Math.round(y!)];
     const without = told(await next({ kd: [100, 100, 100] }));
     const boxes = element.shadowRoot!.querySelectorAll('[part=probe]').length;
     const probed = told(await next({ probe: true }));

@@ -11,8 +11,7 @@ const lights = `
   <phong-light name="sun" position="1 2 1 0" diffuse="120 100 80" ambient="20"></phong-light>
   <phong-light id="lamp" name="lamp" position="1 1 1 1" diffuse="0 60 60"></phong-light>
   <phong-light position="0 1 2 1" axis="0 -1 -2" aperture="9" cutoff="3"></phong-light>`;
-const scene = (attributes: string): string =>
-  `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
+const scene = (attributes: string): string => `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
 
 const legendOf = (viewer: Locator): Locator => viewer.locator('.legend');
 
@@ -62,9 +61,7 @@ test('`ready` and `toBlob` wait until the view is shown, and leaving it restores
   const viewer = await mount(scene('view="normals"'), SIZE);
   // The middle of the sphere faces the eye: no shade of these lights has as much blue.
   const [r, g, b] = pixelAt(await pixels(viewer), 150, 120);
-  const back = await viewer.evaluate(({ camera: { eye, radius } }: PhongViewer) =>
-    eye.map((x) => x / radius),
-  );
+  const back = await viewer.evaluate(({ camera: { eye, radius } }: PhongViewer) => eye.map((x) => x / radius));
   expect([r, g, b].map((code) => code / 127.5 - 1).every((x, i) => Math.abs(x - back[i]!) < 0.02)).toBe(true);
   await assign(viewer, { view: null });
   const shaded = await pixels(viewer);

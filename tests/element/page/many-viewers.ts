@@ -12,8 +12,7 @@ const light = '<phong-light position="1 2 3 0"></phong-light>';
 export const reddening = (count: number): string =>
   Array.from(
     { length: count },
-    (_, i) =>
-      `<phong-viewer geometry="box" terms="diffuse" kd="${(255 * i) / count} 0 0">${light}</phong-viewer>`,
+    (_, i) => `<phong-viewer geometry="box" terms="diffuse" kd="${(255 * i) / count} 0 0">${light}</phong-viewer>`,
   ).join('');
 
 /** The red code (0 to 255) in the middle of each viewer's own canvas; -1 without a canvas. Copies each canvas once. */
@@ -80,8 +79,7 @@ export class Ledger {
     // Twice: finalizers of the first collection free more objects.
     for (let time = 0; time < 2; time++) await this.#session.send('HeapProfiler.collectGarbage');
     const objects: Record<string, number> = {};
-    for (const [name, prototype] of Object.entries(PROTOTYPES))
-      objects[name] = await this.#instances(prototype);
+    for (const [name, prototype] of Object.entries(PROTOTYPES)) objects[name] = await this.#instances(prototype);
     const all = await countsOf(this.#page);
     const counts = Object.fromEntries(GIVEN_BACK.map((key) => [key, all[key]]));
     const { usedSize } = await this.#session.send('Runtime.getHeapUsage');
@@ -155,11 +153,7 @@ export async function holdContext(page: Page): Promise<void> {
 }
 
 /** Loses and restores the context. Waits until all viewers show each change; `meanwhile` runs in between. */
-export async function loseAndRestore(
-  page: Page,
-  viewers: Locator,
-  meanwhile?: () => Promise<unknown>,
-): Promise<void> {
+export async function loseAndRestore(page: Page, viewers: Locator, meanwhile?: () => Promise<unknown>): Promise<void> {
   const count = await viewers.count();
   const notices = page.locator('phong-viewer [part=notice]');
   await page.evaluate('window.loss.loseContext()');

@@ -124,9 +124,7 @@ test.describe('toBlob', () => {
   });
 });
 
-test('requestRender shows changes of own objects, and keeps target and radius until refit', async ({
-  mount,
-}) => {
+test('requestRender shows changes of own objects, and keeps target and radius until refit', async ({ mount }) => {
   const viewer = await mount(box, size);
   const before = await cameraOf(viewer);
   const picture = await pixels(viewer);
@@ -163,9 +161,7 @@ test('refit reads vertices that were written in place', async ({ mount }) => {
   expect((await cameraOf(viewer)).radius / before.radius).toBeCloseTo(2, 5);
 });
 
-test('an own object that moves far behind the scene or close to the eye is not clipped', async ({
-  mount,
-}) => {
+test('an own object that moves far behind the scene or close to the eye is not clipped', async ({ mount }) => {
   const dark = '<phong-viewer geometry="box" theta="0" phi="90" ka="0" kd="0" ks="0"></phong-viewer>';
   for (const [z, scale] of [
     [-300, 150],

@@ -9,8 +9,7 @@ const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
 const viewer = (attributes = ''): string =>
   `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
-const frames = (element: Locator): Promise<number> =>
-  element.evaluate(({ stats }: PhongViewer) => stats.frames);
+const frames = (element: Locator): Promise<number> => element.evaluate(({ stats }: PhongViewer) => stats.frames);
 const above = (height: number): string => `main { padding: ${height}px 0 5000px }`;
 
 test.beforeEach(({ page }) => countEverything(page));
@@ -62,10 +61,7 @@ test('eager draws off screen, and is ready when it is drawn', async ({ page, mou
   expect(await frames(eager)).toBe(2);
 });
 
-test('what scrolling cannot show is not drawn, eager or in a closed accordion nearby', async ({
-  page,
-  mount,
-}) => {
+test('what scrolling cannot show is not drawn, eager or in a closed accordion nearby', async ({ page, mount }) => {
   let inside: Locator | undefined;
   for (const [attributes, css] of [
     ['loading="eager"', 'main { display: none }'],

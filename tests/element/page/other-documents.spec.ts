@@ -215,10 +215,7 @@ test('a document without a window counts as outside the page', async ({ page, mo
   expect(compare(await pixels(page.locator('phong-viewer').first(), SIZE), before).max).toBe(0);
 });
 
-test('a viewer in a popup draws by the popup’s frames, drags, prints and returns', async ({
-  page,
-  mount,
-}) => {
+test('a viewer in a popup draws by the popup’s frames, drags, prints and returns', async ({ page, mount }) => {
   const viewer = await mount(`${scene}<p></p>`, SIZE);
   const before = await pixels(viewer);
   const opened = page.waitForEvent('popup');

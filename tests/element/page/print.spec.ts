@@ -103,10 +103,7 @@ function marksOverPictures(className: string): { places: number[]; inks: string[
   return { places, inks: [...inks].sort() };
 }
 
-test('paper of another width keeps N at its foot, and lights and axes at their places', async ({
-  mount,
-  page,
-}) => {
+test('paper of another width keeps N at its foot, and lights and axes at their places', async ({ mount, page }) => {
   const light = '<phong-light name="lamp" position="1 2 1 1"></phong-light>';
   const viewer = (attributes: string): string =>
     `<phong-viewer geometry="sphere" helpers="lights axes" probe probe-at="0 0 0.5" ${attributes}>${light}</phong-viewer>`;

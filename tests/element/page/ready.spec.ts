@@ -63,10 +63,7 @@ test('resolves in every situation', async ({ page, mount, consoleGuard }) => {
   }
 });
 
-test('is a new promise for a newer src, which resolves the old one, and for later changes', async ({
-  page,
-  mount,
-}) => {
+test('is a new promise for a newer src, which resolves the old one, and for later changes', async ({ page, mount }) => {
   await mount('<main></main>', { css });
   const facts = await page.evaluate(async (address) => {
     const viewer = document.createElement('phong-viewer');
@@ -89,10 +86,7 @@ test('is a new promise for a newer src, which resolves the old one, and for late
   expect(facts).toEqual({ same: true, renewed: true, firstOutcome: undefined, loaded: true, drawn: 1 });
 });
 
-test('waits for a comparison to place its viewers, and for one that was just shown', async ({
-  mount,
-  page,
-}) => {
+test('waits for a comparison to place its viewers, and for one that was just shown', async ({ mount, page }) => {
   await mount('<main></main>', { css: `${css} phong-compare { width: 200px; height: 100px }` });
   const found = await page.evaluate(async () => {
     const drawn: boolean[] = [];
@@ -118,10 +112,7 @@ test('waits for a comparison to place its viewers, and for one that was just sho
   expect(found).toEqual({ drawn: [true, true, true, true, false, false], shown: 1 });
 });
 
-test('waits for a viewer that is shown between a frame and the reports of its observers', async ({
-  mount,
-  page,
-}) => {
+test('waits for a viewer that is shown between a frame and the reports of its observers', async ({ mount, page }) => {
   await mount('<main></main>', { css });
   const frames = await page.evaluate(async () => {
     const counts: number[] = [];

@@ -13,9 +13,7 @@ const style = (viewer: Locator, css: string): Promise<string> =>
 
 test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ page, mount }) => {
   const viewer = await mount(box, { css: 'phong-viewer { width: revert-layer; height: revert-layer }' });
-  await page.evaluate(
-    () => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true),
-  );
+  await page.evaluate(() => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true));
   await expect.poll(() => canvasSize(viewer)).toEqual([300, 150]);
   for (const [css, width, height] of [
     ['width: 211px; height: 97px', 211, 97],

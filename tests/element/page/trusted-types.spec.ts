@@ -113,11 +113,7 @@ const scripts = {
 /** What the browser and the package say where a policy is refused. */
 const REFUSED = /TrustedTypePolicy|createPolicy|refused trusted-types|Allow it by trusted-types lit-html/;
 
-test("where Lit's policy is refused, one sentence says what to allow", async ({
-  page,
-  site,
-  consoleGuard,
-}) => {
+test("where Lit's policy is refused, one sentence says what to allow", async ({ page, site, consoleGuard }) => {
   consoleGuard.allow(REFUSED);
   for (const usage of ['standalone', 'modules', 'classic'] as const) {
     const { said, defined } = await loaded({ page, site }, "'none'", scripts[usage]);

@@ -56,9 +56,7 @@ test('render comes once for each frame, when a listener can read the new picture
       const viewers = [...document.querySelectorAll('phong-viewer')];
       const seen = viewers.map((element) => {
         const pictures: string[] = [];
-        element.addEventListener('render', () =>
-          pictures.push(read(element.shadowRoot!.querySelector('canvas')!)),
-        );
+        element.addEventListener('render', () => pictures.push(read(element.shadowRoot!.querySelector('canvas')!)));
         return pictures;
       });
       for (const element of viewers) element.theta = angle;
@@ -118,9 +116,7 @@ test('pictures of any sizes side by side look the same as alone', async ({ page,
     });
     const picture = await pixels(viewer, { width, height });
     // To the bit on software GL, wherever on the sheet it lies.
-    expect(compare({ ...shown, data: new Uint8Array(shown.data) }, picture).max, `${width} × ${height}`).toBe(
-      0,
-    );
+    expect(compare({ ...shown, data: new Uint8Array(shown.data) }, picture).max, `${width} × ${height}`).toBe(0);
   }
 });
 

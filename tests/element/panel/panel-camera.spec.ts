@@ -27,10 +27,7 @@ test('shows θ, φ, radius and eye live while the picture is dragged', async ({ 
   await expect.poll(async () => Number(await field(folder, 'radius').inputValue())).toBeCloseTo(radius, 3);
 });
 
-test('moves the camera with the source "panel", and resets it to the declared one', async ({
-  page,
-  mount,
-}) => {
+test('moves the camera with the source "panel", and resets it to the declared one', async ({ page, mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const start = await cameraOf(viewer);

@@ -3,14 +3,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import {
-  assign,
-  cameraOf,
-  drag,
-  type PhongLight,
-  type PhongMesh,
-  type PhongViewer,
-} from '../support/viewer.js';
+import { assign, cameraOf, drag, type PhongLight, type PhongMesh, type PhongViewer } from '../support/viewer.js';
 import {
   button,
   choice,
@@ -246,9 +239,7 @@ test('meshes are renamed, duplicated, reordered and removed', async ({ mount }) 
 
 test('a model file can be chosen for a mesh and for the viewer', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/is a file on this device/, 1);
-  const viewer = await mount(
-    '<phong-viewer gui droppable><phong-mesh geometry="box"></phong-mesh></phong-viewer>',
-  );
+  const viewer = await mount('<phong-viewer gui droppable><phong-mesh geometry="box"></phong-mesh></phong-viewer>');
   const file = fileURLToPath(new URL('../../fixtures/models/textured.glb', import.meta.url));
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'box');

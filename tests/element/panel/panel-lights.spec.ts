@@ -4,25 +4,13 @@
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
 import { assign, type PhongLight, type PhongViewer } from '../support/viewer.js';
-import {
-  button,
-  choice,
-  field,
-  flag,
-  folderOf,
-  opened,
-  row,
-  slider,
-  titleOf,
-  titlesIn,
-} from './panel-rows.js';
+import { button, choice, field, flag, folderOf, opened, row, slider, titleOf, titlesIn } from './panel-rows.js';
 
 const scene = (...lights: readonly string[]): string =>
   `<phong-viewer gui geometry="box" target="0 0 0">${lights.join('')}</phong-viewer>`;
 const lamp = '<phong-light name="lamp" position="1 2 3 1" diffuse="400 200 0"></phong-light>';
 const sun = '<phong-light name="sun" position="1 1 1 0"></phong-light>';
-const spot =
-  '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
+const spot = '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
 
 const lightOf = (viewer: Locator, name: string): Locator => viewer.locator(`phong-light[name=${name}]`);
 
@@ -130,9 +118,7 @@ test.describe('kind', () => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const shown = async () =>
-      Promise.all(
-        ['axis', 'aperture °', 'cutoff', 'attenuation'].map((name) => row(folder, name).isVisible()),
-      );
+      Promise.all(['axis', 'aperture °', 'cutoff', 'attenuation'].map((name) => row(folder, name).isVisible()));
     expect(await shown()).toEqual([false, false, false, true]);
     await choice(folder, 'kind').selectOption('spot');
     await expect.poll(shown).toEqual([true, true, true, true]);
@@ -175,10 +161,7 @@ test.describe('numbers', () => {
     await expect(x).toHaveValue('7');
   });
 
-  test('follow a drag of a slider or across the field, which ends exactly where it began', async ({
-    page,
-    mount,
-  }) => {
+  test('follow a drag of a slider or across the field, which ends exactly where it began', async ({ page, mount }) => {
     const viewer = await mount(scene(spot));
     const light = lightOf(viewer, 'spot');
     const folder = await opened(viewer, 'spot');

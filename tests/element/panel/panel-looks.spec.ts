@@ -60,17 +60,14 @@ async function expectNothingCut(viewer: Locator): Promise<void> {
   const cut = await listOf(viewer).evaluate((list) => {
     const found: string[] = [];
     const { left, right, top, bottom } = list.getBoundingClientRect();
-    for (const element of list.querySelectorAll<HTMLElement>(
-      '.lil-name, .lil-title, button, select, input',
-    )) {
+    for (const element of list.querySelectorAll<HTMLElement>('.lil-name, .lil-title, button, select, input')) {
       if (!element.checkVisibility() || element.closest('.lil-display') !== null) continue;
       element.scrollIntoView({ block: 'nearest' });
       const box = element.getBoundingClientRect();
       const name = element.getAttribute('aria-label') ?? element.textContent;
       // Names that the user writes scroll in their fields.
       const isName = element instanceof HTMLInputElement && element.placeholder !== '';
-      const tooWide =
-        element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 1;
+      const tooWide = element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 1;
       const isText = !element.matches('[type=checkbox], [type=range], [type=color], select') && !isName;
       if (isText && tooWide) found.push(`cut: ${name}`);
       if (box.left < left - 1 || box.right > right + 1 || box.top < top - 1 || box.bottom > bottom + 1)
@@ -111,9 +108,7 @@ test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page
   const css = 'phong-viewer { font-size: 24px }';
   const viewer = await mount(scene, { width: 1280, height: 800, css });
   await openAll(viewer);
-  const arrow = await titleOf(viewer, 'Controls').evaluate(
-    (title) => getComputedStyle(title, '::before').width,
-  );
+  const arrow = await titleOf(viewer, 'Controls').evaluate((title) => getComputedStyle(title, '::before').width);
   expect(parseFloat(arrow), 'signs grow with the text').toBeGreaterThan(15);
   for (const texts of [null, readyTexts('de')]) {
     await assign(viewer, { texts });
@@ -157,16 +152,12 @@ test('from right to left the picture stands to the right of the panel, and numbe
   expect(panel.x).toBeLessThan(whole.x + 20);
   expect(picture.x).toBeGreaterThanOrEqual(panel.x + panel.width);
   expect(picture.x + picture.width).toBeCloseTo(whole.x + whole.width, 0);
-  for (const name of ['position x', 'cutoff', 'diffuse'])
-    await expect(field(lamp, name)).toHaveCSS('direction', 'ltr');
+  for (const name of ['position x', 'cutoff', 'diffuse']) await expect(field(lamp, name)).toHaveCSS('direction', 'ltr');
   await expect(field(lamp, 'name')).toHaveCSS('direction', 'rtl');
   await expectNothingCut(viewer);
 });
 
-test('the picture leaves the panel its place before its code is there, and is drawn once', async ({
-  page,
-  mount,
-}) => {
+test('the picture leaves the panel its place before its code is there, and is drawn once', async ({ page, mount }) => {
   let send = (): void => undefined;
   const sent = new Promise<void>((resolve) => (send = resolve));
   await page.route(/\/panel-/, async (route) => {

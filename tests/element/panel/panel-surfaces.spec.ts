@@ -35,9 +35,7 @@ test('writes and follows shading, reflection, terms, colour space and antialiasi
   await expect(flag(folder, 'ambient term')).not.toBeChecked();
 });
 
-test("edits and shows the viewer's own material, its shininess in fine steps where it is small", async ({
-  mount,
-}) => {
+test("edits and shows the viewer's own material, its shininess in fine steps where it is small", async ({ mount }) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Material');
   await expect(field(folder, 'kd')).toHaveValue('200 0 0');
@@ -58,9 +56,7 @@ test("edits and shows the viewer's own material, its shininess in fine steps whe
 });
 
 test("edits and shows a mesh's surface, style and transform", async ({ mount }) => {
-  const viewer = await mount(
-    '<phong-viewer gui><phong-mesh geometry="sphere" kd="#c33"></phong-mesh></phong-viewer>',
-  );
+  const viewer = await mount('<phong-viewer gui><phong-mesh geometry="sphere" kd="#c33"></phong-mesh></phong-viewer>');
   const mesh = viewer.locator('phong-mesh').first();
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'sphere');

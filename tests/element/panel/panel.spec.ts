@@ -17,9 +17,7 @@ const openFolders = (viewer: Locator): Promise<string[]> =>
     .filter({ visible: true })
     .allTextContents();
 
-test('has folders, of which the listed ones are open, and one for meshes if there are any', async ({
-  mount,
-}) => {
+test('has folders, of which the listed ones are open, and one for meshes if there are any', async ({ mount }) => {
   const viewer = await mount(scene('gui', 'sun', 'lamp'));
   await expect(titleOf(viewer, 'Material')).toBeVisible();
   const titles = ['Lights', 'Camera', 'Shading', 'Show', 'Material', 'Meshes'];
@@ -66,10 +64,7 @@ test('a list of attributes shows their rows in its order, without folders and bu
   await expect(slider(viewer, 'θ azimuth °')).toHaveAttribute('aria-valuetext', '-70');
 });
 
-test('lies inside the viewer, scrolls there, and opens and closes by pointer and by keys', async ({
-  page,
-  mount,
-}) => {
+test('lies inside the viewer, scrolls there, and opens and closes by pointer and by keys', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'a', 'b'), { width: 600, height: 300 });
   for (const title of ['a', 'b']) await opened(viewer, title);
   const outer = (await viewer.boundingBox())!;
@@ -131,9 +126,7 @@ test('never rotates or zooms the camera by input on the panel', async ({ page, m
   expect(await cameraOf(viewer)).toEqual(before);
 });
 
-test('removes everything when gui is removed, and comes back, also while its code is loading', async ({
-  mount,
-}) => {
+test('removes everything when gui is removed, and comes back, also while its code is loading', async ({ mount }) => {
   const viewer = await mount(scene('', 'sun'));
   const census = () =>
     viewer.evaluate((element) => {

@@ -63,10 +63,10 @@ test.describe('shadeAt explains the picture', () => {
   test('within one code on a model', async ({ mount }) => {
     const lights = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
       <phong-light position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>`;
-    const viewer = await mount(
-      `<phong-viewer src="/assets/models/bunny.glb" shininess="60">${lights}</phong-viewer>`,
-      { width: 100, height: 70 },
-    );
+    const viewer = await mount(`<phong-viewer src="/assets/models/bunny.glb" shininess="60">${lights}</phong-viewer>`, {
+      width: 100,
+      height: 70,
+    });
     // Close by, so that triangles are larger than a few pixels.
     await assign(viewer, { radius: (await cameraOf(viewer)).radius / 4 });
     await equationExpect(viewer).toShowTheEquation({ share: 0.1 });
@@ -116,9 +116,7 @@ test.describe('shadeAt explains the picture', () => {
     expect(blended).toBeLessThan(1);
   });
 
-  test('within one code, or says that the picture averages a texture, at every size of it', async ({
-    mount,
-  }) => {
+  test('within one code, or says that the picture averages a texture, at every size of it', async ({ mount }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const columns = (size: number): Texel[] =>
       Array.from({ length: size * size }, (_, i) => (i % 2 === 0 ? [255, 255, 255] : [0, 0, 0]));
@@ -129,17 +127,12 @@ test.describe('shadeAt explains the picture', () => {
     const radius = 120 / 64 / Math.tan(Math.PI / 8);
     const shown = async (texels: Texel[], attributes: string) => {
       const src = patch({ material: { pbrMetallicRoughness }, textures: [texels], mipmaps: true });
-      await show(
-        viewer,
-        `<phong-viewer src="${src}" target="0 0 0.27" ${attributes}>${AMBIENT}</phong-viewer>`,
-      );
+      await show(viewer, `<phong-viewer src="${src}" target="0 0 0.27" ${attributes}>${AMBIENT}</phong-viewer>`);
       const all = await comparedWithPicture(viewer, 3);
       // A sixteenth of a pixel changes a steep texture by more than a code.
       const excess = ({ drawn, explained, steepness }: Compared): number =>
         Math.max(...explained.map((x, i) => Math.abs(Math.round(x) - drawn[i]!))) - steepness / 16;
-      const [filtered, others] = [true, false].map((is) =>
-        all.filter((here) => here.filtered === is).map(excess),
-      );
+      const [filtered, others] = [true, false].map((is) => all.filter((here) => here.filtered === is).map(excess));
       return { filtered: filtered!, others: others! };
     };
     const half = await shown(columns(64), `theta="0" phi="90" radius="${2 * radius}"`);
@@ -148,9 +141,7 @@ test.describe('shadeAt explains the picture', () => {
     const near = await shown(noise(16), `theta="0" phi="90" radius="${radius}"`);
     expect(near.filtered, 'four pixels a texel').toEqual([]);
     const slanted = await shown(noise(64), `theta="62" phi="70" radius="${radius / 2.5}"`);
-    expect(Math.min(slanted.filtered.length, slanted.others.length), 'both in one picture').toBeGreaterThan(
-      30,
-    );
+    expect(Math.min(slanted.filtered.length, slanted.others.length), 'both in one picture').toBeGreaterThan(30);
     expect(Math.max(...near.others, ...slanted.others)).toBeLessThanOrEqual(1);
     // The picture may keep what a mask cuts out of its largest level, and the other way round.
     const holes = columns(64).map(([c]): Texel => [c, c, c, c]);

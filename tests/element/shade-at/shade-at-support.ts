@@ -63,10 +63,7 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
           const there = await at(column + (neighbour % 3) - 1, row + Math.floor(neighbour / 3) - 1);
           inside &&= there?.object === here.object && there.triangle === here.triangle;
           for (const channel of [0, 1, 2] as const)
-            steepness = Math.max(
-              steepness,
-              255 * Math.abs((there?.color[channel] ?? 0) - here.color[channel]),
-            );
+            steepness = Math.max(steepness, 255 * Math.abs((there?.color[channel] ?? 0) - here.color[channel]));
         }
         if (!inside) continue;
         let edgeMargin = Infinity;

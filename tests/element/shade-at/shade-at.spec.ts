@@ -145,9 +145,7 @@ test.describe('shadeAt returns', () => {
   test('the head-light’s share if a viewer has no light', async ({ mount }) => {
     const viewer = await mount(floor(), FLOOR);
     const { shares, color } = (await explained(viewer, MIDDLE, MIDDLE))!;
-    expect(shares).toEqual([
-      expect.objectContaining({ light: -1, name: 'head-light', d: Infinity, NoL: close(1) }),
-    ]);
+    expect(shares).toEqual([expect.objectContaining({ light: -1, name: 'head-light', d: Infinity, NoL: close(1) })]);
     expect(color).toEqual(grey(0.6));
   });
 
@@ -157,18 +155,14 @@ test.describe('shadeAt returns', () => {
       const { shares, sum, ka } = (await explained(viewer, 20, 70))!;
       expect(ka).toEqual([1, close(decoded(0.8)), 0]);
       for (const channel of [0, 1, 2]) {
-        const terms = shares.flatMap((share) =>
-          share ? [share.ambient, share.diffuse, share.specular] : [],
-        );
+        const terms = shares.flatMap((share) => (share ? [share.ambient, share.diffuse, share.specular] : []));
         const total = terms.reduce((all, term) => all + term[channel]!, 0);
         expect(decoded(sum[channel]!), shading).toBeCloseTo(total, 12);
       }
     }
   });
 
-  test('under Gouraud shading the corners’ terms, and everything else for the fragment itself', async ({
-    mount,
-  }) => {
+  test('under Gouraud shading the corners’ terms, and everything else for the fragment itself', async ({ mount }) => {
     // The corners are √2 from the middle, the lamp 1 above it.
     const lamp = '<phong-light position="0 1 0 1" specular="0"></phong-light>';
     const viewer = await mount(floor(lamp, 'shading="gouraud"'), FLOOR);
@@ -240,9 +234,7 @@ test.describe('shadeAt is null', () => {
   });
 });
 
-test('explains the scene at the time of the call, including earlier writes and no later ones', async ({
-  mount,
-}) => {
+test('explains the scene at the time of the call, including earlier writes and no later ones', async ({ mount }) => {
   const viewer = await mount(floor(LIGHTS), FLOOR);
   const [pending, earlier, appended] = await viewer.evaluate(async (element: PhongViewer) => {
     const mesh = element.meshes[0]!;
@@ -334,10 +326,7 @@ test.describe('shadeAt accepts the position of a pointer event', () => {
 
   for (const [what, css] of [
     ['at the top left', ''],
-    [
-      'with padding and a border, scrolled',
-      'margin: 400px 0 900px 30px; padding: 12px 30px; border: 9px solid #123',
-    ],
+    ['with padding and a border, scrolled', 'margin: 400px 0 900px 30px; padding: 12px 30px; border: 9px solid #123'],
     ['inside CSS zoom', 'zoom: 1.5'],
     ['under a transform', 'margin: 60px; transform: rotate(25deg) scale(1.3, 0.9)'],
     ['of a fractional size', 'width: 200.4px; height: 149.7px'],

@@ -7,10 +7,7 @@ interface Copied {
   readonly tables: readonly { readonly rows: readonly { readonly label: string; readonly ms: number }[] }[];
 }
 
-test('measures every front, shows a table for each and copies the result as JSON', async ({
-  page,
-  context,
-}) => {
+test('measures every front, shows a table for each and copies the result as JSON', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await page.goto('/demo/bench/?seconds=0.1');
   await expect(page.locator('#renderer')).toContainText(/SwiftShader|llvmpipe|ANGLE/);

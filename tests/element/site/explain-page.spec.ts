@@ -29,9 +29,7 @@ const read = (page: Page) =>
         title: row.querySelector('th')?.firstChild?.textContent ?? '',
         cells: Array.from(row.querySelectorAll('td'), (cell) => cell.textContent.trim()),
       }));
-    const numbers = rows('directions').map(({ cells }) =>
-      cells.map((text) => Number(text.replace('−', '-'))),
-    );
+    const numbers = rows('directions').map(({ cells }) => cells.map((text) => Number(text.replace('−', '-'))));
     const NoL = rows('of-lights').find(({ title }) => title === 'N·L')!.cells;
     return { p: numbers[0]!, N: numbers[1]!, V: numbers[2]!, NoL };
   });
@@ -103,9 +101,7 @@ test.describe('the page of one fragment', () => {
       await expectFragment(page, inPicture);
     }
     await page.mouse.move(1, 1);
-    await expect
-      .poll(() => isAt(page, start), 'a mouse that only looked leaves the mark alone')
-      .toBeLessThan(1);
+    await expect.poll(() => isAt(page, start), 'a mouse that only looked leaves the mark alone').toBeLessThan(1);
     const [inPicture, onPage] = await place(page, PLACES[0]);
     await page.mouse.click(onPage.x, onPage.y);
     await page.mouse.move(1, 1);

@@ -34,8 +34,7 @@ const HOSTILE: Readonly<Record<string, (alt: string) => string>> = {
     `<phong-viewer ${alt} src="${HOST}/a.glb" poster="//models.example/b.png"><phong-mesh src="https:\\\\models.example/c.glb"></phong-mesh><phong-mesh src="\\\\models.example\\d.glb"></phong-mesh><phong-mesh src="https://localhost@models.example/e.glb"></phong-mesh><phong-mesh src="\thtt\nps://models.example/f.glb"></phong-mesh></phong-viewer>`,
   'a base for relative sources': (alt) =>
     `<base href="${HOST}/"><phong-viewer ${alt}><phong-mesh src="../assets/models/bunny.glb"></phong-mesh></phong-viewer>`,
-  'a refresh': (alt) =>
-    `<meta http-equiv="refresh" content="0;url=${HOST}"><phong-viewer ${alt}></phong-viewer>`,
+  'a refresh': (alt) => `<meta http-equiv="refresh" content="0;url=${HOST}"><phong-viewer ${alt}></phong-viewer>`,
   'frames, forms and objects': (alt) =>
     `<phong-viewer ${alt}><iframe src="${HOST}" srcdoc="<script>parent.hacked=1</script>"></iframe><object data="${HOST}"></object><embed src="${HOST}"><form action="${HOST}"><button id="share">x</button></form></phong-viewer>`,
   svg: (alt) =>
@@ -80,12 +79,10 @@ async function harm(page: Page): Promise<string[]> {
       }
     }
     if (document.querySelectorAll('phong-viewer').length !== 1) found.push('a viewer was copied');
-    if (document.querySelectorAll('style, iframe, object, embed, base').length > 0)
-      found.push('markup leaked');
+    if (document.querySelectorAll('style, iframe, object, embed, base').length > 0) found.push('markup leaked');
     if (getComputedStyle(document.body).display === 'none') found.push('the page was restyled');
     const [place, own] = [viewer.parentElement!.clientWidth, viewer.clientWidth];
-    if (place !== own || getComputedStyle(viewer).position === 'fixed')
-      found.push('the picture was restyled');
+    if (place !== own || getComputedStyle(viewer).position === 'fixed') found.push('the picture was restyled');
     return found;
   });
 }
@@ -197,12 +194,8 @@ test('links that are broken or too large show an example and an error', async ({
   }
 });
 
-test('files of another host are fetched after a click, and only from the host that was named', async ({
-  page,
-}) => {
-  const bunny = readFileSync(
-    join(fileURLToPath(new URL('../../..', import.meta.url)), 'demo/assets/models/bunny.glb'),
-  );
+test('files of another host are fetched after a click, and only from the host that was named', async ({ page }) => {
+  const bunny = readFileSync(join(fileURLToPath(new URL('../../..', import.meta.url)), 'demo/assets/models/bunny.glb'));
   const fetched: string[] = [];
   await page.route(/\.example\//, async (route) => {
     fetched.push(route.request().url());
@@ -216,9 +209,7 @@ test('files of another host are fetched after a click, and only from the host th
     await expect(page.locator('.cm-content')).toBeVisible();
     await expect(page.locator('#gate')).toContainText(`files from ${HOST}.`);
     await page.locator('phong-viewer').press('ArrowLeft');
-    await expect
-      .poll(() => page.locator('phong-viewer').evaluate((v: PhongViewer) => v.camera.theta))
-      .not.toBe(5);
+    await expect.poll(() => page.locator('phong-viewer').evaluate((v: PhongViewer) => v.camera.theta)).not.toBe(5);
     expect(await page.locator('.cm-content').textContent(), 'the source is not lost').toContain(HOST);
     expect(fetched).toEqual([]);
     await page.getByRole('button', { name: 'Load them' }).click();

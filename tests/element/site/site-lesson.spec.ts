@@ -161,9 +161,7 @@ test('turning one picture of a figure turns the others on other pages too, and t
   await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
 });
 
-test('the lights page draws its lights on request, and drags of them are in its listing', async ({
-  page,
-}) => {
+test('the lights page draws its lights on request, and drags of them are in its listing', async ({ page }) => {
   await open(page, 'lights/');
   const show = page.getByRole('button', { name: 'Show them' });
   const handles = page.getByRole('option');
@@ -172,9 +170,7 @@ test('the lights page draws its lights on request, and drags of them are in its 
   await expect(show).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('option', { name: /^light 3: spot/ })).toBeVisible();
   const position = (): Promise<string> =>
-    page
-      .locator('#garden')
-      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
+    page.locator('#garden').evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
   const before = await position();
   await page.getByRole('option', { name: /^light 3: spot/ }).focus();
   await page.keyboard.press('Enter');

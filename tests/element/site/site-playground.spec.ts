@@ -106,9 +106,7 @@ test('typing keeps the unchanged parts: the model is fetched once, the camera st
   expect(fetched).toBe(1);
 });
 
-test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
-  page,
-}) => {
+test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({ page }) => {
   await page.goto('/demo/playground/#example=compare');
   await allReady(page);
   await expect(page.locator('.cm-content')).toBeVisible();
@@ -183,9 +181,7 @@ test('a frame and one HTML file show the scene with its model elsewhere, the fil
   }
 });
 
-test('the editor is there with the first picture, long before all samples of a still one', async ({
-  page,
-}) => {
+test('the editor is there with the first picture, long before all samples of a still one', async ({ page }) => {
   await page.goto(`/demo/${linkTo(SCENE.replace('gui', 'gui antialias="full" samples="1024"'))}`);
   await expect(page.locator('.cm-content')).toBeVisible();
   expect(await page.evaluate(() => document.querySelector('phong-viewer')!.stats.samples)).toBeLessThan(1024);

@@ -42,9 +42,7 @@ async function expectFitAndAccessible(page: Page): Promise<void> {
     // The dark page is the light one in other colours.
     if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
     const { violations } = await axe.analyze();
-    expect
-      .soft(violations.map(({ id, nodes }) => [colorScheme, id, nodes.map(({ html }) => html)]))
-      .toEqual([]);
+    expect.soft(violations.map(({ id, nodes }) => [colorScheme, id, nodes.map(({ html }) => html)])).toEqual([]);
   }
 }
 
@@ -60,9 +58,7 @@ async function expectHead(page: Page, request: APIRequestContext): Promise<void>
   const picture = await contentOf(page, 'meta[property="og:image"]');
   // Absolute, once the site has an address.
   const [, asset] = /^https:.*\/(assets\/.*)/.exec(picture ?? '') ?? [];
-  const response = await request.get(
-    asset === undefined ? new URL(picture ?? '', page.url()).href : `/demo/${asset}`,
-  );
+  const response = await request.get(asset === undefined ? new URL(picture ?? '', page.url()).href : `/demo/${asset}`);
   expect.soft(response.headers()['content-type']).toBe('image/png');
 }
 
@@ -73,9 +69,7 @@ async function brokenLinks(page: Page, request: APIRequestContext): Promise<stri
   const links = await page
     .locator('a[href]')
     .evaluateAll((all) =>
-      all
-        .map((a) => (a as HTMLAnchorElement).href)
-        .filter((href) => new URL(href).origin === location.origin),
+      all.map((a) => (a as HTMLAnchorElement).href).filter((href) => new URL(href).origin === location.origin),
     );
   const broken: string[] = [];
   for (const link of new Set(links)) {
@@ -108,24 +102,18 @@ for (const path of sitePages) {
     await open(page, path);
     await expectFitAndAccessible(page);
     await expectHead(page, request);
-    if (pictured)
-      await expectPictures(page, `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`);
+    if (pictured) await expectPictures(page, `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`);
     await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
     const nav = page.getByRole('navigation', { name: 'Pages', exact: true });
     const pages = ['Lesson', 'Guide', 'Examples', 'Playground', 'API', 'Install'];
     await expect.soft(nav.getByRole('link')).toHaveText(pages);
-    await expect
-      .soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Bench|Releases)$/ }))
-      .toHaveCount(2);
+    await expect.soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Bench|Releases)$/ })).toHaveCount(2);
     await expect.soft(page.getByRole('heading', { level: 1 })).toHaveCount(1);
     expect.soft(await brokenLinks(page, request), 'links that lead nowhere').toEqual([]);
   });
 }
 
-test('the API page lists every attribute, property, method and event of the manifest', async ({
-  page,
-  request,
-}) => {
+test('the API page lists every attribute, property, method and event of the manifest', async ({ page, request }) => {
   interface Named {
     readonly name: string;
   }
@@ -149,10 +137,7 @@ test('the API page lists every attribute, property, method and event of the mani
   expect(ids.size).toBe(wanted.length);
 });
 
-test('start page and install page give the size of the standalone file, as in dist/', async ({
-  page,
-  request,
-}) => {
+test('start page and install page give the size of the standalone file, as in dist/', async ({ page, request }) => {
   const { brotliCompressSync } = await import('node:zlib');
   const file = await (await request.get('/dist/phong-viewer.standalone.js')).body();
   const kilobytes = Math.round(brotliCompressSync(file).length / 1000);

@@ -79,8 +79,7 @@ function wrapEverything(): void {
   wrap(window, 'requestIdleCallback', () => count('idleCallbacks'));
 
   const gl = WebGL2RenderingContext.prototype;
-  for (const name of Object.getOwnPropertyNames(gl))
-    if (!name.startsWith('delete')) wrap(gl, name, () => count('gl'));
+  for (const name of Object.getOwnPropertyNames(gl)) if (!name.startsWith('delete')) wrap(gl, name, () => count('gl'));
   for (const kind of 'Texture Buffer Program Shader Framebuffer Renderbuffer VertexArray'.split(' ')) {
     const key = `${kind[0]!.toLowerCase()}${kind.slice(1)}s`;
     const gone = new WeakSet();
@@ -137,9 +136,7 @@ function wrapEverything(): void {
       count('observers', (targets.size > 0 ? 1 : 0) - before);
     };
     wrap(Observer.prototype, 'observe', ([target], self) => change(self, (targets) => targets.add(target)));
-    wrap(Observer.prototype, 'unobserve', ([target], self) =>
-      change(self, (targets) => targets.delete(target)),
-    );
+    wrap(Observer.prototype, 'unobserve', ([target], self) => change(self, (targets) => targets.delete(target)));
     wrap(Observer.prototype, 'disconnect', (_, self) => change(self, (targets) => targets.clear()));
   }
 

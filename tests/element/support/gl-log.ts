@@ -87,9 +87,7 @@ function wrapGl(limits: Limits): void {
       return Reflect.apply(real, this, given);
     });
   };
-  const named = new Map(
-    Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]),
-  );
+  const named = new Map(Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]));
   const realParameter = Object.getOwnPropertyDescriptor(gl, 'getParameter')?.value as Call;
   gl.getParameter = function (this: unknown, name: number): unknown {
     return named.get(name) ?? Reflect.apply(realParameter, this, [name]);
@@ -115,8 +113,7 @@ function wrapGl(limits: Limits): void {
   wrap('bufferSubData', ([, , data, , length]) => {
     spent.uploads += 1;
     const view = data as ArrayBufferView & { readonly BYTES_PER_ELEMENT?: number };
-    spent.bytes +=
-      typeof length === 'number' && length > 0 ? length * (view.BYTES_PER_ELEMENT ?? 1) : view.byteLength;
+    spent.bytes += typeof length === 'number' && length > 0 ? length * (view.BYTES_PER_ELEMENT ?? 1) : view.byteLength;
   });
 
   const texts = new WeakMap<object, string>();
@@ -129,10 +126,7 @@ function wrapGl(limits: Limits): void {
     const present = stages.get(program as object) ?? [];
     stages.set(program as object, [...present, shader as WebGLShader]);
   });
-  wrap(
-    'compileShader',
-    ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1),
-  );
+  wrap('compileShader', ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1));
   wrap('useProgram', ([program], self) => {
     if (program === null) current.delete(self);
     else current.set(self, program as WebGLProgram);

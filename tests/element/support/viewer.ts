@@ -78,16 +78,12 @@ export async function record(element: Locator, ...types: string[]): Promise<Reco
 /** Waits until the page has shown all changes so far. */
 export async function nextFrame(page: Page): Promise<void> {
   await page.evaluate(
-    () =>
-      new Promise<void>((resolve) =>
-        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),
-      ),
+    () => new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve)))),
   );
 }
 
 /** Waits for the viewer's `ready`. */
-export const settled = (viewer: Locator): Promise<void> =>
-  viewer.evaluate((element: PhongViewer) => element.ready);
+export const settled = (viewer: Locator): Promise<void> => viewer.evaluate((element: PhongViewer) => element.ready);
 
 /** Assigns the viewer's properties in one task, and waits for its `ready`. */
 export async function set(viewer: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
@@ -150,11 +146,7 @@ export class Fingers {
   /** Lifts one finger, counted from 0, from where it is; the others stay. */
   lift = (id: number, place: Place): Promise<void> => this.#send('touchEnd', [place], id);
 
-  async #send(
-    type: 'touchStart' | 'touchMove' | 'touchEnd',
-    places: readonly Place[],
-    firstId = 0,
-  ): Promise<void> {
+  async #send(type: 'touchStart' | 'touchMove' | 'touchEnd', places: readonly Place[], firstId = 0): Promise<void> {
     const touchPoints = places.map(([x, y], i) => ({ x, y, id: firstId + i }));
     await this.#session.send('Input.dispatchTouchEvent', { type, touchPoints });
   }

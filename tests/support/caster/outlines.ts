@@ -26,8 +26,7 @@ export function outlineErrors(truth: Tracer, drawn: Tracer, lines: number): Outl
     const [long, wide] = isRow ? [width, height] : [height, width];
     for (let k = 0; k < lines; k++) {
       const line = ((k + 0.5) / lines) * wide;
-      const along = (tracer: Tracer) => (at: number) =>
-        isRow ? tracer.hitAt(at, line) : tracer.hitAt(line, at);
+      const along = (tracer: Tracer) => (at: number) => (isRow ? tracer.hitAt(at, line) : tracer.hitAt(line, at));
       const depth = (tracer: Tracer) => (at: number) => along(tracer)(at).t;
       for (const { at, front } of jumps(depth(truth), 0, long, STEP, LEAST_JUMP)) {
         const { nx, ny, nz } = along(truth)(front);

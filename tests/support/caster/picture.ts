@@ -22,8 +22,7 @@ const AROUND = [-1 / 8, 1 / 2, 9 / 8].flatMap((x) =>
 export function castRows(tracer: Tracer, options: CastOptions, from: number, to: number): Float64Array {
   const { width, samples = 1024 } = options;
   const side = Math.sqrt(samples);
-  if (!Number.isInteger(side) || side < 1)
-    throw new RangeError('samples must be the square of a whole number');
+  if (!Number.isInteger(side) || side < 1) throw new RangeError('samples must be the square of a whole number');
   const means = new Float64Array(4 * width * (to - from));
   for (let row = from; row < to; row++) {
     for (let column = 0; column < width; column++) {

@@ -72,8 +72,7 @@ export class Triangles {
       const boxes = this.#boxes;
       for (let triangle = 0; triangle < this.#objects.length; triangle++)
         for (let y = boxes[4 * triangle + 2]!; y <= boxes[4 * triangle + 3]!; y++)
-          for (let x = boxes[4 * triangle]!; x <= boxes[4 * triangle + 1]!; x++)
-            visit(y * width + x, triangle);
+          for (let x = boxes[4 * triangle]!; x <= boxes[4 * triangle + 1]!; x++) visit(y * width + x, triangle);
     };
     each((pixel) => (starts[pixel + 1]! += 1));
     for (let i = 0; i < width * height; i++) starts[i + 1]! += starts[i]!;
@@ -113,9 +112,7 @@ export class Triangles {
     if (nearest < 0) return;
     const corners = this.#corners;
     const mixed = (k: number): number =>
-      wa * corners[15 * nearest + k]! +
-      wb * corners[15 * nearest + 5 + k]! +
-      wc * corners[15 * nearest + 10 + k]!;
+      wa * corners[15 * nearest + k]! + wb * corners[15 * nearest + 5 + k]! + wc * corners[15 * nearest + 10 + k]!;
     hit.nx = mixed(0);
     hit.ny = mixed(1);
     hit.nz = mixed(2);
@@ -161,8 +158,4 @@ export function columnsOf(m: ArrayLike<number> | undefined): Vec3Matrix {
 export const times = ({ x, y, z }: Vec3Matrix, [a, b, c]: Vec3): Vec3 =>
   add(add(scale(x, a), scale(y, b)), scale(z, c));
 
-const triple = (list: ArrayLike<number>, i: number): Vec3 => [
-  list[3 * i]!,
-  list[3 * i + 1]!,
-  list[3 * i + 2]!,
-];
+const triple = (list: ArrayLike<number>, i: number): Vec3 => [list[3 * i]!, list[3 * i + 1]!, list[3 * i + 2]!];

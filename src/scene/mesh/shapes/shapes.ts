@@ -76,9 +76,7 @@ function kept<T>(load: () => Promise<T>): (build: (code: T) => BufferGeometry) =
   return (build) => (code === null ? load().then((loaded) => build((code = loaded))) : build(code));
 }
 
-const solidsCode = /* @__PURE__ */ kept(
-  /* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes'),
-);
+const solidsCode = /* @__PURE__ */ kept(/* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes'));
 const teapotCode = /* @__PURE__ */ kept(/* @__PURE__ */ lazyCode(() => import('./teapot.js'), 'the teapot'));
 
 const solid =
@@ -105,18 +103,7 @@ function sphere(columns: number, out: number): BufferGeometry {
         for (let i = 0; i <= columns; i++) {
           const x = -cos[i]! * across;
           const z = sin[i]! * across;
-          put(
-            into,
-            first + i,
-            radius * x,
-            radius * y,
-            radius * z,
-            x,
-            y,
-            z,
-            i / columns + shift,
-            1 - row / rows,
-          );
+          put(into, first + i, radius * x, radius * y, radius * z, x, y, z, i / columns + shift, 1 - row / rows);
         }
       },
     },
@@ -244,8 +231,7 @@ export const trianglesOf = (name: GeometryName, segments: number | undefined): n
   SHAPES[name].triangles(effectiveSegments(name, segments));
 
 /** What flat copies count as triangles, by their memory: each corner has 8 values, position, normal and uv. */
-export const flatTrianglesOf = (triangles: number): number =>
-  Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
+export const flatTrianglesOf = (triangles: number): number => Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
 
 /**
  * A new geometry, owned by the caller: indexed, with `position`, `normal` (unit length to float32) and `uv`.
@@ -253,11 +239,7 @@ export const flatTrianglesOf = (triangles: number): number =>
  * @param isLevel for `segments="auto"` under Phong: its outline is as far outside the round shape as inside, and a
  *   cone's tip has no normal.
  */
-export function createGeometry(
-  name: GeometryName,
-  segments: number | undefined,
-  isLevel = false,
-): PendingGeometry {
+export function createGeometry(name: GeometryName, segments: number | undefined, isLevel = false): PendingGeometry {
   const { create, round } = SHAPES[name];
   const n = effectiveSegments(name, segments);
   if (round === undefined) return create(n, 0, false);

@@ -29,10 +29,7 @@ export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKe
     : levelKey(name, roundOf(name) === undefined ? FIXED : coarsestOf(name));
 
 /** A level by its segments, or the shape's {@link FIXED} number. */
-export const levelKey = <Name extends GeometryName>(
-  name: Name,
-  level: number,
-): ShapeKey & { readonly name: Name } => ({
+export const levelKey = <Name extends GeometryName>(name: Name, level: number): ShapeKey & { readonly name: Name } => ({
   name,
   segments: level === FIXED ? undefined : level,
   isLevel: level !== FIXED,
@@ -61,9 +58,7 @@ export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
   const text = keyOf(key);
   const triangles = trianglesOf(key.name, key.segments);
   const smooth = { key: text, claims: claimsOf(triangles, 1), flat: false };
-  return flat
-    ? [smooth, { key: `flat ${text}`, claims: claimsOf(flatTrianglesOf(triangles)), flat: true }]
-    : [smooth];
+  return flat ? [smooth, { key: `flat ${text}`, claims: claimsOf(flatTrianglesOf(triangles)), flat: true }] : [smooth];
 }
 
 /**

@@ -14,8 +14,7 @@ type Solid = (segments: number, out: number, isLevel: boolean) => BufferGeometry
 
 /** `out`: how far the vertices of a round shape are outside it. `isLevel`: of `segments="auto"`. */
 export const SOLIDS: Readonly<Record<'cylinder' | 'cone' | 'pyramid' | 'torus' | 'torus-knot', Solid>> = {
-  cylinder: (n, out) =>
-    gridGeometry([cap(n, 0.5 + out, 1), side(n, 0.5 + out, 0.5 + out), cap(n, 0.5 + out, -1)]),
+  cylinder: (n, out) => gridGeometry([cap(n, 0.5 + out, 1), side(n, 0.5 + out, 0.5 + out), cap(n, 0.5 + out, -1)]),
   cone: (n, out, isLevel) => gridGeometry([side(n, 0, 0.5 + out, isLevel), cap(n, 0.5 + out, -1)]),
   pyramid: (n) => pyramidGeometry(n),
   torus,

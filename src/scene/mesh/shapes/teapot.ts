@@ -29,9 +29,7 @@ export function teapot(segments: number, isLevel: boolean): BufferGeometry {
   const divisions = Math.round(segments / PATCHES_AROUND);
   const inBend = isLevel ? Math.ceil(1.6 * divisions) : divisions;
   return gridGeometry(
-    Array.from({ length: PATCHES }, (_, patch) =>
-      patchGrid(patch, isBend(patch) ? inBend : divisions, divisions),
-    ),
+    Array.from({ length: PATCHES }, (_, patch) => patchGrid(patch, isBend(patch) ? inBend : divisions, divisions)),
   );
 }
 
