@@ -1,14 +1,14 @@
-// What stands in for the modules of three.js that the standalone file leaves out (plugin.ts lists them). The names are
+// What stands in for the parts of three.js that the standalone file leaves out (plugin.ts lists them). The names are
 // three's own, since its other modules import them. What a user can still reach fails with a message that names the
 // cure.
 
 import colorspace_pars_fragment from 'three/src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js';
 
 /** @param {string} name @returns {never} */
-function refuse(name) {
+export function refuse(name) {
   throw new Error(
-    `phong-viewer.standalone.js does not contain the shaders of three.js's own materials (${name}): ` +
-      'for objects that need them, use the ES modules together with three.js.',
+    `phong-viewer.standalone.js does not contain all of three.js (${name} is missing): ` +
+      'use the ES modules together with three.js.',
   );
 }
 
@@ -26,6 +26,11 @@ export const ShaderChunk = orRefuse({ colorspace_pars_fragment });
 
 /** A table for three's physical materials. */
 export const getDFGLUT = () => null;
+
+/** Clipping planes, which the viewer's renderer never has. */
+export const WebGLClipping = function () {
+  return { uniform: { value: null }, numPlanes: 0, numIntersection: 0, init: () => false };
+};
 
 /** Environment maps, which only three's own materials read: a texture stays what it is. */
 export const WebGLEnvironments = function () {

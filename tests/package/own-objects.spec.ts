@@ -63,9 +63,7 @@ test("an object with one of three.js's own materials gives an error that names t
   mount,
   consoleGuard,
 }) => {
-  const said = consoleGuard.allow(
-    /does not contain the shaders of three\.js's own materials \(basic\): .* use the ES modules/,
-  );
+  const said = consoleGuard.allow(/does not contain all of three\.js \(basic is missing\): use the ES modules/);
   const viewer = await mount(box);
   const before = await pixels(viewer);
   await viewer.evaluate(async (element: PhongViewer, address) => {
@@ -80,4 +78,10 @@ test("an object with one of three.js's own materials gives an error that names t
   }, three);
   expect(said.length).toBeGreaterThan(0);
   expect(compare(await pixels(viewer), before).max).toBe(0);
+});
+
+test('a function that the standalone file leaves out gives an error that names it and the cure', async ({ mount }) => {
+  const viewer = await mount(box);
+  const written = viewer.evaluate((element: PhongViewer) => element.scene.toJSON());
+  await expect(written).rejects.toThrow(/does not contain all of three\.js \(toJSON is missing\): use the ES modules/);
 });
