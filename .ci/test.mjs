@@ -12,12 +12,12 @@ import { readCommandLine, timeText } from '../tests/support/command-line.mjs';
 
 const nodeFolders = ['unit', 'stress'];
 const browserFolders = ['element', 'visual', 'a11y', 'glsl', 'package'];
-const checks = ['format', 'lint', 'types', 'build', 'browser', 'release', 'guards', 'mutation'];
+const checks = ['format', 'lint', 'types', 'build', 'browser', 'release', 'mutation'];
 
 const USAGE = `
 npm test -- [steps] [--release]: all checks, or only the named ones
   steps       ${[...checks, ...nodeFolders, ...browserFolders].join(', ')}
-  --release   adds the slow tests, the guards and a sample of mutants (npm run test:release)
+  --release   adds the slow tests and a sample of mutants (npm run test:release)
   --help
 Which step answers which question: tests/README.md`;
 
@@ -66,10 +66,7 @@ const rows = [
   ],
 ];
 /** Twenty minutes at most on four cores. @type {Step[]} */
-const last = [
-  [slow || chosen.includes('guards'), 'guards', ['tests/mutation/guards.mjs']],
-  [slow || chosen.includes('mutation'), 'mutation', ['tests/mutation/run.mjs', '--sample', '400']],
-];
+const last = [[slow || chosen.includes('mutation'), 'mutation', ['tests/mutation/run.mjs', '--sample', '400']]];
 /** @type {[wanted: boolean, name: string, run: () => Promise<void>][]} */
 const alone = [
   [all || wantedNode.length > 0, 'unit', unit],

@@ -10,17 +10,15 @@ import { fileURLToPath } from 'node:url';
 import { launchOptions } from '../support/built-pages.mjs';
 import { refuse, timeText } from '../support/command-line.mjs';
 import { isSoftware, Lab } from './browser.mjs';
-import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
 import { measurePicture } from './measure/pictures.mjs';
-import { measureBytes, measureConnect, measureStill, measureViewers } from './measure/page.mjs';
+import { measureBytes, measureStill, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { missedLimits } from './aims.mjs';
 import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
 import { addSamples, ratioOf, rowOf, valueOf } from './results.mjs';
-import { median } from './statistics.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -64,7 +62,6 @@ async function main(options) {
     ...{ stack: options.stack, machine, date, launches: options.launches },
     size: options.size ?? (isSoftware(machine.renderer) ? [480, 360] : [1920, 1080]),
     measures: [],
-    fronts: [],
     failures: [],
   };
   /** @type {string[]} */
@@ -90,11 +87,11 @@ async function main(options) {
  */
 async function measureAll(lab, names, { launches, minutes, size }, result, begun, save) {
   const parts = Array.from({ length: launches }, () => names).flat();
-  const progress = new Progress(parts);
+  const from = Date.now();
   for (const [i, name] of parts.entries()) {
-    const start = Date.now();
-    if (start - begun + progress.estimate(name) > 60_000 * minutes)
-      return void console.log(`${progress} Stopped: ${minutes} minutes are over.`);
+    const average = (Date.now() - from) / Math.max(i, 1);
+    if (Date.now() - begun + average > 60_000 * minutes)
+      return void console.log(`Stopped: ${minutes} minutes are over.`);
     const launch = Math.floor(i / names.length);
     try {
       const patience = SUBJECTS[name]?.kind === 'picture' ? PATIENCE_WITH_TRUTH : PATIENCE;
@@ -103,40 +100,9 @@ async function measureAll(lab, names, { launches, minutes, size }, result, begun
       const message = error instanceof Error ? (error.message.split('\n')[0] ?? '') : String(error);
       result.failures.push({ subject: name, message });
     }
-    progress.finish(Date.now() - start);
-    console.log(`${progress} ${name}: ${summary(result, name)}`);
+    const left = ((Date.now() - from) / (i + 1)) * (parts.length - i - 1);
+    console.log(`[${i + 1}/${parts.length}, about ${timeText(left / 1000)} left] ${name}: ${summary(result, name)}`);
     save(name);
-  }
-}
-
-/** How far a run of many parts is and how long it still takes, from the durations of its parts so far. Milliseconds. */
-class Progress {
-  #parts;
-  /** @type {Map<string, number[]>} */
-  #durations = new Map();
-  #done = 0;
-
-  /** @param {readonly string[]} parts names in order; a name that occurs again takes as long as before */
-  constructor(parts) {
-    this.#parts = parts;
-  }
-
-  /** The next part has ended. @param {number} ms */
-  finish(ms) {
-    const name = this.#parts[this.#done++] ?? '';
-    this.#durations.set(name, [...(this.#durations.get(name) ?? []), ms]);
-  }
-
-  /** Estimate of a part: its own average, or the average of all. @param {string} name */
-  estimate(name) {
-    const known = this.#durations.get(name) ?? [...this.#durations.values()].flat();
-    return known.reduce((sum, ms) => sum + ms, 0) / Math.max(known.length, 1);
-  }
-
-  /** Such as `[3/70, about 12 min left]`. */
-  toString() {
-    const ms = this.#parts.slice(this.#done).reduce((sum, name) => sum + this.estimate(name), 0);
-    return `[${this.#done}/${this.#parts.length}, about ${timeText(ms / 1000)} left]`;
   }
 }
 
@@ -181,19 +147,10 @@ async function measure(lab, name, launch, result, size) {
       return measurePicture(lab, subject, launch, options);
     case 'viewers':
       return measureViewers(lab, options);
-    case 'connect':
-      return measureConnect(lab, options);
     case 'still':
       return measureStill(lab, subject, { ...options, size: subject.size ?? options.size });
     case 'bytes':
       if (launch === 0) measureBytes(lab, options);
-      return;
-    case 'front': {
-      const front = await measureFront(lab, name, subject.front, options);
-      const known = result.fronts.find((one) => one.subject === name);
-      if (known === undefined) result.fronts.push(front);
-      else known.ms.forEach((rounds, i) => rounds.push(...(front.ms[i] ?? [])));
-    }
   }
 }
 
@@ -203,16 +160,6 @@ function summary(result, name) {
   if (failure !== undefined) return `failed: ${failure.message}`;
   const rows = result.measures.filter(({ subject }) => subject === name);
   if (SUBJECTS[name]?.kind === 'picture') return pictureSummary(result, name);
-  const front = result.fronts.find(({ subject }) => subject === name);
-  if (front !== undefined) {
-    const base = median(front.ms[front.base] ?? []);
-    return front.variants
-      .map((label, i) => {
-        const ratio = median(front.ms[i] ?? []) / base;
-        return `${label} ${ratio.toFixed(2)} (error ${front.errors[i]?.max.toPrecision(2) ?? '?'})`;
-      })
-      .join(', ');
-  }
   return rows
     .map((row) => {
       const sides = Object.keys(row.samples);
@@ -248,7 +195,6 @@ function readWithout(file, names) {
   const result = JSON.parse(readFileSync(file, 'utf8'));
   const isOther = (/** @type {{ subject: string }} */ { subject }) => !names.includes(subject);
   result.measures = result.measures.filter(isOther);
-  result.fronts = result.fronts.filter(isOther);
   result.failures = result.failures.filter(isOther);
   result.added = (result.added ?? []).flatMap(({ subjects, ...one }) => {
     const others = subjects.filter((subject) => !names.includes(subject));

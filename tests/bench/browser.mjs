@@ -96,7 +96,7 @@ export async function openPage(browser, url, [width, height]) {
 }
 
 /** Seconds on a CPU, over all threads of a process. @param {number} id */
-export function cpuSeconds(id) {
+function cpuSeconds(id) {
   const folder = `/proc/${id}/task`;
   return readdirSync(folder).reduce((sum, thread) => sum + threadSeconds(`${folder}/${thread}`), 0);
 }
@@ -111,7 +111,7 @@ function threadSeconds(folder) {
 }
 
 /** Whether this system says how much CPU time a thread has used. */
-export function hasCpuTime() {
+function hasCpuTime() {
   try {
     readFileSync('/proc/self/schedstat');
     return true;

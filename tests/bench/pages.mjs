@@ -31,17 +31,11 @@ const modelPage = (script, name, attributes, source, loaded) => [
 
 /** @type {Readonly<Record<string, BenchPage>>} */
 const PAGES = {
-  connect: [
-    './connect.ts',
-    '<phong-viewer alt="A box" geometry="box"></phong-viewer>',
-    'phong-viewer { display: block; width: 16px; height: 16px; }',
-  ],
   frame: [
     './frame.ts',
     HOLDER,
     'body { margin: 0; overflow: hidden; } #holder { width: 100vw; height: 100vh; } canvas { display: block; }',
   ],
-  front: ['./front.ts', HOLDER],
   picture: [
     './picture.ts',
     HOLDER,

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { readCommandLine } from '../support/command-line.mjs';
 import { escaped, table, writePart } from '../support/markdown.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
-import { chartsOf } from './charts.mjs';
+import { picturesChart } from './charts.mjs';
 import { MODELS } from './models.mjs';
 import {
   PLAIN,
@@ -23,7 +23,6 @@ import {
   WITHIN,
 } from './pictures.mjs';
 import { ratioOf, ratioOverSubjects, ratioToBest, readResults, rowOf, valueOf } from './results.mjs';
-import { median, pairedRatios } from './statistics.mjs';
 import { modelSubject, modelSubjects, NETWORKS, PICTURES, pictureSubject, SUBJECTS } from './subjects.mjs';
 
 /** @typedef {import('./results.mjs').BenchResult} BenchResult */
@@ -39,13 +38,13 @@ npm run bench:report -- [options]: writes REPORT.md, its charts and the README's
 export function reportOf(results) {
   /** @type {Map<string, string>} */
   const charts = new Map();
-  const pictures = results.flatMap((result) =>
-    [...chartsOf(result)].map(([name, svg]) => {
-      const file = `${result.stack}-${name}.svg`;
-      charts.set(file, svg);
-      return `![${result.stack}: ${name}](charts/${file})`;
-    }),
-  );
+  const pictures = results.flatMap((result) => {
+    const svg = picturesChart(result);
+    if (svg === undefined) return [];
+    const file = `${result.stack}-pictures.svg`;
+    charts.set(file, svg);
+    return [`![${result.stack}: pictures](charts/${file})`];
+  });
   const report = `# What the bench measured
 
 For people who ask what a picture costs. Written by \`npm run bench:report\` from \`results/\`. Ratios are to plain three.js with MeshPhongMaterial on a canvas with the same
@@ -71,8 +70,7 @@ ${otherTable(results)}
 Each cell: element : model-viewer : babylon-viewer; before it the ratio to the better of the two. A fresh browser for each page, the
 viewers' published files, a 400 × 300 element. The picture counts when half of the model's pixels are on the screen; the slow
 line has 10 Mbit/s and 40 ms, with scripts in brotli. Memory is the sum of the peaks of the page's and the GPU's process, MiB. The
-longest task is the page's, from navigation to rest. Upload is the main thread's time in WebGL's upload calls, first draw the time
-from their end to the screen; both, like task and memory, without the slow line.
+longest task is the page's, from navigation to rest; both without the slow line.
 
 ${modelTables(results).join('\n\n') || 'Not measured yet.'}
 
@@ -86,12 +84,6 @@ samples. Its passes average linear light, which OutputPass encodes; the second R
 element does. TAARenderPass shows a picture after each accumulation; 0 is that of the change itself.
 
 ${pictureTables(results).join('\n\n') || 'Not measured yet.'}
-
-## Light loops: time against error
-
-Time is relative to the equation as specified. Errors are the largest in 1/255 over a picture, against float64.
-
-${frontsTable(results)}
 
 ## Charts
 
@@ -155,8 +147,6 @@ function modelTables(results) {
     [`first picture, ms, ${slow}`, 'first picture', slow],
     ['longest task, ms', 'longest task', local],
     ['peak memory, MiB', 'peak memory', local],
-    ['upload, ms', 'upload', local],
-    ['first draw, ms', 'first draw', local],
   ]);
   const head = columns.map(([title]) => title);
   return results.flatMap((result) => {
@@ -236,24 +226,6 @@ function pictureTables(results) {
 }
 
 /** @param {readonly BenchResult[]} results */
-function frontsTable(results) {
-  const titles = [...new Set(results.flatMap(({ fronts }) => fronts.map(({ title }) => title)))];
-  const rows = titles.flatMap((title) => {
-    const found = results.map(({ fronts }) => fronts.find((front) => front.title === title));
-    const variants = found.find((front) => front !== undefined)?.variants ?? [];
-    return variants.map((variant, i) => [
-      `${title}: ${variant}`,
-      ...found.map((front) => {
-        if (front === undefined) return '–';
-        const ratio = median(pairedRatios(front.ms[i] ?? [], front.ms[front.base] ?? []));
-        return `${ratio.toFixed(2)}, error ${digits(front.errors[i]?.max ?? NaN)}`;
-      }),
-    ]);
-  });
-  return table(['', ...stacks(results)], rows);
-}
-
-/** @param {readonly BenchResult[]} results */
 function machinesTable(results) {
   const keys = [...new Set(results.flatMap(({ machine }) => Object.keys(machine)))];
   const rows = keys.map((key) => [key, ...results.map(({ machine }) => machine[key] ?? '–')]);
@@ -298,7 +270,7 @@ function digits(x) {
  * About speed: frames of the sphere next to three.js, on the GPU that does worst. With the README's marks.
  * @param {readonly BenchResult[]} results
  */
-function readmeSentence(results) {
+export function readmeSentence(results) {
   const ratios = results
     .filter((result) => stackKind(result) === 'gpu')
     .map((result) => rowOf(result, 'sphere, 8 lights', 'settled'))

@@ -12,14 +12,6 @@ import { median, pairedRatios, spread } from './statistics.mjs';
  * @property {string} unit
  * @property {Record<string, number[]>} samples by side, round by round; the last side is the base of ratios
  *
- * @typedef {object} FrontResult
- * @property {string} subject
- * @property {string} title
- * @property {string[]} variants
- * @property {number} base
- * @property {import('./front/errors.js').ErrorFigures[]} errors
- * @property {number[][]} ms [variant][round]
- *
  * @typedef {object} BenchResult
  * @property {string} stack
  * @property {Record<string, string>} machine
@@ -27,7 +19,6 @@ import { median, pairedRatios, spread } from './statistics.mjs';
  * @property {number} launches
  * @property {readonly [number, number]} size of pictures, in pixels
  * @property {Measure[]} measures
- * @property {FrontResult[]} fronts
  * @property {{ subject: string, message: string }[]} failures
  * @property {{ subjects: string[], machine: Record<string, string>, date: string, launches: number, note: string }[]} [added]
  *   subjects that were measured on their own, with `--add`

@@ -5,7 +5,7 @@
  * Linear between neighbours, so that few samples have quartiles too.
  * @param {readonly number[]} numbers @param {number} share 0 to 1
  */
-export function quantile(numbers, share) {
+function quantile(numbers, share) {
   const sorted = [...numbers].sort((a, b) => a - b);
   const at = share * (sorted.length - 1);
   const low = sorted[Math.floor(at)] ?? NaN;

@@ -38,9 +38,8 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @property {string} geometry
  * @property {readonly [number, number]} [size] pixels; without, those of the stack
  *
- * @typedef {{ kind: 'viewers' } | { kind: 'connect' } | { kind: 'bytes' }} SingleSubject
- * @typedef {{ kind: 'front', front: string }} FrontSubject
- * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject | StillSubject | SingleSubject | FrontSubject} Subject
+ * @typedef {{ kind: 'viewers' } | { kind: 'bytes' }} SingleSubject
+ * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject | StillSubject | SingleSubject} Subject
  */
 
 /** @type {readonly SideName[]} */
@@ -126,15 +125,12 @@ export const SUBJECTS = {
   ),
   'sphere, 8 lights, shininess 128': frames('shiny:8:128'),
   'sphere, 32 lights, shininess 128': frames('shiny:32:128'),
-  'core, 8 lights': frames('sphere:8', ['core', 'element']),
   'script, 128 moving lights': script('box-moving:128', ['element', 'three', 'unlit']),
   'script, turning camera': script('box-turning:3', ['element', 'three', 'unlit']),
   'script, 2,000 boxes': script('boxes:3'),
   'script, moving one of 10,000 boxes': script('ten-thousand:3:mesh'),
   'script, turning before 10,000 boxes': script('ten-thousand:3:camera'),
   'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
-  'script, mesh moved beside 1 M triangles': script('beside-a-million:3', ['element']),
-  'connecting 5,000 lights': { kind: 'connect' },
   '20 turning viewers': { kind: 'viewers' },
   start: {
     kind: 'start',
@@ -177,9 +173,6 @@ export const SUBJECTS = {
     Object.entries(STILL).map(([picture, still]) => [stillSubject(picture), { kind: 'still', ...still }]),
   ),
   bytes: { kind: 'bytes' },
-  'front, 8 lights': { kind: 'front', front: '8 lights' },
-  'front, shininess 1,000': { kind: 'front', front: 'shininess 1000' },
-  'front, shininess 100,000': { kind: 'front', front: 'shininess 100000' },
 };
 
 /** Names of the subjects that contain any of the texts, in order; all of them without texts. @param {readonly string[]} texts */

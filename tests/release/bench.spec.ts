@@ -10,12 +10,12 @@ import { expect, test } from '../support/test.js';
 const BENCH = fileURLToPath(new URL('../bench/bench.mjs', import.meta.url));
 const bench = (...options: string[]) => promisify(execFile)(process.execPath, [BENCH, ...options]);
 
-test('@release measures frames, script, bytes and a front, each side equally often', async ({}, info) => {
+test('@release measures frames, script and bytes, each side equally often', async ({}, info) => {
   test.setTimeout(300_000);
   const file = info.outputPath('result.json');
-  const only = 'sphere, 1 light;script, turning camera;bytes;front, 8 lights';
+  const only = 'sphere, 1 light;script, turning camera;bytes';
   const { stdout } = await bench('--quick', '--size', '64x48', '--only', only, '--out', file);
-  expect(stdout).toMatch(/\[1\/4, .+ left\] sphere, 1 light: first frames/);
+  expect(stdout).toMatch(/\[1\/3, .+ left\] sphere, 1 light: first frames/);
   const result = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
   expect(result.failures).toEqual([]);
   expect(result.machine['renderer']).toMatch(/SwiftShader|llvmpipe/);
@@ -28,10 +28,6 @@ test('@release measures frames, script, bytes and a front, each side equally oft
       for (const value of values) expect(value, `${subject}: ${measure}`).toBeGreaterThan(0);
     }
   }
-  const [front] = result.fronts;
-  const shipped = front!.variants.indexOf('shipped');
-  expect(front!.errors[shipped]!.max).toBeLessThan(0.02);
-  expect(front!.errors[front!.variants.indexOf('Schlick’s lobe')]!.max).toBeGreaterThan(1);
 });
 
 test('@release measures the first picture of a model in three viewers', async ({}, info) => {
@@ -40,17 +36,9 @@ test('@release measures the first picture of a model in three viewers', async ({
   await bench('--quick', '--only', 'model, suzi, local', '--out', file);
   const { failures, measures } = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
   expect(failures).toEqual([]);
-  expect(measures.map(({ measure }) => measure)).toEqual([
-    'first picture',
-    'longest task',
-    'peak memory',
-    'upload',
-    'first draw',
-  ]);
+  expect(measures.map(({ measure }) => measure)).toEqual(['first picture', 'longest task', 'peak memory']);
   for (const { measure, samples } of measures) {
     expect(Object.keys(samples)).toEqual(['element', 'model-viewer', 'babylon-viewer']);
-    // Uploads can be shorter than the clock's step.
-    if (measure === 'upload') continue;
     for (const [value] of Object.values(samples)) expect(value, measure).toBeGreaterThan(0);
   }
 });
@@ -59,7 +47,7 @@ test('@release measures error and time of a whole picture, and adds it to a resu
   test.setTimeout(600_000);
   const file = info.outputPath('result.json');
   const kept = { subject: 'bytes', measure: 'brotli', unit: 'kB', samples: { three: [107] } };
-  const before = { ...{ stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] }, fronts: [] };
+  const before = { stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] };
   writeFileSync(file, JSON.stringify({ ...before, measures: [kept], failures: [] }));
   const subject = 'whole picture, torus, shininess 2,000';
   await bench('--quick', '--add', '--only', subject, '--size', '64x48', '--out', file);

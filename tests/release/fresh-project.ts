@@ -128,12 +128,12 @@ export function readmeSample(heading: string): string {
   throw new Error(`No page has code under "${heading}"`);
 }
 
-/** The scripts of the README and of its page about frameworks that import the elements, in their order. */
+/** The scripts of the documents that import the elements or ask `shadeAt`, in their order. */
 export const readmeScripts = (): string[] =>
-  ['README.md', 'src/FRAMEWORKS.md']
+  ['README.md', 'src/FRAMEWORKS.md', 'src/API.md']
     .flatMap((page) => [...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g)])
     .map(([, code = '']) => code)
-    .filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
+    .filter((code) => /(?:from|import) 'phong-viewer'|\.shadeAt\(/.test(code));
 
 /** Packs a copy, because PHONG_VIEWER_OUT may put dist/ elsewhere than beside package.json. */
 function pack(folder: string): string {

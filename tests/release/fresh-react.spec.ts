@@ -99,10 +99,6 @@ export const known = [
   <PhongMesh scale={2} rotation="0 10 0" ka={128} onLoad={(event) => event.detail.url} auto-focus />,
 ];
 export const unknown = [
-  // @ts-expect-error an angle is not a boolean
-  <PhongViewer theta={true} />,
-  // @ts-expect-error there is no such geometry
-  <PhongMesh geometry="cube" />,
   // @ts-expect-error there is no such value
   <PhongLight strength={2} />,
   // @ts-expect-error the event is another one

@@ -116,7 +116,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     project().write('properties.ts', PROPERTIES);
     const scripts = readmeScripts();
     expect(scripts.length).toBeGreaterThan(0);
-    scripts.forEach((code, i) => project().write(`readme-${i}.ts`, `${code}\nexport {};\n`));
+    scripts.forEach((code, i) => project().write(`readme-${i}.ts`, `import 'phong-viewer';\n${code}\n`));
     const files = ['entries.ts', 'typed.ts', 'properties.ts', ...scripts.map((_, i) => `readme-${i}.ts`)];
     // As a bundler and as Node resolve them.
     for (const [moduleResolution, module] of [

@@ -204,17 +204,8 @@ function distinct(lists, keyOf) {
 /** @param {readonly Stack[]} stacks */
 const leastBound = (stacks) => Math.min(...rowsOf(stacks).map(({ bound }) => bound));
 
-/**
- * The largest error of each program by its name. Stacks without it were measured when the harness had one program,
- * which takes any lights and exponents.
- * @param {Pick<import('./measure.js').Measured, 'max'> & { forms?: Readonly<Record<string, number>> }} category
- * @returns {Readonly<Record<string, number>>}
- */
-const formsOf = ({ forms, max }) => forms ?? { general: max };
-
 /** @param {readonly Stack[]} stacks @returns {string[]} */
-export const formNames = (stacks) =>
-  [...new Set(measuredOf(stacks).flatMap((one) => Object.keys(formsOf(one))))].sort();
+export const formNames = (stacks) => [...new Set(measuredOf(stacks).flatMap((one) => Object.keys(one.forms)))].sort();
 
 /** Which stacks lack forms of programs. @param {readonly Stack[]} stacks */
 function formsText(stacks) {
@@ -251,7 +242,7 @@ const ofCategory =
 const ofForm =
   (form, least) =>
   ({ measured }) =>
-    measured.filter(({ bound }) => bound === least).map((one) => formsOf(one)[form] ?? -Infinity);
+    measured.filter(({ bound }) => bound === least).map((one) => one.forms[form] ?? -Infinity);
 
 /** @param {readonly Stack[]} stacks @param {readonly string[]} drivers @param {ErrorsOf} errorsOf */
 const largest = (stacks, drivers, errorsOf) => Math.max(...resultsOf(stacks, drivers).flatMap(errorsOf));

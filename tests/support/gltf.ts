@@ -1,7 +1,7 @@
 // Small glTF documents for tests, as data: addresses: one curved patch with normals, tangents and two sets of texture
 // coordinates, and textures made of texels.
 import { PNG } from 'pngjs';
-import { viewsOf } from '../fuzz/glb.js';
+import { Gltf } from '../bench/glb.mjs';
 
 export type Texel = readonly [number, number, number, number?];
 
@@ -19,7 +19,6 @@ export interface PatchOptions {
 }
 
 const FLOAT = 5126;
-const USHORT = 5123;
 const LINEAR = 9729;
 const LINEAR_MIPMAP_LINEAR = 9987;
 /** Quads along each side. */
@@ -45,37 +44,28 @@ export function patch(options: PatchOptions): string {
     const at = (i % CELLS) + Math.floor(i / CELLS) * (CELLS + 1);
     return [at, at + CELLS + 1, at + 1, at + 1, at + CELLS + 1, at + CELLS + 2];
   }).flat();
-  const names = ['POSITION', 'NORMAL', 'TEXCOORD_0', 'TEXCOORD_1', ...(tangents ? ['TANGENT'] : [])] as const;
-  const views = names.map((name) =>
-    Buffer.from(new Float32Array(vertices.flatMap((vertex) => vertex[name as keyof typeof vertex])).buffer),
-  );
-  views.push(Buffer.from(new Uint16Array(indices).buffer));
-  const { bufferViews, buffers, body } = viewsOf(views);
-  const data = (type: string, bytes: Buffer): string => `data:${type};base64,${bytes.toString('base64')}`;
-  const attributes = Object.fromEntries(names.map((name, i) => [name, i]));
-  const primitive = { attributes, indices: names.length, material: 0 };
-  const document = {
-    asset: { version: '2.0' },
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0, ...(matrix === undefined ? {} : { matrix }) }],
-    meshes: [{ primitives: [primitive] }],
+  const gltf = new Gltf();
+  const list = (name: keyof (typeof vertices)[number], type: string): number => {
+    const values = Float32Array.from(vertices.flatMap((vertex) => vertex[name]));
+    return gltf.accessor(values, { componentType: FLOAT, count: vertices.length, type });
+  };
+  const attributes = {
+    ...{ POSITION: list('POSITION', 'VEC3'), NORMAL: list('NORMAL', 'VEC3') },
+    ...{ TEXCOORD_0: list('TEXCOORD_0', 'VEC2'), TEXCOORD_1: list('TEXCOORD_1', 'VEC2') },
+    ...(tangents && { TANGENT: list('TANGENT', 'VEC4') }),
+  };
+  gltf.addPrimitive(attributes, Uint16Array.from(indices), { material: 0 }, matrix && { matrix });
+  const data = (type: string, bytes: Uint8Array): string =>
+    `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
+  Object.assign(gltf.json, {
     materials: [{ doubleSided: true, ...material }],
     textures: textures.map((_, source) => ({ source, sampler: 0 })),
     samplers: [{ magFilter: LINEAR, minFilter: mipmaps ? LINEAR_MIPMAP_LINEAR : LINEAR }],
     images: textures.map((texels) => ({ uri: data('image/png', pngOf(texels)) })),
-    accessors: [
-      ...names.map((_, i) => ({
-        bufferView: i,
-        componentType: FLOAT,
-        count: vertices.length,
-        type: ['VEC3', 'VEC3', 'VEC2', 'VEC2', 'VEC4'][i],
-      })),
-      { bufferView: names.length, componentType: USHORT, count: indices.length, type: 'SCALAR' },
-    ],
-    bufferViews,
-    buffers: [{ ...buffers[0], uri: data('application/octet-stream', body) }],
-  };
-  return data('model/gltf+json', Buffer.from(JSON.stringify(document)));
+  });
+  const [, bin] = gltf.pair('');
+  const [json] = gltf.pair(data('application/octet-stream', bin));
+  return data('model/gltf+json', Buffer.from(json));
 }
 
 function pngOf(texels: readonly Texel[]): Buffer {

@@ -4,6 +4,7 @@
 import { readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
+import type { Page } from '@playwright/test';
 
 const demo = fileURLToPath(new URL('../../demo', import.meta.url));
 
@@ -17,3 +18,12 @@ export const sitePages = readdirSync(demo, { recursive: true, encoding: 'utf8' }
 /** The playground's address for a scene, from the site's root. */
 export const linkTo = (text: string): string =>
   `playground/#scene=${deflateRawSync(Buffer.from(text)).toString('base64url')}`;
+
+/** Still pictures of later pages are drawn once: the start page's 64 samples take software GL ten seconds. */
+export const takeNoSamples = (page: Page): Promise<unknown> =>
+  page.addInitScript(() => {
+    new MutationObserver(() => {
+      for (const viewer of document.querySelectorAll('phong-viewer[antialias=full]'))
+        viewer.setAttribute('antialias', 'edges');
+    }).observe(document, { childList: true, subtree: true });
+  });

@@ -136,7 +136,7 @@ async function framesFor(time, { ms, most }) {
  * Milliseconds of one frame by each sampler, in turns.
  * @param {readonly ((frames: number) => Promise<number>)[]} samplers @param {{ ms: number, most: number }} wanted @param {number} rounds
  */
-export async function frameTimes(samplers, wanted, rounds) {
+async function frameTimes(samplers, wanted, rounds) {
   const timed = [];
   for (const time of samplers) timed.push({ time, count: await framesFor(time, wanted) });
   return interleaved(timed, rounds, async ({ time, count }) => (await time(count)) / count);

@@ -25,8 +25,6 @@ const CATEGORIES = [
  * @property {number} ms until the first picture
  * @property {number} task the longest task of the page's main thread until it rests, ms
  * @property {number} memory peak of the page's process and the GPU's, MiB; NaN where the system does not say
- * @property {number} upload the main thread's time inside calls that upload, before the picture, ms
- * @property {number} draw from the end of the uploads to the picture, ms
  */
 
 /**
@@ -46,8 +44,6 @@ const MEASURES = [
   ['first picture', 'ms', 'ms'],
   ['longest task', 'ms', 'task'],
   ['peak memory', 'MiB', 'memory'],
-  ['upload', 'ms', 'upload'],
-  ['first draw', 'ms', 'draw'],
 ];
 
 /** @param {import('../browser.mjs').Lab} lab @param {string} path @param {boolean} slow @returns {Promise<Load>} */
@@ -56,7 +52,6 @@ async function loadOf(lab, path, slow) {
   const browser = await lab.launch();
   await startGpuProcess(browser);
   const { page, check } = await openPage(browser, 'about:blank', SIZE);
-  await page.addInitScript(watchUploads);
   if (slow) {
     const session = await page.context().newCDPSession(page);
     const throughput = SLOW.bitsPerSecond / 8;
@@ -81,28 +76,9 @@ async function loadOf(lab, path, slow) {
     memory = await peakMemory(browser);
     if (Date.now() - from > PATIENCE_MS) throw new Error('the page shows no model');
   } while ((await sharesOfModel(browser, [(await page.screenshot()).toString('base64')]))[0] !== 1);
-  const uploads = await page.evaluate(() => window.uploads);
   const trace = readTrace(await browser.stopTracing());
   check();
-  const picture = await firstPicture(browser, trace.frames);
-  const before = uploads.filter(({ end }) => end <= picture);
-  return {
-    ms: picture,
-    task: trace.longestTask,
-    memory,
-    upload: before.reduce((sum, { start, end }) => sum + end - start, 0),
-    draw: picture - endOfUploads(before),
-  };
-}
-
-/**
- * When 95 % of the bytes were uploaded: what comes later are a frame's uniforms. NaN without an upload.
- * @param {Window['uploads']} uploads
- */
-function endOfUploads(uploads) {
-  const total = uploads.reduce((sum, { bytes }) => sum + bytes, 0);
-  let done = 0;
-  return uploads.find(({ bytes }) => total > 0 && (done += bytes) >= 0.95 * total)?.end ?? NaN;
+  return { ms: await firstPicture(browser, trace.frames), task: trace.longestTask, memory };
 }
 
 /** Sum of the largest resident sets that the page's process and the GPU's have had, in MiB. @param {import('playwright-core').Browser} browser */
@@ -192,28 +168,4 @@ async function compareWithLast(pictures) {
   );
   const model = (covered.at(-1) ?? []).flatMap((shown, i) => (shown ? [i] : []));
   return covered.map((shown) => model.filter((i) => shown[i]).length / Math.max(1, model.length));
-}
-
-/** Runs in the page before its own scripts: notes when WebGL calls upload, and how much. */
-function watchUploads() {
-  window.uploads = [];
-  const prototype = WebGL2RenderingContext.prototype;
-  for (const name of /** @type {const} */ ([
-    ...['bufferData', 'bufferSubData', 'texImage2D', 'texSubImage2D', 'texSubImage3D'],
-    ...['compressedTexImage2D', 'compressedTexSubImage2D'],
-  ])) {
-    const original = /** @type {(...args: unknown[]) => void} */ (Reflect.get(prototype, name));
-    Object.assign(prototype, {
-      /** @this {WebGL2RenderingContext} @param {unknown[]} args */
-      [name](...args) {
-        const source = /** @type {{ byteLength?: number, width?: number, height?: number }} */ (
-          args.findLast((arg) => typeof arg === 'object' && arg !== null) ?? {}
-        );
-        const bytes = source.byteLength ?? 4 * (source.width ?? 0) * (source.height ?? 0);
-        const start = performance.now();
-        Reflect.apply(original, this, args);
-        window.uploads.push({ start, end: performance.now(), bytes });
-      },
-    });
-  }
 }

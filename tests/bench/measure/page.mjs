@@ -1,6 +1,5 @@
 // @ts-check
-// Measures of whole pages: the frame rate of many viewers against one, connecting many lights, a still picture's samples, and
-// bytes to download.
+// Measures of whole pages: the frame rate of many viewers against one, a still picture's samples, and bytes to download.
 
 import { builtFrom } from '../build.mjs';
 import { openPage } from '../browser.mjs';
@@ -9,7 +8,6 @@ import { openPage } from '../browser.mjs';
 
 const RATE_MS = 2000;
 const WARM = { frames: 60, atMost: 24_000 };
-const LIGHTS = 5000;
 /** Changes until the code is there, and the levels of round shapes. */
 const WARM_CHANGES = 2;
 
@@ -33,14 +31,6 @@ export async function measureViewers(lab, { size, add }) {
   }
   const [twenty = NaN, one = NaN] = rates;
   add('frame rate', 'frames/s', { twenty, one });
-}
-
-/** @param {import('../browser.mjs').Lab} lab @param {Options} options */
-export async function measureConnect(lab, { add }) {
-  const browser = await lab.launch();
-  const { page, check } = await openPage(browser, `${lab.origin}/connect.html`, [300, 200]);
-  add('time', 'ms', { element: await page.evaluate((count) => window.connectLights(count), LIGHTS) });
-  check();
 }
 
 /**

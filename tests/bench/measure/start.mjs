@@ -2,8 +2,6 @@
 // How long pages take from navigation to their first picture, and what they keep in memory then: a fresh browser for each page,
 // nothing cached, in turns.
 
-import { cpuSeconds, hasCpuTime, processesOf } from '../browser.mjs';
-
 const SIZE = { width: 1280, height: 800 };
 const PATIENCE_MS = 60_000;
 /** From the first picture until the heap is read: what the page prepares by then is part of it. */
@@ -22,7 +20,6 @@ export async function measureStart(lab, { pages, pageSays = false }, launch, { r
 /** @type {Measures<Awaited<ReturnType<typeof startOf>>>} */
 const MEASURES = [
   ['first picture', 'ms', 'ms'],
-  ['CPU time to the first picture', 'ms', 'cpuMs'],
   ['heap', 'KiB', 'heap'],
 ];
 
@@ -55,14 +52,12 @@ async function startOf(lab, path, pageSays) {
   await startGpuProcess(browser);
   const page = await browser.newPage({ viewport: SIZE });
   if (!pageSays) await page.addInitScript(watchFirstPicture);
-  const before = await busySeconds(browser);
   await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
   const waiting = { polling: 20, timeout: PATIENCE_MS };
   await page.waitForFunction(() => window.firstPicture !== undefined, undefined, waiting);
-  const cpuMs = ((await busySeconds(browser)) - before) * 1000;
   const ms = await page.evaluate(() => Number(window.firstPicture));
   await page.waitForTimeout(REST_MS);
-  return { ms, cpuMs, heap: await heapOf(page) };
+  return { ms, heap: await heapOf(page) };
 }
 
 /** It belongs to the browser's start, not to the page's. @param {import('playwright-core').Browser} browser */
@@ -74,13 +69,6 @@ export async function startGpuProcess(browser) {
     gl?.finish();
   });
   await page.close();
-}
-
-/** CPU time of all pages and of the GPU process. @param {import('playwright-core').Browser} browser */
-async function busySeconds(browser) {
-  if (!hasCpuTime()) return NaN;
-  const ids = [...(await processesOf(browser, 'renderer')), ...(await processesOf(browser, 'GPU'))];
-  return ids.reduce((sum, id) => sum + cpuSeconds(id), 0);
 }
 
 /** In KiB. @param {import('playwright-core').Page} page */

@@ -5,6 +5,4 @@ interface Window {
   firstPicture?: number;
   /** The viewer has loaded its model; set by the page. */
   modelLoaded?: boolean;
-  /** Uploads to WebGL in order: milliseconds since navigation. */
-  uploads: { readonly start: number; readonly end: number; readonly bytes: number }[];
 }

@@ -1,28 +1,26 @@
 // The element itself, as a page uses it, driven frame by frame.
 import { runFrame } from './page-hooks.js';
 import 'phong-viewer';
-import { glbOf } from '../glb.mjs';
 import {
   extraLight,
   FOV,
   lightAt,
+  type OpenSide,
   ORIGIN,
-  millionTriangles,
   type RoundShape,
   type Scene,
   type SceneLight,
+  type Side,
   SURFACE,
   swing,
   thetaAt,
 } from './scenes.js';
-import type { OpenSide, Side } from './side.js';
 import { pause } from './timing.js';
 
 export type Viewer = HTMLElementTagNameMap['phong-viewer'];
 type LightElement = HTMLElementTagNameMap['phong-light'];
 
-export const lightElement = (values: SceneLight): LightElement =>
-  Object.assign(document.createElement('phong-light'), values);
+const lightElement = (values: SceneLight): LightElement => Object.assign(document.createElement('phong-light'), values);
 
 /** Runs frames until everything that these viewers were asked for is drawn. */
 export async function drawUntilReady(...viewers: readonly Viewer[]): Promise<void> {
@@ -49,8 +47,7 @@ async function open(holder: HTMLElement, scene: Scene, segments: number | 'auto'
   const { shininess = SURFACE.shininess } = scene;
   const meshes = scene.meshes.map(({ shape, position = ORIGIN, scale = 1 }) => {
     const mesh = document.createElement('phong-mesh');
-    if (shape === 'grid.glb') mesh.src = URL.createObjectURL(new Blob([glbOf(millionTriangles())]));
-    else if (shape.endsWith('.glb')) mesh.src = shape;
+    if (shape.endsWith('.glb')) mesh.src = shape;
     else mesh.geometry = shape as RoundShape | 'box';
     if (shape !== 'box') mesh.segments = segments;
     return Object.assign(mesh, { position, scale, ka, kd, ks, shininess });

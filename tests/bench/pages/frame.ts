@@ -1,10 +1,9 @@
 // One scene drawn by one side, for the bench to drive and time: frame.html?scene=sphere:8&side=element.
 import { onlyContext } from './page-hooks.js';
-import { sceneOf } from './scenes.js';
-import type { OpenSide } from './side.js';
+import { type OpenSide, sceneOf } from './scenes.js';
 import { clockFrames, finish, pause, rendererName, timeFrames } from './timing.js';
 
-export type SideName = 'element' | 'fixed' | 'core' | 'three' | 'unlit';
+export type SideName = 'element' | 'fixed' | 'three' | 'unlit';
 
 /** What a picture is drawn with; the sides of one scene have to agree in it. */
 interface CanvasFacts {
@@ -44,7 +43,6 @@ const RUN = 20;
 const SIDES: Readonly<Record<SideName, () => Promise<OpenSide>>> = {
   element: async () => (await import('./element-side.js')).openElement,
   fixed: async () => (await import('./element-side.js')).openFixed,
-  core: async () => (await import('./core-side.js')).openCore,
   three: async () => (await import('./three-side.js')).openThree,
   unlit: async () => (await import('./three-side.js')).openUnlit,
 };

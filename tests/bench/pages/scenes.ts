@@ -19,7 +19,7 @@ export type RoundShape = 'sphere' | 'torus' | 'teapot';
 
 interface SceneMesh {
   /** A built-in shape, or a model's file. */
-  readonly shape: RoundShape | 'box' | 'bunny.glb' | 'grid.glb';
+  readonly shape: RoundShape | 'box' | 'bunny.glb';
   readonly position?: Vec3;
   readonly scale?: number;
 }
@@ -44,6 +44,15 @@ export interface Scene {
   readonly inside?: boolean;
   /** The element finds target and radius by itself, and again after each move. */
   readonly autoFit?: boolean;
+}
+
+/** Opens a scene in an element that has its final size. Resolves once one frame is drawn. */
+export type OpenSide = (holder: HTMLElement, scene: Scene) => Promise<Side>;
+
+/** One way to draw a scene. */
+export interface Side {
+  /** Changes the scene to its state at this frame and draws it. */
+  frame(i: number): Promise<void>;
 }
 
 export const FOV = 45;
@@ -175,11 +184,6 @@ export function sceneOf(name: string): Scene {
       return box(lights, 'camera');
     case 'box-moving':
       return box(lights, 'lights');
-    case 'beside-a-million':
-      return {
-        ...{ lights: mixedLights(lights), meshes: [{ shape: 'box' }, { shape: 'grid.glb' }] },
-        ...{ radius: 4, motion: 'mesh', autoFit: true },
-      };
     default:
       throw new RangeError(`no scene is called ${name}`);
   }
@@ -200,26 +204,3 @@ export function lightAt({ position: [x, y, z, w] }: SceneLight, frame: number): 
 
 /** The kind of the light that is added at even frames and removed at odd ones: an index into `lights`. */
 export const extraLight = (frame: number): number => Math.floor(frame / 2) % 3;
-
-/** A flat grid of about a million triangles, below the origin. */
-export function millionTriangles(): { positions: Float32Array; normals: Float32Array; indices: Uint32Array } {
-  const cells = 708;
-  const row = cells + 1;
-  const positions = new Float32Array(row * row * 3);
-  const normals = new Float32Array(row * row * 3);
-  const indices = new Uint32Array(cells * cells * 6);
-  for (let j = 0; j < row; j++) {
-    for (let i = 0; i < row; i++) {
-      const at = 3 * (i + row * j);
-      positions.set([(i / cells - 0.5) * 4, -0.8, (j / cells - 0.5) * 4], at);
-      normals[at + 1] = 1;
-    }
-  }
-  for (let j = 0; j < cells; j++) {
-    for (let i = 0; i < cells; i++) {
-      const a = i + row * j;
-      indices.set([a, a + row, a + row + 1, a, a + row + 1, a + 1], 6 * (i + cells * j));
-    }
-  }
-  return { positions, normals, indices };
-}

@@ -22,14 +22,15 @@ import {
 import {
   extraLight,
   lightAt,
+  type OpenSide,
   ORIGIN,
   type Scene as BenchScene,
   type SceneLight,
+  type Side,
   SURFACE,
   swing,
   thetaAt,
 } from './scenes.js';
-import type { OpenSide, Side } from './side.js';
 import { threePage } from './three-page.js';
 
 const SHAPES: Readonly<Record<string, () => BufferGeometry>> = {
@@ -68,7 +69,7 @@ function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): M
   return material;
 }
 
-export async function threeMeshes(scene: BenchScene, material: Material): Promise<Mesh[]> {
+async function threeMeshes(scene: BenchScene, material: Material): Promise<Mesh[]> {
   const geometries = new Map<string, BufferGeometry>();
   const meshes: Mesh[] = [];
   for (const { shape, position = ORIGIN, scale = 1 } of scene.meshes) {
@@ -104,7 +105,7 @@ async function loadGeometry(url: string, material: Material): Promise<BufferGeom
 }
 
 /** To where the eye is at this frame. */
-export function turn(camera: PerspectiveCamera, { motion, radius }: BenchScene, frame: number): void {
+function turn(camera: PerspectiveCamera, { motion, radius }: BenchScene, frame: number): void {
   const theta = motion === 'camera' ? MathUtils.degToRad(thetaAt(frame)) : 0;
   camera.position.set(radius * Math.sin(theta), 0, radius * Math.cos(theta));
   camera.lookAt(0, 0, 0);
