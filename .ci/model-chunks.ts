@@ -5,7 +5,7 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|owned-model|listed|stl\/stl-kind|text\/utf-16|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
+    test: /\/src\/model\/(slices|model-budget|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
   // What helpers have in common with the panel. Before the panel's rows, which would take it with them.
   { name: 'round-number', test: /\/src\/(element\/viewer\/history|math\/round-number)\.ts$/ },

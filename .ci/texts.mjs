@@ -36,10 +36,10 @@ export default texts;
     writeFileSync(join(target, `${name}.d.ts`), module);
   }
   // The table itself is not in the package: its keys take the place of its type.
-  const types = join(outputFolder('dist'), 'types/element/fields/text-list.d.ts');
+  const types = join(outputFolder('dist'), 'types/element/fields/texts.d.ts');
   const keys = Object.keys(table).map((key) => JSON.stringify(key));
   const declared = readFileSync(types, 'utf8')
-    .replace(/^import type texts .*\n/m, '')
+    .replace(/^import type table .*\n/m, '')
     .replace(/^type Sections = [^;]*;\n/m, '')
     .replace(/\{\s*\[S in keyof Sections\][^}]*\}\[keyof Sections\]/, keys.join(' | '));
   writeFileSync(types, declared);

@@ -33,7 +33,7 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 }
 
 export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
-export type { ViewerErrorCode } from './element/fields/text-list.js';
+export type { ViewerErrorCode, ViewerTexts } from './element/fields/texts.js';
 export type {
   LoadDetail,
   PhongCompareEventMap,
@@ -42,20 +42,14 @@ export type {
   ViewerErrorDetail,
 } from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
-export type { ViewerTexts } from './element/fields/texts.js';
 export type {
   PhongCompareProps,
   PhongControlProps,
   PhongLightProps,
   PhongMeshProps,
   PhongViewerProps,
-} from './element/jsx.js';
-export type {} from './element/types/solid.js';
-export type {} from './element/types/svelte.js';
-export type {} from './element/elements.js';
-export type {} from './element/types/vue.js';
+} from './element/template-types.js';
 export type { PictureOptions } from './element/viewer/picture-blob.js';
 export type { FragmentExplanation, LightExplanation, ShadeOptions } from './element/explanation.js';
-export type { CameraSource, CameraState } from './element/elements.js';
-export type { ViewerStats } from './element/elements.js';
+export type { CameraSource, CameraState, ViewerStats } from './element/elements.js';
 export type { Vec3, Vec4 } from './math/vector.js';

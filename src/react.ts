@@ -6,7 +6,7 @@
 import {
   createElement,
   forwardRef,
-  type ForwardRefExoticComponent,
+  type ForwardRefExoticComponent as Component,
   useEffect,
   useImperativeHandle,
   useLayoutEffect,
@@ -15,8 +15,7 @@ import {
 import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
 import type { ControlValues } from './element/fields/control-fields.js';
-import type { ComponentProps } from './element/jsx.js';
-import type { Elements, Handlers } from './element/types/markup.js';
+import type { ComponentProps, Handlers, ViewerOwnProps } from './element/template-types.js';
 import * as elements from './index.js';
 
 export type PhongLightElement = elements.PhongLight;
@@ -34,23 +33,17 @@ export type PhongCompareProps = ComponentProps<elements.PhongCompareProps, eleme
 /**
  * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default.
  */
-export const PhongLight: ForwardRefExoticComponent<PhongLightProps> = component(
-  'phong-light',
-  elements.PhongLight.observedAttributes,
-);
+export const PhongLight: Component<PhongLightProps> = component('phong-light', elements.PhongLight.observedAttributes);
 
 /** `<phong-mesh>`, as {@link PhongLight}, with the events `onLoad` and `onError`. */
-export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
-  'phong-mesh',
-  elements.PhongMesh.observedAttributes,
-);
+export const PhongMesh: Component<PhongMeshProps> = component('phong-mesh', elements.PhongMesh.observedAttributes);
 
 /**
  * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`,
  * `onProbeChange`, `onAnswer` and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but
  * `ref.current.loaded` is true.
  */
-export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(
+export const PhongViewer: Component<PhongViewerProps> = component(
   'phong-viewer',
   elements.PhongViewer.observedAttributes,
 );
@@ -58,7 +51,7 @@ export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = componen
 /**
  * `<phong-compare>`, as {@link PhongLight}, with the event `onDividerChange`. Its children are {@link PhongViewer}s.
  */
-export const PhongCompare: ForwardRefExoticComponent<PhongCompareProps> = component(
+export const PhongCompare: Component<PhongCompareProps> = component(
   'phong-compare',
   elements.PhongCompare.observedAttributes,
 );
@@ -66,7 +59,7 @@ export const PhongCompare: ForwardRefExoticComponent<PhongCompareProps> = compon
 export type PhongControlProps = ComponentProps<elements.PhongControlProps, object>;
 
 /** `<phong-control>`, as {@link PhongLight}. Its children are its label. */
-export const PhongControl: ForwardRefExoticComponent<PhongControlProps> = component(
+export const PhongControl: Component<PhongControlProps> = component(
   'phong-control',
   // Written out: the table of fields would bring its code.
   ['for', 'attribute', 'component', 'values', 'min', 'max', 'step', 'type'] satisfies (keyof ControlValues)[],
@@ -90,9 +83,9 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
 type AllEvents = PhongViewerEventMap & PhongCompareEventMap;
 
 /** Props that are neither a value nor an event of the element are left to React. */
-function component<P extends object>(tag: string, attributes: readonly string[]): ForwardRefExoticComponent<P> {
+function component<P extends object>(tag: string, attributes: readonly string[]): Component<P> {
   const isValue = new Set(attributes);
-  const Component = forwardRef<unknown, object>((props, ref) => {
+  const made = forwardRef<unknown, object>((props, ref) => {
     const element = useRef<HTMLElement>(null);
     const rendered: Record<string, unknown> = { ref: element };
     const handlers: [type: string, handler: EventListener][] = [];
@@ -109,7 +102,7 @@ function component<P extends object>(tag: string, attributes: readonly string[])
     }
     useImperativeHandle(ref, () => element.current, []);
     // A property without an attribute: React 18 would write one, and no version sets it when it hydrates.
-    const { texts, maxTriangles } = props as Elements['viewer']['properties'];
+    const { texts, maxTriangles } = props as ViewerOwnProps;
     useClientEffect(() => {
       if (element.current !== null && 'texts' in element.current) element.current.texts = texts;
     }, [texts]);
@@ -125,8 +118,8 @@ function component<P extends object>(tag: string, attributes: readonly string[])
     });
     return createElement(tag, rendered);
   });
-  Component.displayName = tag;
-  return Component as ForwardRefExoticComponent<P>;
+  made.displayName = tag;
+  return made as Component<P>;
 }
 
 const onServer = typeof document === 'undefined';

@@ -2,10 +2,10 @@
 // that knows the DOM: it turns events into numbers for the pure functions and notifies the host. Each event is handled
 // synchronously; no frame is requested and nothing is drawn. CSS pixels.
 
+import { keyPose, keyStep, wheelZoom } from './drag.js';
 import { type GestureHost, PointerGesture } from './gesture.js';
 import { keepDrag, SLOP } from './kept-drag.js';
 import type { Pose } from './orbit.js';
-import { keyPose, keyStep, wheelZoom } from './step.js';
 
 export interface OrbitInputHost extends GestureHost {
   /** The user moved the camera. Called synchronously for each event that changed it. */
@@ -78,9 +78,9 @@ export class OrbitInput {
       );
     }
     // A drag must not select text: that would cancel the pointer.
-    surface.addEventListener('selectstart', (event) => this.#preventWhileDragging(event), { signal });
-    surface.addEventListener('touchstart', (event) => this.#onTouch(event), active);
-    surface.addEventListener('touchmove', (event) => this.#onTouch(event), active);
+    surface.addEventListener('selectstart', (event) => this.dragging && event.preventDefault(), { signal });
+    for (const type of ['touchstart', 'touchmove'] as const)
+      surface.addEventListener(type, (event) => this.#onTouch(event), active);
     const view = surface.ownerDocument.defaultView;
     view?.addEventListener('blur', () => this.#end(), { signal });
     // On the window, because a drag can end outside the surface.
@@ -107,14 +107,12 @@ export class OrbitInput {
     if (this.#gesture.active) this.#gesture.reanchor();
   }
 
-  readonly #lifted = (event: Event): void => this.#onLift(event as PointerEvent);
-
   readonly #handlers: Readonly<Record<string, (event: Event) => void>> = {
     pointerdown: (event) => this.#onPress(event as PointerEvent),
     pointermove: (event) => this.#onMove(event as PointerEvent),
-    pointerup: this.#lifted,
-    pointercancel: this.#lifted,
-    lostpointercapture: this.#lifted,
+    pointerup: (event) => this.#onLift(event as PointerEvent),
+    pointercancel: (event) => this.#onLift(event as PointerEvent),
+    lostpointercapture: (event) => this.#onLift(event as PointerEvent),
     wheel: (event) => this.#onWheel(event as WheelEvent),
     keydown: (event) => this.#onKey(event as KeyboardEvent),
   };
@@ -136,7 +134,11 @@ export class OrbitInput {
     this.#button = event.button;
     this.#touching = touch;
     this.#undecided = touch && begins ? { x: event.clientX, y: event.clientY } : undefined;
-    this.#capture(event.pointerId);
+    try {
+      this.#surface.setPointerCapture(event.pointerId);
+    } catch {
+      // The pointer is gone already or was made by a script: drag without capture.
+    }
     if (!begins) return;
     this.#start = { x: event.clientX, y: event.clientY, left: false };
     this.#release = keepDrag(this.#surface.ownerDocument.defaultView);
@@ -189,10 +191,6 @@ export class OrbitInput {
     if (event.cancelable && event.targetTouches.length > 1 && this.#gesture.active) event.preventDefault();
   }
 
-  #preventWhileDragging(event: Event): void {
-    if (this.#gesture.active) event.preventDefault();
-  }
-
   #onWheel(event: WheelEvent): void {
     // A trackpad's pinch arrives as a wheel event with Ctrl and zooms too. Horizontal scrolling is left to the page.
     if (event.deltaY === 0) return;
@@ -232,14 +230,6 @@ export class OrbitInput {
     // Asks the area's own tree, where an element with the focus in its shadow tree is the active one.
     const { activeElement } = area.getRootNode() as Document | ShadowRoot;
     return area.contains(activeElement);
-  }
-
-  #capture(pointerId: number): void {
-    try {
-      this.#surface.setPointerCapture(pointerId);
-    } catch {
-      // The pointer is gone already or was made by a script: drag without capture.
-    }
   }
 
   #lift(pointerId: number): void {

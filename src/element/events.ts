@@ -2,7 +2,7 @@
 // their types and descriptions from this list. Types only.
 import type { CameraSource, PhongLight } from './elements.js';
 import type { FragmentExplanation } from './explanation.js';
-import type { ViewerErrorCode } from './fields/text-list.js';
+import type { ViewerErrorCode } from './fields/texts.js';
 
 export interface ViewerErrorDetail {
   readonly code: ViewerErrorCode;

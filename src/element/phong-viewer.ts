@@ -20,7 +20,6 @@ import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
-import { CORNER_STYLES } from './page/picture-box.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import styles from './phong-viewer.css?inline';
@@ -38,7 +37,6 @@ import { NAMING } from './viewer/naming.js';
 import { Readiness } from './viewer/readiness.js';
 import { sceneMarkup } from './viewer/to-html.js';
 import { blobOf, lazy } from './viewer/viewer-snapshot.js';
-import type { Viewport } from '../scene/viewport.js';
 
 // The accessors come from the table of fields.
 interface ViewerElement extends ViewerProperties {
@@ -120,12 +118,10 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   get lights(): readonly PhongLight[] {
-    this.#children.sort();
     return this.#children.lights;
   }
 
   get meshes(): readonly PhongMesh[] {
-    this.#children.sort();
     return this.#children.meshes;
   }
 
@@ -208,7 +204,6 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
-    addStyles(this.renderRoot as ShadowRoot, CORNER_STYLES);
     useTexts(this);
     this.#binding.upgrade();
     upgradeProperty(this, 'texts');
@@ -262,8 +257,12 @@ class ViewerElement extends LitElement implements PublicViewer {
   /** Passes changed values on. */
   #apply(changed: { has(key: string): boolean }): void {
     const { values } = this.#store;
-    const { viewport } = this.#context;
-    applyStyle(viewport, values, changed);
+    const { viewport, picture } = this.#context;
+    const { shading, reflection, terms } = values;
+    picture.fit.fov = values.fov;
+    picture.linear = values.colorInterpolation === 'linear';
+    viewport.still.wanted = values.antialias === 'full' ? values.samples : 0;
+    if (STYLE_KEYS.some((key) => changed.has(key))) picture.style = { shading, reflection, terms };
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
     if (changed.has('loading')) this.#visibility.shown();
@@ -301,15 +300,3 @@ const isUnplaced = ({ parentElement, assignedSlot }: PublicViewer): boolean =>
   parentElement?.localName === 'phong-compare' && parentElement.shadowRoot !== null && assignedSlot === null;
 
 const STYLE_KEYS = ['shading', 'reflection', 'terms'] as const;
-
-/** Passes the values that change the picture as a whole to the viewport. `changed`: the values that were written. */
-function applyStyle(
-  { picture, still }: Pick<Viewport, 'picture' | 'still'>,
-  { fov, colorInterpolation, shading, reflection, terms, antialias, samples }: Readonly<ViewerValues>,
-  changed: { has(key: string): boolean },
-): void {
-  picture.fit.fov = fov;
-  picture.linear = colorInterpolation === 'linear';
-  still.wanted = antialias === 'full' ? samples : 0;
-  if (STYLE_KEYS.some((key) => changed.has(key))) picture.style = { shading, reflection, terms };
-}

@@ -65,6 +65,9 @@ function showItem(value: unknown): string {
 const wrong = (expected: string, value: unknown): TypeError =>
   new TypeError(`expected ${expected}, got ${show(value)}`);
 
+const outside = (expected: string, value: unknown): RangeError =>
+  new RangeError(`expected ${expected}, got ${show(value)}`);
+
 /** Checks a single number, or one of the numbers of `whole`, which the error shows. */
 function numberCheck(
   { min = -Number.MAX_VALUE, max = Number.MAX_VALUE, above = -Infinity, integer = false }: Range,
@@ -73,7 +76,7 @@ function numberCheck(
   return (value, whole) => {
     if (typeof value !== 'number') throw wrong(expected, whole);
     if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value))) return value + 0; // -0 would show as "0" and divide as "-"
-    throw new RangeError(`expected ${expected}, got ${show(value)}`);
+    throw outside(expected, value);
   };
 }
 
@@ -121,8 +124,7 @@ export function numbersField(expected: string, min: number, max: number): Field<
       if (isList(value) ? value.length === 0 || value.length > MOST_WORDS : typeof value !== 'number')
         throw wrong(expected, value);
       const numbers = (isList(value) ? Array.from(value) : [value]).map((n) => at(n, value));
-      if (numbers.some((n, i) => i > 0 && n < numbers[i - 1]!))
-        throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      if (numbers.some((n, i) => i > 0 && n < numbers[i - 1]!)) throw outside(expected, value);
       return numbers;
     },
   };
@@ -141,7 +143,7 @@ export function homogeneousField(fallback: Vec4, range: Range): Field<Vec4> {
     ...tuple,
     check(value) {
       const numbers = tuple.check(value);
-      if (numbers[3] !== 0 && numbers[3] !== 1) throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      if (numbers[3] !== 0 && numbers[3] !== 1) throw outside(expected, value);
       return numbers;
     },
   };
@@ -165,32 +167,22 @@ function orSingle(tuple: Field<Vec3>): Field<Vec3> {
   return { ...tuple, check: (value) => tuple.check(typeof value === 'number' ? [value] : value) };
 }
 
-export const booleanField = (fallback: boolean): Field<boolean> => flagField('boolean', fallback);
+export const booleanField = (fallback: boolean): Field<boolean> => typeField('boolean', fallback, 'true or false');
 
 /** True if present, like HTML's own boolean attributes, except for the text `false`. */
-export const presenceField = (): Field<boolean> => flagField('presence', false);
+export const presenceField = (): Field<boolean> => typeField<boolean>('presence', false, 'true or false');
 
-function flagField(kind: 'boolean' | 'presence', fallback: boolean): Field<boolean> {
-  const expected = 'true or false';
+export const textField = (fallback = '', expected = 'text'): Field<string> => typeField('text', fallback, expected);
+
+/** Any value of the default's type. */
+function typeField<T extends boolean | string>(kind: FieldKind, fallback: T, expected: string): Field<T> {
   return {
     kind,
     fallback,
     expected,
     check(value) {
-      if (typeof value !== 'boolean') throw wrong(expected, value);
-      return value;
-    },
-  };
-}
-
-export function textField(fallback = '', expected = 'text'): Field<string> {
-  return {
-    kind: 'text',
-    fallback,
-    expected,
-    check(value) {
-      if (typeof value !== 'string') throw wrong(expected, value);
-      return value;
+      if (typeof value !== typeof fallback) throw wrong(expected, value);
+      return value as T;
     },
   };
 }
@@ -205,7 +197,7 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
     check(value) {
       if (typeof value !== 'string') throw wrong(expected, value);
       const choice = choices.find((c) => c === value);
-      if (choice === undefined) throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      if (choice === undefined) throw outside(expected, value);
       return choice;
     },
   };
@@ -230,7 +222,7 @@ export function subsetField<T extends string>(
         Array.isArray(value) && value.length <= MOST_WORDS ? [...(value as unknown[])] : null;
       if (words?.every((word) => typeof word === 'string') !== true) throw wrong(expected, value);
       const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
-      if (stray !== undefined) throw new RangeError(`expected ${expected}, got ${show(stray)}`);
+      if (stray !== undefined) throw outside(expected, stray);
       return Object.freeze(choices.filter((choice) => words.includes(choice)));
     },
   };
@@ -255,7 +247,7 @@ export function flagOrWordsField(
       const words: readonly unknown[] = [...(value as unknown[])];
       if (words.length === 1 && words[0] === own) return true;
       if (!lists.some((list) => words.every((word) => (list as readonly unknown[]).includes(word))))
-        throw new RangeError(`expected ${expected}, got ${show(words)}`);
+        throw outside(expected, words);
       return words.length > 0 && Object.freeze([...new Set(words as readonly string[])]);
     },
   };
@@ -280,7 +272,7 @@ export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T |
         return field.check(value);
       } catch (error) {
         // The field's own message does not mention the word.
-        if (error instanceof RangeError) throw new RangeError(`expected ${expected}, got ${show(value)}`);
+        if (error instanceof RangeError) throw outside(expected, value);
         throw wrong(expected, value);
       }
     },

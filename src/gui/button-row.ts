@@ -1,6 +1,6 @@
 // Several buttons in one row.
 import { Controller, type GUI } from 'lil-gui';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import { bound } from './bound.js';
 import { label } from './label.js';
 

@@ -1,70 +1,81 @@
-// The folders of the child elements: one per child, in document order. A folder keeps its state while children are
-// added, removed and reordered.
+// The folders of the lights or of the meshes: one per child, in document order, which keeps its state while children
+// are added, duplicated, reordered and removed. Each of these is one step that can be undone. The focus follows the
+// child.
 import type { GUI } from 'lil-gui';
+import type { ViewerText, ViewerTexts } from '../element/fields/texts.js';
+import { fieldsOf } from '../element/internals.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import type { ChildEditor } from './child-editor.js';
-import { Folder } from './folder.js';
+import { childrenOf, historyOf } from '../element/viewer/history.js';
+import { ButtonRow } from './button-row.js';
+import { addGroup, Folder } from './folder.js';
 import type { Rows } from './rows.js';
-import type { SceneRange } from './scene-range.js';
+import type { SceneRange } from './travel.js';
 
-export abstract class ChildFolder<E extends PhongLight | PhongMesh> {
-  readonly folder: Folder<E>;
-  protected readonly element: E;
-  protected readonly viewer: PhongViewer;
-  #title = '';
+/** What the folders of lights and those of meshes differ in. */
+export interface ChildKind<E> {
+  readonly rows: Rows<E>;
+  readonly children: (viewer: PhongViewer) => readonly E[];
+  /** The element's name, or what stands for it, in the page's words. `index`: position among the children, from 0. */
+  readonly title: (element: E, index: number, texts: ViewerTexts | null) => string;
+  /** Adds a switch beside the folder's title. */
+  readonly addSwitch?: (gui: GUI, element: E, viewer: PhongViewer) => TitleSwitch;
+}
 
-  constructor(group: GUI, element: E, viewer: PhongViewer, range: SceneRange, rows: Rows<E>, editor: ChildEditor<E>) {
-    this.element = element;
-    this.viewer = viewer;
-    const place = { element, viewer, range, title: () => this.#title };
-    this.folder = new Folder(group, null, place, rows, (gui) => editor.addButtons(gui, element));
-    editor.listenToKeys(this.folder, element);
-  }
+export interface TitleSwitch {
+  update(): void;
+  /** The folder has another title. */
+  rename(title: string): void;
+}
 
-  /** Refreshes title and rows. `index`: position among the children, from 0. */
-  update(index: number): void {
-    const title = this.titleAt(index);
-    if (title !== this.#title) this.showTitle(title);
-    this.folder.update();
-  }
-
-  /** The element's name, or what stands for it, in the page's words. */
-  protected abstract titleAt(index: number): string;
-
-  protected showTitle(title: string): void {
-    this.#title = title;
-    this.folder.gui.title(title);
-  }
+interface ChildFolder<E> {
+  readonly folder: Folder<E & (PhongLight | PhongMesh)>;
+  readonly toggle: TitleSwitch | undefined;
+  title: string;
 }
 
 export class ChildFolders<E extends PhongLight | PhongMesh> {
-  readonly #group: GUI;
-  readonly #make: (element: E) => ChildFolder<E>;
+  readonly group: GUI;
+  readonly #viewer: PhongViewer;
+  readonly #range: SceneRange;
+  readonly #kind: ChildKind<E>;
   readonly #folders = new Map<E, ChildFolder<E>>();
 
-  constructor(group: GUI, make: (element: E) => ChildFolder<E>) {
-    this.#group = group;
-    this.#make = make;
+  constructor(parent: GUI, title: ViewerText, viewer: PhongViewer, range: SceneRange, kind: ChildKind<E>) {
+    this.group = addGroup(parent, title);
+    this.#viewer = viewer;
+    this.#range = range;
+    this.#kind = kind;
   }
 
-  folderOf(element: E): Folder<E> | undefined {
-    return this.#folders.get(element)?.folder;
-  }
-
-  /** Adds, removes and reorders folders to match these children, and refreshes all of them. */
-  update(elements: readonly E[]): void {
-    const { domElement, $title } = this.#group;
+  /** Adds, removes and reorders folders to match the children, and refreshes all of them. */
+  update(): void {
+    const { domElement, $title } = this.group;
     const { activeElement } = domElement.getRootNode() as ShadowRoot;
     const focused = domElement.contains(activeElement) ? (activeElement as HTMLElement) : null;
-    this.#arrange(elements);
+    this.#arrange(this.#children);
     // A folder that moves or goes drops the focus, and with it the keys for undo.
-    if (focused?.matches(':focus') === false) (focused.isConnected ? focused : $title).focus({ preventScroll: true });
+    if (focused?.matches(':focus') === false) focus(focused.isConnected ? focused : $title);
   }
 
   refreshVisible(): void {
     for (const { folder } of this.#folders.values()) folder.refreshVisible();
+  }
+
+  /** Adds a child, opens its folder and scrolls to it. */
+  add(child: E, insert: (child: E) => void): void {
+    this.#edit(() => insert(child));
+    const folder = this.#folders.get(child)?.folder;
+    if (folder === undefined) return;
+    folder.open();
+    focus(folder.gui.$title);
+    const list = folder.gui.root.$children;
+    list.scrollTop += folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;
+  }
+
+  get #children(): readonly E[] {
+    return this.#kind.children(this.#viewer);
   }
 
   #arrange(elements: readonly E[]): void {
@@ -74,21 +85,103 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
       this.#folders.delete(element);
       folder.gui.destroy();
     }
-    const list = this.#group.$children;
+    const list = this.group.$children;
     let after: Element | null = null;
     elements.forEach((element, index) => {
-      const child = this.#folders.get(element) ?? this.#add(element);
+      const child = this.#folders.get(element) ?? this.#addFolder(element);
       const node = child.folder.gui.domElement;
       const next: Element | null = after === null ? list.querySelector(':scope > .lil-gui') : after.nextElementSibling;
       if (node !== next) list.insertBefore(node, next);
       after = node;
-      child.update(index);
+      const title = this.#kind.title(element, index, this.#viewer.texts);
+      if (title !== child.title) {
+        child.title = title;
+        child.folder.gui.title(title);
+        child.toggle?.rename(title);
+      }
+      child.toggle?.update();
+      child.folder.update();
     });
   }
 
-  #add(element: E): ChildFolder<E> {
-    const child = this.#make(element);
+  #addFolder(element: E): ChildFolder<E> {
+    const { rows, addSwitch } = this.#kind;
+    const viewer = this.#viewer;
+    const place = { element, viewer, range: this.#range, title: () => child.title };
+    const folder = new Folder(this.group, null, place, rows, (gui) => this.#addButtons(gui, element));
+    const child: ChildFolder<E> = { folder, toggle: addSwitch?.(folder.gui, element, viewer), title: '' };
+    const { $title } = folder.gui;
+    $title.setAttribute('aria-keyshortcuts', 'Alt+ArrowUp Alt+ArrowDown Delete F2');
+    $title.addEventListener('keydown', (event) => {
+      const { key, altKey } = event;
+      if (altKey && (key === 'ArrowUp' || key === 'ArrowDown')) this.#move(element, key === 'ArrowUp' ? -1 : 1);
+      else if (key === 'Delete') this.#remove(element);
+      else if (key === 'F2') folder.edit('name');
+      else return;
+      event.preventDefault();
+    });
     this.#folders.set(element, child);
     return child;
   }
+
+  #addButtons(gui: GUI, child: E): void {
+    const row = new ButtonRow(gui, 'Order and copies');
+    row.addSymbol('↑', 'move up', () => this.#move(child, -1));
+    row.addSymbol('↓', 'move down', () => this.#move(child, 1));
+    row.add('duplicate', () => this.add(copyOf(child, this.#children), (copy) => child.after(copy)));
+    row.add('remove', () => this.#remove(child));
+  }
+
+  /** Removes a child and moves the focus to the next one's title, or to the last one's. */
+  #remove(child: E): void {
+    const at = this.#children.indexOf(child);
+    this.#edit(() => {
+      unnest(child);
+      child.remove();
+    });
+    const children = this.#children;
+    const next = children[at] ?? children.at(-1);
+    const gui = next === undefined ? this.group : this.#folders.get(next)?.folder.gui;
+    if (gui !== undefined) focus(gui.$title);
+  }
+
+  /** Before the previous child, or after the next one, wherever that is. */
+  #move(child: E, by: -1 | 1): void {
+    const children = this.#children;
+    const neighbour = children[children.indexOf(child) + by];
+    if (neighbour === undefined) return;
+    this.#edit(() => {
+      for (const element of [child, neighbour]) unnest(element);
+      if (by < 0) neighbour.before(child);
+      else neighbour.after(child);
+    });
+  }
+
+  #edit(write: () => void): void {
+    historyOf(this.#viewer).edit(childrenOf(this.#viewer), write);
+    this.update();
+  }
+}
+
+const focus = (element: HTMLElement): void => element.focus({ preventScroll: true });
+
+/** HTML nests self-closed tags in one another. Moves the children of an element behind it. */
+const unnest = (element: HTMLElement): void => element.after(...element.children);
+
+/** A copy with the values as they are now and a name of its own: `lamp 2` for a copy of `lamp`, or the next free number. */
+function copyOf<E extends PhongLight | PhongMesh>(original: E, siblings: readonly E[]): E {
+  const copy = original.cloneNode(false) as E;
+  copy.removeAttribute('id');
+  const from = fieldsOf(original as PhongMesh).store;
+  const to = fieldsOf(copy as PhongMesh);
+  for (const key of Object.keys(from.fields) as (keyof typeof from.values)[])
+    to.set(key, from.given(key) ? from.values[key] : null);
+  const { name } = from.values;
+  if (name === '') return copy;
+  const taken = siblings.map((sibling) => sibling.name);
+  const stem = name.replace(/ \d+$/, '');
+  let number = 2;
+  while (taken.includes(`${stem} ${String(number)}`)) number++;
+  copy.name = `${stem} ${String(number)}`;
+  return copy;
 }

@@ -2,12 +2,11 @@
 // is full, more is brighter.
 import { Controller, type GUI } from 'lil-gui';
 import { parseText } from '../element/fields/attribute-text.js';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import { sameValue } from '../fields/field-store.js';
-import { LIGHT_FIELDS } from '../light/light-state.js';
-import type { Vec3 } from '../math/vector.js';
+import { LIGHT_FIELDS, LIMITS } from '../light/light-state.js';
+import { map, type Vec3 } from '../math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
-import { brightnessOf, colorOf, ColorMix, hexOf } from './color-mix.js';
 import { explain, label, nameRow } from './label.js';
 import { Slider } from './number-controls.js';
 import { TextField } from './text-control.js';
@@ -31,13 +30,17 @@ export class ColorControl extends Controller {
     nameRow(this, name);
     this.#bound = value;
     this.#addPicker(name);
-    this.#field = new TextField({ read: () => this.#text, write: (text) => this.#write(text) });
+    this.#field = new TextField(
+      () => this.#text,
+      (text) => this.#write(text),
+    );
     this.#field.input.setAttribute('aria-labelledby', this.$name.id);
     const brightness = bound(
       () => brightnessOf(value.value),
       (factor) => (value.value = this.#mix.brighten(value.value, factor)),
     );
-    this.#slider = new Slider(brightness, linear(0, usual, 0.01));
+    const scale = linear(0, usual, 0.01);
+    this.#slider = new Slider(brightness, () => scale);
     const { input } = this.#slider;
     this.$widget.append(this.#field.input, input);
     explain(this.#field.input, 'r g b, #rgb or a name; 255 is full');
@@ -80,3 +83,59 @@ export class ColorControl extends Controller {
     });
   }
 }
+
+interface Tint {
+  /** 0–255 per channel, not rounded. */
+  readonly color: Vec3;
+  /** 1, or more for values that are brighter than the picker can show. Colour times factor is the value. */
+  readonly factor: number;
+}
+
+const WHITE: Vec3 = [255, 255, 255];
+
+export class ColorMix {
+  #picked: Tint | null = null;
+  /** The last value that was not black. */
+  #hue: Vec3 = WHITE;
+
+  /** Splits a value the way it was picked here, or with the smallest factor if it came from elsewhere. */
+  split(value: Vec3): Tint {
+    if (this.#picked !== null && sameValue(times(this.#picked.color, this.#picked.factor), value)) return this.#picked;
+    const factor = Math.max(brightnessOf(value), 1);
+    return { color: map(value, (c) => c / factor), factor };
+  }
+
+  /** The value after picking a colour: the colour itself, or times the factor of a value above 255. */
+  recolor(value: Vec3, color: Vec3): Vec3 {
+    this.#picked = { color, factor: this.split(value).factor };
+    return times(color, this.#picked.factor);
+  }
+
+  /** The value with another brightness and the same hue, also after it was black; white if it has always been black. */
+  brighten(value: Vec3, brightness: number): Vec3 {
+    if (brightnessOf(value) > 0) this.#hue = value;
+    return times(this.#hue, brightness / brightnessOf(this.#hue));
+  }
+}
+
+/** The largest channel; 1 is 255. */
+export const brightnessOf = (value: Vec3): number => Math.max(...value) / 255;
+
+/** Rounded to six digits: finer than any screen, and short in markup. Factor 1 changes nothing. */
+function times(color: Vec3, factor: number): Vec3 {
+  if (factor === 1) return color;
+  return map(color, (c) => Math.min(Number((c * factor).toPrecision(6)), LIMITS.color));
+}
+
+/** `#rrggbb`, channels rounded and clamped. */
+export function hexOf(color: Vec3): string {
+  const digits = color.map((c) =>
+    Math.round(Math.min(Math.max(c, 0), 255))
+      .toString(16)
+      .padStart(2, '0'),
+  );
+  return `#${digits.join('')}`;
+}
+
+/** The channels of `#rrggbb`. */
+export const colorOf = (hex: string): Vec3 => map([1, 3, 5], (at) => parseInt(hex.slice(at, at + 2), 16));

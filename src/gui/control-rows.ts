@@ -1,7 +1,7 @@
 // The rows of a <phong-control> that the panel has not: a stepper through values, and fields without a row.
 import { Controller, type GUI } from 'lil-gui';
 import { attributeOf, formatValue, parseText } from '../element/fields/attribute-text.js';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import { sceneMeshes } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Field } from '../fields/field.js';
@@ -9,6 +9,7 @@ import { sameValue } from '../fields/field-store.js';
 import type { Bound } from './bound.js';
 import { label, nameRow, type Say } from './label.js';
 import {
+  type AnyRow,
   declared,
   type Editable,
   flag,
@@ -16,14 +17,11 @@ import {
   number,
   oneOf,
   type Row,
-  type Rows,
   type Source,
   text,
   vector,
 } from './rows.js';
 import { linear, type SliderScale } from './travel.js';
-
-export type AnyRow = NonNullable<Rows<Editable>[string]>;
 
 /** Shown for a value without words. */
 const NOTHING = '–';
@@ -117,7 +115,7 @@ const NAMES: Readonly<Record<string, ViewerText>> = {
 const nameOf = (key: string): ViewerText => NAMES[key] ?? (attributeOf(key) as ViewerText);
 
 /** The panel's row, or what the kind of the field asks for. */
-export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRow | null): AnyRow {
+export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRow<Editable> | null): AnyRow<Editable> {
   if (own !== null && SCALES[key] === undefined) return own;
   const name = nameOf(key);
   if (choices !== undefined) return oneOf(name, choices as readonly ViewerText[]);
@@ -138,7 +136,12 @@ export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRo
 }
 
 /** Goes through the values of `list`. */
-export const stepper = (key: string, field: Field<unknown>, list: string, own: AnyRow | null): AnyRow => ({
+export const stepper = (
+  key: string,
+  field: Field<unknown>,
+  list: string,
+  own: AnyRow<Editable> | null,
+): AnyRow<Editable> => ({
   ...(own?.source === undefined ? {} : { source: own.source }),
   add: (gui, _, value) => {
     new StepControl(gui, value, nameOf(key), field, list);

@@ -17,13 +17,13 @@ import { bound, type Bound } from './bound.js';
 import { dress, isInText, settle } from './control-form.js';
 import { rowOf, stepper } from './control-rows.js';
 import styles from './control.css?inline';
-import { LIGHT_ROWS } from './light-folder.js';
-import { MESH_ROWS } from './mesh-folder.js';
+import { LIGHT_ROWS } from './light-rows.js';
+import { MESH_ROWS } from './mesh-rows.js';
 import { declared, type Editable, type Rows, type Source } from './rows.js';
-import { SceneRange } from './scene-range.js';
+import { SceneRange } from './travel.js';
 import type { SliderScale } from './travel.js';
 import { listenForUndo } from './undo.js';
-import { VIEWER_ROWS } from './viewer-folders.js';
+import { VIEWER_ROWS } from './viewer-rows.js';
 
 const ROWS = {
   'phong-viewer': VIEWER_ROWS,

@@ -1,7 +1,7 @@
 // The panel's row of files: opens a model, saves the picture, copies the markup. Works under a strict
 // Content-Security-Policy.
 import type { GUI } from 'lil-gui';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { historyOf, valuesOf } from '../element/viewer/history.js';
 import { modelCode } from '../model/request-model.js';
@@ -13,8 +13,8 @@ const LABEL = 'copy HTML';
 /** How long the button shows the result, ms. */
 const RESULT_MS = 2000;
 
-/** Adds the row. `update`: the viewer's values have changed. */
-export function addFiles(gui: GUI, viewer: PhongViewer): { update(): void; dispose(): void } {
+/** Adds the row. Returns a function to call when the viewer's values have changed. */
+export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
   const row = new ButtonRow(gui, 'Files');
   const open = row.add('open model…', () =>
     chooseModel((file) => historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file))),
@@ -22,62 +22,45 @@ export function addFiles(gui: GUI, viewer: PhongViewer): { update(): void; dispo
   row.add('save PNG', () => {
     void savePicture(viewer);
   });
-  const copy = new CopyButton(row, () => viewer.toHTML());
-  return {
-    update: () => (open.hidden = !viewer.droppable),
-    dispose: () => copy.dispose(),
-  };
+  addCopyButton(row, () => viewer.toHTML());
+  return () => (open.hidden = !viewer.droppable);
 }
 
 /** Writes the markup to the clipboard, or shows it selected if the clipboard is not available. */
-class CopyButton {
-  readonly #row: ButtonRow;
-  readonly #button: HTMLButtonElement;
-  readonly #text = document.createElement('textarea');
-  #timer = 0;
-
-  constructor(row: ButtonRow, markup: () => string) {
-    this.#row = row;
-    this.#button = row.add(LABEL, () => {
-      void this.#copy(markup());
-    });
-    this.#button.setAttribute('aria-live', 'polite');
-    this.#text.readOnly = true;
-    this.#text.className = 'markup';
-    this.#text.rows = 6;
-    // As in lil-gui's own fields: keys typed here must not reach the camera.
-    this.#text.addEventListener('keydown', (event) => event.stopPropagation());
-  }
-
-  dispose(): void {
-    clearTimeout(this.#timer);
-  }
-
-  async #copy(markup: string): Promise<void> {
+function addCopyButton(row: ButtonRow, markup: () => string): void {
+  const button = row.add(LABEL, () => {
+    void copy();
+  });
+  button.setAttribute('aria-live', 'polite');
+  const text = document.createElement('textarea');
+  text.readOnly = true;
+  text.className = 'markup';
+  text.rows = 6;
+  // As in lil-gui's own fields: keys typed here must not reach the camera.
+  text.addEventListener('keydown', (event) => event.stopPropagation());
+  const show = (what: ViewerText): void => label(button, (say) => (button.textContent = say(what)));
+  let timer = 0;
+  const showResult = (what: ViewerText): void => {
+    clearTimeout(timer);
+    show(what);
+    timer = window.setTimeout(() => show(LABEL), RESULT_MS);
+  };
+  const copy = async (): Promise<void> => {
+    const html = markup();
     try {
-      await navigator.clipboard.writeText(markup);
-      this.#text.remove();
-      this.#showResult('copied ✓');
+      await navigator.clipboard.writeText(html);
+      text.remove();
+      showResult('copied ✓');
     } catch {
       // Refused, or missing: pages without TLS have no clipboard.
-      this.#text.value = markup;
-      this.#row.domElement.after(this.#text);
-      label(this.#text, (say) => this.#text.setAttribute('aria-label', say("The scene's HTML")));
-      this.#text.select();
-      this.#text.scrollIntoView({ block: 'nearest' });
-      this.#showResult('select and copy below');
+      text.value = html;
+      row.domElement.after(text);
+      label(text, (say) => text.setAttribute('aria-label', say("The scene's HTML")));
+      text.select();
+      text.scrollIntoView({ block: 'nearest' });
+      showResult('select and copy below');
     }
-  }
-
-  #showResult(what: ViewerText): void {
-    clearTimeout(this.#timer);
-    this.#show(what);
-    this.#timer = window.setTimeout(() => this.#show(LABEL), RESULT_MS);
-  }
-
-  #show(text: ViewerText): void {
-    label(this.#button, (say) => (this.#button.textContent = say(text)));
-  }
+  };
 }
 
 /**

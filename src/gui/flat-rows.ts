@@ -2,92 +2,73 @@
 // every element that has it; where that is more than one, the row says whose it is.
 import type { GUI } from 'lil-gui';
 import { attributeOf } from '../element/fields/attribute-text.js';
+import type { PhongLight } from '../element/phong-light.js';
+import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { meshTitle } from '../element/viewer/description.js';
 import { sameValue } from '../fields/field-store.js';
+import type { ChildKind } from './child-folders.js';
 import { showRows } from './folder.js';
 import { nameOwner } from './label.js';
-import { LIGHT_ROWS } from './light-folder.js';
-import { MESH_ROWS } from './mesh-folder.js';
-import { type AddedRow, addRows, type Editable, NO_ROW, type Rows } from './rows.js';
-import type { SceneRange } from './scene-range.js';
-import { VIEWER_ROWS } from './viewer-folders.js';
+import { LIGHT_ROWS, LIGHTS } from './light-rows.js';
+import { MESH_ROWS, MESHES } from './mesh-rows.js';
+import { type AddedRow, addRows, type Editable, NO_ROW, type RowContext, type Rows } from './rows.js';
+import type { SceneRange } from './travel.js';
+import { VIEWER_ROWS } from './viewer-rows.js';
 
 /** An element with the rows that it could have. */
-interface Owner {
-  readonly element: Editable;
-  readonly rows: Rows<Editable>;
-  readonly title: () => string;
+interface Owner extends RowContext<Editable> {
+  readonly rows: Rows<never>;
 }
 
-interface Added {
-  readonly element: Editable;
-  readonly rows: readonly AddedRow<Editable>[];
-}
-
-export class FlatRows {
-  readonly #gui: GUI;
-  readonly #viewer: PhongViewer;
-  readonly #range: SceneRange;
-  readonly #attributes: readonly string[];
-  #elements: readonly Editable[] = [];
-  #added: readonly Added[] = [];
-
-  constructor(gui: GUI, viewer: PhongViewer, range: SceneRange, attributes: readonly string[]) {
-    this.#gui = gui;
-    this.#viewer = viewer;
-    this.#range = range;
-    this.#attributes = attributes;
-    const rows = [LIGHT_ROWS, MESH_ROWS, VIEWER_ROWS].flatMap((table: Rows<never>) => Object.entries(table));
-    const shown = rows.flatMap(([key, row]) => (row === NO_ROW ? [] : [attributeOf(key)]));
-    for (const attribute of attributes)
-      if (!shown.includes(attribute)) console.warn(`<phong-viewer gui>: the panel has no row for ${attribute}.`);
-  }
-
-  /** Follows values, and children that come, go or change places. */
-  update(): void {
-    const owners = this.#owners();
-    const elements = owners.map(({ element }) => element);
-    if (!sameValue(elements, this.#elements)) {
-      this.#elements = elements;
-      for (const control of [...this.#gui.controllers]) control.destroy();
-      this.#added = this.#attributes.flatMap((attribute) => this.#add(attribute, owners));
+/** Returns a function that follows values, and children that come, go or change places. */
+export function addFlatRows(
+  gui: GUI,
+  viewer: PhongViewer,
+  range: SceneRange,
+  attributes: readonly string[],
+): () => void {
+  const tables: readonly Rows<never>[] = [LIGHT_ROWS, MESH_ROWS, VIEWER_ROWS];
+  for (const attribute of attributes)
+    if (tables.every((rows) => keyOf(rows, attribute) === undefined))
+      console.warn(`<phong-viewer gui>: the panel has no row for ${attribute}.`);
+  let elements: readonly Editable[] = [];
+  let added: readonly (readonly [Editable, readonly AddedRow<Editable>[]])[] = [];
+  return () => {
+    const owners = ownersIn(viewer, range);
+    const present = owners.map(({ element }) => element);
+    if (!sameValue(present, elements)) {
+      elements = present;
+      for (const control of [...gui.controllers]) control.destroy();
+      added = attributes.flatMap((attribute) => {
+        const having = owners.filter(({ rows }) => keyOf(rows, attribute) !== undefined);
+        return having.map((owner) => [owner.element, addRow(gui, owner, attribute, having.length > 1)] as const);
+      });
     }
-    for (const { element, rows } of this.#added) showRows(element, rows);
-    for (const control of this.#gui.controllers) control.updateDisplay();
-  }
+    for (const [element, rows] of added) showRows(element, rows);
+    for (const control of gui.controllers) control.updateDisplay();
+  };
+}
 
-  #owners(): readonly Owner[] {
-    const viewer = this.#viewer;
-    const { lights, meshes, geometry, src } = viewer;
-    const viewerRows = Object.entries(VIEWER_ROWS).filter(
-      ([, row]) => row?.folder !== 'Material' || geometry !== null || src !== '',
-    );
-    const lightOwners = lights.map((light) => ({
-      element: light,
-      rows: LIGHT_ROWS,
-      title: () => light.name,
+function ownersIn(viewer: PhongViewer, range: SceneRange): readonly Owner[] {
+  const { geometry, src } = viewer;
+  const hasSurface = geometry !== null || src !== '';
+  const viewerRows = Object.entries(VIEWER_ROWS).filter(([, row]) => row?.folder !== 'Material' || hasSurface);
+  const owners = <E extends PhongLight | PhongMesh>({ rows, children, title }: ChildKind<E>): Owner[] =>
+    children(viewer).map((element, i) => ({
+      ...{ element, viewer, range, rows },
+      title: () => title(element, i, viewer.texts),
     }));
-    const meshOwners = meshes.map((mesh, i) => ({
-      element: mesh,
-      rows: MESH_ROWS,
-      title: () => meshTitle(viewer.texts, mesh, i),
-    }));
-    const own = { element: viewer, rows: Object.fromEntries(viewerRows), title: () => '' };
-    return [own, ...lightOwners, ...meshOwners] as unknown as readonly Owner[];
-  }
+  const own = { element: viewer, viewer, range, rows: Object.fromEntries(viewerRows), title: () => '' };
+  return [own, ...owners(LIGHTS), ...owners(MESHES)];
+}
 
-  #add(attribute: string, owners: readonly Owner[]): readonly Added[] {
-    const keyOf = ({ rows }: Owner): string | undefined =>
-      Object.keys(rows).find((key) => attributeOf(key) === attribute && rows[key] !== NO_ROW);
-    const having = owners.filter((owner) => keyOf(owner) !== undefined);
-    return having.map((owner) => {
-      const { element, rows, title } = owner;
-      const key = keyOf(owner)!;
-      const place = { element, viewer: this.#viewer, range: this.#range, title };
-      const added = [...addRows(this.#gui, place, { [key]: rows[key]! }).values()];
-      if (having.length > 1) for (const control of added.flatMap(({ controls }) => controls)) nameOwner(control, title);
-      return { element, rows: added };
-    });
-  }
+const keyOf = (rows: Rows<never>, attribute: string): string | undefined =>
+  Object.keys(rows).find((key) => attributeOf(key) === attribute && rows[key] !== NO_ROW);
+
+function addRow(gui: GUI, owner: Owner, attribute: string, isOneOfSeveral: boolean): readonly AddedRow<Editable>[] {
+  const key = keyOf(owner.rows, attribute)!;
+  const rows = [...addRows(gui, owner, { [key]: owner.rows[key]! } as Rows<Editable>).values()];
+  if (isOneOfSeveral)
+    for (const control of rows.flatMap(({ controls }) => controls)) nameOwner(control, () => owner.title());
+  return rows;
 }

@@ -1,7 +1,7 @@
 // A folder of the panel. Its rows are built when it is first opened and refreshed only while they are visible. It opens
 // without animation, so it requests no frame.
 import type { GUI } from 'lil-gui';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import { label } from './label.js';
 import { type AddedRow, addRows, type Editable, type RowContext, type Rows } from './rows.js';
 

@@ -1,7 +1,6 @@
 // The panel's texts, which follow `viewer.texts`: an element that shows one keeps the function that writes it.
 import type { Controller } from 'lil-gui';
-import type { ViewerText } from '../element/fields/text-list.js';
-import { phrase } from '../element/fields/texts.js';
+import { phrase, type ViewerText } from '../element/fields/texts.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 
 /** A text in the page's words, with values in place of the words in braces. */

@@ -1,6 +1,6 @@
 // Rows of numbers: one number by slider and field, or a vector by a field for each component.
 import { Controller, type GUI } from 'lil-gui';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import type { Vec3 } from '../math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { label, nameRow } from './label.js';
@@ -10,17 +10,15 @@ import { numberText, type SliderScale } from './travel.js';
 
 /** A slider over the usual range, and a field that accepts every value that the element accepts. */
 export class NumberControl extends Controller {
-  readonly #travel: () => SliderScale;
   readonly #slider: Slider;
   readonly #field: NumberField;
 
-  /** `travel`: the slider's scale while the value lies within it; read again at each update. */
+  /** `travel`: the slider's scale while the value lies within it, as it is now. */
   constructor(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => SliderScale) {
     super(folder, bound, 'value', 'lil-number');
     nameRow(this, name);
-    this.#travel = travel;
-    this.#slider = new Slider(bound, travel());
-    this.#field = new NumberField(bound, travel());
+    this.#slider = new Slider(bound, travel);
+    this.#field = new NumberField(bound, () => this.#slider.scale);
     for (const { input } of [this.#slider, this.#field]) {
       input.setAttribute('aria-labelledby', this.$name.id);
       this.$widget.append(input);
@@ -32,8 +30,7 @@ export class NumberControl extends Controller {
   }
 
   override updateDisplay(): this {
-    this.#slider.travel = this.#travel();
-    this.#field.travel = this.#slider.update();
+    this.#slider.update();
     this.#field.update();
     return this;
   }
@@ -65,10 +62,9 @@ export const nameComponent = (
 ): void => label(name, (say) => (name.textContent = say(components[axis], { row: say(row) })));
 
 export class VectorControl extends Controller {
-  readonly #travel: (axis: Axis) => SliderScale;
   readonly #fields: readonly NumberField[];
 
-  /** `travel`: the scale of a component's steps; read again at each update. */
+  /** `travel`: the scale of a component's steps, as it is now. */
   constructor(
     folder: GUI,
     value: Bound<Vec3>,
@@ -78,9 +74,8 @@ export class VectorControl extends Controller {
   ) {
     super(folder, value, 'value', 'vector');
     nameRow(this, name);
-    this.#travel = travel;
     this.#fields = ([0, 1, 2] as const).map((axis) => {
-      const field = new NumberField(componentOf(value, axis), travel(axis));
+      const field = new NumberField(componentOf(value, axis), () => travel(axis));
       const { input } = field;
       this.$widget.append(input);
       label(input, (say) => {
@@ -93,10 +88,7 @@ export class VectorControl extends Controller {
   }
 
   override updateDisplay(): this {
-    this.#fields.forEach((field, axis) => {
-      field.travel = this.#travel(axis as Axis);
-      field.update();
-    });
+    for (const field of this.#fields) field.update();
     return this;
   }
 }
@@ -104,17 +96,17 @@ export class VectorControl extends Controller {
 /** Its range grows to include the value, but not while it is dragged. */
 export class Slider {
   readonly input = document.createElement('input');
-  /** The scale while the value lies within it. */
-  travel: SliderScale;
-  readonly #bound: Bound<number>;
   /** The scale in use. */
-  #present: SliderScale;
+  scale: SliderScale;
+  readonly #bound: Bound<number>;
+  readonly #travel: () => SliderScale;
   #dragging = false;
 
-  constructor(bound: Bound<number>, travel: SliderScale) {
+  /** `travel`: the scale while the value lies within it; read again at each update. */
+  constructor(bound: Bound<number>, travel: () => SliderScale) {
     this.#bound = bound;
-    this.travel = travel;
-    this.#present = travel;
+    this.#travel = travel;
+    this.scale = travel();
     const { input } = this;
     input.type = 'range';
     input.addEventListener('pointerdown', () => (this.#dragging = true));
@@ -126,33 +118,27 @@ export class Slider {
     }
     input.addEventListener('input', () => {
       const place = Number(input.value);
-      accepted(() => (bound.value = this.#present.value(place)));
+      accepted(() => (bound.value = this.scale.value(place)));
       this.#fill(place);
     });
   }
 
-  /** Shows the value. Returns the scale in use. */
-  update(): SliderScale {
+  /** Shows the value. */
+  update(): void {
     const { value } = this.#bound;
     const { input } = this;
     if (!this.#dragging) {
-      const { start, end, step } = (this.#present = this.travel.reaching(value));
-      const place = this.#present.place(value);
-      Object.assign(input, {
-        min: String(start),
-        max: String(end),
-        step: String(step),
-        value: String(place),
-      });
+      const { start, end, step } = (this.scale = this.#travel().reaching(value));
+      const place = this.scale.place(value);
+      Object.assign(input, { min: String(start), max: String(end), step: String(step), value: String(place) });
       this.#fill(place);
     }
-    const text = numberText(value, this.#present.end - this.#present.start);
+    const text = numberText(value, this.scale.end - this.scale.start);
     if (input.getAttribute('aria-valuetext') !== text) input.setAttribute('aria-valuetext', text);
-    return this.#present;
   }
 
   #fill(place: number): void {
-    const { start, end } = this.#present;
+    const { start, end } = this.scale;
     const share = Math.min(Math.max((place - start) / (end - start), 0), 1);
     this.input.style.setProperty('--share', share.toFixed(4));
   }
@@ -164,19 +150,20 @@ const SLACK = 3;
 /** Edits by typing, by arrow keys, and by dragging across the field. Listens to nothing outside the field. */
 class NumberField {
   readonly input: HTMLInputElement;
-  /** Gives the steps and the resolution. */
-  travel: SliderScale;
+  readonly #travel: () => SliderScale;
   readonly #field: TextField;
   readonly #bound: Bound<number>;
   #drag: { readonly x: number; readonly value: number; moved: boolean } | null = null;
 
-  constructor(bound: Bound<number>, travel: SliderScale) {
+  /** `travel` gives the steps and the resolution. */
+  constructor(bound: Bound<number>, travel: () => SliderScale) {
     this.#bound = bound;
-    this.travel = travel;
-    this.#field = new TextField({
-      read: () => numberText(bound.value, this.travel.end - this.travel.start),
-      write: (text) => text.trim() !== '' && this.set(Number(text.trim().replace(',', '.'))),
-    });
+    this.#travel = travel;
+    const span = (): number => travel().end - travel().start;
+    this.#field = new TextField(
+      () => numberText(bound.value, span()),
+      (text) => text.trim() !== '' && this.#set(Number(text.trim().replace(',', '.'))),
+    );
     this.input = this.#field.input;
     // `inputmode=decimal` has no minus key on phones; a number field has one.
     if (matchMedia('(pointer: coarse)').matches) this.input.type = 'number';
@@ -191,8 +178,8 @@ class NumberField {
   }
 
   /** False if the element refuses the value. */
-  set(value: number): boolean {
-    const [least, most] = this.travel.limits ?? [-Infinity, Infinity];
+  #set(value: number): boolean {
+    const [least, most] = this.#travel().limits ?? [-Infinity, Infinity];
     return Number.isFinite(value) && accepted(() => (this.#bound.value = Math.min(Math.max(value, least), most)));
   }
 
@@ -234,7 +221,7 @@ class NumberField {
   }
 
   #step(from: number, steps: number): void {
-    this.set(tidy(from + steps * this.travel.stepAt(from)));
+    this.#set(tidy(from + steps * this.#travel().stepAt(from)));
     this.#field.settle();
   }
 }

@@ -14,24 +14,20 @@ import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { addStyles, removeStyles } from '../element/page/style-sheets.js';
-import { ChildEditor } from './child-editor.js';
-import { ChildFolders } from './child-folders.js';
 import panelColumn from '../element/page/panel-column.css?inline';
+import { ChildFolders } from './child-folders.js';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
-import { FlatRows } from './flat-rows.js';
-import { addFullScreen } from './full-screen.js';
-import { addGroup, Folder, withoutAnimation } from './folder.js';
-import { label, relabel } from './label.js';
-import { LightFolder } from './light-folder.js';
-import { newLight } from './light-values.js';
-import { MeshFolder } from './mesh-folder.js';
+import { addFlatRows } from './flat-rows.js';
+import { Folder, withoutAnimation } from './folder.js';
+import { explain, label, relabel } from './label.js';
+import { LIGHTS, newLight } from './light-rows.js';
+import { MESHES } from './mesh-rows.js';
 import panelStyles from './panel.css?inline';
 import { addButton, rowsIn } from './rows.js';
-import { SceneRange } from './scene-range.js';
-import targets from './targets.css?inline';
+import { SceneRange } from './travel.js';
 import { addUndo } from './undo.js';
-import { VIEWER_ROWS } from './viewer-folders.js';
+import { VIEWER_ROWS } from './viewer-rows.js';
 
 /**
  * In viewers narrower than this, the panel starts closed, because it would hide the picture. `text`: in font sizes;
@@ -40,7 +36,7 @@ import { VIEWER_ROWS } from './viewer-folders.js';
 const WIDE = { text: 40, column: WIDE_PANEL } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
-const STYLES = panelColumn + panelStyles + controls + targets;
+const STYLES = panelColumn + panelStyles + controls;
 
 export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
 
@@ -49,8 +45,6 @@ interface Content {
   update(change: PanelChange): void;
   /** A folder was opened: refreshes rows that have become visible. */
   refreshVisible(): void;
-  /** A model was loaded. */
-  loaded(): void;
   dispose(): void;
 }
 
@@ -106,7 +100,7 @@ class ControlPanel implements Panel {
 
   readonly #loaded = (): void => {
     this.#range.expire();
-    this.#content.loaded();
+    for (const change of ['lights', 'camera', 'meshes'] as const) this.#content.update(change);
   };
 }
 
@@ -116,9 +110,8 @@ function contentOf(viewer: PhongViewer, gui: GUI, range: SceneRange): Content {
   if (typeof listed === 'boolean') return new Folders(viewer, gui, range, ['lights', 'camera']);
   const folders = GUI_FOLDERS.filter((name) => listed.includes(name));
   if (folders.length === listed.length) return new Folders(viewer, gui, range, folders);
-  const rows = new FlatRows(gui, viewer, range, listed);
-  const update = (): void => rows.update();
-  return { update, refreshVisible: update, loaded: update, dispose: () => undefined };
+  const update = addFlatRows(gui, viewer, range, listed);
+  return { update, refreshVisible: update, dispose: () => undefined };
 }
 
 type GuiFolder = (typeof GUI_FOLDERS)[number];
@@ -126,111 +119,70 @@ type GuiFolder = (typeof GUI_FOLDERS)[number];
 /** The whole panel. */
 class Folders implements Content {
   readonly #viewer: PhongViewer;
-  readonly #gui: GUI;
   readonly #range: SceneRange;
-  readonly #lightGroup: GUI;
   readonly #lights: ChildFolders<PhongLight>;
-  readonly #meshGroup: GUI;
   readonly #meshes: ChildFolders<PhongMesh>;
   readonly #camera: Folder<PhongViewer>;
   readonly #shading: Folder<PhongViewer>;
   readonly #show: Folder<PhongViewer>;
   /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
   readonly #surface: Folder<PhongViewer>;
-  readonly #files: ReturnType<typeof addFiles>;
+  readonly #updateFiles: () => void;
   readonly #stops: readonly (() => void)[];
   #meshList: readonly PhongMesh[] = [];
 
   constructor(viewer: PhongViewer, gui: GUI, range: SceneRange, open: readonly GuiFolder[]) {
     this.#viewer = viewer;
-    this.#gui = gui;
     this.#range = range;
     this.#stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
-    this.#lightGroup = addGroup(gui, 'Lights');
-    this.#lights = this.#addLights();
-    this.#camera = this.#folder('Camera');
-    this.#shading = this.#folder('Shading');
-    this.#show = this.#folder('Show');
-    this.#surface = this.#folder('Material');
-    this.#meshGroup = addGroup(gui, 'Meshes');
-    this.#meshes = this.#addMeshes();
-    this.#files = addFiles(gui, viewer);
+    const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> =>
+      new Folder(gui, title, { element: viewer, viewer, range, title: () => title }, rowsIn(title, VIEWER_ROWS));
+    this.#lights = new ChildFolders(gui, 'Lights', viewer, range, LIGHTS);
+    addButton(this.#lights.group, 'add light', () => {
+      const light = document.createElement('phong-light');
+      Object.assign(light, newLight(viewer.lights.length, range.center, range.reach));
+      this.#lights.add(light, () => viewer.append(light));
+    });
+    this.#camera = folderOf('Camera');
+    this.#shading = folderOf('Shading');
+    this.#show = folderOf('Show');
+    this.#surface = folderOf('Material');
+    this.#meshes = new ChildFolders(gui, 'Meshes', viewer, range, MESHES);
+    this.#updateFiles = addFiles(gui, viewer);
     const groups = {
-      lights: this.#lightGroup,
+      lights: this.#lights.group,
       camera: this.#camera.gui,
       shading: this.#shading.gui,
       show: this.#show.gui,
-      meshes: this.#meshGroup,
+      meshes: this.#meshes.group,
     } satisfies Record<GuiFolder, GUI>;
     for (const name of GUI_FOLDERS) groups[name].open(open.includes(name));
   }
 
-  #folder(title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> {
-    const viewer = this.#viewer;
-    const place = { element: viewer, viewer, range: this.#range, title: () => title };
-    return new Folder(this.#gui, title, place, rowsIn(title, VIEWER_ROWS));
-  }
-
-  #addLights(): ChildFolders<PhongLight> {
-    const viewer = this.#viewer;
-    const group = this.#lightGroup;
-    const folders: ChildFolders<PhongLight> = new ChildFolders(
-      group,
-      (light) => new LightFolder(group, light, viewer, this.#range, editor),
-    );
-    const editor = new ChildEditor(viewer, group, folders, () => viewer.lights);
-    addButton(group, 'add light', () => {
-      const light = document.createElement('phong-light');
-      Object.assign(light, newLight(viewer.lights.length, this.#range.center, this.#range.reach));
-      editor.add(light, () => viewer.append(light));
-    });
-    return folders;
-  }
-
-  #addMeshes(): ChildFolders<PhongMesh> {
-    const viewer = this.#viewer;
-    const group = this.#meshGroup;
-    const folders: ChildFolders<PhongMesh> = new ChildFolders(
-      group,
-      (mesh) => new MeshFolder(group, mesh, viewer, this.#range, editor),
-    );
-    const editor = new ChildEditor(viewer, group, folders, () => viewer.meshes);
-    return folders;
-  }
-
   update(change: PanelChange): void {
-    if (change === 'lights') this.#lights.update(this.#viewer.lights);
-    else if (change === 'meshes') this.#updateMeshes();
-    else this.#camera.update();
+    const { geometry, src, meshes } = this.#viewer;
+    if (change === 'lights') this.#lights.update();
+    else if (change === 'meshes') {
+      if (meshes !== this.#meshList) this.#range.expire();
+      this.#meshList = meshes;
+      this.#meshes.group.show(meshes.length > 0);
+      this.#meshes.update();
+    } else this.#camera.update();
     if (change !== 'camera') this.#show.update();
     if (change !== 'viewer') return;
-    this.#files.update();
+    this.#updateFiles();
     this.#shading.update();
-    this.#surface.gui.show(this.#viewer.geometry !== null || this.#viewer.src !== '');
+    this.#surface.gui.show(geometry !== null || src !== '');
     this.#surface.update();
   }
 
   refreshVisible(): void {
-    this.#lights.refreshVisible();
-    this.#meshes.refreshVisible();
-    for (const folder of [this.#camera, this.#shading, this.#show, this.#surface]) folder.refreshVisible();
-  }
-
-  loaded(): void {
-    for (const change of ['lights', 'camera', 'meshes'] as const) this.update(change);
+    for (const each of [this.#lights, this.#meshes, this.#camera, this.#shading, this.#show, this.#surface])
+      each.refreshVisible();
   }
 
   dispose(): void {
     for (const stop of this.#stops) stop();
-    this.#files.dispose();
-  }
-
-  #updateMeshes(): void {
-    const { meshes } = this.#viewer;
-    if (meshes !== this.#meshList) this.#range.expire();
-    this.#meshList = meshes;
-    this.#meshGroup.show(meshes.length > 0);
-    this.#meshes.update(meshes);
   }
 }
 
@@ -271,4 +223,28 @@ function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   });
   observer.observe(viewer);
   return () => observer.disconnect();
+}
+
+/**
+ * Adds a button after `title` that shows the viewer in full screen, where the browser has full screen. Returns a
+ * function that removes it.
+ */
+function addFullScreen(title: HTMLElement, viewer: PhongViewer): () => void {
+  if (!viewer.ownerDocument.fullscreenEnabled) return () => undefined;
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.className = 'full-screen';
+  const isOn = (): boolean => viewer.matches(':fullscreen');
+  const update = (): void => explain(button, isOn() ? 'Leave full screen' : 'Full screen');
+  button.addEventListener('click', () => {
+    // The browser may refuse. Then the page stays as it is.
+    (isOn() ? viewer.ownerDocument.exitFullscreen() : viewer.requestFullscreen()).catch(() => undefined);
+  });
+  viewer.addEventListener('fullscreenchange', update);
+  title.after(button);
+  update();
+  return () => {
+    viewer.removeEventListener('fullscreenchange', update);
+    button.remove();
+  };
 }

@@ -3,7 +3,7 @@
 import { type Controller, FunctionController, type GUI } from 'lil-gui';
 import { attributeOf } from '../element/fields/attribute-text.js';
 import { bindingOf } from '../element/fields/field-binding.js';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -20,7 +20,7 @@ import {
   NumberControl,
   VectorControl,
 } from './number-controls.js';
-import type { SceneRange } from './scene-range.js';
+import type { SceneRange } from './travel.js';
 import { SelectControl } from './select-control.js';
 import { Readout, TextControl } from './text-control.js';
 import type { SliderScale } from './travel.js';
@@ -76,7 +76,7 @@ export type RowTable<V, E, Own extends string = never> = {
 } & { readonly [K in Own]: Row<unknown, E> };
 
 /** A row of any field. */
-type AnyRow<E> = Omit<Row<unknown, E>, 'add'> & {
+export type AnyRow<E> = Omit<Row<unknown, E>, 'add'> & {
   readonly add: (gui: GUI, place: RowContext<E>, value: never) => void;
 };
 
@@ -145,12 +145,14 @@ export const mapped = <A, B, E>(
   },
 });
 
-/** A slider's scale, or how it follows from the scene. */
-type TravelOf<E> = SliderScale | ((place: RowContext<E>) => SliderScale);
-
 const scaled = <E>({ scale }: RowContext<E>, travel: SliderScale): SliderScale => scale?.(travel) ?? travel;
 
-export const number = <E>(label: ViewerText, travel: TravelOf<E>, hint?: ViewerText): Row<number, E> => ({
+/** `travel`: the slider's scale, or how it follows from the scene. */
+export const number = <E>(
+  label: ViewerText,
+  travel: SliderScale | ((place: RowContext<E>) => SliderScale),
+  hint?: ViewerText,
+): Row<number, E> => ({
   add: (gui, place, value) => {
     const control = new NumberControl(gui, value, label, () =>
       scaled(place, typeof travel === 'function' ? travel(place) : travel),
@@ -168,8 +170,8 @@ export const vector = <E>(
   add: (gui, place, value) => {
     const travelOf = (axis: Axis): SliderScale =>
       scaled(place, typeof travel === 'function' ? travel(place, axis) : travel);
-    const { axis } = place;
-    if (axis === undefined || axis === null) new VectorControl(gui, value, label, travelOf, components);
+    const { axis = null } = place;
+    if (axis === null) new VectorControl(gui, value, label, travelOf, components);
     else {
       const control = new NumberControl(gui, componentOf(value, axis), label, () => travelOf(axis));
       nameComponent(control.$name, label, axis, components);
@@ -219,10 +221,8 @@ export const oneOf = <T extends ViewerText | null>(
   hint?: ViewerText,
 ): Row<T, unknown> => ({
   add: (gui, _, value) => {
-    const control = new SelectControl(gui, value, label, {
-      values: () => words,
-      text: (word, say) => say(word ?? 'as viewer'),
-    });
+    const textOf = (word: T, say: Say): string => say(word ?? 'as viewer');
+    const control = new SelectControl(gui, value, label, () => words, textOf);
     if (hint !== undefined) explain(control.domElement, hint);
   },
 });
@@ -234,17 +234,15 @@ export const oneName = <E>(
   textOf: (name: string, element: E, say: Say) => string,
 ): Row<string, E> => ({
   add: (gui, { element }, value) => {
-    new SelectControl(gui, value, label, {
-      values: () => values(element),
-      text: (name, say) => textOf(name, element, say),
-    });
+    const valuesNow = (): readonly string[] => values(element);
+    new SelectControl(gui, value, label, valuesNow, (name, say) => textOf(name, element, say));
   },
 });
 
-/** Text that the user cannot edit. */
-export const readout = <T, E>(label: ViewerText, read: (element: E) => string): Row<T, E> => ({
+/** Text that the user cannot edit. `followsPictures`: each drawn picture may change it. */
+export const readout = <T, E>(label: ViewerText, read: (element: E) => string, followsPictures = false): Row<T, E> => ({
   add: (gui, { element, viewer }) => {
-    new Readout(gui, () => read(element), label, viewer);
+    new Readout(gui, () => read(element), label, followsPictures ? viewer : null);
   },
 });
 

@@ -1,7 +1,7 @@
 // Rows of text: a field that writes while the user types, and text that the user cannot edit.
 import { Controller, type GUI } from 'lil-gui';
 import { write } from '../element/dom.js';
-import type { ViewerText } from '../element/fields/text-list.js';
+import type { ViewerText } from '../element/fields/texts.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { nameRow } from './label.js';
 
@@ -13,10 +13,10 @@ export class TextControl extends Controller {
   constructor(folder: GUI, bound: Bound<string>, name: ViewerText, placeholder: () => string) {
     super(folder, bound, 'value', 'text');
     nameRow(this, name);
-    this.#field = new TextField({
-      read: () => bound.value,
-      write: (text) => accepted(() => (bound.value = text)),
-    });
+    this.#field = new TextField(
+      () => bound.value,
+      (text) => accepted(() => (bound.value = text)),
+    );
     this.#placeholder = placeholder;
     const { input } = this.#field;
     input.setAttribute('aria-labelledby', this.$name.id);
@@ -31,36 +31,27 @@ export class TextControl extends Controller {
   }
 }
 
-/** Text that follows the pictures of a viewer. */
+/** Text that the user cannot edit. */
 export class Readout extends Controller {
-  readonly #viewer: HTMLElement;
+  readonly #stop = new AbortController();
 
-  constructor(folder: GUI, text: () => string, name: ViewerText, viewer: HTMLElement) {
+  /** `followed`: each picture of this viewer may change the text. */
+  constructor(folder: GUI, text: () => string, name: ViewerText, followed: HTMLElement | null) {
     super(folder, bound(text), 'value', 'readout');
-    this.#viewer = viewer;
     nameRow(this, name);
-    viewer.addEventListener('render', this.#update);
-    this.#update();
+    followed?.addEventListener('render', () => this.updateDisplay(), { signal: this.#stop.signal });
+    this.updateDisplay();
   }
 
   override updateDisplay(): this {
-    this.#update();
+    write(this.$widget, this.getValue() as string);
     return this;
   }
 
   override destroy(): void {
-    this.#viewer.removeEventListener('render', this.#update);
+    this.#stop.abort();
     super.destroy();
   }
-
-  readonly #update = (): void => write(this.$widget, this.getValue() as string);
-}
-
-interface TextBinding {
-  /** The value as text. */
-  read(): string;
-  /** Writes the text's value. Returns false if it is refused. */
-  write(text: string): boolean;
 }
 
 /**
@@ -69,11 +60,12 @@ interface TextBinding {
  */
 export class TextField {
   readonly input = document.createElement('input');
-  readonly #binding: TextBinding;
+  readonly #read: () => string;
   #typing = false;
 
-  constructor(binding: TextBinding) {
-    this.#binding = binding;
+  /** `read`: the value as text. `write` returns false for a text that is refused. */
+  constructor(read: () => string, write: (text: string) => boolean) {
+    this.#read = read;
     const { input } = this;
     input.type = 'text';
     input.autocomplete = 'off';
@@ -81,7 +73,7 @@ export class TextField {
     input.addEventListener('focus', () => input.select());
     input.addEventListener('input', () => {
       this.#typing = true;
-      this.#valid = binding.write(input.value);
+      this.#valid = write(input.value);
     });
     input.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') input.blur();
@@ -92,7 +84,7 @@ export class TextField {
   /** Shows the value, unless the user types. */
   update(): void {
     if (this.#typing) return;
-    const text = this.#binding.read();
+    const text = this.#read();
     if (this.input.value !== text) this.input.value = text;
   }
 

@@ -1,5 +1,8 @@
 // The range that a slider covers, and how its positions map to values, in the unit of the control.
+import type { PhongViewer } from '../element/phong-viewer.js';
 import { niceCeil, tidy } from '../math/round-number.js';
+import type { Vec3 } from '../math/vector.js';
+import { measure } from '../scene/bounds.js';
 
 /** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
 export interface SliderScale {
@@ -87,4 +90,62 @@ const limited = (scale: SliderScale, least: number | null, most: number | null):
 /** A number as a person would write it. Values below 1e-9 of `span` are rounding noise and become 0. */
 export function numberText(value: number, span = 0): string {
   return Math.abs(value) <= 1e-9 * span ? '0' : String(Number(value.toPrecision(6)));
+}
+
+/** In radii of the scene, because lights are placed around a scene as well as inside it. */
+const REACH = 3;
+
+const EMPTY_REACH = 5;
+
+/**
+ * The range that sliders for positions cover: the surroundings of the scene. Measured when meshes are added, removed or
+ * loaded, and not while one of them is being moved by a slider. World space, scene units.
+ */
+export class SceneRange {
+  readonly #viewer: PhongViewer;
+  /** Null: the next read measures the scene. */
+  #measured: { readonly center: Vec3; readonly reach: number } | null = null;
+
+  constructor(viewer: PhongViewer) {
+    this.#viewer = viewer;
+  }
+
+  /** Marks the range as outdated. */
+  expire(): void {
+    this.#measured = null;
+  }
+
+  get center(): Vec3 {
+    return this.#measure().center;
+  }
+
+  /** Half the range of the sliders. */
+  get reach(): number {
+    return this.#measure().reach;
+  }
+
+  /** For a position in world space. */
+  place(axis: 0 | 1 | 2): SliderScale {
+    const { center, reach } = this.#measure();
+    const step = niceCeil(reach / 500);
+    const middle = Math.round(center[axis] / step) * step;
+    // If the scene is close to the origin, 0 is the middle of the sliders.
+    const shift = Math.abs(middle) < reach / 2 ? 0 : middle;
+    return linear(shift - reach, shift + reach, step);
+  }
+
+  /** For a vector around zero: a direction, or a position in camera space. */
+  vector(): SliderScale {
+    return linear(-this.reach, this.reach, niceCeil(this.reach / 500));
+  }
+
+  #measure(): { readonly center: Vec3; readonly reach: number } {
+    if (this.#measured !== null) return this.#measured;
+    const { scene } = this.#viewer;
+    scene.updateMatrixWorld();
+    const extent = measure(scene);
+    const radius = extent.empty ? 0 : extent.radiusAbout(extent.center);
+    const reach = radius > 0 ? niceCeil(REACH * radius) : EMPTY_REACH;
+    return (this.#measured = { center: extent.center, reach });
+  }
 }

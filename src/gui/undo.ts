@@ -24,15 +24,11 @@ export function addUndo(gui: GUI, viewer: PhongViewer): () => void {
   };
 }
 
-const isText = (target: EventTarget | null | undefined): boolean =>
-  target instanceof HTMLTextAreaElement ||
-  (target instanceof HTMLInputElement && (target.type === 'text' || target.type === 'number'));
-
 /** Inputs that hold no text that is typed, so that they have no undo of their own. */
 const TEXTLESS: ReadonlySet<string> = new Set('button checkbox color file image radio range reset submit'.split(' '));
 
 /** Has undo by keys itself. */
-const isEditor = (target: EventTarget | undefined): boolean =>
+const isEditor = (target: EventTarget | null | undefined): boolean =>
   target instanceof HTMLInputElement
     ? !TEXTLESS.has(target.type)
     : target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
@@ -44,7 +40,7 @@ const isEditor = (target: EventTarget | undefined): boolean =>
 export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: History): () => void {
   let typedIn: EventTarget | null = null;
   panel.addEventListener('input', ({ target }) => {
-    if (isText(target)) typedIn = target;
+    if (isEditor(target)) typedIn = target;
   });
   panel.addEventListener('focusout', () => (typedIn = null));
   // A step ends when the pointer or an arrow key is released, and when a field or picker is left.
@@ -54,14 +50,12 @@ export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: 
       history.seal();
     });
   }
-  const keys = { capture: true }; // lil-gui stops the keys of its rows on their way up
-  panel.addEventListener(
-    'keyup',
-    ({ key }) => {
-      if (key.startsWith('Arrow')) history.seal();
-    },
-    keys,
-  );
+  // In the capture phase: lil-gui stops the keys of its rows on their way up.
+  const onKey = (type: 'keyup' | 'keydown', heard: (event: KeyboardEvent) => void): void =>
+    panel.addEventListener(type, heard, { capture: true });
+  onKey('keyup', ({ key }) => {
+    if (key.startsWith('Arrow')) history.seal();
+  });
   const act = (event: KeyboardEvent): void => {
     const action = undoKey(event);
     if (action === null) return;
@@ -69,13 +63,9 @@ export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: 
     event.stopPropagation();
     history[action]();
   };
-  panel.addEventListener(
-    'keydown',
-    (event) => {
-      if (typedIn === null || typedIn !== event.target) act(event);
-    },
-    keys,
-  );
+  onKey('keydown', (event) => {
+    if (typedIn === null || typedIn !== event.target) act(event);
+  });
   const outside = new AbortController();
   viewer.addEventListener(
     'keydown',

@@ -1,8 +1,7 @@
 // A light grid: a box divided into cells, each with a list of the spots that can reach it. For many narrow spots on one
 // large mesh a fragment loops over a few lights instead of all. The grid stands in shading space, so it stays while the
 // camera turns.
-import { Cone } from './cone.js';
-import type { Box } from './cull-lights.js';
+import { type Box, Cone } from './cull-lights.js';
 import { GRID, HEADER, ROWS } from './light-layout.js';
 import { forEachLight, type PackedLights, reserve } from './pack-lights.js';
 

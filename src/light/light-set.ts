@@ -43,7 +43,7 @@ export class LightSet {
     this.#lights.splice(0, Infinity, ...lights);
     this.#values.splice(0, Infinity, ...lights.map(({ values }) => values));
     for (const light of lights) this.#listen(light);
-    this.#changeAll();
+    this.#bump(null);
   }
 
   /** Adds a light at the end, in constant time. */
@@ -51,7 +51,7 @@ export class LightSet {
     this.#lights.push(light);
     this.#values.push(light.values);
     this.#listen(light);
-    this.#changeAll();
+    this.#bump(null);
   }
 
   remove(light: LightState): void {
@@ -63,27 +63,23 @@ export class LightSet {
       this.#lights.splice(index, 1);
       this.#values.splice(index, 1);
     }
-    this.#changeAll();
+    this.#bump(null);
   }
 
   #listen(light: LightState): void {
     const { values } = light;
     let w = values.position[3];
     const listener = (key: keyof LightValues): void => {
-      if (key !== 'position' || values.position[3] !== w) this.#kindVersion += 1;
+      const isMove = key === 'position' && values.position[3] === w;
       w = values.position[3];
-      this.#bump(light);
+      this.#bump(light, isMove);
     };
     light.listen(listener);
     this.#listeners.set(light, listener);
   }
 
-  #changeAll(): void {
-    this.#kindVersion += 1;
-    this.#bump(null);
-  }
-
-  #bump(light: LightState | null): void {
+  #bump(light: LightState | null, isMove = false): void {
+    if (!isMove) this.#kindVersion += 1;
     this.#version += 1;
     this.#changed(light);
   }

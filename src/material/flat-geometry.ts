@@ -58,7 +58,7 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
   corners.index =
     index ??
     new BufferAttribute(
-      Uint32Array.from({ length: count }, (_, i) => i),
+      new Uint32Array(count).map((_, i) => i),
       1,
     );
   const flat = corners.toNonIndexed();

@@ -65,7 +65,13 @@ export class PhongLighting {
   /** Goes up with {@link clip}. */
   #aims = 0;
   readonly #aimed = { view: new Matrix4(), projection: new Matrix4() };
-  readonly #space = { worldToShading: identity(), cameraToShading: identity(), linear: false };
+  readonly #worldToShading = new Matrix4();
+  readonly #cameraToShading = new Matrix4();
+  readonly #space = {
+    worldToShading: this.#worldToShading.elements,
+    cameraToShading: this.#cameraToShading.elements,
+    linear: false,
+  };
 
   constructor(lights = new LightSet()) {
     this.lights = lights;
@@ -218,13 +224,13 @@ export class PhongLighting {
 
   /** `all`: more than places and the space's matrices may have changed. */
   #pack(frame: ShadingFrame, all: boolean): void {
-    const { origin, right, up, back, eye } = frame;
+    const [x, y, z] = frame.origin;
     const buffer = this.#meshLights.all;
     const { packed, revision } = buffer;
     const { values, version, kindVersion } = this.lights;
     const space = this.#space;
-    writeColumns(space.worldToShading, X, Y, Z, -origin[0], -origin[1], -origin[2]);
-    writeColumns(space.cameraToShading, right, up, back, eye[0], eye[1], eye[2]);
+    this.#worldToShading.makeTranslation(-x, -y, -z);
+    writeCamera(this.#cameraToShading, frame, frame.eye);
     if (this.view !== null) this.view.pack(values, space, packed);
     else if (all || !moveLights(space, packed)) packLights(values, space, packed);
     this.#packedFor = { lights: version, kinds: kindVersion, view: this.view, linear: space.linear };
@@ -260,30 +266,21 @@ const NEVER: PackedFor = { lights: -1, kinds: -1, view: null, linear: false };
 /** Overwritten by each call of `#viewOf`. */
 const view = /* @__PURE__ */ new Matrix4();
 
-const X: Vec3 = [1, 0, 0];
-const Y: Vec3 = [0, 1, 0];
-const Z: Vec3 = [0, 0, 1];
+type Axes = Pick<ShadingFrame, 'right' | 'up' | 'back'>;
 
-const identity = (): Float64Array => new Float64Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-
-/** Columns of a rigid matrix; the fourth is x, y, z. */
-function writeColumns(m: Float64Array, a: Vec3, b: Vec3, c: Vec3, x: number, y: number, z: number): void {
-  m[0] = a[0];
-  m[1] = a[1];
-  m[2] = a[2];
-  m[4] = b[0];
-  m[5] = b[1];
-  m[6] = b[2];
-  m[8] = c[0];
-  m[9] = c[1];
-  m[10] = c[2];
-  m[12] = x;
-  m[13] = y;
-  m[14] = z;
+/** Writes the matrix from the view of an eye to the space of these axes' coordinates. */
+export function writeCamera(into: Matrix4, { right, up, back }: Axes, eye: Vec3): void {
+  // prettier-ignore
+  into.set(
+    right[0], up[0], back[0], eye[0],
+    right[1], up[1], back[1], eye[1],
+    right[2], up[2], back[2], eye[2],
+    0, 0, 0, 1,
+  );
 }
 
-/** Writes the matrix from the space of these axes' coordinates to the view of an eye there. */
-export function writeView(into: Matrix4, { right, up, back }: Omit<ShadingFrame, 'origin' | 'eye'>, eye: Vec3): void {
+/** Writes the inverse of {@link writeCamera}'s matrix. */
+export function writeView(into: Matrix4, { right, up, back }: Axes, eye: Vec3): void {
   // prettier-ignore
   into.set(
     right[0], right[1], right[2], -dot(right, eye),

@@ -1,11 +1,10 @@
 // Downloads a model's files with progress, abort, limits of size and silence, and errors that a page's author
 // understands.
-import { decodeDataUri } from './data-uri.js';
-import { nameOf } from './file-name.js';
+import { decodeDataUri } from './encodings.js';
+import { nameOf, isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-model.js';
 import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
 import { Slices } from './slices.js';
-import { isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
 
 /**
  * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough

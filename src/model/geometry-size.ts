@@ -110,17 +110,14 @@ function* measured(geometry: BufferGeometry): Search<GeometrySize | null> {
 }
 
 function* sizeAround(vertices: Vertices): Search<GeometrySize | null> {
-  let [minX, minY, minZ, maxX, maxY, maxZ] = NOTHING;
-  for (let i = 0; i < vertices.length; i += 3) {
-    if (i % PIECE === 0) yield;
-    const [x, y, z] = [vertices[i]!, vertices[i + 1]!, vertices[i + 2]!];
-    if (x < minX) minX = x;
-    if (x > maxX) maxX = x;
-    if (y < minY) minY = y;
-    if (y > maxY) maxY = y;
-    if (z < minZ) minZ = z;
-    if (z > maxZ) maxZ = z;
+  const around = new Box3();
+  const piece = new Box3();
+  for (let from = 0; from < vertices.length; from += PIECE) {
+    around.union(piece.setFromArray(vertices.subarray(from, from + PIECE)));
+    yield;
   }
+  const [minX, minY, minZ] = around.min.toArray();
+  const [maxX, maxY, maxZ] = around.max.toArray();
   if (!(minX <= maxX)) return null;
   const center: Vec3 = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2];
   let farthest = 0;
@@ -134,8 +131,6 @@ function* sizeAround(vertices: Vertices): Search<GeometrySize | null> {
   const box: Box = [minX, minY, minZ, maxX, maxY, maxZ];
   return { box, center, radius: Math.sqrt(farthest), vertices: () => vertices };
 }
-
-const NOTHING: Box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 
 /** The vertices that are numbers. */
 function finiteVertices(position: BufferAttribute | InterleavedBufferAttribute): Vertices {

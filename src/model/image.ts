@@ -1,9 +1,10 @@
-// Decodes an image file to pixels, without colour conversion and without premultiplication, first row on top. The
-// browser decodes them, but KTX2. No blob: address is fetched, as a strict CSP requires.
-import { imageSize, type ImageSize } from './image-size.js';
+// The images of a model as textures: decoded without colour conversion and without premultiplication, first row on top.
+// The browser decodes them, but KTX2. No blob: address is fetched, as a strict CSP requires.
+import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
 import { type ModelBudget, requireAtMost } from './model-budget.js';
+import type { ModelSource } from './model-reader.js';
 
 /**
  * Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its
@@ -17,11 +18,98 @@ export interface ImageFile {
   readonly type: string;
 }
 
+export type Sampler = Readonly<Pick<Texture, 'magFilter' | 'minFilter' | 'wrapS' | 'wrapT'>>;
+
+/** Texture coordinates are multiplied by `scale`, then `offset` is added. */
+export interface Placement {
+  readonly scale: readonly [u: number, v: number];
+  readonly offset: readonly [u: number, v: number];
+}
+
+const AS_IT_IS: Placement = { scale: [1, 1], offset: [0, 0] };
+
+/** An image that is decoded once, however many textures use it. */
+interface Image {
+  readonly decoded: Promise<{ readonly pixels: number; readonly bitmap: ImageBitmap } | null>;
+  /** By sampler and placement. */
+  readonly textures: Map<string, Promise<Texture | null>>;
+  readonly samplers: Set<string>;
+  source?: Texture<ImageBitmap>['source'];
+}
+
+/** Textures of one image with one sampler and placement are one object. */
+export class ImageTextures {
+  readonly #source: ModelSource;
+  readonly #images = new Map<unknown, Image>();
+
+  /** The source's budget gets the pixels of every image, once for each sampler: three.js uploads it for each. */
+  constructor(source: ModelSource) {
+    this.#source = source;
+  }
+
+  /**
+   * Null for an image that is missing or broken, which is reported.
+   * @param key equal for equal images.
+   * @param name of the image, for reports.
+   */
+  of(
+    key: unknown,
+    name: string,
+    read: () => Promise<ImageFile>,
+    sampler: Sampler,
+    placement = AS_IT_IS,
+  ): Promise<Texture | null> {
+    const image = this.#images.get(key) ?? {
+      decoded: this.#decode(name, read),
+      textures: new Map<string, Promise<Texture | null>>(),
+      samplers: new Set<string>(),
+    };
+    this.#images.set(key, image);
+    const use = JSON.stringify([sampler, placement]);
+    const texture = image.textures.get(use) ?? this.#create(image, sampler, placement);
+    image.textures.set(use, texture);
+    return texture;
+  }
+
+  /** Waits for images that are being decoded, then closes all images. */
+  async close(): Promise<void> {
+    for (const image of await Promise.allSettled(Array.from(this.#images.values(), ({ decoded }) => decoded)))
+      if (image.status === 'fulfilled') image.value?.bitmap.close();
+  }
+
+  #decode(name: string, read: () => Promise<ImageFile>): Image['decoded'] {
+    const { optional, budget, signal } = this.#source;
+    return optional(name, read, async (file) => {
+      const size = countImage(file, budget);
+      return { pixels: size.width * size.height, bitmap: await decodeImage(file, size, signal) };
+    });
+  }
+
+  async #create(image: Image, sampler: Sampler, { scale, offset }: Placement): Promise<Texture | null> {
+    const decoded = await image.decoded;
+    if (decoded === null) return null;
+    const texture = new Texture(decoded.bitmap);
+    const uploaded = JSON.stringify(sampler);
+    if (image.samplers.size > 0 && !image.samplers.has(uploaded)) this.#source.budget.add({ pixels: decoded.pixels });
+    image.samplers.add(uploaded);
+    texture.source = image.source ??= texture.source;
+    Object.assign(texture, sampler);
+    texture.generateMipmaps = texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
+    texture.colorSpace = NoColorSpace;
+    texture.flipY = false;
+    texture.repeat.set(...scale);
+    texture.offset.set(...offset);
+    texture.updateMatrix();
+    texture.needsUpdate = true;
+    return texture;
+  }
+}
+
 /**
  * Adds an image that is to be decoded to the budget. @throws Error for a file that is no image, ModelError past a
  * limit.
  */
-export function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize {
+function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize {
   const size = imageSize(bytes);
   if (!size) throw new Error('is no PNG, JPEG, WebP or KTX2 image, or its headers contradict each other');
   const pixels = size.width * size.height;
@@ -30,12 +118,8 @@ export function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize
   return size;
 }
 
-/**
- * Decodes an image, scaled down if it is larger than the limits of one image. Count its pixels first ({@link
- * countImage}).
- * @throws if it cannot be decoded.
- */
-export async function decodeImage(file: ImageFile, size: ImageSize, signal: AbortSignal): Promise<ImageBitmap> {
+/** Decodes an image, scaled down if it is larger than the limits of one image. @throws if it cannot be decoded. */
+async function decodeImage(file: ImageFile, size: ImageSize, signal: AbortSignal): Promise<ImageBitmap> {
   const pixels = Math.min(size.width * size.height, PIXELS_AT_ONCE);
   await acquire(pixels);
   try {
@@ -97,3 +181,121 @@ function release(pixels: number): void {
     next.start();
   }
 }
+
+/** In pixels, as stored: before any rotation. */
+interface ImageSize {
+  readonly width: number;
+  readonly height: number;
+}
+
+/**
+ * The size that a PNG, JPEG, WebP or KTX2 image claims in its headers; null for other or broken files, and where two
+ * headers differ. Read before a decoder allocates for it. Only formats whose decoders allocate for that number and no
+ * other: in GIF, AVIF, BMP or SVG another place of the file can claim more.
+ */
+export function imageSize(file: Uint8Array): ImageSize | null {
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  const reader = READERS.find(({ at, magic }) => hasText(view, at, magic));
+  try {
+    const size = reader?.read(view) ?? null;
+    return size && size.width > 0 && size.height > 0 ? size : null;
+  } catch {
+    return null; // a header beyond the end of the file
+  }
+}
+
+interface Reader {
+  readonly at: number;
+  readonly magic: string;
+  readonly read: (view: DataView) => ImageSize | null;
+}
+
+const READERS: readonly Reader[] = [
+  { at: 0, magic: '\x89PNG\r\n\x1a\n', read: pngSize },
+  { at: 0, magic: '\xff\xd8\xff', read: jpegSize },
+  {
+    at: 1,
+    magic: 'KTX 20',
+    read: (view) => ({ width: view.getUint32(20, true), height: view.getUint32(24, true) }),
+  },
+  { at: 8, magic: 'WEBP', read: webpSize },
+];
+
+/** Before the pixels. No encoder writes as many. */
+const MOST_CHUNKS = 1000;
+
+function hasText(view: DataView, at: number, text: string): boolean {
+  if (at + text.length > view.byteLength) return false;
+  return Array.from(text).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0));
+}
+
+/** The one IHDR chunk, which comes first. */
+function pngSize(view: DataView): ImageSize | null {
+  if (!hasText(view, 12, 'IHDR')) return null;
+  for (let at = 33, i = 0; i < MOST_CHUNKS; i += 1) {
+    if (hasText(view, at + 4, 'IDAT')) return { width: view.getUint32(16), height: view.getUint32(20) };
+    if (hasText(view, at + 4, 'IHDR')) return null;
+    at += 12 + view.getUint32(at);
+  }
+  return null;
+}
+
+/**
+ * The one frame header (SOF0 to SOF15, but DHT, JPG and DAC, which lie between) before the first scan. A height of 0,
+ * which a DNL segment would give later, is none.
+ */
+function jpegSize(view: DataView): ImageSize | null {
+  let size: ImageSize | null = null;
+  for (let at = 2, i = 0; i < MOST_CHUNKS; i += 1) {
+    if (view.getUint8(at) !== 0xff) return null;
+    const marker = view.getUint8(at + 1);
+    if (marker === 0xff) {
+      at += 1; // fill byte
+      continue;
+    }
+    if (marker === 0xda || marker === 0xd9) return size;
+    if (marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc) {
+      if (size !== null) return null;
+      size = { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
+    }
+    const standsAlone = marker === 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+    at += 2 + (standsAlone ? 0 : view.getUint16(at + 2));
+  }
+  return null;
+}
+
+/** That of the canvas, if there is one: a still picture has the same, frames of an animation lie within it. */
+function webpSize(view: DataView): ImageSize | null {
+  let canvas: ImageSize | null = null;
+  for (let at = 12, i = 0; i < MOST_CHUNKS; i += 1) {
+    const start = at + 8;
+    if (hasText(view, at, 'VP8X')) {
+      if (canvas !== null) return null;
+      canvas = { width: 1 + uint24(view, start + 4), height: 1 + uint24(view, start + 7) };
+    }
+    if (hasText(view, at, 'ANMF')) {
+      const right = 2 * uint24(view, start) + 1 + uint24(view, start + 6);
+      const bottom = 2 * uint24(view, start + 3) + 1 + uint24(view, start + 9);
+      return canvas !== null && right <= canvas.width && bottom <= canvas.height ? canvas : null;
+    }
+    const frame = hasText(view, at, 'VP8L')
+      ? losslessSize(view.getUint32(start + 1, true))
+      : hasText(view, at, 'VP8 ')
+        ? {
+            width: view.getUint16(start + 6, true) & 0x3fff,
+            height: view.getUint16(start + 8, true) & 0x3fff,
+          }
+        : null;
+    at = start + 2 * Math.ceil(view.getUint32(at + 4, true) / 2);
+    if (frame === null) continue;
+    return canvas === null || (canvas.width === frame.width && canvas.height === frame.height) ? frame : null;
+  }
+  return null;
+}
+
+const losslessSize = (bits: number): ImageSize => ({
+  width: 1 + (bits & 0x3fff),
+  height: 1 + ((bits >>> 14) & 0x3fff),
+});
+
+const uint24 = (view: DataView, at: number): number => view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;

@@ -6,19 +6,18 @@ import type { Amounts } from './budget.js';
 import { free, isOutOfMemory } from './limits.js';
 import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
-import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './file-group.js';
-import { nameOf } from './file-name.js';
+import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
+import { nameOf, type CrossOrigin, type FileRequest } from './request-model.js';
 import { formatOf } from './format.js';
 import type { ReadOptional } from './model-reader.js';
-import { asUtf8 } from './text/utf-16.js';
+import { asUtf8 } from './encodings.js';
 import { type Content, ModelError } from './model.js';
-import type { CrossOrigin, FileRequest } from './request-file.js';
 import { measureInSlices } from './geometry-size.js';
 import { Slices } from './slices.js';
 
 export { Slices };
 
-export { droppedModel } from './dropped-files.js';
+export { droppedModel } from './user-files.js';
 export { movingCopy, movingValues } from './moving-copy.js';
 
 export interface LoadOptions {

@@ -1,6 +1,10 @@
-// What the reader of a format gets and gives.
+// What the reader of a format gets and gives, and what several readers use to make it.
+import { BufferAttribute, type Texture } from 'three';
+import type { BaseLook } from '../material/file-surface.js';
+import { writeFaceNormals } from '../material/flat-geometry.js';
 import type { Content } from './model.js';
 import type { ModelBudget } from './model-budget.js';
+import type { Slices } from './slices.js';
 
 export interface ModelSource {
   readonly url: URL;
@@ -28,3 +32,32 @@ export type ReadOptional = <Bytes, Result>(
 
 /** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
 export type ModelReader = (source: ModelSource) => Promise<Content>;
+
+/**
+ * A model without motion that owns its geometries, textures and images.
+ * @param closeImages frees what the textures' images hold.
+ */
+export function ownedModel(parts: Content['parts'], closeImages: () => void = () => undefined): Content {
+  const owned = new Set(parts.flatMap(({ geometry, look }) => [geometry, ...mapsOfLook(look)]));
+  let disposed = false;
+  return {
+    parts,
+    motion: null,
+    dispose() {
+      if (disposed) return;
+      disposed = true;
+      for (const item of owned) item.dispose();
+      closeImages();
+    },
+  };
+}
+
+export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: BaseLook): Texture[] =>
+  [map, emissiveMap, metalRoughMap, normalMap].flatMap((texture) => texture ?? []);
+
+/** The normal of each triangle, in the space of `positions`. In slices: millions of triangles take seconds. */
+export async function faceNormals(positions: ArrayLike<number>, slices: Slices): Promise<BufferAttribute> {
+  const normals = new Float32Array(positions.length);
+  await slices.over(positions.length / 9, (from, to) => writeFaceNormals(positions, normals, from, to));
+  return new BufferAttribute(normals, 3);
+}

@@ -1,7 +1,7 @@
-// Requests a model's first file, and the code that reads it. Imports nothing that takes long to run.
+// Requests a model's files, and the code that reads them; and what a file is called in messages. Imports nothing that
+// takes long to run.
 import { FORMAT_NAMES, type FormatNames } from './format-names.js';
 import { lazyCode } from './lazy-code.js';
-import { type CrossOrigin, type FileRequest, isDataUri, requestFile } from './request-file.js';
 
 /** The code that loads models. */
 export const modelCode = /* @__PURE__ */ lazyCode(() => import('./model-content.js'), 'models');
@@ -56,4 +56,59 @@ export function endEarly(): void {
     end.abort();
   }
   early.clear();
+}
+
+export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
+
+export interface FileRequest {
+  readonly response: Promise<Response>;
+  /** The directive of the page's Content-Security-Policy that refused the request. Stays pending otherwise. */
+  readonly refusal: Promise<string>;
+  /** Stops waiting for a refusal. */
+  stop(): void;
+}
+
+/** Not requested: a strict policy forbids fetching it, and what it holds is there already. */
+export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
+
+export function requestFile(
+  url: URL,
+  redirect: RequestRedirect,
+  { signal, crossOrigin }: { readonly signal: AbortSignal; readonly crossOrigin: CrossOrigin },
+): FileRequest {
+  const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
+  const watch = new AbortController();
+  const refusal = refusalOf(url, watch.signal);
+  const response = fetch(url, { signal, redirect, credentials });
+  response.catch(() => undefined); // the code that awaits it reports the error
+  const stop = (): void => watch.abort();
+  return { response, refusal, stop };
+}
+
+/** A fetch refused by the policy rejects like a network failure. Only an event distinguishes the two. */
+function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
+  const address = url.href.split('#', 1)[0];
+  return new Promise((resolve) => {
+    if (typeof document === 'undefined') return;
+    const listener = (event: SecurityPolicyViolationEvent): void => {
+      const mine = event.blockedURI === address || event.blockedURI === url.origin;
+      if (event.disposition === 'enforce' && mine) resolve(event.effectiveDirective);
+    };
+    document.addEventListener('securitypolicyviolation', listener, { signal });
+  });
+}
+
+/** The name of a `File`; `model` for a `Blob`, which has none. */
+export const fileName = (file: Blob): string => ('name' in file ? String(file.name) : '') || 'model';
+
+/** The last part of an address, for messages: addresses can be long. Those that have none give their host. */
+export function nameOf(url: URL): string {
+  if (url.protocol === 'data:') return 'the data: URI';
+  const last = url.pathname.slice(url.pathname.lastIndexOf('/') + 1);
+  if (last === '') return url.host === '' ? 'the file' : url.host;
+  try {
+    return decodeURIComponent(last);
+  } catch {
+    return last; // a percent sign that escapes nothing
+  }
 }

@@ -3,7 +3,6 @@
 import { add, cross, dot, length, subtract } from '../math/vector.js';
 import { radians } from '../math/angle.js';
 import type { PhongViewer } from '../index.js';
-import { type Explain, type Explained, explainer, pictureOf } from './page-picture.js';
 
 /** Pixels of surfaces, by what became of them. */
 export interface Counts {
@@ -170,4 +169,37 @@ function rangeOf(points: Points): Pick<WrongPixel, 'least' | 'greatest'> {
   const bound = (of: (...values: number[]) => number): readonly number[] =>
     ([0, 1, 2] as const).map((k) => 255 * of(...points.map((point) => point!.color[k])));
   return { least: bound(Math.min), greatest: bound(Math.max) };
+}
+
+/** What shadeAt gives for a point of a surface. */
+type Explained = NonNullable<Awaited<ReturnType<PhongViewer['shadeAt']>>> & {
+  readonly filtered?: boolean;
+};
+
+/** Explains the point at x, y; null where no Phong-lit surface is drawn. */
+type Explain = (x: number, y: number) => Promise<Explained | null>;
+
+/** The picture's pixels, without premultiplication or a colour conversion. */
+async function pictureOf(viewer: PhongViewer): Promise<ImageData> {
+  const bitmap = await createImageBitmap(await viewer.toBlob(), {
+    premultiplyAlpha: 'none',
+    colorSpaceConversion: 'none',
+  });
+  const { width, height } = bitmap;
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  if (context === null) throw new Error('the viewer cannot be drawn here');
+  context.drawImage(bitmap, 0, 0);
+  return context.getImageData(0, 0, width, height);
+}
+
+function explainer(viewer: PhongViewer, width: number, height: number): Explain {
+  const surface = viewer.shadowRoot?.querySelector('[part=surface]');
+  if (!surface) throw new Error('the viewer cannot be drawn here');
+  // shadeAt takes CSS pixels of the picture before any transform; inside CSS zoom, those of pointer events.
+  const style = getComputedStyle(surface);
+  const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+  const cssX = (parseFloat(style.width) * zoom) / width;
+  const cssY = (parseFloat(style.height) * zoom) / height;
+  return (x, y) => viewer.shadeAt(x * cssX, y * cssY, { exact: true });
 }

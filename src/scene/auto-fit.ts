@@ -2,11 +2,10 @@
 // changed, and moves the orbit when scene, field of view or the picture's aspect have.
 import type { Mesh } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
-import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
 import { type Extent, measure, radiusOf } from './bounds.js';
 import type { Size } from './gpu/atlas.js';
-import type { SceneTree } from './scene-tree.js';
+import type { Picture } from './picture.js';
 
 /** Target and radius as declared: `auto`, or a value. */
 export interface Framing {
@@ -31,9 +30,7 @@ export interface SharedFit {
 }
 
 export class AutoFit {
-  readonly #tree: SceneTree;
-  readonly #orbit: Orbit;
-  readonly #changed: () => void;
+  readonly #picture: Picture;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
   #fov = 45;
   /** Width over height of the last size above 0: a hidden picture keeps its camera. */
@@ -45,11 +42,8 @@ export class AutoFit {
   #fitted: Fit | null = null;
   readonly #depthBounds = { center: ORIGIN, radius: 0 };
 
-  /** `changed`: another frame is to be drawn. */
-  constructor(tree: SceneTree, orbit: Orbit, changed: () => void) {
-    this.#tree = tree;
-    this.#orbit = orbit;
-    this.#changed = changed;
+  constructor(picture: Picture) {
+    this.#picture = picture;
   }
 
   /** How target and radius are found; null leaves them where the user put them. */
@@ -60,7 +54,7 @@ export class AutoFit {
   set framing(framing: Framing | null) {
     this.#framing = framing;
     this.#fitted = null;
-    this.#changed();
+    this.#picture.invalidate();
   }
 
   /** Frames this picture together with others; null, the default: alone. */
@@ -90,7 +84,7 @@ export class AutoFit {
    * A mesh has moved; its world matrix is where it was. Inside the bounds at both places it leaves them as they are.
    */
   moved(mesh: Mesh): void {
-    if (this.#staysInside(mesh)) this.#changed();
+    if (this.#staysInside(mesh)) this.#picture.invalidate();
     else this.reshaped();
   }
 
@@ -99,7 +93,7 @@ export class AutoFit {
     // Other points than the bounds' centre have other farthest vertices.
     const { target = 'auto', radius = 0 } = this.#framing ?? {};
     const isFitted = this.#fitted !== null || this.#framing === null;
-    if (bounds === null || !isFitted || this.#shared !== null || parent !== this.#tree.scene) return false;
+    if (bounds === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) return false;
     if (target !== 'auto' && radius === 'auto') return false;
     return [matrixWorld, matrix].every(({ elements }) => extent!.holds(geometry, elements, bounds.radius));
   }
@@ -122,7 +116,7 @@ export class AutoFit {
     const { bounds } = this.#measure();
     const depth = this.#depthBounds;
     depth.center = bounds?.center ?? ORIGIN;
-    depth.radius = radiusOf(this.#tree.scene, depth.center);
+    depth.radius = radiusOf(this.#picture.scene, depth.center);
     return bounds === null && depth.radius === 0 ? null : depth;
   }
 
@@ -132,12 +126,13 @@ export class AutoFit {
     if (this.#fitted !== null || this.#framing === null) return false;
     this.#fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing);
     const { radius } = this.#framing;
-    const before = this.#orbit.version;
-    this.#orbit.set({
+    const { orbit } = this.#picture;
+    const before = orbit.version;
+    orbit.set({
       target: this.#fitted.target,
       radius: radius === 'auto' ? this.#fitted.radius : radius,
     });
-    return this.#orbit.version !== before;
+    return orbit.version !== before;
   }
 
   /**
@@ -155,13 +150,13 @@ export class AutoFit {
   #refit(): void {
     this.#fitted = null;
     this.#shared?.changed();
-    this.#changed();
+    this.#picture.invalidate();
   }
 
   #measure(): { readonly extent: Extent; readonly bounds: Bounds | null } {
     if (this.#measured !== null) return this.#measured;
-    this.#tree.update();
-    const extent = measure(this.#tree.scene);
+    this.#picture.place();
+    const extent = measure(this.#picture.scene);
     const { center, empty } = extent;
     const bounds = empty ? null : { center, radius: extent.radiusAbout(center) };
     return (this.#measured = { extent, bounds });

@@ -1,42 +1,27 @@
 // Decides when pictures are drawn. At most one animation frame is pending for each window, and none while nothing
 // changes. A frame has three phases, and every picture finishes one before any picture starts the next.
 
-/** The window that shows a picture. Frames come from there: another one may be hidden, minimised or closed. */
-export type FrameSource = Pick<Window, 'requestAnimationFrame' | 'cancelAnimationFrame'>;
-
-export interface Framed {
-  /** Phase 1: reads the page's layout. Nothing writes to the page before all pictures have read. */
-  prepare(): void;
-  /**
-   * Phase 2: advances motion such as a turning camera; true requests another frame. `now` is the animation frame's time
-   * in milliseconds. Pictures that move must all be out of date before the first one draws: only those share an atlas.
-   */
-  advance(now: number): boolean;
-  /** Phase 3: draws if the picture is out of date. */
-  draw(): void;
-  /** It has another size since it was drawn. */
-  readonly resized: boolean;
-}
+import type { Viewport } from './viewport.js';
 
 export class FrameLoop {
-  readonly #source: FrameSource;
-  #waiting = new Set<Framed>();
+  readonly #source: Window;
+  #waiting = new Set<Viewport>();
   /** The pictures of the running frame; empty between frames. */
-  #running = new Set<Framed>();
+  #running = new Set<Viewport>();
   #pending = 0;
 
-  constructor(source: FrameSource) {
+  constructor(source: Window) {
     this.#source = source;
   }
 
   /** Requests a frame for `picture`. Any number of requests in one task make one frame. */
-  request(picture: Framed): void {
+  request(picture: Viewport): void {
     this.#waiting.add(picture);
     if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
   }
 
   /** Withdraws a request. Without any request left the animation frame is cancelled too. */
-  cancel(picture: Framed): void {
+  cancel(picture: Viewport): void {
     this.#waiting.delete(picture);
     if (this.#waiting.size > 0 || this.#pending === 0) return;
     this.#source.cancelAnimationFrame(this.#pending);
@@ -69,7 +54,7 @@ export class FrameLoop {
   }
 
   /** One broken picture must not stop the others of the page. */
-  #each(action: (picture: Framed) => void): void {
+  #each(action: (picture: Viewport) => void): void {
     for (const picture of this.#running) {
       try {
         action(picture);
@@ -80,10 +65,10 @@ export class FrameLoop {
   }
 }
 
-const loops = new WeakMap<FrameSource, FrameLoop>();
+const loops = new WeakMap<Window, FrameLoop>();
 
-/** The frame loop of a window. */
-export function frameLoopOf(source: FrameSource): FrameLoop {
+/** The frame loop of the window that shows a picture: another one may be hidden, minimised or closed. */
+export function frameLoopOf(source: Window): FrameLoop {
   const loop = loops.get(source) ?? new FrameLoop(source);
   loops.set(source, loop);
   return loop;

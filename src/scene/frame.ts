@@ -3,10 +3,9 @@
 import { type Object3D, PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange, nearBefore } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
-import { type ShadingFrame, writeView } from '../material/lighting.js';
+import { type ShadingFrame, writeCamera, writeView } from '../material/lighting.js';
 import { radians } from '../math/angle.js';
-import type { Size } from './gpu/atlas.js';
-import type { Region } from './gpu/stage.js';
+import type { Region, Size } from './gpu/atlas.js';
 import { nearestDepth } from './near-depth.js';
 import type { Frustum } from './frustum-clip.js';
 
@@ -56,7 +55,8 @@ export class Frame {
     this.height = height;
     this.samples = samples;
     this.#orbit.basis(this.#basis);
-    this.#writeEye();
+    this.#orbit.offset(this.#offset);
+    this.#orbit.eye(this.#eye);
     camera.fov = fov;
     camera.aspect = width / height;
     view.slopeY = Math.tan(radians(fov) / 2);
@@ -71,7 +71,11 @@ export class Frame {
     const { near, far, cuts } = depthRange(this.#orbit.pose, bounds, this.#depth);
     camera.near = cuts ? Math.min(near, nearBefore(nearestDepth(root, view, 2 * near), view.radius)) : near;
     camera.far = far;
-    this.#place();
+    writeCamera(camera.matrixWorld, this.#basis, this.#eye);
+    writeView(camera.matrixWorldInverse, this.#basis, this.#eye);
+    camera.matrix.copy(camera.matrixWorld);
+    // Helpers of three.js, such as its raycaster, read these.
+    camera.matrix.decompose(camera.position, camera.quaternion, camera.scale);
     this.show();
   }
 
@@ -83,33 +87,6 @@ export class Frame {
     camera.updateProjectionMatrix();
     if (camera.far > DEEPEST * camera.near) removeFarPlane(camera);
     scaleClipSpace(camera, this.view.radius);
-  }
-
-  #place(): void {
-    const { camera } = this;
-    const { right, up, back } = this.#basis;
-    const eye = this.#eye;
-    // prettier-ignore
-    camera.matrixWorld.set(
-      right[0], up[0], back[0], eye[0],
-      right[1], up[1], back[1], eye[1],
-      right[2], up[2], back[2], eye[2],
-      0, 0, 0, 1,
-    );
-    writeView(camera.matrixWorldInverse, this.#basis, eye);
-    camera.matrix.copy(camera.matrixWorld);
-    // Helpers of three.js, such as its raycaster, read these.
-    camera.matrix.decompose(camera.position, camera.quaternion, camera.scale);
-  }
-
-  /** From the basis, which has taken the sines and cosines. */
-  #writeEye(): void {
-    const { radius, target } = this.#orbit;
-    const { back } = this.#basis;
-    for (let i = 0; i < 3; i++) {
-      this.#offset[i] = back[i]! * radius;
-      this.#eye[i] = this.#offset[i]! + target[i]!;
-    }
   }
 }
 

@@ -10,13 +10,11 @@ import { Budget } from '../model/budget.js';
 import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
 import { Frame } from './frame.js';
-import type { Size } from './gpu/atlas.js';
-import type { Region } from './gpu/stage.js';
+import type { Region, Size } from './gpu/atlas.js';
 import { Animations } from './mesh/animation.js';
 import { Levels } from './mesh/levels.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
-import { SceneTree } from './scene-tree.js';
 import { copyFrame, drawnObjects, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 
 export class Picture {
@@ -26,11 +24,11 @@ export class Picture {
   readonly budget = new Budget();
   readonly lighting: PhongLighting;
   readonly materials: SharedMaterials;
-  readonly levels: Levels;
-  readonly fit: AutoFit;
+  readonly levels = new Levels(this);
+  readonly fit = new AutoFit(this);
   /** As last made. */
   readonly frame = new Frame(this.orbit);
-  readonly #tree = new SceneTree(this.scene);
+  readonly #meshes = new Set<SceneMesh>();
   readonly #changed: () => void;
   readonly #fitted: () => void;
   #version = 0;
@@ -44,8 +42,6 @@ export class Picture {
   constructor(lights: LightSet, changed: () => void, fitted: () => void) {
     this.lighting = new PhongLighting(lights);
     this.materials = new SharedMaterials(this.lighting);
-    this.levels = new Levels(this.meshes, this.budget, this.materials);
-    this.fit = new AutoFit(this.#tree, this.orbit, () => this.invalidate());
     this.#changed = changed;
     this.#fitted = fitted;
     this.scene.matrixWorldAutoUpdate = false; // `make` updates matrices, before it measures
@@ -53,7 +49,7 @@ export class Picture {
 
   /** In drawing order. */
   get meshes(): ReadonlySet<SceneMesh> {
-    return this.#tree.meshes;
+    return this.#meshes;
   }
 
   /** Counts the changes of what it shows. Two frames of one version, size and number of samples are the same. */
@@ -101,19 +97,46 @@ export class Picture {
   }
 
   add(mesh: SceneMesh): void {
-    this.#tree.add(mesh);
+    this.#meshes.add(mesh);
+    mesh.attach(this.scene);
     this.reshaped();
   }
 
   remove(mesh: SceneMesh): void {
-    this.#tree.remove(mesh);
+    this.#meshes.delete(mesh);
+    mesh.dispose();
     this.reshaped();
   }
 
-  /** The order in which the scene is drawn: meshes that are not among these, these, the page author's own objects. */
+  /**
+   * The order in which the scene is drawn: meshes that are not among these, these, the page author's own objects. Where
+   * surfaces coincide, the last one drawn shows.
+   */
   arrange(meshes: readonly SceneMesh[]): void {
-    this.#tree.arrange(meshes);
+    for (const mesh of meshes) if (this.#meshes.delete(mesh)) this.#meshes.add(mesh);
     this.invalidate();
+  }
+
+  /**
+   * Updates order and world matrices before drawing or measuring. A mesh that has not moved costs one call. A user's
+   * objects are computed again each time, as three.js does.
+   */
+  place(): void {
+    const { children } = this.scene;
+    let own = 0;
+    for (const { root } of this.#meshes) {
+      if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
+      if (children[own] !== root) this.#sort();
+      own += 1;
+    }
+    for (let i = 0; i < children.length; i++) children[i]!.updateMatrixWorld(i >= own);
+  }
+
+  #sort(): void {
+    const ranks = new Map<Object3D, number>();
+    for (const { root } of this.#meshes) if (root !== null) ranks.set(root, ranks.size);
+    const rank = (object: Object3D): number => ranks.get(object) ?? ranks.size;
+    this.scene.children.sort((a, b) => rank(a) - rank(b));
   }
 
   /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
@@ -131,7 +154,7 @@ export class Picture {
   make(size: Size, samples: number): void {
     const { frame, scene } = this;
     this.settle();
-    this.#tree.update();
+    this.place();
     if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit)) this.levels.choose(frame);
     frame.aim(scene, this.fit.depthBounds());
   }

@@ -1,9 +1,9 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its first use.
 import type { WebGLRenderer } from 'three';
 import { lazyCode, reportMissing } from '../model/lazy-code.js';
-import type { Size } from './gpu/atlas.js';
-import type { Region } from './gpu/stage.js';
-import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
+import type { Region, Size } from './gpu/atlas.js';
+import type { ConvergingPicture } from './samples/converging-picture.js';
+import type { Viewport } from './viewport.js';
 
 const sampling = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js'),
@@ -11,14 +11,14 @@ const sampling = /* @__PURE__ */ lazyCode(
 );
 
 export class StillPicture {
-  readonly #subject: Sampled;
+  readonly #subject: Viewport;
   readonly #settled: () => void;
   #wanted = 0;
   /** Null while no samples are wanted or the code is being fetched. */
   #converging: ConvergingPicture | null = null;
 
   /** `settled`: no more samples are to come, because all are there or cannot be drawn. */
-  constructor(subject: Sampled, settled: () => void) {
+  constructor(subject: Viewport, settled: () => void) {
     this.#subject = subject;
     this.#settled = settled;
   }

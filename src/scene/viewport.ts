@@ -1,16 +1,45 @@
 // When one viewer's picture is drawn, and where: on the page's stage when something has changed, while it is near.
 import type { WebGLRenderer } from 'three';
+import { Signal } from '../fields/signal.js';
 import type { LightSet } from '../light/light-set.js';
-import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
+import { type FrameLoop, frameLoopOf } from './frame-loop.js';
 import type { Size } from './gpu/atlas.js';
 import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { Picture, type ViewportStats } from './picture.js';
 import { StillPicture } from './still-picture.js';
-import type { ViewportSignals } from './viewport-signals.js';
 
 const NONE = -1; // no version of a picture
 
-export class Viewport implements StageClient, Framed {
+/** What a viewport reports to the parts around it, and what it asks them. */
+export class ViewportSignals {
+  /** Before the first frame: size and visibility of the picture are not known yet. Set `near` and call `resize`. */
+  readonly layoutNeeded = new Signal();
+  /** The scene as it is has been drawn without an exception. */
+  readonly painted = new Signal();
+  /** A frame was drawn, and may still have to be copied to the picture's canvas. */
+  readonly drawn = new Signal();
+  /** A changed picture is on its canvas, whose pixels can be read until the task ends. Once a frame. */
+  readonly shown = new Signal();
+  /** After {@link drawn}, where drawing threw, and where there is no context: no more frames come by themselves. */
+  readonly frameEnded = new Signal();
+  /** `auto` found another target or radius. Not for the first frame. */
+  readonly fitted = new Signal();
+  /** There is no WebGL 2. {@link contextRestored} follows if a later attempt succeeds. */
+  readonly contextMissing = new Signal<Error>();
+  readonly contextLost = new Signal();
+  readonly contextRestored = new Signal();
+  /**
+   * Moves what moves by itself to where it is at `now`, the time of an animation frame in ms. True while it keeps
+   * moving.
+   */
+  moveTo: (now: number) => boolean = () => false;
+  /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
+  awaited: () => boolean = () => false;
+  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
+  recover: (error: unknown, draw: () => void) => boolean = () => false;
+}
+
+export class Viewport implements StageClient {
   readonly holder: HTMLElement;
   readonly picture: Picture;
   /** Its samples while it stands still. */
@@ -91,6 +120,7 @@ export class Viewport implements StageClient, Framed {
     this.#wake();
   }
 
+  /** It has another size since it was drawn. */
   get resized(): boolean {
     const { frame } = this.picture;
     return frame.width !== this.width || frame.height !== this.height;
@@ -119,14 +149,21 @@ export class Viewport implements StageClient, Framed {
     if (this.drawable) this.#loop?.request(this);
   }
 
+  /** First phase of a frame: reads the page's layout. Nothing writes to the page before all pictures have read. */
   prepare(): void {
     if (this.#near === undefined) this.#signals.layoutNeeded.emit();
   }
 
+  /**
+   * Second phase: advances motion such as a turning camera; true requests another frame. `now` is the animation frame's
+   * time in milliseconds. Pictures that move must all be out of date before the first one draws: only those share an
+   * atlas.
+   */
   advance(now: number): boolean {
     return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));
   }
 
+  /** Third phase: draws if the picture is out of date. */
   draw(): void {
     if (!this.drawable) return;
     if (this.#signals.awaited())
@@ -182,6 +219,7 @@ export class Viewport implements StageClient, Framed {
     if (this.drawable && this.upToDate && !this.#moving) this.still.finish(deadline);
   }
 
+  /** Shows the kept mean. `last`: it has all samples. */
   show(last: boolean): void {
     const isShown = stage.draw(this, (renderer) => this.still.copy(renderer));
     this.#painted = isShown ? this.picture.version : NONE;

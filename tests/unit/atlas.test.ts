@@ -1,13 +1,13 @@
 // Do the pictures of one frame find places on one canvas: apart from each other, inside it, and without much waste?
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { layOutAtlas, type AtlasPlace } from '../../src/scene/gpu/atlas.js';
+import { layOutAtlas, type Region } from '../../src/scene/gpu/atlas.js';
 
 const limit = { side: 4096, area: 1920 * 1080 };
 const side = fc.oneof(fc.integer({ min: 1, max: 40 }), fc.integer({ min: 1, max: limit.side }));
 const sizes = fc.array(fc.record({ width: side, height: side }), { minLength: 1, maxLength: 60 });
 
-const apart = (a: AtlasPlace, b: AtlasPlace): boolean =>
+const apart = (a: Region, b: Region): boolean =>
   a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
 
 describe('an atlas of pictures', () => {

@@ -1,7 +1,7 @@
 // Which advice do authors get for attributes that do not exist, and which names are no mistake?
 
 import { describe, expect, it } from 'vitest';
-import { attributeAdvice } from '../../src/element/diagnosis/attribute-advice.js';
+import { attributeAdvice } from '../../src/element/diagnosis/diagnose.js';
 import { attributesOf } from '../../src/element/fields/field-binding.js';
 import { COMPARE_FIELDS } from '../../src/element/fields/compare-fields.js';
 import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';

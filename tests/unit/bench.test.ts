@@ -1,22 +1,79 @@
-// The arithmetic of the bench: statistics, results, progress, scenes and errors, without a browser.
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+// Are the published report, its charts and the README's sentence what the results say, and which missed limits fail? And
+// the arithmetic of the bench, without a browser.
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { describe, expect, test } from 'vitest';
+import { fileURLToPath } from 'node:url';
+import { expect, test } from 'vitest';
+import { AIMS, missedLimits } from '../bench/aims.mjs';
 import { errorOf } from '../bench/front/errors.js';
 import { readTrace } from '../bench/measure/model.mjs';
-import { MODELS, writeModels } from '../bench/models.mjs';
 import { mixedLights } from '../bench/pages/scenes.js';
 import { PICTURE_SCENES } from '../bench/pages/picture-scenes.js';
-import { addSamples, type BenchResult, ratioOf, ratioOverSubjects, ratioToBest, valueOf } from '../bench/results.mjs';
-import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
-import { PICTURES } from '../bench/subjects.mjs';
+import { readmeSentence, reportOf } from '../bench/report.mjs';
+import { addSamples, type BenchResult, readResults } from '../bench/results.mjs';
+import { interleaved } from '../bench/statistics.mjs';
+import { PICTURES, SUBJECTS } from '../bench/subjects.mjs';
 
-test('statistics interpolate between neighbours, and divide samples of the same round', () => {
-  expect(quantile([4, 1, 3, 2], 0.5)).toBe(2.5);
-  expect(quantile([4, 1, 3, 2, 5], 0.25)).toBe(2);
-  expect(spread([7])).toEqual({ median: 7, low: 7, high: 7, count: 1 });
-  expect(pairedRatios([1, 20], [2, 10])).toEqual([0.5, 2]);
+const bench = fileURLToPath(new URL('../bench/', import.meta.url));
+const results = readResults(join(bench, 'results'));
+const { report, charts } = reportOf(results);
+
+test('REPORT.md and the README say what the results say: otherwise run npm run bench:report', () => {
+  expect(readFileSync(join(bench, 'REPORT.md'), 'utf8')).toBe(report);
+  expect(readFileSync(join(bench, '../../README.md'), 'utf8')).toContain(readmeSentence(results));
+});
+
+test('each row of a table has as many cells as its head', () => {
+  let cells = 0;
+  for (const line of report.split('\n')) {
+    const count = line.startsWith('|') ? line.replaceAll('\\|', '').split('|').length : 0;
+    if (cells > 0 && count > 0) expect(count, line).toBe(cells);
+    cells = count;
+  }
+});
+
+test('every chart is an SVG that the report shows, with its series and pictures named in it', () => {
+  expect(readdirSync(join(bench, 'charts')).sort()).toEqual([...charts.keys()].sort());
+  for (const [file, svg] of charts) {
+    // Not by toContain, which would print all of it.
+    expect(/^<svg [^]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"[^]*<\/svg>$/.test(svg), file).toBe(true);
+    for (const text of ['TAARenderPass', 'sphere']) expect(svg.includes(`>${text}</text>`), file).toBe(true);
+    expect([svg.includes('NaN'), report.includes(`](charts/${file})`)], file).toEqual([false, true]);
+  }
+});
+
+test('npm run bench:report writes the report and its charts into the folder of the results', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+  try {
+    cpSync(join(bench, 'results'), join(folder, 'results'), { recursive: true });
+    execFileSync(process.execPath, [join(bench, 'report.mjs'), '--folder', folder]);
+    expect(readFileSync(join(folder, 'REPORT.md'), 'utf8')).toBe(report);
+    expect(readdirSync(join(folder, 'charts'))).toHaveLength(charts.size);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('an aim names subjects that exist', () => {
+  for (const { label, subject, subjects = [] } of AIMS)
+    for (const name of [subject, ...subjects]) expect(Object.keys(SUBJECTS), label).toContain(name);
+});
+
+test('a limit is missed where even the better quartile lies beyond it', () => {
+  const about = { stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] as const };
+  const result: BenchResult = { ...about, measures: [], failures: [] };
+  const subject = 'script, toggling one of 5,000 lights';
+  const took = (element: number): void => addSamples(result, subject, 'script per frame', 'µs', { element });
+  took(2400.04);
+  expect(result.measures[0]!.samples).toEqual({ element: [2400] }); // rounded to four digits
+  expect(missedLimits(result)).toEqual(['toggling one of 5,000 lights, µs: 2.40e+3, limit 2000']);
+  for (const time of [1800, 2400, 1800]) took(time);
+  expect(missedLimits(result)).toEqual([]);
+  // An aim that is not reached yet is no limit.
+  addSamples(result, 'start', 'first picture', 'ms', { standalone: 20, bundled: 13, three: 10 });
+  expect(missedLimits(result)).toEqual([]);
 });
 
 test('every other round measures the sides in reverse order', async () => {
@@ -27,66 +84,6 @@ test('every other round measures the sides in reverse order', async () => {
   });
   expect(order.join('')).toBe('abbaab');
   expect(samples.flat()).toEqual([1, 4, 5, 2, 3, 6]);
-});
-
-describe('a result', () => {
-  const newResult = (): BenchResult => ({
-    ...{ stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] },
-    ...{ measures: [], fronts: [], failures: [] },
-  });
-
-  test('keeps samples by side and divides by the last one, if there are two', () => {
-    const result = newResult();
-    addSamples(result, 'sphere', 'settled', 'ms', { element: 2, three: 4 });
-    addSamples(result, 'sphere', 'settled', 'ms', { element: 3.00004, three: 4 });
-    addSamples(result, 'connecting', 'time', 'ms', { element: 900 });
-    const [sphere, connecting] = result.measures;
-    expect(sphere!.samples).toEqual({ element: [2, 3], three: [4, 4] });
-    expect(ratioOf(sphere!)?.median).toBe(0.625);
-    expect(valueOf(sphere!, 'three').median).toBe(4);
-    expect(ratioOf(connecting!)).toBeUndefined();
-  });
-
-  test('has the ratio to the better of other viewers, and counts every model once', () => {
-    const result = newResult();
-    for (const element of [10, 12, 14]) addSamples(result, 'a', 'first picture', 'ms', { element, one: 40, other: 20 });
-    addSamples(result, 'b', 'first picture', 'ms', { element: 10, one: 10, other: 20 });
-    expect(ratioToBest(result.measures[0]!)?.median).toBe(0.6);
-    const over = (subjects: string[]) => ratioOverSubjects(result, subjects, 'first picture');
-    expect(over(['a', 'b', 'c'])).toMatchObject({ median: 0.8, count: 2 });
-    expect(over(['c'])).toBeUndefined();
-  });
-});
-
-test('models are at most 5 MB, and their views lie within their buffers', () => {
-  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
-  try {
-    writeModels(folder);
-    const names = readdirSync(folder);
-    expect(names.sort()).toEqual([...Object.values(MODELS), '2CylinderEngine.bin', 'checks.glb'].sort());
-    for (const name of names) {
-      const file = readFileSync(join(folder, name));
-      expect(file.length, name).toBeLessThan(5e6);
-      if (name.endsWith('.bin')) continue;
-      const text = name.endsWith('.gltf');
-      const end = text ? file.length : 20 + file.readUInt32LE(12);
-      if (!text) {
-        expect([file.toString('latin1', 0, 4), file.readUInt32LE(8)], name).toEqual(['glTF', file.length]);
-        expect(file.toString('latin1', end + 4, end + 8), name).toBe('BIN\0');
-      }
-      const json = JSON.parse(file.toString('utf8', text ? 0 : 20, end)) as {
-        readonly bufferViews: readonly { readonly byteOffset?: number; readonly byteLength: number }[];
-        readonly buffers: readonly { readonly byteLength: number }[];
-      };
-      const { byteLength: size } = json.buffers[0]!;
-      const bin = text ? readFileSync(join(folder, '2CylinderEngine.bin')) : file;
-      expect(size, name).toBeLessThanOrEqual(bin.length);
-      for (const { byteOffset = 0, byteLength } of json.bufferViews)
-        expect(byteOffset + byteLength, name).toBeLessThanOrEqual(size);
-    }
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
 });
 
 test('a trace of a page gives frames and the longest task since its navigation', () => {

@@ -3,10 +3,9 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { pinch, shift, turn, worldPerPixel, zoomBy } from '../../src/camera/drag.js';
+import { keyPose, keyStep, pinch, shift, turn, wheelZoom, worldPerPixel, zoomBy } from '../../src/camera/drag.js';
 import { basisOf, Orbit } from '../../src/camera/orbit.js';
 import type { Pose } from '../../src/camera/orbit.js';
-import { keyPose, keyStep, wheelZoom } from '../../src/camera/step.js';
 import { dot, subtract } from '../../src/math/vector.js';
 
 const view = { width: 600, height: 400, fov: 45 };

@@ -72,13 +72,10 @@ describe('a command', () => {
     ['bench', /^There are no built pages in \/no\/such\/folder/, ['--built', NOWHERE]],
     ['bench:report', /^There are no results in \/no\/such\/folder\/results/, ['--folder', NOWHERE]],
     ['bench:report', /software\.json is no JSON that can be read/, ['--folder', folder]],
-    ['stress', /^--cases takes a number of at least 1, not 'many'/, ['--cases', 'many']],
     ['stress', /^Unknown driver 'left'/, ['--drivers', 'left']],
     ['stress', /^There is no built harness in \/no\/such\/folder/, ['--harness', NOWHERE]],
     // Before hours of measuring.
     ['stress', /software\.json is no JSON that can be read/, ['--out', broken]],
-    ['stress:report', /^There are no results in \/no\/such\/folder\/results/, ['--folder', NOWHERE]],
-    ['stress:report', /software\.json is no JSON that can be read/, ['--folder', folder]],
     ['mutation', /^Unknown folder 'attic'/, ['--folder', 'attic']],
   ])('npm run %s says in one line what is wrong: %s', async (name, message, args) => {
     const { code, out, said } = await run(name, args);

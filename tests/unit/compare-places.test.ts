@@ -1,7 +1,7 @@
 // Where are the dividers of a comparison, and how far does a key move one?
 
 import { describe, expect, it } from 'vitest';
-import { dividerStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/divider-positions.js';
+import { dividerStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/divider.js';
 
 describe('the dividers of a comparison', () => {
   it.each<['auto' | readonly number[], number, readonly number[]]>([

@@ -2,15 +2,8 @@
 import { Box3, type BufferAttribute, type BufferGeometry, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { cross, dot, length, subtract, type Vec3 } from '../../src/math/vector.js';
-import { shapeContent } from '../../src/scene/mesh/content-load.js';
 import { CLOSED, createGeometry, GEOMETRIES, type GeometryName, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
-import {
-  acquireGeometry,
-  FIXED,
-  levelKey,
-  releaseGeometry,
-  shapeKey,
-} from '../../src/scene/mesh/shapes/shared-shapes.js';
+import { acquireShape, FIXED, levelKey, shapeKey } from '../../src/scene/mesh/shapes/shared-shapes.js';
 
 const FEW = [1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 16, 31, 33, 64, 100, undefined];
 
@@ -143,7 +136,7 @@ describe('closed shapes', () => {
 
   it('are all but the plane and the teapot, whose meshes show both sides', async () => {
     for (const name of GEOMETRIES) {
-      const content = await shapeContent(levelKey(name, FIXED));
+      const content = await acquireShape(levelKey(name, FIXED));
       const isOpen = name === 'plane' || name === 'teapot';
       expect(content.parts[0]!.sides, name).toBe(isOpen ? 'double' : 'closed');
       content.dispose();
@@ -154,24 +147,26 @@ describe('closed shapes', () => {
 describe('sharing', () => {
   it('gives the same geometry to the same name and segments, and frees it with its last user', async () => {
     const key = shapeKey('sphere', 12);
-    const first = await acquireGeometry(key);
-    const dispose = vi.spyOn(first, 'dispose');
-    expect(acquireGeometry(key)).toBe(first);
-    releaseGeometry(key);
+    const first = await acquireShape(key);
+    const dispose = vi.spyOn(first.parts[0]!.geometry, 'dispose');
+    expect(acquireShape(key)).toBe(first);
+    first.dispose();
     expect(dispose).not.toHaveBeenCalled();
-    for (let i = 0; i < 2; i += 1) releaseGeometry(key);
+    first.dispose();
     expect(dispose).toHaveBeenCalledTimes(1);
-    expect(acquireGeometry(key)).not.toBe(first);
-    releaseGeometry(key);
+    const next = await acquireShape(key);
+    expect(next.parts[0]!.geometry).not.toBe(first.parts[0]!.geometry);
+    next.dispose();
   });
 
-  it('is by the number of segments that the shape uses', () => {
+  it('is by the number of segments that the shape uses', async () => {
     for (const [asked, used] of [
       [levelKey('sphere', FIXED), shapeKey('sphere', 64)],
       [shapeKey('cone', 1), shapeKey('cone', 3)],
     ] as const) {
-      expect(acquireGeometry(asked)).toBe(acquireGeometry(used));
-      for (const key of [asked, used]) releaseGeometry(key);
+      const contents = [await acquireShape(asked), await acquireShape(used)] as const;
+      expect(contents[0]).toBe(contents[1]);
+      for (const content of contents) content.dispose();
     }
   });
 
@@ -181,33 +176,32 @@ describe('sharing', () => {
     return import('../../src/scene/mesh/shapes/shared-shapes.js');
   }
 
-  it('frees a lazy shape that was released before it arrived, and builds it at once when its code is here', async () => {
+  it('frees a lazy shape with its last user, and builds it at once when its code is here', async () => {
     const fresh = await freshShapes();
     const key = shapeKey('teapot', 8);
-    const pending = fresh.acquireGeometry(key);
+    const pending = fresh.acquireShape(key);
     expect(pending).toBeInstanceOf(Promise);
-    expect(fresh.acquireGeometry(key)).toBe(pending);
-    fresh.releaseGeometry(key);
-    fresh.releaseGeometry(key);
-    const geometry = await pending;
-    const next = fresh.acquireGeometry(key);
+    expect(fresh.acquireShape(key)).toBe(pending);
+    const content = await pending;
+    for (let i = 0; i < 2; i += 1) content.dispose();
+    const next = fresh.acquireShape(key);
     expect(next).not.toBeInstanceOf(Promise);
-    expect(next).not.toBe(geometry);
-    fresh.releaseGeometry(key);
+    expect(next).not.toBe(content);
+    (await next).dispose();
   });
 
   it('gives a lazy shape at once after it has arrived, and keeps a level for a second: samples have a finer one', async () => {
     const fresh = await freshShapes();
     const key = levelKey('teapot', 16);
-    const geometry = await fresh.acquireGeometry(key);
-    const dispose = vi.spyOn(geometry, 'dispose');
+    const content = await fresh.acquireShape(key);
+    const dispose = vi.spyOn(content.parts[0]!.geometry, 'dispose');
     vi.useFakeTimers();
     for (const ms of [900, 900]) {
-      fresh.releaseGeometry(key);
+      content.dispose();
       vi.advanceTimersByTime(ms);
-      expect(fresh.acquireGeometry(key)).toBe(geometry);
+      expect(fresh.acquireShape(key)).toBe(content);
     }
-    for (let i = 0; i < 2; i += 1) fresh.releaseGeometry(key);
+    content.dispose();
     vi.advanceTimersByTime(1000);
     vi.useRealTimers();
     expect(dispose).toHaveBeenCalledTimes(1);

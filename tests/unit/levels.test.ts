@@ -1,48 +1,21 @@
-// Do the levels of `segments="auto"` keep their outlines within the tolerance, by the shapes' measured constants, and
-// within the viewer's limit of triangles?
+// Do the levels of `segments="auto"` follow the shapes' measured constants, within the viewer's limit of triangles? That
+// the constants are right: levels-picture.test.ts.
 import { Euler, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vector.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import { isLargeFor, levelFor, levelIn, segmentsIn } from '../../src/scene/mesh/levels.js';
-import { createGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
+import {
+  createGeometry,
+  GEOMETRIES,
+  type GeometryName,
+  roundOf,
+  trianglesOf,
+} from '../../src/scene/mesh/shapes/shapes.js';
 import type { Frustum } from '../../src/scene/frustum-clip.js';
-import { boxOf, deviations, highest, type Piece, type RoundName, roundShapes } from '../support/round-shapes.js';
 
-const SHAPES = roundShapes();
-const NAMES = Object.keys(SHAPES) as RoundName[];
-
-describe('the constants of round shapes', () => {
-  it('are there for all shapes that are not made of flat faces', () => {
-    expect(GEOMETRIES.filter((name) => roundOf(name) !== undefined)).toEqual(NAMES);
-  });
-
-  it.each(NAMES)('say how far the triangles of the %s are off it', (name) => {
-    const { gap, out } = roundOf(name)!;
-    for (const segments of name === 'torus-knot' ? [64, 128] : [16, 32, 64]) {
-      const pieces = SHAPES[name].filter(({ isHidden }: Piece) => isHidden !== true);
-      const found = pieces.flatMap((piece) => deviations(piece, segments).map((off) => segments ** 2 * off));
-      const [low, high] = [Math.min(...found), Math.max(...found)];
-      expect(high - out, String(segments)).toBeLessThanOrEqual(1.005 * gap);
-      expect(low - out, String(segments)).toBeGreaterThanOrEqual(-1.005 * gap);
-      // No more than it needs.
-      if (segments > 32) expect(Math.max(high - out, out - low)).toBeGreaterThan(0.97 * gap);
-    }
-  });
-
-  it.each(NAMES)('say how large the round %s is', (name) => {
-    const { half, radius } = roundOf(name)!;
-    const surfaces = SHAPES[name].map(({ surface }) => surface);
-    const steps = name === 'teapot' ? 20 : 200;
-    boxOf(surfaces, steps).forEach(([low, high], axis) => {
-      // Roundings of the constants, and of the search.
-      expect(Math.abs(high - half[axis as 0]), `axis ${String(axis)}`).toBeLessThan(2e-6);
-      expect(Math.abs(low + half[axis as 0]), `axis ${String(axis)}`).toBeLessThan(2e-6);
-    });
-    const farthest = surfaces.map((surface) => highest((a, b) => Math.hypot(...surface(a, b).p), steps));
-    expect(Math.max(...farthest)).toBeCloseTo(radius, 5);
-  });
-});
+type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;
+const NAMES = GEOMETRIES.filter((name) => roundOf(name) !== undefined) as RoundName[];
 
 describe('a level', () => {
   it.each(NAMES)(
@@ -164,12 +137,12 @@ describe('the number of segments that a shape needs', () => {
     }
   });
 
-  it('grows with the root of the resolution', () => {
+  it('follows the constants of each shape, and grows with the root of the resolution', () => {
     const view = viewFrom(3);
-    for (const name of NAMES) {
-      const needed = (finest: number) => segmentsIn(view, finest, roundOf(name)!, at(0.1, 0, 0))!;
-      expect(needed(4000) / needed(1000)).toBeCloseTo(2, 9);
-    }
+    const needed = (name: RoundName, finest = 1000) => segmentsIn(view, finest, roundOf(name)!, at(0.1, 0, 0))!;
+    for (const name of NAMES) expect(needed(name, 4000) / needed(name)).toBeCloseTo(2, 9);
+    const rounded = NAMES.map((name) => `${name} ${needed(name).toFixed(1)}`).join(', ');
+    expect(rounded).toBe('sphere 29.5, cylinder 24.1, cone 24.1, torus 36.6, torus-knot 128.3, teapot 32.6');
   });
 });
 

@@ -2,7 +2,7 @@
 // as they are.
 import type { WebGLRenderer } from 'three';
 import { expect, it, vi } from 'vitest';
-import { checkLinks } from '../../src/scene/gpu/link-check.js';
+import { checkLinks } from '../../src/material/program/program-cache.js';
 
 /** A renderer whose programs have linked, or have not. */
 function drawn(links: boolean) {

@@ -1,6 +1,6 @@
 // Are numbers that are only read written as the language of the words around them writes them?
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { localNumber } from '../../src/element/page/local-number.js';
+import { localNumber } from '../../src/element/fields/texts.js';
 import { readyTexts } from '../support/texts.js';
 
 const de = readyTexts('de');

@@ -1,7 +1,7 @@
 // What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its
 // numbers.
 import { afterEach, beforeEach, vi } from 'vitest';
-import { imageSize } from '../../src/model/image-size.js';
+import { imageSize } from '../../src/model/image.js';
 import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
 

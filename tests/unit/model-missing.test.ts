@@ -1,8 +1,7 @@
 // Is a model shown without the images and material libraries that are missing or broken, with one warning that names
 // them? The same for every format, and for files from a server, from the user's disk and inside the model.
 import { beforeEach, describe, expect, it } from 'vitest';
-import { setFileGroup } from '../../src/model/file-group.js';
-import { modelContent } from '../../src/model/model-content.js';
+import { droppedModel, modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
 import type { BaseLook } from '../../src/material/file-surface.js';
 import { floats, type Json, viewsOf } from '../fuzz/glb.js';
@@ -139,11 +138,10 @@ describe('the factors of a map whose image is missing', () => {
 
 describe('files from the user’s disk', () => {
   /** The first file, with the others beside it. */
-  function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>): Promise<Content> {
-    const group = new Map(Object.entries(files).map(([path, content]) => [path, new File([content], path)]));
-    const [[path, model] = ['', new File([], '')]] = group;
-    setFileGroup(model, { files: group, path, problem: null });
-    return modelContent(new URL(path, 'file:///'), OPTIONS, model);
+  async function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>): Promise<Content> {
+    const group = Object.entries(files).map(([path, content]) => new File([content], path));
+    const model = await droppedModel([], group);
+    return modelContent(new URL(model!.name, 'file:///'), OPTIONS, model);
   }
 
   it('show an OBJ with three of its four images, and name the fourth', async () => {

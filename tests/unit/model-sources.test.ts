@@ -1,7 +1,7 @@
 // Which addresses may a model name, what is in a data: URI, and what format is a file in?
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { decodeDataUri } from '../../src/model/data-uri.js';
+import { decodeDataUri } from '../../src/model/encodings.js';
 import { Slices } from '../../src/model/slices.js';
 import { formatOf } from '../../src/model/format.js';
 import { linkedUrl } from '../../src/model/model-content.js';

@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { BufferAttribute, BufferGeometry, SphereGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
 import { cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
-import { addTangents } from '../../src/model/gltf/tangents.js';
+import { addTangents } from '../../src/model/gltf/computed-vectors.js';
 import { Slices } from '../../src/model/slices.js';
 
 interface Frame {

@@ -233,7 +233,7 @@ describe('the materials of an OBJ file', () => {
     expect(images.decoded()).toBe(1);
     model.dispose();
     model.dispose();
-    expect(images.closed()).toBe(1);
+    await expect.poll(images.closed).toBe(1);
   });
 
   it('emit by the map of Ke', async () => {

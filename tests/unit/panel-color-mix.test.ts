@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { brightnessOf, colorOf, ColorMix, hexOf } from '../../src/gui/color-mix.js';
+import { brightnessOf, colorOf, ColorMix, hexOf } from '../../src/gui/color-control.js';
 import { triple } from './arbitraries.js';
 
 const bright = triple(fc.double({ min: 0, max: 1e6, noNaN: true }).map((n) => (n < 1e-6 ? 0 : n)));

@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { KindChange } from '../../src/gui/light-values.js';
+import { KindChange } from '../../src/gui/light-rows.js';
 import { kindOf } from '../../src/light/light-features.js';
 import { KINDS, type LightKind, LightState, type LightValues } from '../../src/light/light-state.js';
 import type { Vec3 } from '../../src/math/vector.js';

@@ -22,8 +22,7 @@ import { Orbit } from '../../src/camera/orbit.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
 import { copyFrame, drawnObjects, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
-import { distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
-import { cornersOf } from '../../src/scene/snapshot/corners.js';
+import { cornersOf, distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
 import { Frame } from '../../src/scene/frame.js';
 
 const lighting = new PhongLighting();

@@ -1,12 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { shifted, tilesOf } from '../../src/scene/samples/tiles.js';
-
-const PIXEL = { x: 0, y: 0, width: 1, height: 1 };
+import { pixelOffset } from '../../src/math/pixel-offsets.js';
+import { tilesOf } from '../../src/scene/gpu/atlas.js';
 
 describe('the offsets of samples', () => {
   it('lie in the pixel, and the first 2^k have one point in each box of area 2^-k', () => {
     for (const k of [3, 4, 6, 10]) {
-      const points = Array.from({ length: 2 ** k }, (_, i) => shifted(PIXEL, i));
+      const points = Array.from({ length: 2 ** k }, (_, i) => pixelOffset(i));
       for (const { x, y } of points) {
         expect(Math.min(x, y)).toBeGreaterThanOrEqual(-0.5);
         expect(Math.max(x, y)).toBeLessThan(0.5);

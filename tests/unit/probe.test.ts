@@ -7,10 +7,9 @@ import type { LightValues } from '../../src/light/light-state.js';
 import { srgbDecode } from '../../src/math/color.js';
 import { length, normalize } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
-import { cellText, columnsOf } from '../../src/overlay/probe/columns.js';
-import { drawingOf } from '../../src/overlay/probe/drawing.js';
-import { type Figure, figureOf, MOST_LIGHTS } from '../../src/overlay/probe/figure.js';
+import { drawingOf, type Figure, figureOf, MOST_LIGHTS } from '../../src/overlay/probe/figure.js';
 import { byShare, shortNumber, shownAbsence, probeSum, tripleText } from '../../src/overlay/probe/sum.js';
+import { cellText, columnsOf } from '../../src/overlay/probe/sum-table.js';
 import { fragmentText, stepsText } from '../../src/overlay/probe/words.js';
 import { triple } from './arbitraries.js';
 import { explained } from './explained.js';
@@ -235,7 +234,7 @@ describe('the words', () => {
         const fragment = { ...under({}), shininess };
         const [row] = probeSum(fragment, false).rows;
         const given = { ...row!, absence: NoL > 0 ? null : ('behind the surface' as const) };
-        const text = stepsText(null, { ...given, share: { ...row!.share, NoL, RoV } }, fragment, halfway);
+        const text = stepsText(null, { ...given, NoL, RoV }, fragment, halfway);
         for (const [, angle, cosine] of text.matchAll(/cos ([\d.]+)° = (−?[\d.]+)/g))
           expect(Math.cos((number(angle!) * Math.PI) / 180), text).toBeCloseTo(number(cosine!), 2.99);
         const power = /(−?[\d.]+), to the power of ([\d.]+): ([\d.]+)\./.exec(text)?.slice(1).map(number);

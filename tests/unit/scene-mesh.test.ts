@@ -1,8 +1,11 @@
-// What happens to a mesh without memory for its content, and with thousands of materials?
-import { BoxGeometry, Matrix4, Scene } from 'three';
-import { expect, it, vi } from 'vitest';
+// Do meshes claim the triangles of what they show and free what they no longer show? What happens without memory, and
+// with thousands of materials? In which order are a scene's objects drawn?
+import { BoxGeometry, type BufferGeometry, Matrix4, Mesh, Scene } from 'three';
+import { describe, expect, it, vi } from 'vitest';
 import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import type { Content } from '../../src/model/model.js';
+import type { MeshValues } from '../../src/scene/mesh/mesh-fields.js';
+import type { SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { meshHost, meshOf } from './scene-host.js';
 
 /** A content of as many parts, which look different. */
@@ -72,4 +75,126 @@ it('makes the materials of 2,000 looks before the model arrives, in more than on
   expect(release).toHaveBeenCalledTimes(2000);
   mesh.dispose();
   expect(release).toHaveBeenCalledTimes(4000);
+});
+
+/** A sphere of 64 segments, and its flat copy. */
+const SMOOTH = 3968;
+const FLAT = 13_605;
+
+function setUp(limit: number) {
+  const failed = new Map<SceneMesh, string>();
+  const host = meshHost({
+    ended: (mesh, _, error) => error !== null && failed.set(mesh, (error as { code: string }).code),
+    dropped: (mesh) => failed.delete(mesh),
+  });
+  const { budget } = host.picture;
+  budget.limit = limit;
+  const scene = new Scene();
+  const add = (segments: number, shading: MeshValues['shading']) => {
+    const made = meshOf(host, scene, { geometry: 'sphere', segments, shading });
+    return { ...made, geometry: (): BufferGeometry | undefined => made.mesh.parts[0]?.mesh.geometry };
+  };
+  return { budget, failed, add };
+}
+
+describe('a mesh', () => {
+  it('shares shape and flat copy with equal meshes, and frees each with its last user', () => {
+    const { budget, add } = setUp(20_000);
+    const meshes = Array.from({ length: 50 }, () => add(64, 'flat'));
+    const [a, b] = meshes as [(typeof meshes)[0], (typeof meshes)[0]];
+    expect(budget.used).toBe(SMOOTH + FLAT);
+    expect(new Set(meshes.map(({ geometry }) => geometry())).size).toBe(1);
+    const disposed = vi.fn();
+    a.geometry()!.addEventListener('dispose', disposed);
+    for (const { mesh } of meshes.slice(2)) mesh.dispose();
+    a.set({ shading: 'phong' });
+    expect(budget.used).toBe(SMOOTH + FLAT);
+    expect(disposed).not.toHaveBeenCalled();
+    b.set({ shading: 'phong' });
+    expect(budget.used).toBe(SMOOTH);
+    expect(disposed).toHaveBeenCalledOnce();
+    b.set({ shading: 'flat' });
+    expect(b.geometry()!.index).toBeNull();
+    expect(budget.used).toBe(SMOOTH + FLAT);
+    for (const { mesh } of [a, b]) mesh.dispose();
+    expect(budget.used).toBe(0);
+  });
+
+  it('is not built past the limit, and is shown on request once another one is gone', () => {
+    const { budget, failed, add } = setUp(6000);
+    const a = add(64, 'phong');
+    const b = add(66, 'phong');
+    expect(b.mesh.root).toBeNull();
+    expect(failed.get(b.mesh)).toBe('too-large');
+    expect(budget.used).toBe(SMOOTH);
+    a.mesh.dispose();
+    b.mesh.retry();
+    b.mesh.update();
+    expect(b.mesh.root).not.toBeNull();
+    expect(failed.size).toBe(0);
+  });
+
+  it('keeps what it shows where the next is too large, and may take the room of what it replaces', () => {
+    const { budget, failed, add } = setUp(5000);
+    const { mesh, set, geometry } = add(64, 'phong');
+    const before = geometry();
+    set({ segments: 512 });
+    expect(failed.get(mesh)).toBe('too-large');
+    expect(geometry()).toBe(before);
+    set({ segments: 66 });
+    expect(failed.size).toBe(0);
+    expect(geometry()).not.toBe(before);
+    expect(budget.used).toBe(4224);
+  });
+
+  it('keeps its shading where a flat copy is too large, and takes it on request once there is room', () => {
+    const { failed, add } = setUp(25_000);
+    const a = add(66, 'flat');
+    const b = add(64, 'phong');
+    b.set({ shading: 'flat' });
+    expect(failed.get(b.mesh)).toBe('too-large');
+    expect(b.geometry()!.index).not.toBeNull();
+    a.set({ shading: 'phong' });
+    b.mesh.retry();
+    b.mesh.update();
+    expect(b.geometry()!.index).toBeNull();
+    expect(failed.size).toBe(0);
+  });
+
+  it('that was refused as flat is shown once another shading is wanted', () => {
+    const { failed, add } = setUp(10_000);
+    const { mesh, set } = add(64, 'flat');
+    expect(mesh.root).toBeNull();
+    set({ shading: 'phong' });
+    expect(mesh.root).not.toBeNull();
+    expect(failed.size).toBe(0);
+  });
+});
+
+it('draws meshes in document order, whenever added or changed, and own objects last, but none that is removed', () => {
+  const host = meshHost();
+  const { picture } = host;
+  const meshes = ['0', '1', '2'].map((name) => {
+    const one = meshOf(host, picture.scene, { geometry: 'box', name });
+    picture.add(one.mesh);
+    return one;
+  });
+  const [first, second, third] = meshes.map(({ mesh }) => mesh);
+  const own = new Mesh();
+  own.name = 'own';
+  picture.scene.children.unshift(own);
+  own.parent = picture.scene;
+  const names = (): string => {
+    picture.place();
+    return picture.scene.children.map(({ name }) => name).join(' ');
+  };
+  expect(names()).toBe('0 1 2 own');
+  picture.arrange([third!, first!]); // 1 is no child, as a viewer's own mesh
+  expect(names()).toBe('1 2 0 own');
+  meshes[2]!.set({ geometry: 'sphere' });
+  expect(names()).toBe('1 2 0 own');
+  picture.remove(third!);
+  expect(names()).toBe('1 0 own');
+  picture.scene.remove(second!.root!);
+  expect(names()).toBe('0 own');
 });

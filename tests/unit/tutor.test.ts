@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Equation, equationsOf, judge } from '../../src/overlay/probe/equations.js';
 import { TERMS } from '../../src/light/light-state.js';
-import { latexOf } from '../../src/overlay/probe/notation.js';
+import { latexOf } from '../../src/overlay/probe/tutor.js';
 import type { LightValues, Surface } from '../../src/reference/index.js';
 import { light } from './arbitraries.js';
 import { explained } from './explained.js';

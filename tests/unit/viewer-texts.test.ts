@@ -4,11 +4,10 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, expectTypeOf, it } from 'vitest';
-import type { ViewerText } from '../../src/element/fields/text-list.js';
+import { checkedTexts, phrase, type ViewerText, type ViewerTexts } from '../../src/element/fields/texts.js';
 import { LANGUAGES } from '../../.ci/texts.mjs';
 import { ERROR_TEXTS, readyTexts, VIEWER_TEXTS } from '../support/texts.js';
-import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
-import type { PhongViewerProps } from '../../src/element/jsx.js';
+import type { PhongViewerProps } from '../../src/element/template-types.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
 import { KINDS, TERMS } from '../../src/light/light-state.js';
 

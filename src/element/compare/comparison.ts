@@ -9,27 +9,17 @@ import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf, placed } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
 import panelColumn from '../page/panel-column.css?inline';
-import { CORNER_STYLES, CORNER_MARKS, pictureBox } from '../page/picture-box.js';
+import { CORNER_MARKS, pictureBox } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
 import { AWAITED, OPEN_PANEL, WIDE_PANEL } from '../viewer/viewer-panel.js';
 import styles from './comparison.css?inline';
-import { Divider, type DividerHost } from './divider.js';
-import { placesOf, rangeOf, withMoved } from './divider-positions.js';
-import { shareTouch } from './shared-touch.js';
-
-/** The text over a viewer; `isName`: the viewer itself has it as its name. */
-interface Label {
-  readonly text: string;
-  readonly isName: boolean;
-}
-
-const NO_LABEL: Label = { text: '', isName: false };
+import { Divider, placesOf, rangeOf, withMoved } from './divider.js';
 
 /** Height of a label with the space above it; see comparison.css. */
 const LABEL = 'calc(1.6em + 8px)';
 
-export class Comparison implements DividerHost, ReactiveController {
+export class Comparison implements ReactiveController {
   readonly #element: PhongCompare;
   readonly #values: Readonly<CompareValues>;
   readonly #observer = new MutationObserver(() => this.#element.requestUpdate());
@@ -49,7 +39,6 @@ export class Comparison implements DividerHost, ReactiveController {
     const root = this.#element.shadowRoot!;
     addStyles(root, panelColumn);
     addStyles(root, styles);
-    addStyles(root, CORNER_STYLES);
     this.#observe();
     useTexts(this.#textUser);
     const { signal } = (this.#listeners = new AbortController());
@@ -76,6 +65,7 @@ export class Comparison implements DividerHost, ReactiveController {
     this.#observe();
   }
 
+  /** The box of the comparison as it is now. */
   measure(): PictureBox {
     return pictureBox(this.#element.shadowRoot!.querySelector('.box')!);
   }
@@ -84,29 +74,35 @@ export class Comparison implements DividerHost, ReactiveController {
     return this.#values.direction === 'vertical';
   }
 
+  /** The start of the line is on the right. */
   isRtl(): boolean {
     return getComputedStyle(this.#element).direction === 'rtl';
   }
 
+  /** Where this divider is, and how far it can go. */
   placeOf(divider: Divider): { readonly place: number; readonly range: readonly [min: number, max: number] } {
     const index = this.#dividers.indexOf(divider);
     const places = this.#places;
     return { place: places[index]!, range: rangeOf(places, index) };
   }
 
+  /** The user moves this divider there. */
   move(divider: Divider, place: number): void {
     const places = this.#places;
     const at = withMoved(places, this.#dividers.indexOf(divider), place);
     if (sameValue(at, places)) return;
     fieldsOf(this.#element).set('at', at);
-    const detail = { at: Object.freeze([...at]) };
-    this.#element.dispatchEvent(new CustomEvent('divider-change', { detail }));
+    this.#reportMove();
   }
 
+  /** The user wants the dividers where they were declared. */
   reset(): void {
     const { at } = this.#element;
     fieldsOf(this.#element).attributeChanged('at', this.#element.getAttribute('at'));
-    if (at === this.#element.at) return;
+    if (at !== this.#element.at) this.#reportMove();
+  }
+
+  #reportMove(): void {
     const detail = { at: Object.freeze([...this.#places]) };
     this.#element.dispatchEvent(new CustomEvent('divider-change', { detail }));
   }
@@ -128,7 +124,7 @@ export class Comparison implements DividerHost, ReactiveController {
         const divider = this.#dividers[i];
         const range = split ? ([places[i - 1] ?? 0, places[i] ?? 100] as const) : null;
         return [
-          this.#paneTemplate(i, labels[i] ?? NO_LABEL, range, rtl, [open.indexOf(viewer), open.length]),
+          this.#paneTemplate(i, labels[i] ?? '', range, rtl, [open.indexOf(viewer), open.length]),
           divider?.template(dividerLabel(viewer, labels[i], labels[i + 1]), `${paneId(i)} ${paneId(i + 1)}`),
         ];
       })}
@@ -141,7 +137,7 @@ export class Comparison implements DividerHost, ReactiveController {
    */
   #paneTemplate(
     index: number,
-    { text, isName }: Label,
+    label: string,
     range: readonly [from: number, to: number] | null,
     rtl: boolean,
     [panel, panels]: readonly [index: number, count: number],
@@ -149,10 +145,10 @@ export class Comparison implements DividerHost, ReactiveController {
     const isOpen = panel >= 0;
     const clip = range === null ? '' : this.#clip(...range, rtl, isOpen);
     const share = isOpen
-      ? `--index: ${String(panel)}; --count: ${String(panels)}; --phong-name: ${cssString(text)}; `
+      ? `--index: ${String(panel)}; --count: ${String(panels)}; --phong-name: ${cssString(label)}; `
       : '';
     // A viewer says its own name.
-    const name = text === '' || isName ? nothing : text;
+    const name = label === '' || this.#values.labels === null ? nothing : label;
     // Read as the viewer's name, or as that of the group around it. Styles as properties: a strict CSP refuses style
     // attributes.
     return html`<div
@@ -160,10 +156,10 @@ export class Comparison implements DividerHost, ReactiveController {
       id=${paneId(index)}
       role=${name === nothing ? nothing : 'group'}
       aria-label=${name}
-      .style=${`${this.#room(...(range ?? [0, 100]), text)}; ${share}${clip}`}
+      .style=${`${this.#room(...(range ?? [0, 100]), label)}; ${share}${clip}`}
     >
       <slot></slot>
-      <div class="label" part="label" aria-hidden="true" ?hidden=${text === ''} .textContent=${text}></div>
+      <div class="label" part="label" aria-hidden="true" ?hidden=${label === ''} .textContent=${label}></div>
     </div>`;
   }
 
@@ -217,12 +213,12 @@ export class Comparison implements DividerHost, ReactiveController {
     return `clip-path: polygon(${own}, ${panel})`;
   }
 
-  #labelsOf(viewers: readonly PhongViewer[]): readonly Label[] {
+  /** The texts over the viewers: where none are given, the names that the viewers have themselves. */
+  #labelsOf(viewers: readonly PhongViewer[]): readonly string[] {
     const given = this.#values.labels?.split(',').map((text) => text.trim());
-    return viewers.map((viewer, i) => ({
-      text: given === undefined ? (viewer.getAttribute('aria-label') ?? '') || viewer.alt : (given[i] ?? ''),
-      isName: given === undefined,
-    }));
+    return viewers.map((viewer, i) =>
+      given === undefined ? (viewer.getAttribute('aria-label') ?? '') || viewer.alt : (given[i] ?? ''),
+    );
   }
 }
 
@@ -240,9 +236,56 @@ const cssString = (text: string): string => JSON.stringify(text.replace(/\s+/g, 
 const paneId = (index: number): string => `pane-${String(index + 1)}`;
 
 /** `viewer`: the one before the divider, whose texts it is in. */
-function dividerLabel({ texts }: PhongViewer, before: Label = NO_LABEL, after: Label = NO_LABEL): string {
-  const [first, second] = [before.text, after.text];
+function dividerLabel({ texts }: PhongViewer, first = '', second = ''): string {
   return first === '' || second === ''
     ? phrase(texts, 'Divider')
     : phrase(texts, 'Divider between {first} and {second}', { first, second });
+}
+
+/**
+ * Two fingers on different viewers are one gesture of the viewer under the first finger, so that a pinch across a divider
+ * zooms. Otherwise each finger would turn the linked cameras on its own. Listens to everything in the shadow root.
+ */
+function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
+  const early = { signal, capture: true, passive: false };
+  /** Fingers on pictures, by pointer. */
+  const fingers = new Set<number>();
+  /** The picture under the first finger. */
+  let first: Element | null = null;
+  /** A finger on another picture has joined. */
+  let joined = false;
+  const press = (event: PointerEvent): void => {
+    // The event that is dispatched below comes by here, too.
+    if (event.pointerType !== 'touch' || !event.isTrusted) return;
+    const surface = linkedSurface(event);
+    if (surface === null) return;
+    if (first?.isConnected !== true) fingers.clear();
+    if (fingers.size === 0) first = surface;
+    fingers.add(event.pointerId);
+    if (surface === first) return;
+    joined = true;
+    event.stopPropagation();
+    // It captures the pointer, whose later events then come to it by themselves.
+    first?.dispatchEvent(new PointerEvent('pointerdown', event));
+  };
+  const lift = (event: Event): void => {
+    fingers.delete((event as PointerEvent).pointerId);
+    if (fingers.size === 0) joined = false;
+  };
+  // The pictures prevent scrolling by two fingers themselves, but count only their own.
+  const keep = (event: Event): void => {
+    if (joined && event.cancelable) event.preventDefault();
+  };
+  root.addEventListener('pointerdown', (event) => press(event as PointerEvent), early);
+  for (const type of ['pointerup', 'pointercancel']) root.addEventListener(type, lift, early);
+  for (const type of ['touchstart', 'touchmove']) root.addEventListener(type, keep, early);
+}
+
+/** The picture that was pressed, of a viewer whose camera is linked to those of the comparison. */
+function linkedSurface(event: Event): Element | null {
+  const path = event.composedPath();
+  const viewer = path.find((node) => (node as Partial<Element>).localName === 'phong-viewer') as
+    PhongViewer | undefined;
+  const surface = viewer?.shadowRoot?.querySelector('[part=surface]') ?? null;
+  return viewer?.cameraGroup === '' && surface !== null && path.includes(surface) ? surface : null;
 }

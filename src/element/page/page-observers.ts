@@ -2,37 +2,21 @@
 // listeners. They belong to the document's own window, which may be that of an iframe or a popup. There are none while
 // no element is watched.
 import { frameLoopOf } from '../../scene/frame-loop.js';
-
-/** Watches one element. */
-export interface Watcher {
-  /** The element was scrolled into or out of view, or its display has changed. */
-  intersected(entry: IntersectionObserverEntry): void;
-  /** The same for the surroundings of the view, {@link PageObservers.margin} wide. */
-  neared(entry: IntersectionObserverEntry): void;
-  resized(entry: ResizeObserverEntry): void;
-  /** The document was shown or hidden. */
-  shown(): void;
-  /** The page is about to be printed, and waits for its pictures until `deadline`, a time as of `performance.now()`. */
-  printed(deadline: number): void;
-  /** The device's pixels per CSS pixel have changed. */
-  scaled(): void;
-  /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
-  closed(): void;
-}
+import type { Visibility } from './visibility.js';
 
 /** The longest that a page's pictures make printing wait, once each is drawn. */
 const PRINT_MS = 3000;
 
 interface Observers {
-  readonly intersection: IntersectionObserver;
-  readonly surroundings: IntersectionObserver;
+  /** Of the view, and of its surroundings. */
+  readonly intersection: readonly IntersectionObserver[];
   readonly resize: ResizeObserver;
   readonly listeners: AbortController;
 }
 
 export class PageObservers {
   readonly view: PageWindow;
-  readonly #watched = new Map<Element, Watcher>();
+  readonly #watched = new Map<Element, Visibility>();
   #observers: Observers | null = null;
 
   constructor(view: PageWindow) {
@@ -59,12 +43,11 @@ export class PageObservers {
     return isKnown && !isForeign ? { scrollMargin: margin } : { root: view.document, rootMargin: margin };
   }
 
-  watch(element: Element, watcher: Watcher): void {
+  watch(element: Element, watcher: Visibility): void {
     this.#observers ??= this.#open();
     this.#watched.set(element, watcher);
-    const { intersection, surroundings, resize } = this.#observers;
-    intersection.observe(element);
-    surroundings.observe(element);
+    const { intersection, resize } = this.#observers;
+    for (const observer of intersection) observer.observe(element);
     try {
       // In whole device pixels, exactly.
       resize.observe(element, { box: 'device-pixel-content-box' });
@@ -75,8 +58,7 @@ export class PageObservers {
 
   /** Reports where the element is after the next frame. */
   reportAgain(element: Element): void {
-    if (this.#observers === null) return;
-    for (const observer of [this.#observers.intersection, this.#observers.surroundings]) {
+    for (const observer of this.#observers?.intersection ?? []) {
       observer.unobserve(element);
       observer.observe(element);
     }
@@ -84,15 +66,11 @@ export class PageObservers {
 
   unwatch(element: Element): void {
     if (!this.#watched.delete(element) || this.#observers === null) return;
-    const { intersection, surroundings, resize, listeners } = this.#observers;
-    intersection.unobserve(element);
-    surroundings.unobserve(element);
-    resize.unobserve(element);
+    const { intersection, resize, listeners } = this.#observers;
+    for (const observer of [...intersection, resize]) observer.unobserve(element);
     if (this.#watched.size > 0) return;
     this.#observers = null;
-    intersection.disconnect();
-    surroundings.disconnect();
-    resize.disconnect();
+    for (const observer of [...intersection, resize]) observer.disconnect();
     listeners.abort();
   }
 
@@ -101,22 +79,24 @@ export class PageObservers {
     const listeners = new AbortController();
     const { signal } = listeners;
     view.document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
-    view.addEventListener('beforeprint', () => this.#printed(), { signal });
+    view.addEventListener('beforeprint', this.#printed, { signal });
     // Not for the window that runs this code: nothing is left to clean up when it closes.
     if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
     return {
       // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold
       // detects that.
-      intersection: new view.IntersectionObserver(
-        (entries) => {
-          for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
-        },
-        { threshold: [0, 1e-6] },
-      ),
-      surroundings: new view.IntersectionObserver((entries) => {
-        for (const entry of entries) this.#watched.get(entry.target)?.neared(entry);
-      }, this.#surroundings),
+      intersection: [
+        new view.IntersectionObserver(
+          (entries) => {
+            for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
+          },
+          { threshold: [0, 1e-6] },
+        ),
+        new view.IntersectionObserver((entries) => {
+          for (const entry of entries) this.#watched.get(entry.target)?.neared(entry);
+        }, this.#surroundings),
+      ],
       resize: new view.ResizeObserver((entries) => {
         for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
         frameLoopOf(view).drawResized();
@@ -135,17 +115,17 @@ export class PageObservers {
     query.addEventListener('change', changed, { once: true, signal });
   }
 
-  #printed(): void {
+  readonly #printed = (): void => {
     const deadline = performance.now() + PRINT_MS;
     this.#each((watcher) => watcher.printed(deadline));
-  }
+  };
 
   #notify(what: 'shown' | 'scaled' | 'closed'): void {
     this.#each((watcher) => watcher[what]());
   }
 
   /** One broken viewer, as with objects of the page's own, must not stop the others. */
-  #each(action: (watcher: Watcher) => void): void {
+  #each(action: (watcher: Visibility) => void): void {
     // A copy: watchers may come and go meanwhile.
     for (const watcher of [...this.#watched.values()]) {
       try {

@@ -2,15 +2,13 @@
 // that moves or turns an element counts: transforms of any ancestor, zoom, scrolling.
 import { html } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
-import styles from './picture-box.css?inline';
 
-/**
- * Elements without size in the top left, top right and bottom left corner of the element around them, whose root has
- * {@link CORNER_STYLES}.
- */
-export const CORNER_MARKS = html`<i class="corner"></i><i class="corner right"></i><i class="corner low"></i>`;
+/** Styles as properties: a strict CSP refuses style attributes. */
+const corner = (left: string, top: string) =>
+  html`<i class="corner" .style=${`position: absolute; left: ${left}; top: ${top}`}></i>`;
 
-export const CORNER_STYLES = styles;
+/** Elements without size in the top left, top right and bottom left corner of the element around them. */
+export const CORNER_MARKS = [corner('0', '0'), corner('100%', '0'), corner('0', '100%')];
 
 /**
  * The box of a surface that contains {@link CORNER_MARKS}, as it is now. Under a perspective, where pixels differ in

@@ -3,7 +3,7 @@
 import type { ReactiveController } from 'lit';
 import type { Signal } from '../../fields/signal.js';
 import { zoomOf } from '../dom.js';
-import { type PageObservers, pageOf, type Watcher } from './page-observers.js';
+import { type PageObservers, pageOf } from './page-observers.js';
 
 export interface ElementView {
   /** Displayed in a document that is shown, wherever it is on the page. */
@@ -32,7 +32,7 @@ interface Host {
 }
 
 /** Watches `element` while its host is connected and gives `changed` after each change. */
-export class Visibility implements ReactiveController, Watcher {
+export class Visibility implements ReactiveController {
   readonly #host: Host;
   readonly #element: HTMLElement;
   readonly #changed: Signal<ElementView>;
@@ -104,7 +104,10 @@ export class Visibility implements ReactiveController, Watcher {
     this.shown();
   }
 
-  /** On paper everything is seen, wherever it is on the page. */
+  /**
+   * The page is about to be printed, and waits for its pictures until `deadline`, a time as of `performance.now()`. On
+   * paper everything is seen, wherever it is on the page.
+   */
   printed(deadline: number): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     const visible = this.#inView === true;
@@ -112,11 +115,13 @@ export class Visibility implements ReactiveController, Watcher {
     this.shown();
   }
 
+  /** The element was scrolled into or out of view, or its display has changed. */
   intersected(entry: IntersectionObserverEntry): void {
     this.#inView = entry.isIntersecting && entry.intersectionRatio > 0;
     this.#reported(entry);
   }
 
+  /** The same for the surroundings of the view, {@link PageObservers.margin} wide. */
   neared(entry: IntersectionObserverEntry): void {
     this.#near = entry.isIntersecting;
     this.#reported(entry);
@@ -133,12 +138,13 @@ export class Visibility implements ReactiveController, Watcher {
     this.shown();
   }
 
+  /** The device's pixels per CSS pixel have changed. */
   scaled(): void {
     this.#measure(this.#size.width, this.#size.height);
     this.shown();
   }
 
-  /** The document, the element's place in it or its style may have changed. */
+  /** The document was shown or hidden, or the element's place in it or its style may have changed. */
   shown(): void {
     if (!this.looked) return;
     const painted = !this.#hidden && isPainted(this.#element);
@@ -147,6 +153,7 @@ export class Visibility implements ReactiveController, Watcher {
     this.#changed.emit({ painted, near, visible, printsAt: null, ...this.#size });
   }
 
+  /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
   closed(): void {
     this.#host.disconnectedCallback();
   }

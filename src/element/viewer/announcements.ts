@@ -9,7 +9,7 @@ import { numberedName } from '../phong-light.js';
 import type { CameraMove, ViewerContext } from './viewer-context.js';
 import { cameraText, lightCountText, lightNameText, lightsText, lightText, NAMED } from './description.js';
 import { keysText } from './naming.js';
-import type { ViewerTree } from './template.js';
+import type { ViewerTree } from './display.js';
 
 /**
  * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart.
@@ -120,7 +120,10 @@ export class ViewerAnnouncements implements ReactiveController {
     const texts = this.#cameraMoved ? [cameraText(this.#texts, camera)] : [];
     if (this.#counted) texts.push(lightCountText(this.#texts, lights.length));
     const changed = [...this.#lights].filter((light) => lights.includes(light)).slice(-ANNOUNCED);
-    for (const light of changed) texts.push(`${this.#lightText(light, lights.indexOf(light))}.`);
+    for (const light of changed) {
+      const name = this.#nameOf(light, lights.indexOf(light));
+      texts.push(`${lightText(this.#texts, name, fieldsOf(light).store.values)}.`);
+    }
     this.#forget();
     if (texts.length > 0) this.#spoken = texts.join(' ');
   }
@@ -136,10 +139,6 @@ export class ViewerAnnouncements implements ReactiveController {
     const { camera, lights } = this.#viewer;
     const names = lights.slice(0, NAMED + 1).map((light, i) => lightNameText(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
-  }
-
-  #lightText(light: PhongLight, index: number): string {
-    return lightText(this.#texts, this.#nameOf(light, index), fieldsOf(light).store.values);
   }
 
   /** Not the element's `name`: its default takes a search through all lights. */

@@ -5,7 +5,7 @@ import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
 import type { SharedLevels } from '../../scene/mesh/levels.js';
 import type { CameraSource } from '../elements.js';
 import type { CameraLink, ViewerCamera } from './camera.js';
-import type { Extra, ExtraHost } from './extra.js';
+import type { Extra, ExtraHost } from './extras.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
 
@@ -24,30 +24,18 @@ export function create(member: Member): Extra {
   };
 }
 
-const named = new WeakMap<Document, Map<string, CameraGroup>>();
-const unnamed = new WeakMap<Element, CameraGroup>();
+/** By the document and a name, or by a <phong-compare> and no name. */
+const groups = new WeakMap<Node, Map<string, CameraGroup>>();
 
-/** A name goes before the <phong-compare> around the viewer. */
-function groupOf({ viewer, values }: Member): CameraGroup | null {
+/** A name goes before the <phong-compare> around the viewer. Empty groups are removed from the map. */
+function groupOf({ viewer, values: { cameraGroup: name } }: Member): CameraGroup | null {
   const { ownerDocument, parentElement } = viewer;
-  if (values.cameraGroup !== '') {
-    const groups = named.get(ownerDocument) ?? new Map<string, CameraGroup>();
-    named.set(ownerDocument, groups);
-    return groupAt(groups, values.cameraGroup);
-  }
-  return parentElement?.localName === 'phong-compare' ? groupAt(unnamed, parentElement) : null;
-}
-
-interface Groups<K> {
-  get(key: K): CameraGroup | undefined;
-  set(key: K, group: CameraGroup): unknown;
-  delete(key: K): boolean;
-}
-
-/** Empty groups are removed from the map. */
-function groupAt<K>(groups: Groups<K>, key: K): CameraGroup {
-  const group = groups.get(key) ?? new CameraGroup(() => groups.delete(key));
-  groups.set(key, group);
+  const place = name !== '' ? ownerDocument : parentElement?.localName === 'phong-compare' ? parentElement : null;
+  if (place === null) return null;
+  const inPlace = groups.get(place) ?? new Map<string, CameraGroup>();
+  groups.set(place, inPlace);
+  const group = inPlace.get(name) ?? new CameraGroup(() => inPlace.delete(name));
+  inPlace.set(name, group);
   return group;
 }
 

@@ -99,11 +99,11 @@ export class ViewerCamera implements ReactiveController {
    * one, and the link need not be notified.
    */
   place({ pose, framing }: CameraPlacement, source: CameraSource, linked = false): void {
+    const { orbit, fit } = this.#context.picture;
     const write = (): void => {
-      const { picture } = this.#context;
-      picture.orbit.set(pose);
-      if (framing !== picture.fit.framing) picture.fit.framing = framing;
-      picture.fit.settle();
+      orbit.set(pose);
+      if (framing !== fit.framing) fit.framing = framing;
+      fit.settle();
     };
     this.#move(source, write, linked);
   }
@@ -201,6 +201,7 @@ export class ViewerCamera implements ReactiveController {
     if (!linked) this.link?.moved(this, source);
   }
 
+  /** The user or the turntable has moved the camera. */
   #moved(source: CameraSource): void {
     this.#changed(source, false);
     this.link?.moved(this, source);

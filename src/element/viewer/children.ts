@@ -2,24 +2,21 @@
 // into document order once, before the next frame or when a script reads them.
 import { sameValue } from '../../fields/field-store.js';
 import { LightState } from '../../light/light-state.js';
-import type { MeshHost } from '../../scene/mesh/scene-mesh.js';
+import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import { register } from '../child-element.js';
 import { type ChildListener, type ChildRegistry, registryOf } from '../child-registry.js';
 import { inspect, inspectAgain } from '../diagnosis/inspect.js';
-import { fieldsOf } from '../internals.js';
+import { fieldsOf, sceneMeshes } from '../internals.js';
 import type { PhongLight, PhongMesh } from '../elements.js';
 import type { ViewerContext } from './viewer-context.js';
-import { ElementMesh } from './element-mesh.js';
-
-/** Lights a viewer that declares no light. */
-const headLight = (): LightState => new LightState({ space: 'camera', position: [0, 0, 1, 0] });
 
 export class ViewerChildren implements ChildListener {
   readonly #viewer: HTMLElement;
   readonly #context: ViewerContext;
   readonly #meshHost: MeshHost;
   readonly #registry: ChildRegistry;
-  readonly #headLight = headLight();
+  /** Lights a viewer that declares no light. */
+  readonly #headLight = new LightState({ space: 'camera', position: [0, 0, 1, 0] });
   readonly #lightElements = new Map<LightState, PhongLight>();
   readonly #shown = new Map<PhongMesh, ElementMesh>();
   readonly #written = new Set<ElementMesh>();
@@ -38,12 +35,14 @@ export class ViewerChildren implements ChildListener {
     this.#registry.listen(this);
   }
 
-  /** In document order as of the last {@link sort}. Frozen; a new list when they change. */
+  /** In document order. Frozen; a new list when they change. */
   get lights(): readonly PhongLight[] {
+    this.sort();
     return this.#lights;
   }
 
   get meshes(): readonly PhongMesh[] {
+    this.sort();
     return this.#meshes;
   }
 
@@ -106,7 +105,7 @@ export class ViewerChildren implements ChildListener {
 
   #addLight(light: PhongLight): void {
     const { lightSet } = this.#context;
-    const state = fieldsOf(light).store as LightState;
+    const state = stateOf(light);
     this.#lightElements.set(state, light);
     if (this.#lightElements.size === 1) lightSet.assign([state]);
     else lightSet.add(state);
@@ -114,7 +113,7 @@ export class ViewerChildren implements ChildListener {
 
   #removeLight(light: PhongLight): void {
     const { lightSet } = this.#context;
-    const state = fieldsOf(light).store as LightState;
+    const state = stateOf(light);
     this.#lightElements.delete(state);
     if (this.#lightElements.size === 0) lightSet.assign([this.#headLight]);
     else lightSet.remove(state);
@@ -123,8 +122,7 @@ export class ViewerChildren implements ChildListener {
   #sortLights(lights: readonly PhongLight[]): void {
     if (sameValue(lights, this.#lights)) return;
     this.#lights = Object.freeze(lights);
-    if (lights.length === 0) return;
-    this.#context.lightSet.assign(lights.map((light) => fieldsOf(light).store as LightState));
+    if (lights.length > 0) this.#context.lightSet.assign(lights.map(stateOf));
   }
 
   #addMesh(element: PhongMesh): void {
@@ -172,6 +170,29 @@ export class ViewerChildren implements ChildListener {
   }
 }
 
+const stateOf = (light: PhongLight): LightState => fieldsOf(light).store;
+
 /** By name, which only the elements of this package have in a registry. */
 const isLight = (child: HTMLElement): child is PhongLight => child.localName === 'phong-light';
 const isMesh = (child: HTMLElement): child is PhongMesh => child.localName === 'phong-mesh';
+
+/** The mesh that an element shows. */
+class ElementMesh extends SceneMesh {
+  readonly element: PhongMesh;
+  /** Listens to the element's values. */
+  readonly written: (key?: string) => void;
+
+  constructor(element: PhongMesh, host: MeshHost, update: (mesh: ElementMesh) => void) {
+    super(fieldsOf(element).store, host);
+    this.element = element;
+    sceneMeshes.set(element, this);
+    this.written = (key) => {
+      if (key === 'src' || key === 'geometry') this.retry();
+      update(this);
+    };
+  }
+}
+
+/** The child that shows this mesh; undefined for the viewer's own mesh. */
+export const elementOf = (mesh: SceneMesh): PhongMesh | undefined =>
+  mesh instanceof ElementMesh ? mesh.element : undefined;

@@ -2,11 +2,9 @@
 // degrees and scene units.
 import { kindOf } from '../../light/light-features.js';
 import { type LightKind, type LightValues } from '../../light/light-state.js';
-import { fileName } from '../../model/file-name.js';
+import { fileName } from '../../model/request-model.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
-import type { ViewerText } from '../fields/text-list.js';
-import { phrase, type ViewerTexts } from '../fields/texts.js';
-import { localNumber } from '../page/local-number.js';
+import { localNumber, phrase, type ViewerText, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState } from '../elements.js';
 
 /** Lights that the description names. It is read in one go, so it must be short. */

@@ -1,23 +1,37 @@
-// What a viewer shows around its picture: poster, progress bar, message, custom states, description. Brings the shadow
-// tree in step with what is loaded and what has failed.
-import type { TemplateResult } from 'lit';
-import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
+// What a viewer shows: its shadow tree, with the surface that holds the picture; poster, description, message and panel
+// over it; and the slots. Brings it, and the custom states, in step with what is loaded and what has failed.
+import { html, nothing, type TemplateResult } from 'lit';
+import { checkedTexts, phrase, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../elements.js';
 import { pageTexts, textsOver } from '../page/page-texts.js';
+import { CORNER_MARKS } from '../page/picture-box.js';
 import { ViewerAnnouncements } from './announcements.js';
-import type { ViewerContext } from './viewer-context.js';
+import type { Failure, ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { surfaceName } from './naming.js';
-import { treeIn, type ViewerTree, viewerTemplate } from './template.js';
+
+/** Elements that the viewer's parts are built on. They stay as long as the viewer. */
+export interface ViewerTree {
+  /** The picture, without the panel. */
+  readonly surface: HTMLElement;
+  /** Over the picture; the pointer goes through it. Its room is its last child. */
+  readonly layer: HTMLElement;
+  /** In the layer: what dividers, labels and panel leave of the picture. */
+  readonly room: HTMLElement;
+  /** In the room: what a notice leaves of it. The place of legends and boxes. */
+  readonly free: HTMLElement;
+  /** The control panel's place. */
+  readonly panel: HTMLElement;
+}
 
 export class ViewerDisplay {
   readonly #viewer: PhongViewer;
   readonly #context: ViewerContext;
   readonly #loading: ViewerLoading;
   readonly #failure: ViewerFailure;
-  readonly #states: ViewerStates;
+  readonly #states: Set<string> | undefined;
   readonly #announcements: ViewerAnnouncements;
   readonly #extras: ViewerExtras;
   /** Null before the element is connected for the first time. */
@@ -38,7 +52,7 @@ export class ViewerDisplay {
     this.#loading = loading;
     this.#failure = failure;
     this.#extras = extras;
-    this.#states = new ViewerStates(viewer);
+    this.#states = customStates(viewer);
     this.#announcements = new ViewerAnnouncements(context);
     for (const part of [this.#announcements, extras]) viewer.addController(part);
     signals.loadingChanged.listen(() => viewer.requestUpdate());
@@ -51,31 +65,89 @@ export class ViewerDisplay {
     signals.shown.listen(() => viewer.dispatchEvent(new CustomEvent('render')));
   }
 
-  /** What the shadow tree shows now. */
+  /** The whole tree, as it is now. */
   template(): TemplateResult {
     const viewer = this.#viewer;
-    const loading = this.#loading;
-    const failure = this.#failure;
+    const { texts } = this;
+    const { bar, pending } = this.#loading;
+    const failure = this.#failure.newest;
     const { poster } = viewer;
     if (poster !== this.#badPoster) this.#badPoster = '';
-    const isSlotting = loading.bar !== undefined || failure.newest !== null;
-    return viewerTemplate({
-      holder: this.#context.viewport.holder,
-      name: surfaceName(viewer, this.texts),
-      description: this.#announcements.description,
-      reader: this.#announcements.template(),
-      fixed: !viewer.orbit,
-      busy: loading.pending,
-      poster: this.#revealed || poster === this.#badPoster ? '' : poster,
-      onPosterError: this.#dropPoster,
-      bar: loading.bar,
-      pageText: isSlotting ? pageText(viewer) : '',
-      failure: failure.newest,
-      retryable: failure.retryable,
-      dismissible: failure.dismissible,
-      onButton: this.#onButton,
-      texts: this.texts,
-    });
+    const hasPoster = poster !== '' && !this.#revealed && this.#badPoster === '';
+    const name = surfaceName(viewer, texts);
+    return html`
+      <div
+        part="surface"
+        class=${viewer.orbit ? 'surface' : 'surface fixed'}
+        tabindex=${name.keys === '' ? nothing : 0}
+        role=${name.keys === '' ? 'img' : 'application'}
+        aria-hidden=${name.hidden ? 'true' : nothing}
+        aria-label=${name.label}
+        aria-description=${this.#announcements.description}
+        aria-keyshortcuts=${name.keys || nothing}
+        aria-busy=${pending ? 'true' : nothing}
+        .ariaLabelledByElements=${name.labelledBy}
+      >
+        ${this.#context.viewport.holder}${CORNER_MARKS}
+      </div>
+      ${hasPoster ? html`<img class="poster" part="poster" alt="" src=${poster} @error=${this.#dropPoster} />` : nothing}
+      <div class="reader" ?hidden=${name.hidden}>${this.#announcements.template()}</div>
+      <div class="layer">
+        <div class="room">
+          ${failure === null ? nothing : this.#messageTemplate(failure)}
+          <div class="free"></div>
+        </div>
+      </div>
+      ${bar === undefined ? nothing : this.#progressTemplate(bar)}
+      <div class="panel" part="panel"></div>
+      <slot></slot>
+    `;
+  }
+
+  /** `share`: what has arrived, 0 to 1, or null if that is not known. */
+  #progressTemplate(share: number | null): TemplateResult {
+    const percent = share === null ? null : String(Math.round(share * 100));
+    // The style as a property: a strict CSP refuses style attributes.
+    return html`<slot name="progress" .style=${pageText(this.#viewer)}>
+      <div
+        class="progress"
+        part="progress"
+        role="progressbar"
+        aria-label=${phrase(this.texts, 'Loading')}
+        aria-valuenow=${percent ?? nothing}
+      >
+        <div
+          class=${percent === null ? 'arrived unknown' : 'arrived'}
+          .style=${percent === null ? '' : `inline-size: ${percent}%`}
+        ></div>
+      </div>
+    </slot>`;
+  }
+
+  #messageTemplate({ fact, detail: { code, url } }: Failure): TemplateResult {
+    const { texts } = this;
+    const { retryable, dismissible } = this.#failure;
+    return html`<div class=${dismissible ? 'message own' : 'message'} role="alert">
+      <slot name="error" .style=${pageText(this.#viewer)}>
+        <p
+          class="notice"
+          part="notice"
+          dir="auto"
+          data-code=${code}
+          data-url=${url ?? nothing}
+          .textContent=${texts?.[code] === undefined ? fact : phrase(texts, code, { message: fact, url: url ?? '' })}
+        ></p>
+        <button
+          class="retry"
+          part=${dismissible ? 'dismiss' : 'retry'}
+          type="button"
+          aria-label=${dismissible ? phrase(texts, 'Close') : nothing}
+          ?hidden=${!retryable && !dismissible}
+          .textContent=${dismissible ? '×' : phrase(texts, 'Try again')}
+          @click=${this.#onButton}
+        ></button>
+      </slot>
+    </div>`;
   }
 
   readonly #onButton = (): void => {
@@ -96,7 +168,13 @@ export class ViewerDisplay {
 
   /** The shadow tree is there for the first time. Returns the surface: the picture, without the panel. */
   connect(root: ParentNode): HTMLElement {
-    this.#tree = treeIn(root);
+    this.#tree = {
+      surface: root.querySelector('.surface')!,
+      layer: root.querySelector('.layer')!,
+      room: root.querySelector('.room')!,
+      free: root.querySelector('.free')!,
+      panel: root.querySelector('.panel')!,
+    };
     root.addEventListener('keydown', this.#onKey);
     this.#announcements.connect(this.#tree);
     this.#extras.connect(this.#tree);
@@ -131,13 +209,16 @@ export class ViewerDisplay {
 
   /** The tree was rendered. `changed`: not for a text beside the picture alone, which extras do not depend on. */
   updated(changed: boolean): void {
-    const loading = this.#loading;
-    const failure = this.#failure;
     this.#empty = this.#isEmpty;
-    this.#states.set('loading', loading.pending);
-    this.#states.set('error', failure.newest !== null);
-    this.#states.set('empty', this.#empty);
+    this.#setState('loading', this.#loading.pending);
+    this.#setState('error', this.#failure.newest !== null);
+    this.#setState('empty', this.#empty);
     if (changed) this.#extras.apply();
+  }
+
+  #setState(state: 'loading' | 'error' | 'empty', on: boolean): void {
+    if (on) this.#states?.add(state);
+    else this.#states?.delete(state);
   }
 
   /** Removes the poster once everything requested has been drawn for the first time, or is known to fail. */
@@ -158,39 +239,26 @@ export class ViewerDisplay {
   }
 }
 
-/**
- * Text size around a viewer and the comparison that it is in, which have sizes of their own. CSS pixels with a unit.
- */
+/** Style of slotted content: the text size around a viewer and the comparison that it is in, which have their own. */
 function pageText(viewer: HTMLElement): string {
   const outermost = viewer.closest('phong-compare') ?? viewer;
   const around = outermost.parentElement ?? (outermost.getRootNode() as Partial<ShadowRoot>).host;
-  return around === undefined ? '' : getComputedStyle(around).fontSize;
+  return `--phong-page: ${around === undefined ? '' : getComputedStyle(around).fontSize}`;
 }
 
 /**
- * Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`. Browsers without them go
- * without.
+ * Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`. Undefined in browsers
+ * without them, and where they are refused: Chrome before 125 accepts only names that begin with two dashes, and a tag
+ * with an attribute `is` has none.
  */
-class ViewerStates {
-  #states: Set<string> | undefined;
-
-  constructor(element: HTMLElement) {
-    // Missing in older browsers, whatever the types say.
-    const { attachInternals } = element as Partial<HTMLElement>;
-    try {
-      this.#states = (attachInternals?.call(element) as Partial<ElementInternals> | undefined)?.states;
-    } catch {
-      // refused where the tag has an attribute `is`
-    }
-  }
-
-  set(state: 'loading' | 'error' | 'empty', on: boolean): void {
-    try {
-      if (on) this.#states?.add(state);
-      else this.#states?.delete(state);
-    } catch {
-      this.#states = undefined; // Chrome before 125 accepts only names that begin with two dashes
-    }
+function customStates(element: HTMLElement): Set<string> | undefined {
+  try {
+    const { states } = element.attachInternals() as { readonly states?: Set<string> };
+    states?.add('loading');
+    states?.delete('loading');
+    return states;
+  } catch {
+    return undefined;
   }
 }
 

@@ -38,7 +38,7 @@ export class EventQueue {
       event.detail = detail;
       return;
     }
-    this.#append({ type, detail });
+    this.append(type, detail);
   }
 
   /** Dispatches a `CustomEvent` at the end of the task, after those of its type that wait already. */

@@ -1,8 +1,13 @@
 // What has failed and still does: reported once by an event, shown as a message until it works again.
+import { clipMessage } from '../../fields/clip.js';
+import { isOutOfMemory } from '../../model/limits.js';
+import { ModelError } from '../../model/model.js';
+import { nameOf } from '../../model/request-model.js';
+import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { ViewerErrorDetail } from '../events.js';
+import type { ViewerErrorCode } from '../fields/texts.js';
 import type { Failure, FailureSubject, ViewerContext } from './viewer-context.js';
 import type { EventQueue } from './event-queue.js';
-import { errorDetail } from './loading.js';
 
 /** The subject of failures of the graphics context; a model's subject is its mesh. */
 const CONTEXT: FailureSubject = {};
@@ -38,25 +43,21 @@ export class ViewerFailure {
    * requested.
    */
   get retryable(): boolean {
-    return [...this.#present].some(
-      ([{ isOwnFile }, { detail }]) => isOwnFile !== true && detail.code !== 'context-lost',
+    return [...this.#present.values()].some(
+      ({ subject, detail }) => subject.isOwnFile !== true && detail.code !== 'context-lost',
     );
   }
 
   /** The newest failure is of a file of the user's own, so the user may remove its message. */
   get dismissible(): boolean {
-    return this.#subject?.isOwnFile === true;
+    return this.newest?.subject.isOwnFile === true;
   }
 
   /** Removes the message of {@link newest}. False unless it is {@link dismissible}. */
-  readonly dismiss = (): boolean => {
-    const { dismissible } = this;
-    if (dismissible) this.#clear(this.#subject!);
+  dismiss(): boolean {
+    const { newest, dismissible } = this;
+    if (newest !== null && dismissible) this.#clear(newest.subject);
     return dismissible;
-  };
-
-  get #subject(): FailureSubject | undefined {
-    return [...this.#present.keys()].at(-1);
   }
 
   #report(failure: Failure): void {
@@ -77,4 +78,42 @@ export class ViewerFailure {
     const known = this.#present.get(CONTEXT)?.detail.code;
     if (known !== detail.code) this.#report({ subject: CONTEXT, detail, fact: detail.message });
   }
+}
+
+export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
+  const code = codeOf(error);
+  let message = error instanceof Error ? error.message : String(error);
+  if (code === 'too-large' && !(error instanceof ModelError)) message = 'There is not enough memory to show this.';
+  return { code, message: clipMessage(message), url: url?.href ?? null };
+}
+
+/**
+ * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the console has the advice, the
+ * same one once for a viewer: `given`.
+ */
+export function factOf(
+  error: unknown,
+  { message }: ViewerErrorDetail,
+  isOwn: boolean,
+  url: URL | null,
+  given: Set<string>,
+): string {
+  const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
+  if (hides && !error.logged) {
+    const advice = error.message.slice(error.fact.length);
+    // Of files, each; of shapes, which have no address, the advice alone counts.
+    const key = `${url?.href ?? ''}${advice}`;
+    if (!given.has(key)) console.warn(message);
+    given.add(key);
+  }
+  const fact = hides ? clipMessage(error.fact) : message;
+  const name = url === null ? '' : nameOf(url);
+  // Its end may have been clipped.
+  return fact.includes(name.slice(0, 60)) ? fact : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
+}
+
+function codeOf(error: unknown): ViewerErrorCode {
+  if (error instanceof ModelError) return error.code;
+  if (isOutOfMemory(error)) return 'too-large';
+  return error instanceof NoWebGL2Error ? 'no-webgl2' : 'load-failed';
 }

@@ -1,59 +1,17 @@
-// What a viewer loads: its own mesh and its children's, with their progress, events and errors.
+// What a viewer loads: its own mesh and its children's, with their progress, events and errors, and files dropped on it.
 import type { ReactiveController } from 'lit';
-import { clipMessage } from '../../fields/clip.js';
-import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
+import { stage } from '../../scene/gpu/stage.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import type { CrossOrigin } from '../../model/request-file.js';
+import { type CrossOrigin, modelCode } from '../../model/request-model.js';
 import type { Picture } from '../../scene/picture.js';
-import { nameOf } from '../../model/file-name.js';
-import { ModelError } from '../../model/model.js';
-import { isOutOfMemory } from '../../model/limits.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';
-import type { LoadDetail, ViewerErrorDetail } from '../events.js';
-import type { ViewerErrorCode } from '../fields/text-list.js';
+import type { PhongViewer } from '../elements.js';
+import type { LoadDetail } from '../events.js';
 import { sceneMeshes } from '../internals.js';
 import type { ViewerContext } from './viewer-context.js';
-import { elementOf } from './element-mesh.js';
+import { elementOf } from './children.js';
 import type { EventQueue } from './event-queue.js';
-import { takeDrops } from './file-drop.js';
-
-export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
-  const code = codeOf(error);
-  let message = error instanceof Error ? error.message : String(error);
-  if (code === 'too-large' && !(error instanceof ModelError)) message = 'There is not enough memory to show this.';
-  return { code, message: clipMessage(message), url: url?.href ?? null };
-}
-
-/**
- * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the console has the advice, the
- * same one once for a viewer: `given`.
- */
-function factOf(
-  error: unknown,
-  { message }: ViewerErrorDetail,
-  isOwn: boolean,
-  url: URL | null,
-  given: Set<string>,
-): string {
-  const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
-  if (hides && !error.logged) {
-    const advice = error.message.slice(error.fact.length);
-    // Of files, each; of shapes, which have no address, the advice alone counts.
-    const key = `${url?.href ?? ''}${advice}`;
-    if (!given.has(key)) console.warn(message);
-    given.add(key);
-  }
-  const fact = hides ? clipMessage(error.fact) : message;
-  const name = url === null ? '' : nameOf(url);
-  // Its end may have been clipped.
-  return fact.includes(name.slice(0, 60)) ? fact : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
-}
-
-function codeOf(error: unknown): ViewerErrorCode {
-  if (error instanceof ModelError) return error.code;
-  if (isOutOfMemory(error)) return 'too-large';
-  return error instanceof NoWebGL2Error ? 'no-webgl2' : 'load-failed';
-}
+import { errorDetail, factOf } from './failure.js';
 
 /** Loads that take less show no progress bar, ms: it would only flicker. */
 const BAR_DELAY = 300;
@@ -313,4 +271,37 @@ class LoadProgress {
     if (shares.every((share) => share === null)) return null;
     return shares.reduce<number>((sum, share) => sum + (share ?? 0), 0) / shares.length;
   }
+}
+
+/**
+ * From now on files that are dropped on the viewer become its model, while it is `droppable`. What the browser offers
+ * only during the event is taken here; which of them is the model is decided by the code that reads models.
+ */
+function takeDrops(viewer: PhongViewer): void {
+  let drops = 0;
+  /** A page's own handler comes first, and may have taken the files. */
+  const takes = (event: DragEvent): DataTransfer | null => {
+    const { dataTransfer, defaultPrevented } = event;
+    if (!viewer.droppable || defaultPrevented || dataTransfer?.types.includes('Files') !== true) return null;
+    event.preventDefault();
+    return dataTransfer;
+  };
+  viewer.addEventListener('dragover', (event) => {
+    const transfer = takes(event);
+    if (transfer !== null) transfer.dropEffect = 'copy';
+  });
+  viewer.addEventListener('drop', (event) => {
+    const transfer = takes(event);
+    if (transfer === null) return;
+    const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+    const files = [...transfer.files];
+    const drop = ++drops; // of two in a row, the later one counts
+    viewer.focus({ preventScroll: true }); // as after a press: Escape removes a message
+    modelCode()
+      .then(({ droppedModel }) => droppedModel(entries, files))
+      .then((model) => {
+        if (drop === drops && model !== null) viewer.src = model;
+      })
+      .catch((error: unknown) => console.warn(`<phong-viewer droppable>: ${String(error)}`));
+  });
 }

@@ -1,6 +1,6 @@
 // A viewer's scene as markup that gives the same picture. Text only: building elements would upgrade them.
 import type { FieldStore } from '../../fields/field-store.js';
-import { fileName } from '../../model/file-name.js';
+import { fileName } from '../../model/request-model.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
 import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';

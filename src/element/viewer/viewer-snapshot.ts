@@ -12,7 +12,7 @@ import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 import { numberedName } from '../phong-light.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './children.js';
-import { elementOf } from './element-mesh.js';
+import { elementOf } from './children.js';
 
 export interface ViewerSnapshot {
   /** Null while the picture has no box on the page. */
@@ -69,30 +69,21 @@ export async function blobOf(
 ): Promise<Blob> {
   const { pending } = extras;
   if (pending !== null) await pending;
-  const picture = options.samples === undefined ? pictureOf(viewport, options) : await meanOf(viewport, options);
+  const { samples } = options;
+  if (samples !== undefined && !(Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES))
+    throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
+  const size = sizeOf(viewport, options);
+  const picture =
+    size && (samples === undefined ? viewport.capture(size) : await viewport.still.capture(size, samples));
   const drawn = picture === null ? null : extras.drawOver(picture, options);
   const { pictureBlob } = await lazy.picture();
   await drawn;
   return pictureBlob(picture, options);
 }
 
-/** The picture at this size, by default the canvas's own; null for an invalid size. */
-function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
-  const size = sizeOf(viewport, options);
-  return size && viewport.capture(size);
-}
-
-/** The same with `samples`. */
-async function meanOf(viewport: Viewport, options: PictureOptions): Promise<HTMLCanvasElement | null> {
-  const { samples = 1 } = options;
-  const isCount = Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES;
-  if (!isCount) throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
-  const size = sizeOf(viewport, options);
-  return size && viewport.still.capture(size, samples);
-}
-
 const MOST_SAMPLES = 1024;
 
+/** The picture's size, by default the canvas's own; null for an invalid one. */
 function sizeOf(viewport: Viewport, options: PictureOptions): Size | null {
   const width = options.width ?? Math.max(viewport.width, 1);
   const height = options.height ?? Math.max(viewport.height, 1);

@@ -26,9 +26,8 @@ export class MaterialPrograms {
   readonly #everTerms = new Set<Term>();
   /** All exponents so far were mild: see LARGEST_MILD_POWER. */
   #mildShininess = true;
-  #general: Variant | null = null;
-  /** What {@link #general} was made for. */
-  #madeFor = { declared: -1, capacity: -1, linear: false };
+  /** The general variant and what it was made for; null after a change of style or surface. */
+  #general: { variant: Variant; declared: number; capacity: number; linear: boolean } | null = null;
   /** What a specialised program depends on besides its lights. */
   #materialKey = '';
   /** The last key, so that draws build no text. */
@@ -73,17 +72,16 @@ export class MaterialPrograms {
   /** The program for any number of lights of the declared features. `capacity` as in {@link generalVariant}. */
   #generalFor(capacity: number): Variant {
     const { linear, declared } = this.#lighting;
-    const made = this.#madeFor;
-    const isCurrent = made.declared === declared && made.capacity === capacity && made.linear === linear;
-    if (this.#general !== null && isCurrent) return this.#general;
+    const made = this.#general;
+    if (made?.declared === declared && made.capacity === capacity && made.linear === linear) return made.variant;
     const { terms, integerShininess } = this.#terms;
     for (const term of terms) this.#everTerms.add(term);
     const style = { ...this.#style, terms: [...this.#everTerms] };
     const material = { look: this.#look, style, linear, mildShininess: this.#mildShininess };
-    this.#general = generalVariant(material, declared, capacity);
-    this.#madeFor = { declared, capacity, linear };
-    this.#materialKey = `${this.#general.key} ${terms.join()} ${String(integerShininess)}`;
-    return this.#general;
+    const variant = generalVariant(material, declared, capacity);
+    this.#general = { variant, declared, capacity, linear };
+    this.#materialKey = `${variant.key} ${terms.join()} ${String(integerShininess)}`;
+    return variant;
   }
 
   /** Inlined numbers are those of one revision of the lights; other forms depend on counts and features alone. */

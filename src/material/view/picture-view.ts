@@ -15,30 +15,22 @@ type Chosen = (lights: Lights) => Lights;
 
 export function pictureView(view: View, chosen: Chosen): PictureView {
   const { shows } = viewEntry(view);
-  if (shows.by !== 'equation') return ownView(view, shows, chosen);
-  return {
-    term: shows.term,
-    separate: false,
-    pack(lights, space, into) {
-      packLights(chosen(lights), space, into);
-    },
-    program: null,
-  };
-}
-
-function ownView(view: View, shows: OwnProgram, chosen: Chosen): PictureView {
-  const quantity = quantityUniforms();
+  if (shows.by === 'equation')
+    return {
+      term: shows.term,
+      separate: false,
+      pack: (lights, space, into) => packLights(chosen(lights), space, into),
+      program: null,
+    };
+  const uniforms = quantityUniforms();
   return {
     term: null,
     separate: shows.by === 'triangles',
     pack(lights, space, into) {
-      writeQuantityLight(quantity, chosen(lights)[0], space);
+      writeQuantityLight(uniforms, chosen(lights)[0], space);
       packNothing(into);
     },
-    program: {
-      uniforms: quantity,
-      variant: (general) => viewVariant(view, shows, general),
-    },
+    program: { uniforms, variant: (general) => viewVariant(view, shows, general) },
   };
 }
 
@@ -87,21 +79,16 @@ const made = new Map<string, Variant>();
  */
 function viewVariant(view: View, shows: OwnProgram, general: Variant): Variant {
   const key = `${view} ${general.key}`;
-  let variant = made.get(key);
-  if (variant === undefined) made.set(key, (variant = make(view, shows, general)));
-  return variant;
-}
-
-function make(view: View, shows: OwnProgram, general: Variant): Variant {
+  const present = made.get(key);
+  if (present !== undefined) return present;
   const defines: Record<string, string> = { ...general.defines };
   for (const name of DROPPED) Reflect.deleteProperty(defines, name);
   // Programs are told apart by their defines.
   defines['VIEW'] = shows.by;
-  if (shows.by === 'quantity') {
-    defines['VIEW_VALUE'] = viewValue(view);
-    return variantOf(defines, shows.text);
-  }
+  if (shows.by === 'quantity') defines['VIEW_VALUE'] = viewValue(view);
   const variant = variantOf(defines, shows.text);
   const vertex = ['#define main shadedMain', variant.vertexShader, '#undef main', trianglesVertex];
-  return { ...variant, vertexShader: vertex.join('\n') };
+  const shown = shows.by === 'quantity' ? variant : { ...variant, vertexShader: vertex.join('\n') };
+  made.set(key, shown);
+  return shown;
 }

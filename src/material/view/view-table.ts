@@ -5,26 +5,14 @@ import trianglesText from '../../../shaders/view_triangles.glsl?raw';
 import type { Term } from '../../light/light-state.js';
 import type { View } from '../views.js';
 
-/** The equation: all its terms, or one without emissive and unlit colours. Materials keep their programs. */
-interface Equation {
-  readonly by: 'equation';
-  readonly term: Term | null;
-}
-
-/** A quantity of the fragment or of one light, by the function of the view's name in view_quantity.glsl. */
-interface Quantity {
-  readonly by: 'quantity';
-  readonly text: string;
-}
-
-/** Every triangle for itself, so each has vertices of its own. */
-interface Triangles {
-  readonly by: 'triangles';
-  readonly text: string;
-}
-
-/** What a view shows. `text` stands in place of surface_color in its programs. */
-export type Shows = Equation | Quantity | Triangles;
+/**
+ * What a view shows. `equation`: all its terms, or one without emissive and unlit colours; materials keep their
+ * programs. `quantity`: one of the fragment or of one light, by the function of the view's name in view_quantity.glsl.
+ * `triangles`: every triangle for itself, so each has vertices of its own. `text` stands in place of surface_color.
+ */
+export type Shows =
+  | { readonly by: 'equation'; readonly term: Term | null }
+  | { readonly by: 'quantity' | 'triangles'; readonly text: string };
 
 export interface ViewEntry {
   readonly shows: Shows;
@@ -44,8 +32,8 @@ export interface ViewEntry {
   readonly scale: 'none' | 'unit' | 'axes';
 }
 
-const equation = (term: Term | null): Equation => ({ by: 'equation', term });
-const QUANTITY: Quantity = { by: 'quantity', text: quantityText };
+const equation = (term: Term | null): Shows => ({ by: 'equation', term });
+const QUANTITY: Shows = { by: 'quantity', text: quantityText };
 
 export const VIEW_TABLE = {
   shaded: { shows: equation(null), lights: 'all', title: 'Shaded', scale: 'none' },
@@ -54,26 +42,10 @@ export const VIEW_TABLE = {
   specular: { shows: equation('specular'), lights: 'all', title: 'Specular term', scale: 'none' },
   normals: { shows: QUANTITY, lights: 'none', title: 'Normals', scale: 'axes' },
   'n-dot-l': { shows: QUANTITY, lights: 'one', title: 'N · L', scale: 'unit' },
-  'r-dot-v': {
-    shows: QUANTITY,
-    lights: 'one',
-    title: 'R · V',
-    blinnTitle: 'N · H',
-    scale: 'unit',
-  },
-  attenuation: {
-    shows: QUANTITY,
-    lights: 'one',
-    title: 'Attenuation',
-    scale: 'unit',
-  },
+  'r-dot-v': { shows: QUANTITY, lights: 'one', title: 'R · V', blinnTitle: 'N · H', scale: 'unit' },
+  attenuation: { shows: QUANTITY, lights: 'one', title: 'Attenuation', scale: 'unit' },
   decay: { shows: QUANTITY, lights: 'one', title: 'Decay', scale: 'unit' },
-  triangles: {
-    shows: { by: 'triangles', text: trianglesText },
-    lights: 'none',
-    title: 'Triangles',
-    scale: 'none',
-  },
+  triangles: { shows: { by: 'triangles', text: trianglesText }, lights: 'none', title: 'Triangles', scale: 'none' },
 } as const satisfies Readonly<Record<View, ViewEntry>>;
 
 /** The GLSL expression of a quantity's colour: `grey(viewNDotL(at))`. */

@@ -1,6 +1,7 @@
 // Where meshes and textures are decompressed: in a worker, one for each decoder, which keeps the page alive and ends at
 // once with an abort. On the main thread where no worker can start: the package on another origin, a page opened from
 // disk, a policy without workers or without WebAssembly, a bundler that left the worker's file out.
+import type { CreateDecoder, WorkerAnswer } from './decoder.js';
 
 /**
  * How long a worker waits for another job, in milliseconds. The models of a page come one after another, and each start
@@ -140,18 +141,3 @@ async function answerOf<Result>(worker: Worker, message: unknown, signal?: Abort
     done.abort();
   }
 }
-
-/** Makes a decoder. @param setup what it needs to start, such as the address of its WebAssembly. */
-export type CreateDecoder<Job, Result> = (setup: string) => Promise<Decode<Job, Result>>;
-
-export type Decode<Job, Result> = (job: Job) => Decoded<Result> | Promise<Decoded<Result>>;
-
-export interface Decoded<Result> {
-  readonly result: Result;
-  /** Parts of the result that a worker transfers instead of copying. Each once. */
-  readonly transfer: Transferable[];
-}
-
-/** A worker's answer to a message. The first message is the setup, the others are jobs. */
-export type WorkerAnswer<Result> =
-  { readonly result: Result } | { readonly error: { readonly name: string; readonly message: string } };

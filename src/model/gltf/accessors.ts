@@ -1,9 +1,8 @@
-// The accessors of a glTF document: counts, alignment and byte lengths against their buffer views, and what reading
-// them costs.
+// The accessors and buffer views of a glTF document: counts, alignment and byte lengths, and what reading them costs.
+// Checked before anything is allocated. Knows the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
-import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
-import { readMeshoptView, type MeshoptView } from './meshopt-views.js';
+import { countAt, indexAt, objectAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
 export interface BufferView {
   readonly buffer: number;
@@ -92,15 +91,9 @@ const COMPONENT_BYTES: ReadonlyMap<unknown, number> = new Map([
   [5125, 4],
   [5126, 4],
 ]);
-const COMPONENTS: ReadonlyMap<unknown, number> = new Map([
-  ['SCALAR', 1],
-  ['VEC2', 2],
-  ['VEC3', 3],
-  ['VEC4', 4],
-  ['MAT2', 4],
-  ['MAT3', 9],
-  ['MAT4', 16],
-]);
+const COMPONENTS: ReadonlyMap<unknown, number> = new Map(
+  Object.entries({ SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 }),
+);
 
 export function readBufferViews(json: JsonObject, buffers: number, slices: Slices): Promise<readonly BufferView[]> {
   return slices.map(objectsAt(json['bufferViews'], 'bufferViews'), (view, i) => {
@@ -119,23 +112,17 @@ export function readBufferViews(json: JsonObject, buffers: number, slices: Slice
 function entryOf(accessor: JsonObject, index: number, views: readonly BufferView[]): Entry {
   const what = `accessors[${String(index)}]`;
   const components = COMPONENTS.get(accessor['type']);
-  const bytes = COMPONENT_BYTES.get(accessor['componentType']);
-  if (components === undefined || bytes === undefined) throw new Error(`${what} has an unknown type`);
+  const unit = COMPONENT_BYTES.get(accessor['componentType']);
+  if (components === undefined || unit === undefined) throw new Error(`${what} has an unknown type`);
   const count = countAt(accessor['count'], `${what}.count`);
   const offset = countAt(accessor['byteOffset'], `${what}.byteOffset`, 0);
-  const item = components * bytes;
-  const sparse = accessor['sparse'] === undefined ? undefined : sparseOf(accessor['sparse'], what);
+  const elements = { view: accessor['bufferView'], offset, count, item: components * unit, unit };
+  const sparse = accessor['sparse'] === undefined ? null : sparseRuns(accessor['sparse'], elements, what);
   const requireBytes = (): void => {
-    const stride = requireView(accessor['bufferView'], views, { offset, count, item, unit: bytes }, what);
-    if (!sparse) return;
-    if (stride !== item) throw new Error(`${what} is sparse and interleaved, which is not supported`);
-    requireView(sparse.indices['bufferView'], views, { ...sparse.indexRun, count: sparse.count }, what);
-    requireView(
-      sparse.values['bufferView'],
-      views,
-      { offset: sparse.valueOffset, count: sparse.count, item, unit: bytes },
-      what,
-    );
+    const stride = requireView(elements, views, what);
+    if (sparse === null) return;
+    if (stride !== elements.item) throw new Error(`${what} is sparse and interleaved, which is not supported`);
+    for (const run of sparse) requireView(run, views, what);
   };
   return {
     index,
@@ -144,13 +131,15 @@ function entryOf(accessor: JsonObject, index: number, views: readonly BufferView
     count,
     components,
     requireBytes,
-    ownBytes: accessor['bufferView'] === undefined || sparse ? count * item : 0,
+    ownBytes: elements.view === undefined || sparse !== null ? count * elements.item : 0,
   };
 }
 
 const ZERO = [0, 0, 0];
 
 interface Run {
+  /** Index of the buffer view, not yet checked; undefined for zeros. */
+  readonly view: unknown;
   readonly offset: number;
   readonly count: number;
   /** Bytes of an element, and of one number in it. */
@@ -159,8 +148,11 @@ interface Run {
 }
 
 /** Throws unless the view holds the run. Gives the distance of elements in bytes. */
-function requireView(index: unknown, views: readonly BufferView[], run: Run, what: string): number {
-  const { offset, count, item, unit } = run;
+function requireView(
+  { view: index, offset, count, item, unit }: Run,
+  views: readonly BufferView[],
+  what: string,
+): number {
   const view = index === undefined ? undefined : views[indexAt(index, views.length, `${what}.bufferView`)];
   if (!view || count === 0) return item;
   const stride = view.byteStride ?? item;
@@ -174,27 +166,74 @@ function requireView(index: unknown, views: readonly BufferView[], run: Run, wha
   return stride;
 }
 
-interface Sparse {
-  readonly count: number;
-  readonly indices: JsonObject;
-  readonly indexRun: Omit<Run, 'count'>;
-  readonly values: JsonObject;
-  readonly valueOffset: number;
-}
-
-function sparseOf(value: unknown, what: string): Sparse {
+/** The indices and the values of a sparse accessor. */
+function sparseRuns(value: unknown, elements: Run, what: string): readonly Run[] {
   const sparse = objectAt(value, `${what}.sparse`);
   const indices = objectAt(sparse['indices'], `${what}.sparse.indices`);
   const values = optionalObject(sparse['values'], `${what}.sparse.values`);
-  const item = COMPONENT_BYTES.get(indices['componentType']);
-  if (item === undefined || values['bufferView'] === undefined || indices['bufferView'] === undefined) {
+  const unit = COMPONENT_BYTES.get(indices['componentType']);
+  if (unit === undefined || values['bufferView'] === undefined || indices['bufferView'] === undefined) {
     throw new Error(`${what}.sparse is incomplete`);
   }
+  const count = countAt(sparse['count'], `${what}.sparse.count`);
+  const offsetOf = (run: JsonObject): number => countAt(run['byteOffset'], `${what}.sparse`, 0);
+  return [
+    { view: indices['bufferView'], offset: offsetOf(indices), count, item: unit, unit },
+    { ...elements, view: values['bufferView'], offset: offsetOf(values), count },
+  ];
+}
+
+/** The same data under two names; the second is the ratified one. */
+const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
+
+export interface MeshoptView {
+  /** Where the compressed bytes are. */
+  readonly buffer: number;
+  readonly byteOffset: number;
+  readonly byteLength: number;
+  /** Elements, and bytes of each, once decoded. */
+  readonly count: number;
+  readonly stride: number;
+  readonly mode: MeshoptMode;
+  readonly filter: MeshoptFilter;
+}
+
+const MODES = ['ATTRIBUTES', 'TRIANGLES', 'INDICES'] as const;
+const FILTERS = ['NONE', 'OCTAHEDRAL', 'QUATERNION', 'EXPONENTIAL', 'COLOR'] as const;
+
+type MeshoptMode = (typeof MODES)[number];
+type MeshoptFilter = (typeof FILTERS)[number];
+
+/** Null if the view is not compressed. @throws Error for a claim that the decoder must not see. */
+function readMeshoptView(view: JsonObject, buffers: number, what: string): MeshoptView | null {
+  const extensions = optionalObject(view['extensions'], `${what}.extensions`);
+  const name = MESHOPT.find((known) => known in extensions);
+  if (name === undefined) return null;
+  const packed = optionalObject(extensions[name], `${what}.${name}`);
+  const mode = MODES.find((known) => known === packed['mode']);
+  const filter = FILTERS.find((known) => known === (textAt(packed['filter']) || 'NONE'));
+  const count = countAt(packed['count'], `${what}.count`);
+  const stride = countAt(packed['byteStride'], `${what}.byteStride`);
+  if (mode === undefined || filter === undefined) throw new Error(`${what} has an unknown mode or filter`);
+  const fits = mode === 'ATTRIBUTES' ? stride % 4 === 0 && stride > 0 && stride <= 256 : stride === 2 || stride === 4;
+  const filtered = filter === 'NONE' || (mode === 'ATTRIBUTES' && filterFits(filter, stride));
+  const whole = mode !== 'TRIANGLES' || count % 3 === 0;
+  if (!fits || !filtered || !whole || count * stride !== view['byteLength']) {
+    throw new Error(`${what} does not unpack to the bytes that it claims`);
+  }
   return {
-    count: countAt(sparse['count'], `${what}.sparse.count`),
-    indices,
-    indexRun: { offset: countAt(indices['byteOffset'], `${what}.sparse`, 0), item, unit: item },
-    values,
-    valueOffset: countAt(values['byteOffset'], `${what}.sparse`, 0),
+    buffer: indexAt(packed['buffer'], buffers, `${what}.buffer`),
+    byteOffset: countAt(packed['byteOffset'], `${what}.byteOffset`, 0),
+    byteLength: countAt(packed['byteLength'], `${what}.byteLength`),
+    count,
+    stride,
+    mode,
+    filter,
   };
+}
+
+/** The strides that the decoder takes for a filter; it does not check them. */
+function filterFits(filter: MeshoptFilter, stride: number): boolean {
+  if (filter === 'QUATERNION') return stride === 8;
+  return filter === 'EXPONENTIAL' || stride === 4 || stride === 8;
 }

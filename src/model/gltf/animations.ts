@@ -6,11 +6,10 @@ import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';
 import { indexAt, objectAt, objectsAt, textAt, type JsonObject } from './json.js';
-import type { Interpolation } from './tracks.js';
 
 export type ChannelPath = 'translation' | 'rotation' | 'scale' | 'weights';
 
-export interface Channel {
+interface Channel {
   readonly node: number;
   readonly path: ChannelPath;
   /** Accessors of times and values. */
@@ -29,7 +28,8 @@ export interface GltfAnimation {
 
 /** Numbers per value; weights have one for each morph target. */
 const WIDTHS: Readonly<Record<ChannelPath, number>> = { translation: 3, rotation: 4, scale: 3, weights: 0 };
-const INTERPOLATIONS: readonly string[] = ['STEP', 'LINEAR', 'CUBICSPLINE'] satisfies Interpolation[];
+const INTERPOLATIONS = ['STEP', 'LINEAR', 'CUBICSPLINE'] as const;
+export type Interpolation = (typeof INTERPOLATIONS)[number];
 
 interface AnimationContext {
   readonly accessors: Accessors;
@@ -92,8 +92,9 @@ async function readChannels(
     const sampler = samplers[indexAt(channel['sampler'], samplers.length, `${what}.sampler`)] ?? {};
     const width = path === 'weights' ? targets[node] : WIDTHS[path];
     if (targets[node] === undefined || width === undefined || width === 0) return [];
-    const interpolation = textAt(sampler['interpolation']) || 'LINEAR';
-    if (!isInterpolation(interpolation)) throw new Error(`${what} has an unknown interpolation`);
+    const written = textAt(sampler['interpolation']) || 'LINEAR';
+    const interpolation = INTERPOLATIONS.find((known) => known === written);
+    if (interpolation === undefined) throw new Error(`${what} has an unknown interpolation`);
     const input = accessors.at(sampler['input'], `${what}.input`);
     const output = accessors.at(sampler['output'], `${what}.output`);
     const numbers = input.count * width * (interpolation === 'CUBICSPLINE' ? 3 : 1);
@@ -106,4 +107,3 @@ async function readChannels(
 }
 
 const isPath = (path: string): path is ChannelPath => Object.hasOwn(WIDTHS, path);
-const isInterpolation = (text: string): text is Interpolation => INTERPOLATIONS.includes(text);

@@ -11,42 +11,49 @@ export type Conversion = (source: Attribute, slices: Slices) => Promise<BufferAt
 export const COORDINATE_LIMIT = 1e15;
 
 /** Rejects with an Error if a coordinate is not a number or beyond ±1e15. */
-export const floatPositions: Conversion = async (source, slices) => {
-  const positions = await asFloats(source, 3, slices);
-  const { array } = positions;
-  await slices.over(array.length, (from, to) => {
+export async function requireCoordinates(coordinates: ArrayLike<number>, slices: Slices): Promise<void> {
+  await slices.over(coordinates.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      const value = array[i]!;
+      const value = coordinates[i]!;
       if (Math.abs(value) <= COORDINATE_LIMIT) continue;
       throw new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
     }
   });
+}
+
+/** Rejects as {@link requireCoordinates} does. */
+export const floatPositions: Conversion = async (source, slices) => {
+  const positions = await asFloats(source, 3, slices);
+  await requireCoordinates(positions.array, slices);
   return positions;
 };
 
-/** Unit vectors. A normal without direction becomes zero. */
-export const unitNormals: Conversion = async (source, slices) => {
-  const values = new Float32Array(source.count * 3);
-  await slices.over(source.count, (from, to) => {
-    for (let i = from; i < to; i += 1) setUnit(values, i * 3, source, i);
-  });
-  return new BufferAttribute(values, 3);
-};
+/** Unit vectors, normalised in float64, or zero for one without direction (zero, NaN, Infinity). Then ±1, if `items` is 4. */
+const unitVectors =
+  (items: 3 | 4): Conversion =>
+  async (source, slices) => {
+    const values = new Float32Array(source.count * items);
+    await slices.over(source.count, (from, to) => {
+      for (let i = from; i < to; i += 1) {
+        const at = i * items;
+        const x = source.getX(i);
+        const y = source.getY(i);
+        const z = source.getZ(i);
+        if (items === 4) values[at + 3] = source.getW(i) < 0 ? -1 : 1;
+        const length = Math.hypot(x, y, z);
+        if (!(length > 0 && length < Infinity)) continue;
+        values[at] = x / length;
+        values[at + 1] = y / length;
+        values[at + 2] = z / length;
+      }
+    });
+    return new BufferAttribute(values, items);
+  };
 
-/**
- * Writes the vector of vertex `i` to `values` from index `at`, normalised in float64. Leaves them where it has no
- * direction (zero, NaN, Infinity).
- */
-export function setUnit(values: Float32Array, at: number, source: Attribute, i: number): void {
-  const x = source.getX(i);
-  const y = source.getY(i);
-  const z = source.getZ(i);
-  const length = Math.hypot(x, y, z);
-  if (!(length > 0 && length < Infinity)) return;
-  values[at] = x / length;
-  values[at + 1] = y / length;
-  values[at + 2] = z / length;
-}
+export const unitNormals = unitVectors(3);
+
+/** A tangent without direction leaves the normal as it is. */
+export const unitTangents = unitVectors(4);
 
 /** Texture coordinates; values that are not finite become 0. */
 export const floatUvs: Conversion = async (source, slices) => {
@@ -74,30 +81,26 @@ export const encodedColors: Conversion = async (source, slices) => {
   return new BufferAttribute(values, items);
 };
 
-/** The unconverted numbers of the vertices that the corners refer to. */
-export async function gathered(
-  source: Attribute,
-  corners: ArrayLike<number>,
-  slices: Slices,
-): Promise<BufferAttribute> {
-  const { itemSize } = source;
-  const values = new Float32Array(corners.length * itemSize);
-  await slices.over(corners.length, (from, to) => {
-    for (let i = from; i < to; i += 1) {
-      for (let c = 0; c < itemSize; c += 1) values[i * itemSize + c] = source.getComponent(corners[i]!, c);
-    }
-  });
-  return new BufferAttribute(values, itemSize);
-}
-
 async function asFloats(source: Attribute, items: number, slices: Slices): Promise<BufferAttribute> {
   if (source.itemSize < items) throw new Error(`an attribute has ${String(source.itemSize)} of ${String(items)} parts`);
   const plain = source instanceof BufferAttribute && source.array instanceof Float32Array;
   if (plain && source.itemSize === items && !source.normalized) return source;
-  const values = new Float32Array(source.count * items);
-  await slices.over(source.count, (from, to) => {
+  return gathered(source, null, slices, items);
+}
+
+/** The unconverted numbers of the vertices that the corners refer to; of all vertices for null. */
+export async function gathered(
+  source: Attribute,
+  corners: ArrayLike<number> | null,
+  slices: Slices,
+  items = source.itemSize,
+): Promise<BufferAttribute> {
+  const { length } = corners ?? { length: source.count };
+  const values = new Float32Array(length * items);
+  await slices.over(length, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      for (let c = 0; c < items; c += 1) values[i * items + c] = source.getComponent(i, c);
+      const vertex = corners === null ? i : corners[i]!;
+      for (let c = 0; c < items; c += 1) values[i * items + c] = source.getComponent(vertex, c);
     }
   });
   return new BufferAttribute(values, items);

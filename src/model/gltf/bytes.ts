@@ -1,14 +1,14 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
 import { requireAtMost } from '../budget.js';
 import { lazyCode } from '../lazy-code.js';
-import { isDataUri } from '../request-file.js';
+import { isDataUri } from '../request-model.js';
 import type { ModelSource } from '../model-reader.js';
 import { BYTE_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
-import type { MeshoptView } from './meshopt-views.js';
+import type { MeshoptView } from './accessors.js';
 
 export interface GltfBytes {
   /** A copy of the view's bytes, padded by the view's stride after the last element. */

@@ -1,17 +1,25 @@
 // The vertices of a mesh with joints or morph targets, computed on the CPU, at load and whenever the pose changes, so
 // that bounds, culling and picking read the vertices that are drawn.
-import { Box3, BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
+import {
+  type Bone,
+  Box3,
+  BufferAttribute,
+  type BufferGeometry,
+  DynamicDrawUsage,
+  Matrix4,
+  type Skeleton,
+  Sphere,
+} from 'three';
 import { writeFaceNormals } from '../../material/flat-geometry.js';
 import type { Slices } from '../slices.js';
-import { COORDINATE_LIMIT, type Attribute } from './attributes.js';
-import type { JointPose } from './joint-pose.js';
+import { type Attribute, COORDINATE_LIMIT, requireCoordinates } from './attributes.js';
+
+/** The attributes that move, with their numbers per vertex. */
+const STRIDES = { position: 3, normal: 3, tangent: 4 } as const;
+type MovingName = keyof typeof STRIDES;
 
 /** What a morph target adds to each vertex at weight 1: plain floats, three per vertex. */
-export interface MorphTarget {
-  readonly position: Attribute | null;
-  readonly normal: Attribute | null;
-  readonly tangent: Attribute | null;
-}
+export type MorphTarget = Readonly<Partial<Record<MovingName, Attribute | undefined>>>;
 
 interface Rig {
   readonly joints: {
@@ -26,6 +34,15 @@ interface Rig {
   readonly flat: boolean;
 }
 
+/** An attribute that moves. */
+interface Moving {
+  readonly name: MovingName;
+  readonly stride: number;
+  /** As in the file. */
+  readonly rest: Float32Array;
+  readonly attribute: BufferAttribute;
+}
+
 /** Joints that move a vertex. */
 const JOINTS = 4;
 
@@ -36,7 +53,7 @@ const JOINTS = 4;
 export class Deformation {
   readonly #geometry: BufferGeometry;
   readonly #rig: Rig;
-  readonly #rest: { position: Float32Array; normal: Float32Array | null; tangent: Float32Array | null };
+  readonly #moving: readonly Moving[];
   readonly #position: Float32Array;
   readonly #normal: Float32Array | null;
   readonly #tangent: Float32Array | null;
@@ -56,26 +73,24 @@ export class Deformation {
   constructor(geometry: BufferGeometry, rig: Rig) {
     this.#geometry = geometry;
     this.#rig = rig;
-    const own = (name: string): [Float32Array, Float32Array] | null => {
-      if (!geometry.hasAttribute(name)) return null;
+    this.#moving = (Object.keys(STRIDES) as MovingName[]).flatMap((name) => {
+      if (!geometry.hasAttribute(name)) return [];
+      const shared = geometry.getAttribute(name) as BufferAttribute;
       // Other geometries can share the attribute.
-      const attribute = (geometry.getAttribute(name) as BufferAttribute).clone();
-      const rest = geometry.getAttribute(name).array as Float32Array;
+      const attribute = shared.clone();
       geometry.setAttribute(name, attribute);
-      return [rest, attribute.array as Float32Array];
-    };
-    const position = own('position') ?? [NONE, NONE];
-    const normal = own('normal');
-    const tangent = own('tangent');
-    this.#rest = { position: position[0], normal: normal?.[0] ?? null, tangent: tangent?.[0] ?? null };
-    this.#position = position[1];
-    this.#normal = normal?.[1] ?? null;
-    this.#tangent = tangent?.[1] ?? null;
-    const links = rig.joints === null ? 0 : (this.#position.length / 3) * JOINTS;
-    this.#indices = new Uint16Array(links);
-    this.#weights = new Float32Array(links);
+      return { name, stride: STRIDES[name], rest: shared.array as Float32Array, attribute };
+    });
+    const own = (wanted: MovingName): Float32Array | null =>
+      (this.#moving.find(({ name }) => name === wanted)?.attribute.array as Float32Array | undefined) ?? null;
+    this.#position = own('position')!;
+    this.#normal = own('normal');
+    this.#tangent = own('tangent');
+    const count = rig.joints === null ? 0 : this.#position.length / 3;
+    this.#indices = new Uint16Array(count * JOINTS);
+    this.#weights = new Float32Array(count * JOINTS);
+    this.#mirrored = new Uint8Array(count);
     this.#applied = new Float64Array(rig.weights.length);
-    this.#mirrored = new Uint8Array(rig.joints === null ? 0 : this.#position.length / 3);
     this.#order = geometry.index?.array ?? null;
   }
 
@@ -86,12 +101,7 @@ export class Deformation {
     const deform = (from: number, to: number): void => this.#deform(from, to);
     await slices.over(count, deform, 1 + this.#rig.targets.length);
     await slices.over(count / 3, (from, to) => this.#writeFaceNormals(from, to));
-    const positions = this.#position;
-    await slices.over(positions.length, (from, to) => {
-      for (let i = from; i < to; i += 1)
-        if (!(Math.abs(positions[i]!) <= COORDINATE_LIMIT))
-          throw new Error(`a vertex has the coordinate ${String(positions[i])}; ±1e15 is the limit`);
-    });
+    await requireCoordinates(this.#position, slices);
     const index = this.#turnedIndex();
     if (index !== null) await slices.over(index.length, (from, to) => this.#turnFaces(index, from, to));
     this.#remember();
@@ -99,7 +109,7 @@ export class Deformation {
 
   /** Marks the vertices as changing: the GPU keeps them where they are quick to replace, and snapshots copy them. */
   keep(): void {
-    for (const name of MOVING) this.#attribute(name)?.setUsage(DynamicDrawUsage);
+    for (const { attribute } of this.#moving) attribute.setUsage(DynamicDrawUsage);
   }
 
   /** Updates the geometry if joints or weights have changed. */
@@ -113,10 +123,7 @@ export class Deformation {
     const index = this.#turnedIndex();
     if (index !== null) this.#turnFaces(index, 0, index.length);
     this.#measure();
-    for (const name of MOVING) {
-      const attribute = this.#attribute(name);
-      if (attribute !== null) attribute.needsUpdate = true;
-    }
+    for (const { attribute } of this.#moving) attribute.needsUpdate = true;
     this.#remember();
   }
 
@@ -165,11 +172,6 @@ export class Deformation {
     }
   }
 
-  #attribute(name: string): BufferAttribute | null {
-    const geometry = this.#geometry;
-    return geometry.hasAttribute(name) ? (geometry.getAttribute(name) as BufferAttribute) : null;
-  }
-
   #remember(): void {
     this.#version = this.#rig.joints?.pose.version ?? 0;
     this.#applied.set(this.#rig.weights);
@@ -205,17 +207,11 @@ export class Deformation {
   }
 
   #morph(from: number, to: number): void {
-    const { position, normal, tangent } = this.#rest;
-    this.#position.set(position.subarray(from * 3, to * 3), from * 3);
-    if (normal !== null) this.#normal?.set(normal.subarray(from * 3, to * 3), from * 3);
-    if (tangent !== null) this.#tangent?.set(tangent.subarray(from * 4, to * 4), from * 4);
-    this.#rig.targets.forEach((target, i) => {
-      const weight = this.#rig.weights[i]!;
-      if (weight === 0) return;
-      add(target.position, weight, this.#position, 3, from, to);
-      if (this.#normal !== null) add(target.normal, weight, this.#normal, 3, from, to);
-      if (this.#tangent !== null) add(target.tangent, weight, this.#tangent, 4, from, to);
-    });
+    for (const { name, stride, rest, attribute } of this.#moving) {
+      const values = attribute.array as Float32Array;
+      values.set(rest.subarray(from * stride, to * stride), from * stride);
+      this.#rig.targets.forEach((target, i) => add(target[name], this.#rig.weights[i]!, values, stride, from, to));
+    }
   }
 
   #skin(bones: Float64Array, from: number, to: number): void {
@@ -293,41 +289,24 @@ export class Deformation {
 
   /** The box of all vertices and the sphere around that box. */
   #measure(): void {
-    const positions = this.#position;
-    let [minX, minY, minZ] = [Infinity, Infinity, Infinity];
-    let [maxX, maxY, maxZ] = [-Infinity, -Infinity, -Infinity];
-    for (let i = 0; i < positions.length; i += 3) {
-      const [x, y, z] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
-      if (x < minX) minX = x;
-      if (y < minY) minY = y;
-      if (z < minZ) minZ = z;
-      if (x > maxX) maxX = x;
-      if (y > maxY) maxY = y;
-      if (z > maxZ) maxZ = z;
-    }
     const geometry = this.#geometry;
     const [one, other] = this.#bounds;
     const box = geometry.boundingBox === one ? other : one;
-    box.min.set(minX, minY, minZ);
-    box.max.set(maxX, maxY, maxZ);
-    geometry.boundingBox = box;
+    geometry.boundingBox = box.setFromArray(this.#position);
     geometry.boundingSphere = box.getBoundingSphere(geometry.boundingSphere ?? new Sphere());
   }
 }
 
-const NONE = new Float32Array(0);
-const MOVING = ['position', 'normal', 'tangent'] as const;
-
 /** Adds `weight` times the first three numbers of each vertex. */
 function add(
-  source: Attribute | null,
+  source: Attribute | undefined,
   weight: number,
   into: Float32Array,
   stride: number,
   from: number,
   to: number,
 ): void {
-  if (source === null) return;
+  if (source === undefined || weight === 0) return;
   const { array } = source; // plain: see MorphTarget
   for (let i = from; i < to; i += 1) {
     for (let c = 0; c < 3; c += 1) into[i * stride + c]! += weight * array[i * 3 + c]!;
@@ -345,3 +324,46 @@ function normalizeAll(values: Float32Array, stride: number, from: number, to: nu
     values[i + 2] = valid ? z / length : 0;
   }
 }
+
+/**
+ * The matrices of a skeleton's joints, from the mesh's bind space to the model's, and a version that says when one has
+ * changed. Shared by all meshes with that skeleton.
+ */
+export class JointPose {
+  /** 16 numbers for each joint. */
+  readonly matrices: Float64Array;
+  /** Increments when a matrix has changed. */
+  version = 0;
+  readonly #skeleton: Skeleton;
+  readonly #matrix = new Matrix4();
+  /** Joints that lie outside the scene that is shown, each once. */
+  readonly #roots: ReadonlySet<Bone>;
+
+  constructor(skeleton: Skeleton) {
+    this.#skeleton = skeleton;
+    this.#roots = new Set(skeleton.bones.filter((bone) => bone.parent === null));
+    this.matrices = new Float64Array(skeleton.bones.length * 16);
+  }
+
+  /**
+   * World matrices must be up to date within the scene. A joint whose matrix leaves the domain of coordinates stays
+   * where it was.
+   */
+  update(): void {
+    const { bones, boneInverses } = this.#skeleton;
+    const { matrices } = this;
+    let changes = 0;
+    for (const bone of this.#roots) bone.updateWorldMatrix(false, true);
+    bones.forEach((bone, i) => {
+      const { elements } = this.#matrix.multiplyMatrices(bone.matrixWorld, boneInverses[i] ?? IDENTITY);
+      if (!elements.every((element) => Math.abs(element) <= COORDINATE_LIMIT)) return;
+      for (let j = 0; j < 16; j += 1) {
+        if (matrices[i * 16 + j] !== elements[j]) changes += 1;
+        matrices[i * 16 + j] = elements[j]!;
+      }
+    });
+    if (changes > 0) this.version += 1;
+  }
+}
+
+const IDENTITY = /* @__PURE__ */ new Matrix4();

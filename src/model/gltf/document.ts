@@ -8,7 +8,7 @@ import { ModelError } from '../model.js';
 import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';
-import type { DracoClaims } from './draco-header.js';
+import type { DracoClaims } from './draco-loader.js';
 import { extensionsLeftOut, unreadable, VISIBILITY } from './extensions.js';
 import { type Instances, readInstances } from './instances.js';
 import {

@@ -55,6 +55,6 @@ declare module 'three/examples/jsm/libs/draco/gltf/draco_decoder.js' {
 
 declare module 'three/examples/jsm/libs/draco/gltf/draco_wasm_wrapper.js' {
   import type { Draco } from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
-  const createDraco: (options: import('../decoders/start-wasm.js').WasmOptions) => Promise<Draco>;
+  const createDraco: (options: import('../decoders/decoder.js').WasmOptions) => Promise<Draco>;
   export default createDraco;
 }

@@ -2,7 +2,7 @@
 // A chunk of half a megabyte.
 import createDraco from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
 import { type DracoJob, type DracoMesh, meshDecoder } from './draco-mesh.js';
-import type { Decode } from '../decoders/decoder-thread.js';
+import type { Decode } from '../decoders/decoder.js';
 
 /** Its console output is suppressed. */
 export async function createDecoder(): Promise<Decode<DracoJob, DracoMesh>> {

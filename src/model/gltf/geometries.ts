@@ -9,7 +9,7 @@ import {
   type Skeleton,
   SkinnedMesh,
 } from 'three';
-import { faceNormals } from '../face-normals.js';
+import { faceNormals } from '../model-reader.js';
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import {
@@ -20,15 +20,14 @@ import {
   floatUvs,
   gathered,
   unitNormals,
+  unitTangents,
 } from './attributes.js';
 import type { Accessor } from './accessors.js';
-import { Deformation, type MorphTarget } from './deformation.js';
+import { Deformation, type MorphTarget, JointPose } from './deformation.js';
 import type { Instances } from './instances.js';
-import { JointPose } from './joint-pose.js';
-import { completeNormals, countMissing } from './missing-normals.js';
-import { CORNERS, FAN, MORPHED, type MorphAccessors, STRIP } from './primitives.js';
-import { mapsOf, uvNameOf } from './surfaces.js';
-import { addTangents, unitTangents } from './tangents.js';
+import { addTangents, completeNormals, countMissing } from './computed-vectors.js';
+import { CORNERS, FAN, type MorphAccessors, STRIP } from './primitives.js';
+import { mapsOf, uvNameOf } from './materials.js';
 
 /** Where the file describes an object. */
 export interface FileIndices {
@@ -112,8 +111,13 @@ export class Geometries {
     const count = attributes.get('position')?.count ?? 0;
     const shown = [...attributes.keys()];
     if (isSkinned(mesh)) for (const name of JOINTS) attributes.set(name, source.getAttribute(name));
-    for (const [name, accessor] of morphNames(targets))
-      attributes.set(name, await this.#convert(await this.#source.accessor(accessor), floatPositions, 3));
+    for (const [i, target] of targets.entries()) {
+      for (const [name, accessor] of Object.entries(target))
+        attributes.set(
+          morphName(i, name),
+          await this.#convert(await this.#source.accessor(accessor), floatPositions, 3),
+        );
+    }
     for (const [name, attribute] of attributes) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
@@ -140,13 +144,19 @@ export class Geometries {
     for (const name of shown) if (attributes.has(name)) geometry.setAttribute(name, attributes.get(name)!);
     if (flat || split) {
       const { array } = geometry.getAttribute('position');
-      const own = await faceNormals(array, this.#slices);
-      if (split) await replaceNormals(own, geometry.getAttribute('normal').array, split, this.#slices);
-      geometry.setAttribute('normal', own);
+      const normals = await faceNormals(array, this.#slices);
+      if (split) {
+        const smooth = geometry.getAttribute('normal').array;
+        await this.#slices.over(split.length, (from, to) => {
+          for (let i = from; i < to; i += 1)
+            if (split[i] === 0) normals.setXYZ(i, smooth[i * 3]!, smooth[i * 3 + 1]!, smooth[i * 3 + 2]!);
+        });
+      }
+      geometry.setAttribute('normal', normals);
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
     if (computed) await addTangents(geometry, tangents, this.#slices);
-    if (moves) await this.#deform(mesh, geometry, flat, attributes, targets.length);
+    if (moves) await this.#deform(mesh, geometry, flat, attributes, targets);
     return geometry;
   }
 
@@ -225,7 +235,7 @@ export class Geometries {
     geometry: BufferGeometry,
     flat: boolean,
     attributes: ReadonlyMap<string, Attribute>,
-    targets: number,
+    targets: readonly MorphAccessors[],
   ): Promise<void> {
     const [indices, weights] = JOINTS.map((name) => attributes.get(name));
     const joints =
@@ -233,13 +243,10 @@ export class Geometries {
     const deformation = new Deformation(geometry, {
       joints,
       flat,
-      weights: this.#weightsOf(mesh, targets),
-      targets: Array.from({ length: targets }, (_, i): MorphTarget => {
-        const [position = null, normal = null, tangent = null] = MORPHED.map((name) =>
-          attributes.get(morphName(i, name)),
-        );
-        return { position, normal, tangent };
-      }),
+      weights: this.#weightsOf(mesh, targets.length),
+      targets: targets.map((target, i): MorphTarget =>
+        Object.fromEntries(Object.keys(target).map((name) => [name.toLowerCase(), attributes.get(morphName(i, name))])),
+      ),
     });
     await deformation.load(this.#slices);
     this.deformations.push(deformation);
@@ -281,19 +288,6 @@ export class Geometries {
   }
 }
 
-/** Writes `normals` into `own` where `split` is 0. */
-function replaceNormals(
-  own: BufferAttribute,
-  normals: ArrayLike<number>,
-  split: Uint8Array,
-  slices: Slices,
-): Promise<void> {
-  return slices.over(split.length, (from, to) => {
-    for (let i = from; i < to; i += 1)
-      if (split[i] === 0) own.setXYZ(i, normals[i * 3]!, normals[i * 3 + 1]!, normals[i * 3 + 2]!);
-  });
-}
-
 const JOINTS = ['skinIndex', 'skinWeight'] as const;
 
 /** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
@@ -305,14 +299,8 @@ const TANGENT_VALUES = 16;
  */
 const MOVING_VALUES = 17;
 
+/** Names the attribute of a morph target. */
 const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
-
-/** Names for the attributes of morph targets, with the accessor of each. */
-function* morphNames(targets: readonly MorphAccessors[]): Iterable<readonly [string, Accessor]> {
-  for (const [i, target] of targets.entries()) {
-    for (const [name, accessor] of Object.entries(target)) yield [morphName(i, name), accessor];
-  }
-}
 
 /**
  * Triangle t of a strip is t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same

@@ -42,8 +42,8 @@ export function readInstances(
 }
 
 export interface Instance {
-  /** Within the node, in float64. */
-  readonly matrix: Matrix4;
+  /** Within the node, in float64; null for the node's own place. */
+  readonly matrix: Matrix4 | null;
   /** Linear, with opacity; null for no colour of its own. */
   readonly color: readonly number[] | null;
 }

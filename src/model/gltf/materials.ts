@@ -1,5 +1,12 @@
-// The parts of a glTF material that the equation uses. Numbers and indices are checked. Knows the JSON only;
-// surfaces.ts turns what was read into the equation's terms.
+// The parts of a glTF material that the equation uses: read and checked in the JSON, and turned into the equation's
+// terms when three's loader has made the material. See BaseLook for their meaning.
+import { type BufferGeometry, DoubleSide, type MeshStandardMaterial, type Texture } from 'three';
+import { LIMITS } from '../../light/light-state.js';
+import { exponentOfRoughness } from '../../material/file-surface.js';
+import { SURFACE_FIELDS } from '../../material/material-values.js';
+import { srgbEncode } from '../../math/color.js';
+import { map, multiply, type Vec3 } from '../../math/vector.js';
+import type { ContentPart } from '../model.js';
 import type { Slices } from '../slices.js';
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
@@ -33,7 +40,7 @@ export function readTextures(json: JsonObject, images: number, slices: Slices): 
 }
 
 /** What a material says beside base colour, alpha and sides. Colours are linear, as in the file. */
-export interface MaterialValues {
+interface MaterialValues {
   readonly unlit: boolean;
   readonly emissive: readonly number[];
   /**
@@ -132,8 +139,10 @@ function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): r
   return (numbersAt(color, 3, `${what}.specularColorFactor`) ?? WHITE).map((c) => c * factor);
 }
 
+const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
+
 /** A number clamped to 0–1; 1 by default. */
-const share = (value: unknown, what: string): number => Math.min(Math.max(numberAt(value, what, 1), 0), 1);
+const share = (value: unknown, what: string): number => clamped(numberAt(value, what, 1));
 
 function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: string): JsonObject {
   const use = optionalObject(value, what);
@@ -159,3 +168,83 @@ function readTransform(transform: JsonObject, what: string): JsonObject {
     texCoord: texCoord === undefined ? undefined : indexAt(texCoord, UV_SETS, `${what}'s texCoord`),
   };
 }
+
+/** The maps of a material that are drawn, with those that the geometry has no coordinates for left out. */
+export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry) {
+  const usable = (map: Texture | null): Texture | null =>
+    map !== null && geometry.hasAttribute(uvNameOf(map)) ? map : null;
+  const { unlit, emissive } = valuesOf(material);
+  return {
+    map: usable(material.map),
+    emissiveMap: emissive.some((c) => c > 0) && !unlit ? usable(material.emissiveMap) : null,
+    metalRoughMap: unlit ? null : usable(material.metalnessMap),
+    normalMap: unlit ? null : usable(material.normalMap),
+  };
+}
+
+/** The attribute of a map's texture coordinates. */
+export const uvNameOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${String(channel)}`);
+
+/**
+ * How a geometry with this material looks. Ks and the exponent are given where the file says something: the specular
+ * factor multiplies the default Ks.
+ * @param tint multiplies base colour and opacity; linear.
+ */
+export function lookOf(
+  material: MeshStandardMaterial,
+  geometry: BufferGeometry,
+  [red = 1, green = 1, blue = 1, alpha = 1]: readonly number[],
+): Pick<ContentPart, 'look' | 'surface' | 'sides'> {
+  const { color, transparent, alphaTest } = material;
+  const { unlit, emissive, metalRough, specular, normalScale, mapped } = valuesOf(material);
+  const maps = mapsOf(material, geometry);
+  const vertexColors = geometry.hasAttribute('color');
+  const vertexAlpha = vertexColors && geometry.getAttribute('color').itemSize === 4;
+  const opacity = material.opacity * alpha;
+  // Exporters often mark opaque materials as blended. Blending those, unsorted and without depth, would show their
+  // backs.
+  const blends = transparent && (opacity < 1 || maps.map !== null || vertexAlpha);
+  const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
+  // The usual factors are 1: without the images, all of it would glow, or be metal.
+  const glows = !mapped.emissive || material.emissiveMap !== null;
+  const isRough = !mapped.metalRough || material.metalnessMap !== null;
+  const { metalness = 0, roughness = null } = (isRough ? metalRough : null) ?? {};
+  const base = [color.r * red, color.g * green, color.b * blue] as const;
+  return {
+    sides: material.side === DoubleSide ? 'double' : 'single',
+    surface: {
+      ...(specular !== null && { ks: multiply(encoded(specular), SURFACE_FIELDS.ks.fallback) }),
+      ...(roughness !== null && { shininess: exponentOfRoughness(roughness) }),
+    },
+    look: {
+      baseColor: map(base, (c) => srgbEncode(clamped(c))),
+      opacity: alphaMode === 'opaque' ? 1 : clamped(opacity),
+      alphaMode,
+      alphaCutoff: alphaTest,
+      vertexColors,
+      ...maps,
+      unlit,
+      emissive: encoded(glows ? emissive : BLACK),
+      metalness,
+      roughness,
+      normalScale: Math.min(Math.max(normalScale, -LIMITS.color), LIMITS.color),
+    },
+  };
+}
+
+const valuesOf = ({ userData }: MeshStandardMaterial): MaterialValues =>
+  (userData as { surface?: MaterialValues }).surface ?? UNNAMED;
+
+/** The parser's own material of meshes that name none. */
+const UNNAMED: MaterialValues = {
+  unlit: false,
+  emissive: BLACK,
+  metalRough: null,
+  specular: null,
+  normalScale: 1,
+  mapped: { emissive: false, metalRough: false },
+};
+
+/** Within a colour's domain: products with texels stay finite. */
+const encoded = ([r = 0, g = 0, b = 0]: readonly number[]): Vec3 =>
+  map([r, g, b], (c) => Math.min(srgbEncode(c), LIMITS.color / 255));

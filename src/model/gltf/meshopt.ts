@@ -2,7 +2,7 @@
 // the main thread: it decodes about a gigabyte per second. A separate chunk.
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { ModelError } from '../model.js';
-import type { MeshoptView } from './meshopt-views.js';
+import type { MeshoptView } from './accessors.js';
 
 /** @throws ModelError `csp` if the page allows no WebAssembly, Error for broken bytes. */
 export async function decodeMeshopt(

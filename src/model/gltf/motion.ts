@@ -1,15 +1,13 @@
-// The motion of a glTF model. Keyframes set its nodes, its nodes move parts and joints, and joints and weights deform
-// geometries.
+// The motion of a glTF model. Keyframes, evaluated in float64, set its nodes, its nodes move parts and joints, and
+// joints and weights deform geometries.
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import type { ContentPart, Motion } from '../model.js';
 import { clip, listed } from '../../fields/clip.js';
 import type { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
-import type { Channel, ChannelPath, GltfAnimation } from './animations.js';
-import type { Attribute } from './attributes.js';
-import type { Deformation } from './deformation.js';
-import type { JointPose } from './joint-pose.js';
-import { type Keyframes, sampleTrack } from './tracks.js';
+import type { ChannelPath, GltfAnimation, Interpolation } from './animations.js';
+import { type Attribute, gathered } from './attributes.js';
+import type { Deformation, JointPose } from './deformation.js';
 
 /** The parts of a model that can move. */
 export interface Movable {
@@ -29,11 +27,6 @@ export interface RigidPart {
   readonly within: Matrix4 | null;
 }
 
-interface MotionSource {
-  node(index: number): Promise<Object3D>;
-  accessor(accessor: Accessor): Promise<Attribute>;
-}
-
 /**
  * Null if nothing can be animated.
  * @param file its name, for warnings.
@@ -42,7 +35,10 @@ interface MotionSource {
 export async function readMotion(
   file: string,
   animations: readonly GltfAnimation[],
-  source: MotionSource,
+  source: {
+    readonly node: (index: number) => Promise<Object3D>;
+    readonly accessor: (accessor: Accessor) => Promise<Attribute>;
+  },
   movable: Movable,
   { dropped, slices }: { readonly dropped: Set<string>; readonly slices: Slices },
 ): Promise<Motion | null> {
@@ -57,20 +53,26 @@ export async function readMotion(
   for (const [i, { name, channels }] of animations.entries()) {
     const tracks: Track[] = [];
     for (const channel of channels) {
-      const keyframes = await readKeyframes(channel, numbersOf);
-      if (keyframes === null) break;
+      const { path, width, interpolation } = channel;
+      const times = await numbersOf(channel.input);
+      const values = await numbersOf(channel.output);
+      if (!times.ordered || !values.finite) break;
+      const rotation = path === 'rotation';
+      const keyframes = { times: times.array, values: values.array, width, interpolation, rotation };
       const node = await source.node(channel.node);
-      const weights = movable.weights.get(channel.node) ?? new Float64Array(channel.width);
-      tracks.push({ keyframes, ...targetOf(node, channel.path, weights) });
+      const weights = movable.weights.get(channel.node) ?? new Float64Array(width);
+      const target = targetOf(node, path, weights);
+      tracks.push({ keyframes, ...target, value: target.rest.slice() });
       await slices.pauseIfDue();
     }
-    if (tracks.length === channels.length) clips.push(new Clip(name, tracks));
+    const duration = tracks.reduce((end, { keyframes }) => Math.max(end, keyframes.times.at(-1) ?? 0), 0);
+    if (tracks.length === channels.length) clips.push({ name, tracks, duration });
     else dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
   }
   return clips.length === 0 ? null : motionOf(file, clips, poser(clips, movable));
 }
 
-function motionOf(file: string, clips: readonly Clip[], pose: Pose): Motion {
+function motionOf(file: string, clips: readonly Clip[], pose: ReturnType<typeof poser>): Motion {
   const unknown = new Set<string>();
   const quoted = (name: string): string => JSON.stringify(clip(name));
   const clipOf = (wanted: string): Clip | undefined => {
@@ -93,9 +95,7 @@ function motionOf(file: string, clips: readonly Clip[], pose: Pose): Motion {
 }
 
 /** Times outside a clip give its first or last pose. Null: without animation. */
-type Pose = (clip: Clip | null, seconds: number) => void;
-
-function poser(clips: readonly Clip[], movable: Movable): Pose {
+function poser(clips: readonly Clip[], movable: Movable): (clip: Clip | null, seconds: number) => void {
   const { scene, rigid, joints, deformations } = movable;
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
@@ -108,7 +108,12 @@ function poser(clips: readonly Clip[], movable: Movable): Pose {
   return (clip, seconds) => {
     if (clip !== posed) for (const { rest, set } of tracks) set(rest);
     posed = clip;
-    clip?.set(seconds);
+    if (clip !== null) {
+      for (const { keyframes, value, set } of clip.tracks) {
+        sampleTrack(keyframes, seconds, value);
+        set(value);
+      }
+    }
     scene.updateMatrixWorld();
     for (const { part, mesh, within } of rigid) {
       if (within === null) matrix.copy(mesh.matrixWorld);
@@ -127,57 +132,21 @@ interface Track {
   readonly keyframes: Keyframes;
   /** Without animation. */
   readonly rest: Float64Array;
+  /** At the time that was set last. */
+  readonly value: Float64Array;
   readonly set: (value: Float64Array) => void;
 }
 
-class Clip {
+interface Clip {
   readonly name: string;
   readonly tracks: readonly Track[];
   readonly duration: number;
-  readonly #values: readonly Float64Array[];
-
-  constructor(name: string, tracks: readonly Track[]) {
-    this.name = name;
-    this.tracks = tracks;
-    this.duration = tracks.reduce((end, { keyframes }) => Math.max(end, keyframes.times.at(-1) ?? 0), 0);
-    this.#values = tracks.map(({ rest }) => rest.slice());
-  }
-
-  set(seconds: number): void {
-    this.tracks.forEach(({ keyframes, set }, i) => {
-      const value = this.#values[i]!;
-      sampleTrack(keyframes, seconds, value);
-      set(value);
-    });
-  }
 }
 
-/** Null if they are unusable. */
-async function readKeyframes(
-  { path, width, interpolation, input, output }: Channel,
-  numbersOf: (accessor: Accessor) => Promise<Numbers>,
-): Promise<Keyframes | null> {
-  const times = await numbersOf(input);
-  const values = await numbersOf(output);
-  if (!times.ordered || !values.finite) return null;
-  return { times: times.array, values: values.array, width, interpolation, rotation: path === 'rotation' };
-}
-
-function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Omit<Track, 'keyframes'> {
-  const { position, quaternion, scale } = node;
-  switch (path) {
-    case 'translation':
-      return { rest: Float64Array.from(position.toArray()), set: (value) => position.fromArray(value) };
-    case 'rotation':
-      return { rest: Float64Array.from(quaternion.toArray()), set: (value) => quaternion.fromArray(value) };
-    case 'scale':
-      return { rest: Float64Array.from(scale.toArray()), set: (value) => scale.fromArray(value) };
-    case 'weights':
-      return {
-        rest: weights.slice(),
-        set: (value) => weights.set(value),
-      };
-  }
+function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Pick<Track, 'rest' | 'set'> {
+  if (path === 'weights') return { rest: weights.slice(), set: (value) => weights.set(value) };
+  const property = { translation: node.position, rotation: node.quaternion, scale: node.scale }[path];
+  return { rest: Float64Array.from(property.toArray()), set: (value) => property.fromArray(value) };
 }
 
 /** The numbers of an accessor as plain floats. Read and checked once, however many channels use it. */
@@ -189,17 +158,99 @@ interface Numbers {
 }
 
 async function readNumbers(source: Attribute, slices: Slices): Promise<Numbers> {
-  const { count, itemSize } = source;
-  const array = new Float32Array(count * itemSize);
-  const faults = { finite: 0, ordered: 0 };
+  const array = (await gathered(source, null, slices)).array as Float32Array;
+  const numbers = { array, finite: true, ordered: true };
   await slices.over(array.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      const value = source.getComponent(Math.floor(i / itemSize), i % itemSize);
-      array[i] = value;
-      if (!Number.isFinite(value)) faults.finite += 1;
-      if (!(value >= (i === 0 ? 0 : array[i - 1]!))) faults.ordered += 1;
+      const isFinite = Number.isFinite(array[i]);
+      numbers.finite &&= isFinite;
+      numbers.ordered &&= isFinite && array[i]! >= (i === 0 ? 0 : array[i - 1]!);
     }
   });
-  const finite = faults.finite === 0;
-  return { array, finite, ordered: finite && faults.ordered === 0 };
+  return numbers;
 }
+
+interface Keyframes {
+  /** Seconds, none smaller than the one before; at least one. */
+  readonly times: Float32Array;
+  /** `width` numbers per keyframe; with `CUBICSPLINE` in-tangent, value and out-tangent, `width` numbers each. */
+  readonly values: Float32Array;
+  readonly width: number;
+  readonly interpolation: Interpolation;
+  /** Values are unit quaternions. */
+  readonly rotation: boolean;
+}
+
+/** Writes the value at `seconds` to `out`. Before the first and after the last keyframe, theirs. */
+function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): void {
+  const { times, values, width, interpolation, rotation } = keyframes;
+  const cubic = interpolation === 'CUBICSPLINE';
+  const stride = cubic ? 3 * width : width;
+  const first = cubic ? width : 0;
+  const from = lastAtOrBefore(times, seconds);
+  const to = from + 1;
+  if (from < 0 || to >= times.length || interpolation === 'STEP') {
+    const at = first + Math.max(from, 0) * stride;
+    for (let c = 0; c < width; c += 1) out[c] = values[at + c]!;
+    if (rotation) normalize(out);
+    return;
+  }
+  const step = times[to]! - times[from]!;
+  const t = (seconds - times[from]!) / step;
+  const a = first + from * stride;
+  const b = first + to * stride;
+  if (cubic) {
+    const [p, m, q, n] = hermite(t, step);
+    for (let c = 0; c < width; c += 1) {
+      const leaving = values[a + width + c]!;
+      const arriving = values[b - width + c]!;
+      out[c] = p * values[a + c]! + m * leaving + q * values[b + c]! + n * arriving;
+    }
+  } else {
+    const [p, q] = rotation ? slerp(values, a, b, t) : ([1 - t, t] as const);
+    for (let c = 0; c < width; c += 1) out[c] = p * values[a + c]! + q * values[b + c]!;
+  }
+  if (rotation) normalize(out);
+}
+
+/** The index of the last time that is not after `seconds`; −1 if all are. */
+function lastAtOrBefore(times: Float32Array, seconds: number): number {
+  let low = -1;
+  let high = times.length;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle]! <= seconds) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/** Factors of value, out-tangent, next value and its in-tangent (glTF 2.0, appendix C.5). */
+function hermite(t: number, step: number): readonly [number, number, number, number] {
+  const t2 = t * t;
+  const t3 = t2 * t;
+  return [2 * t3 - 3 * t2 + 1, step * (t3 - 2 * t2 + t), 3 * t2 - 2 * t3, step * (t3 - t2)];
+}
+
+/** Rotations closer than this, as the sine of half the angle between them, are blended linearly: equal to 1e-12. */
+const NEARLY_EQUAL = 1e-6;
+
+/** Factors of two quaternions for the shorter way between them (glTF 2.0, appendix C.4). */
+function slerp(values: Float32Array, a: number, b: number, t: number): readonly [number, number] {
+  let dot = 0;
+  for (let c = 0; c < 4; c += 1) dot += values[a + c]! * values[b + c]!;
+  const sign = dot < 0 ? -1 : 1;
+  const angle = Math.acos(Math.min(Math.abs(dot), 1));
+  const sine = Math.sin(angle);
+  if (sine < NEARLY_EQUAL) return [1 - t, sign * t];
+  return [Math.sin((1 - t) * angle) / sine, (sign * Math.sin(t * angle)) / sine];
+}
+
+/** A quaternion without length becomes no rotation. */
+function normalize(q: Float64Array): void {
+  const length = Math.hypot(q[0]!, q[1]!, q[2]!, q[3]!);
+  if (!(length > 0)) q.set(NO_ROTATION);
+  else for (let c = 0; c < 4; c += 1) q[c]! /= length;
+}
+
+const NO_ROTATION = [0, 0, 0, 1];

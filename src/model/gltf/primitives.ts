@@ -60,19 +60,12 @@ export interface PrimitiveContext {
 
 /** The attributes that are used, and the numbers per vertex that they become. */
 const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
-  ['POSITION', 3],
-  ['NORMAL', 3],
-  ['TANGENT', 4],
-  ['TEXCOORD_0', 2],
-  ['TEXCOORD_1', 2],
-  ['TEXCOORD_2', 2],
-  ['TEXCOORD_3', 2],
-  ['COLOR_0', 4],
-  ['JOINTS_0', 4],
-  ['WEIGHTS_0', 4],
+  ...['POSITION', 'NORMAL'].map((name) => [name, 3] as const),
+  ...['TANGENT', 'COLOR_0', 'JOINTS_0', 'WEIGHTS_0'].map((name) => [name, 4] as const),
+  ...[0, 1, 2, 3].map((set) => [`TEXCOORD_${String(set)}`, 2] as const),
 ]);
 /** The attributes that morph targets move. */
-export const MORPHED = ['POSITION', 'NORMAL', 'TANGENT'] as const;
+const MORPHED = ['POSITION', 'NORMAL', 'TANGENT'] as const;
 const TRIANGLES = 4;
 const STRIPS = 5;
 const FANS = 6;

@@ -1,22 +1,31 @@
 // Reads glTF 2 and GLB by three's own loader, which gets a reduced and checked document and no addresses to fetch.
 // Bytes and images are provided by index. A separate chunk.
-import type { Object3D, Texture } from 'three';
+import {
+  type BufferGeometry,
+  Matrix4,
+  Mesh,
+  type MeshStandardMaterial,
+  NoColorSpace,
+  type Object3D,
+  type Texture,
+} from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import type { ModelReader } from '../model-reader.js';
-import { nameOf } from '../file-name.js';
-import { ownedModel } from '../owned-model.js';
+import { ImageTextures } from '../image.js';
+import type { ContentPart } from '../model.js';
+import { mapsOfLook, type ModelReader, ownedModel } from '../model-reader.js';
+import { nameOf } from '../request-model.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
 import type { Attribute } from './attributes.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
-import { checkDracoHeader } from './draco-header.js';
-import { dracoLoader } from './draco-loader.js';
-import type { FileIndices } from './geometries.js';
-import { readMotion } from './motion.js';
-import { collectParts } from './collect-parts.js';
-import { gltfTextures } from './textures.js';
+import { checkDracoHeader, dracoLoader } from './draco-loader.js';
+import { type FileIndices, Geometries, type GeometrySource, isSkinned, nodeOf } from './geometries.js';
+import { type Instance, placeInstances } from './instances.js';
+import { lookOf } from './materials.js';
+import { type Movable, readMotion, type RigidPart } from './motion.js';
+import { gltfTexture } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {
   const { budget } = source;
@@ -25,7 +34,7 @@ export const readGltf: ModelReader = async (source) => {
   const document = await readDocument(container.json, budget, slices);
   await slices.pauseIfDue();
   const bytes = gltfBytes(document, container, source);
-  const textures = gltfTextures(document, bytes, budget, source);
+  const images = new ImageTextures(source);
   const turn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',
@@ -38,7 +47,7 @@ export const readGltf: ModelReader = async (source) => {
       return view;
     },
     // The loader leaves a texture out that is null, although its types do not say so.
-    loadTexture: (index) => textures.texture(index) as Promise<Texture>,
+    loadTexture: (index) => gltfTexture(index, document, bytes, images, source) as Promise<Texture>,
   });
   const loader = new GLTFLoader();
   loader.register(pluginOf);
@@ -59,9 +68,9 @@ export const readGltf: ModelReader = async (source) => {
     const place = nameOf(source.url);
     const motion = await readMotion(place, animations, { node, accessor }, movable, { dropped, slices });
     source.signal.throwIfAborted();
-    return { ...ownedModel(parts, () => void textures.close()), motion, dropped };
+    return { ...ownedModel(parts, () => void images.close()), motion, dropped };
   } catch (error) {
-    void textures.close();
+    void images.close();
     throw error;
   }
 };
@@ -70,4 +79,62 @@ export const readGltf: ModelReader = async (source) => {
 function turnsOf(slices: Slices): () => Promise<void> {
   let last = Promise.resolve();
   return () => (last = last.then(() => slices.pauseIfDue()));
+}
+
+/** Turns the scene from three's loader into a model's parts: names, places, and looks in terms of the equation. */
+async function collectParts(
+  scene: Object3D,
+  source: GeometrySource,
+  slices: Slices,
+): Promise<{ readonly parts: readonly ContentPart[]; readonly movable: Movable }> {
+  const geometries = new Geometries(source, slices);
+  const parts: ContentPart[] = [];
+  const rigid: RigidPart[] = [];
+  scene.updateMatrixWorld(true);
+  const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
+  const looks = new Map<string, ReturnType<typeof lookOf>>();
+  scene.traverse((object) => {
+    if (object instanceof Mesh) meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
+  });
+  for (const mesh of meshes) {
+    await slices.pauseIfDue();
+    const placed = source.instances[nodeOf(mesh, source) ?? -1];
+    const instances = placed === undefined ? ITSELF : await placeInstances(placed, source.accessor, slices);
+    if (instances.length === 0) continue;
+    const geometry = await geometries.of(mesh);
+    const name = originalName(mesh);
+    const { material } = mesh;
+    await slices.map(instances, ({ matrix: within, color }) => {
+      const matrix = isSkinned(mesh) ? new Matrix4() : mesh.matrixWorld.clone();
+      if (within !== null) matrix.multiply(within);
+      if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
+      // Equal looks are one object: materials are compared by it.
+      const key = [material.uuid, geometry.uuid, color].join(' ');
+      const look = looks.get(key) ?? lookOf(material, geometry, color ?? WHITE);
+      looks.set(key, look);
+      const part = { name, geometry, matrix, ...look };
+      parts.push(part);
+      if (!isSkinned(mesh)) rigid.push({ part, mesh, within });
+    });
+  }
+  if (parts.length === 0) throw new Error('it has no triangles');
+  // Last, because parts can share a map and each has read its channel above.
+  for (const map of parts.flatMap(({ look }) => mapsOfLook(look))) {
+    map.colorSpace = NoColorSpace; // the loader says what it expects
+    if (map.matrixAutoUpdate) map.updateMatrix();
+  }
+  const { deformations, weights, joints } = geometries;
+  return { parts, movable: { scene, rigid, joints: [...joints.values()], deformations, weights } };
+}
+
+const WHITE = [1, 1, 1, 1];
+const ITSELF: readonly Instance[] = [{ matrix: null, color: null }];
+
+/** The original name of the nearest named node. The loader's own names are altered to be unique. */
+function originalName(object: Object3D): string {
+  for (let node: Object3D | null = object; node; node = node.parent) {
+    const name: unknown = node.userData['name'];
+    if (typeof name === 'string' && name !== '') return name;
+  }
+  return '';
 }

@@ -25,7 +25,7 @@ declare module 'three/examples/jsm/libs/basis/basis_transcoder.js' {
     initializeBasis(): void;
     readonly KTX2File: new (bytes: Uint8Array) => Ktx2File;
   }
-  const createBasis: (options: import('../decoders/start-wasm.js').WasmOptions) => Promise<Basis>;
+  const createBasis: (options: import('../decoders/decoder.js').WasmOptions) => Promise<Basis>;
   export default createBasis;
 }
 

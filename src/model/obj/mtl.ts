@@ -5,7 +5,6 @@ import type { Vec3 } from '../../math/vector.js';
 import { LIMITS } from '../../light/light-state.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { imageName } from './material-names.js';
 
 export interface MtlMaterial {
   /** Ambient; the diffuse colour if the file does not give it. Undefined if it gives neither. */
@@ -140,25 +139,15 @@ function readColor(scanner: TextScanner): Vec3 | null {
 
 const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
 
-/** Options before the file's name, with the most numbers or words that they take. */
-const OPTIONS: Readonly<Record<string, number>> = {
-  '-blendu': 1,
-  '-blendv': 1,
-  '-bm': 1,
-  '-boost': 1,
-  '-cc': 1,
-  '-clamp': 1,
-  '-imfchan': 1,
-  '-mm': 2,
-  '-o': 3,
-  '-s': 3,
-  '-t': 3,
-  '-texres': 1,
-  '-type': 1,
-};
+/** Options with vectors. Fewer numbers than three: the others are defaults. */
+const VECTORS = ['-o', '-s', '-t'];
 
-/** Options with fewer numbers than they can take: the others are defaults. */
-const VECTORS = new Set(['-o', '-s', '-t']);
+/** Options before the file's name, with the most numbers or words that they take. */
+const OPTIONS: ReadonlyMap<string, number> = new Map([
+  ...'-blendu -blendv -bm -boost -cc -clamp -imfchan -texres -type'.split(' ').map((option) => [option, 1] as const),
+  ['-mm', 2],
+  ...VECTORS.map((option) => [option, 3] as const),
+]);
 
 /** An option and what may be its values. */
 const OPTION = /^\s*(-[a-z]+)(?=\s)/i;
@@ -183,14 +172,14 @@ function takeOptions(text: string, options: Options): string {
   let rest = text;
   for (;;) {
     const option = OPTION.exec(rest)?.[1]?.toLowerCase() ?? '';
-    const most = Object.hasOwn(OPTIONS, option) ? (OPTIONS[option] ?? 0) : 0;
+    const most = OPTIONS.get(option) ?? 0;
     if (most === 0) return rest;
     const values: string[] = [];
     rest = rest.trimStart().slice(option.length);
     while (values.length < most) {
       const value = /^\s*(\S+)/.exec(rest)?.[1];
       // The name of a file may follow after one or two numbers.
-      if (value === undefined || (VECTORS.has(option) && values.length > 0 && Number.isNaN(Number(value)))) break;
+      if (value === undefined || (VECTORS.includes(option) && values.length > 0 && Number.isNaN(Number(value)))) break;
       values.push(value);
       rest = rest.trimStart().slice(value.length);
     }
@@ -229,3 +218,16 @@ function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMate
 
 const WHITE: Vec3 = [1, 1, 1];
 const BLACK: Vec3 = [0, 0, 0];
+
+/** Without the quotes around it, if there are any. */
+export const unquoted = (name: string): string => /^"([^"]*)"$/.exec(name)?.[1]?.trim() ?? name;
+
+/**
+ * A material's name as it is compared if it is not found as written: without quotes, and without a comment behind it.
+ * Names can contain `#`, as 3ds Max's own do.
+ */
+export const plainName = (name: string): string => unquoted(name.replace(/\s#.*$/, '').trim());
+
+/** An image's name without quotes, or a comment behind its extension. */
+const imageName = (text: string): string =>
+  unquoted(text.trim().replace(/(\.\w{2,5}"?)\s+#.*$/, '$1')).replace(/\\/g, '/');

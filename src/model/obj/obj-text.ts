@@ -5,7 +5,7 @@ import type { LeftOut, LeftOutKind } from '../left-out.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { unquoted } from './material-names.js';
+import { unquoted } from './mtl.js';
 import { CornerLists, FACETED, NONE, NOT_THERE, UNSTATED, wrongCoordinate } from '../triangles/corner-lists.js';
 import { keepSoundFaces } from '../triangles/sound-faces.js';
 import { Polygons } from '../triangles/triangulate.js';

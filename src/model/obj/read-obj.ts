@@ -1,20 +1,19 @@
 // Reads an OBJ file with its MTL libraries. One part per object and material; the material's coefficients are those of
 // the equation. Corners without a normal get one by smoothing group. A separate chunk.
+import { ClampToEdgeWrapping, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, type Texture } from 'three';
 import { type BaseLook, emits, PLAIN_LOOK } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { scale } from '../../math/vector.js';
 import { clip } from '../../fields/clip.js';
-import type { ModelReader, ModelSource } from '../model-reader.js';
+import { type ModelReader, type ModelSource, ownedModel } from '../model-reader.js';
+import { type ImageFile, ImageTextures } from '../image.js';
 import { LeftOut } from '../left-out.js';
 import type { ContentPart } from '../model.js';
-import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
-import { asUtf8 } from '../text/utf-16.js';
+import { asUtf8 } from '../encodings.js';
 import { IndexedGeometries, type CornerRange } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
-import { addressOf, MapTextures } from './map-textures.js';
-import { plainName } from './material-names.js';
-import { type MtlMaterial, NO_MATERIAL, readMtl } from './mtl.js';
+import { plainName, type MtlMap, type MtlMaterial, NO_MATERIAL, readMtl } from './mtl.js';
 import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
 export const readObj: ModelReader = async (source) => {
@@ -26,7 +25,7 @@ export const readObj: ModelReader = async (source) => {
   const text = await readObjText(bytes, leftOut, slices);
   const materials = await readLibraries(text, source, slices);
   await smoothNormals(text.lists, slices);
-  const textures = new MapTextures(source, budget);
+  const textures = new ImageTextures(source);
   const geometries = new IndexedGeometries(text.lists, budget, slices);
   try {
     const parts: ContentPart[] = [];
@@ -38,7 +37,10 @@ export const readObj: ModelReader = async (source) => {
       if (geometry === null) continue;
       const look = lookOf(definition, geometry.hasAttribute('color'));
       const maps = withUvs
-        ? { map: await textures.of(map), emissiveMap: emits(look) ? await textures.of(keMap) : null }
+        ? {
+            map: await textureOf(map, textures, source),
+            emissiveMap: emits(look) ? await textureOf(keMap, textures, source) : null,
+          }
         : {};
       const { matrix } = text.lists.places;
       const surface = surfaceOf(definition);
@@ -49,13 +51,30 @@ export const readObj: ModelReader = async (source) => {
     if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
     materials.nameLeftOut(leftOut);
     const dropped = await leftOut.names(bytes, slices);
-    const closeImages = (): void => textures.close();
-    return { ...ownedModel(parts, closeImages), dropped };
+    return { ...ownedModel(parts, () => void textures.close()), dropped };
   } catch (error) {
-    textures.close();
+    void textures.close();
     throw error;
   }
 };
+
+/** Null if there is no map, or its file is missing or broken. */
+async function textureOf(
+  map: MtlMap | null,
+  textures: ImageTextures,
+  { linked }: ModelSource,
+): Promise<Texture | null> {
+  if (map === null) return null;
+  const { file, scale, offset, clamped } = map;
+  const wrap = clamped ? ClampToEdgeWrapping : RepeatWrapping;
+  const sampler = { magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, wrapS: wrap, wrapT: wrap } as const;
+  const read = async (): Promise<ImageFile> => ({ bytes: await linked(addressOf(file)), type: '' });
+  // The file's v points up, the geometry's points down: 1 − (v·s + o) = (1 − v)·s + (1 − s − o).
+  return textures.of(file, file, read, sampler, { scale, offset: [offset[0], 1 - scale[1] - offset[1]] });
+}
+
+/** OBJ and MTL files name files by paths, not by addresses. */
+const addressOf = (path: string): string => path.split('/').map(encodeURIComponent).join('/');
 
 type Entry = readonly [name: string, material: MtlMaterial];
 

@@ -3,7 +3,13 @@ import { TextScanner } from '../text/text-scanner.js';
 
 type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
 
-export type PlyType = 'int8' | 'uint8' | 'int16' | 'uint16' | 'int32' | 'uint32' | 'float32' | 'float64';
+export interface PlyType {
+  readonly names: readonly string[];
+  readonly bytes: number;
+  /** The number that means full intensity of a colour. Whole numbers of other widths are written for bytes. */
+  readonly full: number;
+  readonly read: (view: DataView, at: number, isLittleEndian: boolean) => number;
+}
 
 export interface PlyProperty {
   readonly name: string;
@@ -31,41 +37,22 @@ export interface PlyHeader {
 export const countOf = (elements: readonly PlyElement[], name: string): number =>
   elements.reduce((sum, element) => sum + (element.name === name ? element.count : 0), 0);
 
-const TYPES: Readonly<Record<string, PlyType>> = {
-  char: 'int8',
-  int8: 'int8',
-  uchar: 'uint8',
-  uint8: 'uint8',
-  short: 'int16',
-  int16: 'int16',
-  ushort: 'uint16',
-  uint16: 'uint16',
-  int: 'int32',
-  int32: 'int32',
-  uint: 'uint32',
-  uint32: 'uint32',
-  float: 'float32',
-  float32: 'float32',
-  double: 'float64',
-  float64: 'float64',
-};
+const TYPES: readonly PlyType[] = [
+  { names: ['char', 'int8'], bytes: 1, full: 255, read: (view, at) => view.getInt8(at) },
+  { names: ['uchar', 'uint8'], bytes: 1, full: 255, read: (view, at) => view.getUint8(at) },
+  { names: ['short', 'int16'], bytes: 2, full: 255, read: (view, at, little) => view.getInt16(at, little) },
+  { names: ['ushort', 'uint16'], bytes: 2, full: 65535, read: (view, at, little) => view.getUint16(at, little) },
+  { names: ['int', 'int32'], bytes: 4, full: 255, read: (view, at, little) => view.getInt32(at, little) },
+  { names: ['uint', 'uint32'], bytes: 4, full: 255, read: (view, at, little) => view.getUint32(at, little) },
+  { names: ['float', 'float32'], bytes: 4, full: 1, read: (view, at, little) => view.getFloat32(at, little) },
+  { names: ['double', 'float64'], bytes: 8, full: 1, read: (view, at, little) => view.getFloat64(at, little) },
+];
 
-export const PLY_TYPE_SIZES: Readonly<Record<PlyType, number>> = {
-  int8: 1,
-  uint8: 1,
-  int16: 2,
-  uint16: 2,
-  int32: 4,
-  uint32: 4,
-  float32: 4,
-  float64: 8,
-};
-
-const ENCODINGS: Readonly<Record<string, PlyEncoding>> = {
-  ascii: 'text',
-  binary_little_endian: 'little-endian',
-  binary_big_endian: 'big-endian',
-};
+const ENCODINGS: ReadonlyMap<string, PlyEncoding> = new Map([
+  ['ascii', 'text'],
+  ['binary_little_endian', 'little-endian'],
+  ['binary_big_endian', 'big-endian'],
+]);
 
 /** Most elements and properties. Files have two elements and about ten properties. */
 const DECLARATION_LIMIT = 1000;
@@ -95,7 +82,7 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
     }
     if (keyword === 'format') {
       const written = scanner.word();
-      encoding = entryOf(ENCODINGS, written);
+      encoding = ENCODINGS.get(written) ?? null;
       if (encoding === null) throw wrong(scanner, at, `the format ${written} is unknown`);
     } else if (keyword === 'element') {
       const name = scanner.word();
@@ -117,25 +104,16 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
 }
 
 function readProperty(scanner: TextScanner, at: number): PlyProperty {
-  const read = (): PlyType => {
-    const written = scanner.word();
-    const type = entryOf(TYPES, written);
-    if (type === null) throw wrong(scanner, at, `the type ${written} is unknown`);
+  const typeNamed = (written: string): PlyType => {
+    const type = TYPES.find(({ names }) => names.includes(written));
+    if (type === undefined) throw wrong(scanner, at, `the type ${written} is unknown`);
     return type;
   };
-  const start = scanner.at;
-  if (scanner.word() !== 'list') {
-    scanner.at = start;
-    const type = read();
-    return { name: scanner.word(), type, countType: null };
-  }
-  const countType = read();
-  const type = read();
+  const first = scanner.word();
+  const countType = first === 'list' ? typeNamed(scanner.word()) : null;
+  const type = typeNamed(countType === null ? first : scanner.word());
   return { name: scanner.word(), type, countType };
 }
-
-const entryOf = <T>(table: Readonly<Record<string, T>>, key: string): T | null =>
-  Object.hasOwn(table, key) ? (table[key] ?? null) : null;
 
 const wrong = (scanner: TextScanner, at: number, what: string): Error =>
   new Error(`line ${String(scanner.lineAt(at))}: ${what}`);
@@ -153,9 +131,7 @@ function requireBytes({ encoding, elements }: PlyHeader, available: number): voi
   let needed = 0;
   for (const { count, properties } of elements) {
     // In text, each value takes at least a digit and a blank; only the last needs no blank.
-    const sizes = properties.map(({ type, countType }) =>
-      encoding === 'text' ? 2 : PLY_TYPE_SIZES[countType ?? type],
-    );
+    const sizes = properties.map(({ type, countType }) => (encoding === 'text' ? 2 : (countType ?? type).bytes));
     needed += count * sizes.reduce((sum, size) => sum + size, 0);
   }
   if (needed <= available + 1) return;

@@ -18,16 +18,18 @@ export async function readRows(
 ): Promise<CornerLists> {
   const lists = new CornerLists(countOf(header.elements, 'vertex'), countOf(header.elements, 'face'));
   const polygons = new Polygons(lists);
-  const file: PlyFile = { values, leftOut, slices, lists, polygons, highest: { vertex: -1 } };
-  const colors = { ofVertices: new Colors(lists.colors, 0), ofFaces: new Colors(lists.faceColors, 1) };
+  const ofVertices = new Colors(lists.colors, 0);
+  const ofFaces = new Colors(lists.faceColors, 1);
+  const file: PlyFile = { values, leftOut, slices, lists, polygons, ofVertices, ofFaces, highestVertex: -1 };
   for (const element of header.elements) {
     if (element.properties.length === 0) continue;
-    await readElement(element, file, (READERS.get(element.name) ?? skipping)(element, file, colors));
+    await readElement(element, file, (READERS.get(element.name) ?? skipping)(element, file));
   }
-  chooseColors(colors.ofVertices, colors.ofFaces, file);
-  const { vertex } = file.highest;
+  chooseColors(file);
+  const { highestVertex } = file;
   const { count } = lists.places;
-  if (vertex >= count) leftOut.because('face', `a face refers to vertex ${String(vertex)} of ${String(count)}`);
+  if (highestVertex >= count)
+    leftOut.because('face', `a face refers to vertex ${String(highestVertex)} of ${String(count)}`);
   return lists;
 }
 
@@ -37,8 +39,10 @@ interface PlyFile {
   readonly slices: Slices;
   readonly lists: CornerLists;
   readonly polygons: Polygons;
+  readonly ofVertices: Colors;
+  readonly ofFaces: Colors;
   /** The largest number of a vertex that a face refers to. */
-  readonly highest: { vertex: number };
+  highestVertex: number;
 }
 
 /** Reads one property of a row. Null, or for a long list a promise. */
@@ -51,12 +55,7 @@ interface RowReader {
   readonly end?: () => void;
 }
 
-interface AllColors {
-  readonly ofVertices: Colors;
-  readonly ofFaces: Colors;
-}
-
-type MakeReader = (element: PlyElement, file: PlyFile, colors: AllColors) => RowReader;
+type MakeReader = (element: PlyElement, file: PlyFile) => RowReader;
 
 async function readElement(element: PlyElement, file: PlyFile, row: RowReader): Promise<void> {
   const { values, leftOut, slices, polygons } = file;
@@ -77,25 +76,20 @@ async function readElement(element: PlyElement, file: PlyFile, row: RowReader): 
   }
 }
 
-const stripsReader: MakeReader = ({ properties }, file) => {
-  const taker = stripTaker(file);
-  const list = ({ name }: PlyProperty): ListTaker | null => (name === 'vertex_indices' ? taker : null);
-  return { columns: columnsOf(properties, file, { list }) };
-};
+const READERS: ReadonlyMap<string, MakeReader> = new Map([
+  ['vertex', vertexReader],
+  ['face', faceReader],
+  ['tristrips', ({ properties }, file) => ({ columns: columnsOf(properties, file, stripTaker(file)) })],
+]);
 
 const skipping: MakeReader = ({ name, properties, count }, file) => {
   if (count > 0) file.leftOut.feature(`the element ${clip(name, 40)}`);
   return { columns: columnsOf(properties, file) };
 };
 
-const READERS: ReadonlyMap<string, MakeReader> = new Map([
-  ['vertex', vertexReader],
-  ['face', faceReader],
-  ['tristrips', stripsReader],
-]);
-
-/** What takes the items of a list: each in turn, then its end. */
+/** What takes the items of a list of vertices: each in turn, then its end. */
 interface ListTaker {
+  readonly lists: RegExp;
   item(value: number): void;
   end(): void;
 }
@@ -103,18 +97,19 @@ interface ListTaker {
 /** What takes a number: at once. */
 type NumberTaker = (value: number) => void;
 
-interface Takers {
-  readonly list?: (property: PlyProperty) => ListTaker | null;
-  readonly number?: (property: PlyProperty) => NumberTaker | null;
-}
-
-/** @param takers what takes each property. Others are skipped. */
-function columnsOf(properties: readonly PlyProperty[], file: PlyFile, takers: Takers = {}): readonly Column[] {
+/** Properties that nothing takes are skipped. */
+function columnsOf(
+  properties: readonly PlyProperty[],
+  file: PlyFile,
+  vertices: ListTaker | null = null,
+  takerOf: (property: PlyProperty) => NumberTaker | null = () => null,
+): readonly Column[] {
   const { values } = file;
   return properties.map((property) => {
-    const { type, countType } = property;
-    if (countType !== null) return listColumn(type, countType, file, takers.list?.(property) ?? null);
-    const take = takers.number?.(property);
+    const { name, type, countType } = property;
+    if (countType !== null)
+      return listColumn(type, countType, file, vertices?.lists.test(name) === true ? vertices : null);
+    const take = takerOf(property);
     return () => {
       const value = values.next(type);
       take?.(value);
@@ -179,7 +174,7 @@ class RowValues {
     const slot = SLOTS.get(name);
     if (slot === undefined) return null;
     this.#found.add(slot);
-    const full = COLOR_SLOTS.has(slot) ? fullColor(type) : 1;
+    const full = COLOR_SLOTS.has(slot) ? type.full : 1;
     const isPlace = slot === 'x' || slot === 'y' || slot === 'z';
     const { values } = this;
     return (value) => {
@@ -190,12 +185,6 @@ class RowValues {
 }
 
 const COLOR_SLOTS: ReadonlySet<Slot> = new Set(['red', 'green', 'blue', 'alpha']);
-
-/** The number that means full intensity. Whole numbers of any other width are written for bytes. */
-function fullColor(type: PlyType): number {
-  if (type === 'float32' || type === 'float64') return 1;
-  return type === 'uint16' ? 65535 : 255;
-}
 
 const clamped = (value: number): number => (value > 0 ? Math.min(value, 1) : 0);
 
@@ -230,7 +219,7 @@ class Colors {
 }
 
 /** A geometry has one kind of colours: those of faces, unless those of vertices say more, as in other viewers. */
-function chooseColors(ofVertices: Colors, ofFaces: Colors, { lists, leftOut }: PlyFile): void {
+function chooseColors({ ofVertices, ofFaces, lists, leftOut }: PlyFile): void {
   const both = ofVertices.count > 0 && ofFaces.count > 0;
   const byFace = ofFaces.count > 0 && !(both && ofVertices.differ);
   if (both) leftOut.feature(byFace ? 'the colours of its vertices' : 'the colours of its faces');
@@ -238,13 +227,13 @@ function chooseColors(ofVertices: Colors, ofFaces: Colors, { lists, leftOut }: P
   if ((byFace ? ofFaces : ofVertices).hasAlpha) leftOut.feature('alpha');
 }
 
-function vertexReader({ properties }: PlyElement, file: PlyFile, colors: AllColors): RowReader {
+function vertexReader({ properties }: PlyElement, file: PlyFile): RowReader {
   const { values, leftOut, lists } = file;
   const row = new RowValues();
   const check = (): void => {
     if (!leftOut.hasReason('vertex')) leftOut.because('vertex', values.problem());
   };
-  const columns = columnsOf(properties, file, { number: (property) => row.takerOf(property, check) });
+  const columns = columnsOf(properties, file, null, (property) => row.takerOf(property, check));
   if (!row.has('x', 'y', 'z')) throw new Error('its vertices have no x, y and z');
   const withNormals = row.has('nx', 'ny', 'nz');
   const withColors = row.has('red', 'green', 'blue');
@@ -255,22 +244,20 @@ function vertexReader({ properties }: PlyElement, file: PlyFile, colors: AllColo
       leftOut.because('vertex', wrongCoordinate(x, y, z));
     }
     if (withNormals) lists.pushNormal(nx, ny, nz);
-    if (withColors) colors.ofVertices.push(row);
+    if (withColors) file.ofVertices.push(row);
   };
   return { columns, end };
 }
 
-function faceReader({ properties }: PlyElement, file: PlyFile, { ofFaces }: AllColors): RowReader {
-  const { polygons } = file;
+function faceReader({ properties }: PlyElement, file: PlyFile): RowReader {
+  const { polygons, ofFaces } = file;
   const row = new RowValues();
   const taker: ListTaker = {
+    lists: /^vertex_ind(ices|ex)$/,
     item: (value) => polygons.add(vertexOf(value, file)),
     end: () => polygons.end(),
   };
-  const columns = columnsOf(properties, file, {
-    list: ({ name }) => (/^vertex_ind(ices|ex)$/.test(name) ? taker : null),
-    number: (property) => row.takerOf(property),
-  });
+  const columns = columnsOf(properties, file, taker, (property) => row.takerOf(property));
   const withColors = row.has('red', 'green', 'blue');
   const begin = (): void => polygons.begin(UNSTATED, withColors ? ofFaces.list.length / 3 : NONE);
   const end = (): void => {
@@ -286,6 +273,7 @@ function stripTaker(file: PlyFile): ListTaker {
   let before = 0;
   let last = 0;
   return {
+    lists: /^vertex_indices$/,
     item: (value) => {
       if (value === -1) {
         length = 0;
@@ -308,9 +296,10 @@ function stripTaker(file: PlyFile): ListTaker {
 }
 
 /** The vertex with this number, which may come later. */
-function vertexOf(value: number, { leftOut, highest }: PlyFile): number {
+function vertexOf(value: number, file: PlyFile): number {
+  const { leftOut } = file;
   if (Number.isInteger(value) && value >= 0 && value < CORNER_LIMIT) {
-    highest.vertex = Math.max(highest.vertex, value);
+    file.highestVertex = Math.max(file.highestVertex, value);
     return value;
   }
   if (!leftOut.hasReason('face')) leftOut.because('face', `a face refers to the vertex ${String(value)}`);

@@ -1,6 +1,6 @@
 // The values after a PLY header, one after another, whether they are text or binary of either byte order.
 import { TextScanner } from '../text/text-scanner.js';
-import { PLY_TYPE_SIZES, type PlyHeader, type PlyType } from './ply-header.js';
+import type { PlyHeader, PlyType } from './ply-header.js';
 
 export interface PlyValues {
   /** Position of the next byte. */
@@ -70,30 +70,10 @@ function binaryValues(bytes: Uint8Array<ArrayBuffer>, start: number, little: boo
     beginRow: () => true,
     endRow: () => false,
     problem: () => 'a value is not a number',
-    skip: (type, count) => {
-      take(PLY_TYPE_SIZES[type] * count);
+    skip: ({ bytes: size }, count) => {
+      take(size * count);
       return count;
     },
-    next: (type) => {
-      const from = take(PLY_TYPE_SIZES[type]);
-      switch (type) {
-        case 'int8':
-          return view.getInt8(from);
-        case 'uint8':
-          return view.getUint8(from);
-        case 'int16':
-          return view.getInt16(from, little);
-        case 'uint16':
-          return view.getUint16(from, little);
-        case 'int32':
-          return view.getInt32(from, little);
-        case 'uint32':
-          return view.getUint32(from, little);
-        case 'float32':
-          return view.getFloat32(from, little);
-        case 'float64':
-          return view.getFloat64(from, little);
-      }
-    },
+    next: (type) => type.read(view, take(type.bytes), little),
   };
 }

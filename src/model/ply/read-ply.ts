@@ -1,11 +1,10 @@
 // Reads a PLY file, text or binary: vertices with normals and colours, faces as lists or strips. Vertices that the file
 // gives no normals are smoothed, with edges where faces meet at a sharp angle. A separate chunk.
 import { PLAIN_LOOK } from '../../material/file-surface.js';
-import type { ModelReader } from '../model-reader.js';
+import { type ModelReader, ownedModel } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import { isOutOfMemory } from '../limits.js';
 import { ModelError } from '../model.js';
-import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
 import { type CornerLists } from '../triangles/corner-lists.js';
 import { IndexedGeometries } from '../triangles/indexed-geometry.js';

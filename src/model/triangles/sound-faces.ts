@@ -12,102 +12,81 @@ import { faceVector, type FaceVector } from './triangulate.js';
  */
 export async function keepSoundFaces(lists: CornerLists, leftOut: LeftOut, slices: Slices): Promise<void> {
   const { joined, triangles } = lists;
-  const corners = new Corners(lists);
+  const counts = { uvs: lists.uvs.length / 2, normals: lists.normals.length / 3 };
+  /** What the face refers to although it is not there. */
+  const misses = { uv: 0, normal: 0 };
   for (let first = 0; first < triangles;) {
     let end = first;
     let isSound = true;
     do {
       if (slices.took(1 / 4)) await slices.pause();
-      isSound &&= corners.areThere(end);
+      isSound &&= areThere(lists, 3 * end);
       end += 1;
     } while (end < triangles && joined.array[end] === 1);
     if (!isSound) leftOut.add('face');
     for (let triangle = first; triangle < end; triangle += 1) {
       if (slices.took(1 / 4)) await slices.pause();
-      if (isSound) corners.settle(triangle);
-      else lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
+      if (!isSound) lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
+      else settle(lists, 3 * triangle, counts, misses);
     }
-    corners.nameMissing(leftOut);
+    for (const kind of ['uv', 'normal'] as const) {
+      leftOut.add(kind, misses[kind]);
+      misses[kind] = 0;
+    }
     first = end;
   }
 }
 
-/** The corners of triangles. */
-class Corners {
-  readonly #lists: CornerLists;
-  readonly #uvs: number;
-  readonly #normals: number;
-  /** What the current face refers to although it is not there. */
-  readonly #misses = { uv: false, normal: false };
-  readonly #face: FaceVector = { x: 0, y: 0, z: 0 };
+/** Whether the corners of the triangle at corner `at` have vertices. */
+function areThere({ corners, places }: CornerLists, at: number): boolean {
+  const { array } = corners;
+  return places.has(array[at]!) && places.has(array[at + 1]!) && places.has(array[at + 2]!);
+}
 
-  constructor(lists: CornerLists) {
-    this.#lists = lists;
-    this.#uvs = lists.uvs.length / 2;
-    this.#normals = lists.normals.length / 3;
-  }
-
-  areThere(triangle: number): boolean {
-    const { corners, places } = this.#lists;
-    const { array } = corners;
-    const at = 3 * triangle;
-    return (
-      places.has(array[at] ?? NOT_THERE) &&
-      places.has(array[at + 1] ?? NOT_THERE) &&
-      places.has(array[at + 2] ?? NOT_THERE)
-    );
-  }
-
-  settle(triangle: number): void {
-    const { cornerUvs, cornerNormals } = this.#lists;
-    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner += 1) {
-      if (itemAt(cornerUvs, corner) >= this.#uvs) {
-        cornerUvs.array[corner] = NONE;
-        this.#misses.uv = true;
-      }
-      const normal = itemAt(cornerNormals, corner);
-      if (normal >= this.#normals) this.#misses.normal = true;
-      if (normal !== NONE && !this.#hasDirection(normal)) cornerNormals.array[corner] = NONE;
+/** @param counts texture coordinates and normals that are there. @param misses becomes 1 for those that are not. */
+function settle(
+  lists: CornerLists,
+  at: number,
+  counts: { readonly uvs: number; readonly normals: number },
+  misses: { uv: number; normal: number },
+): void {
+  const { cornerUvs, cornerNormals, normals } = lists;
+  for (let corner = at; corner < at + 3; corner += 1) {
+    if (itemAt(cornerUvs, corner) >= counts.uvs) {
+      cornerUvs.array[corner] = NONE;
+      misses.uv = 1;
     }
-    if (this.#normals > 0 && this.#isTurned(triangle)) this.#turn(3 * triangle);
+    const normal = itemAt(cornerNormals, corner);
+    if (normal === NONE) continue;
+    const isThere = normal < counts.normals;
+    if (!isThere) misses.normal = 1;
+    if (!isThere || isZero(normals.array, 3 * normal)) cornerNormals.array[corner] = NONE;
   }
+  if (counts.normals === 0 || !isTurned(lists, at)) return;
+  const { array } = lists.corners;
+  [array[at + 1], array[at + 2]] = [array[at + 2]!, array[at + 1]!];
+  exchange(cornerUvs, at + 1, at + 2);
+  exchange(cornerNormals, at + 1, at + 2);
+}
 
-  /** Counts a face whose triangles have been settled. */
-  nameMissing(leftOut: LeftOut): void {
-    for (const kind of ['uv', 'normal'] as const) {
-      if (this.#misses[kind]) leftOut.add(kind);
-      this.#misses[kind] = false;
-    }
-  }
+const isZero = (values: Float32Array, i: number): boolean =>
+  values[i] === 0 && values[i + 1] === 0 && values[i + 2] === 0;
 
-  #hasDirection(normal: number): boolean {
-    const { array } = this.#lists.normals;
-    return normal < this.#normals && !(array[3 * normal] === 0 && array[3 * normal + 1] === 0 && array[3 * normal + 2] === 0); // prettier-ignore
-  }
+const face: FaceVector = { x: 0, y: 0, z: 0 };
 
-  /** Whether the normals of its corners point away from the side where the corners run counter-clockwise. */
-  #isTurned(triangle: number): boolean {
-    const { corners, cornerNormals, normals, places } = this.#lists;
-    const at = 3 * triangle;
-    const [a, b, c] = [corners.array[at] ?? 0, corners.array[at + 1] ?? 0, corners.array[at + 2] ?? 0];
-    faceVector(places.array, 3 * a, 3 * b, 3 * c, this.#face);
-    let along = 0;
-    for (let corner = at; corner < at + 3; corner += 1) {
-      const normal = 3 * itemAt(cornerNormals, corner);
-      if (normal < 0) continue;
-      along += this.#face.x * (normals.array[normal] ?? 0);
-      along += this.#face.y * (normals.array[normal + 1] ?? 0);
-      along += this.#face.z * (normals.array[normal + 2] ?? 0);
-    }
-    return along < 0;
+/** Whether the normals of its corners point away from the side where the corners run counter-clockwise. */
+function isTurned({ corners, cornerNormals, normals, places }: CornerLists, at: number): boolean {
+  const { array } = corners;
+  faceVector(places.array, 3 * array[at]!, 3 * array[at + 1]!, 3 * array[at + 2]!, face);
+  let along = 0;
+  for (let corner = at; corner < at + 3; corner += 1) {
+    const normal = 3 * itemAt(cornerNormals, corner);
+    if (normal < 0) continue;
+    along += face.x * normals.array[normal]!;
+    along += face.y * normals.array[normal + 1]!;
+    along += face.z * normals.array[normal + 2]!;
   }
-
-  #turn(at: number): void {
-    const { corners, cornerUvs, cornerNormals } = this.#lists;
-    [corners.array[at + 1], corners.array[at + 2]] = [corners.array[at + 2] ?? 0, corners.array[at + 1] ?? 0];
-    exchange(cornerUvs, at + 1, at + 2);
-    exchange(cornerNormals, at + 1, at + 2);
-  }
+  return along < 0;
 }
 
 function exchange(list: Growing<Int32Array>, a: number, b: number): void {

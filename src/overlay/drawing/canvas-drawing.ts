@@ -1,7 +1,6 @@
 // Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a
 // strict CSP refuses. The same looks as svg-layer.ts.
-import { HALO } from './contrast.js';
-import { DASHES, type Disc, labelFont, outlineOf, type DrawnItem, type Stroke } from './display-list.js';
+import { coreOf, DASHES, type Disc, type DrawnItem, HALO, haloWidth, labelFont, type Stroke } from './display-list.js';
 
 /**
  * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the
@@ -29,43 +28,37 @@ export function drawList(
   context.scale(scale, scale);
   context.lineJoin = 'round';
   context.font = labelFont(`${String(fontSize)}px`);
-  for (const primitive of list) {
-    context.globalAlpha = primitive.opacity ?? 1;
-    if (primitive.kind === 'label') drawLabel(context, primitive);
-    else drawShape(context, primitive);
+  context.direction = 'ltr';
+  for (const item of list) {
+    context.globalAlpha = item.opacity ?? 1;
+    context.strokeStyle = HALO;
+    if (item.kind !== 'label') {
+      drawShape(context, item);
+      continue;
+    }
+    const { at, text, color } = item;
+    context.setLineDash([]);
+    context.lineWidth = 3;
+    context.strokeText(text, at.x, at.y);
+    context.fillStyle = color;
+    context.fillText(text, at.x, at.y);
   }
   context.restore();
 }
 
-function drawLabel(
-  context: CanvasRenderingContext2D,
-  { at, text, color }: Extract<DrawnItem, { kind: 'label' }>,
-): void {
-  context.direction = 'ltr';
-  context.setLineDash([]);
-  context.strokeStyle = HALO;
-  context.lineWidth = 3;
-  context.strokeText(text, at.x, at.y);
-  context.fillStyle = color;
-  context.fillText(text, at.x, at.y);
-}
-
 function drawShape(context: CanvasRenderingContext2D, shape: Stroke | Disc): void {
   const path = pathOf(shape);
-  const { color, width } = shape;
-  context.setLineDash(shape.dashed === true ? [...DASHES] : []);
-  context.strokeStyle = HALO;
-  context.lineWidth = width + 2 * outlineOf(shape);
+  const { fill, stroke } = coreOf(shape);
+  context.setLineDash(shape.dashed === true ? DASHES : []);
+  context.lineWidth = haloWidth(shape);
   context.stroke(path);
-  const isFilled = shape.kind === 'stroke' && shape.filled === true;
-  const fill = shape.kind === 'disc' ? shape.fill : isFilled ? color : null;
   if (fill !== null) {
     context.fillStyle = fill;
     context.fill(path);
   }
-  if (isFilled) return;
-  context.strokeStyle = color;
-  context.lineWidth = width;
+  if (stroke === null) return;
+  context.strokeStyle = stroke;
+  context.lineWidth = shape.width;
   context.stroke(path);
 }
 
@@ -76,10 +69,7 @@ function pathOf(shape: Stroke | Disc): Path2D {
     return path;
   }
   for (const line of shape.lines) {
-    line.forEach(({ x, y }, i) => {
-      if (i === 0) path.moveTo(x, y);
-      else path.lineTo(x, y);
-    });
+    line.forEach(({ x, y }, i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
     if (shape.filled === true) path.closePath();
   }
   return path;

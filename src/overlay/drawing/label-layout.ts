@@ -1,22 +1,63 @@
-// Measures labels and places them so that none covers another and all stay inside. One place after the other, the first
+// Measures names and places them so that none covers another and all stay inside. One place after the other, the first
 // ones first. CSS pixels of the layer.
+import { type DrawnItem, type Label, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
-import { labelFont } from './display-list.js';
 
-export interface LabelWish {
-  /** What the label belongs to. */
+export interface Name {
+  readonly text: string;
+  /** What the name belongs to. */
   readonly center: Point;
-  /** Pixels around the centre that the label keeps free. */
+  /** Pixels around the centre that the name keeps free. */
   readonly gap: number;
-  /** Width of the text. */
-  readonly width: number;
+  readonly color?: string;
+  /** Its part on the page. */
+  readonly part?: string;
+  readonly opacity?: number;
 }
+
+/** What some helpers, or the probe, draw. */
+export interface Drawing {
+  readonly list: readonly DrawnItem[];
+  readonly names: readonly Name[];
+  /** What names do not cover if they can go elsewhere. */
+  readonly covered: readonly Rect[];
+}
+
+export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
 
 export interface Rect {
   readonly left: number;
   readonly top: number;
   readonly right: number;
   readonly bottom: number;
+}
+
+/**
+ * One list of several drawings, with their names on top, and what the names cover. The first drawings are lowest, and
+ * their names are placed last. Names stay inside `room` and avoid each other, `boxes` and, as far as they can, what is
+ * covered; those without a place are left out.
+ */
+export function listOf(
+  drawings: readonly Drawing[],
+  room: Rect,
+  fontSize: number,
+  boxes: readonly Rect[] = [],
+): { readonly list: readonly DrawnItem[]; readonly placed: readonly (Rect & { readonly text: string })[] } {
+  const covered = drawings.flatMap((each) => each.covered);
+  const taken = [...boxes];
+  const placed: (Rect & { readonly text: string })[] = [];
+  const labels: Label[] = [];
+  for (const name of [...drawings].reverse().flatMap(({ names }) => names)) {
+    const text = shortened(name.text);
+    const box = bestBox(name, textWidth(text, fontSize), room, taken, covered, fontSize);
+    if (box === null) continue;
+    taken.push(box);
+    placed.push({ text, ...box });
+    const { color = '#fff', opacity = 1, part } = name;
+    const at = { x: box.left, y: box.bottom - LINE.descent * fontSize };
+    labels.push({ kind: 'label', at, text, color, opacity, part });
+  }
+  return { list: [...drawings.flatMap(({ list }) => list), ...labels], placed };
 }
 
 /** Height of a label's line, and how far above its lower edge the baseline is. In font sizes. */
@@ -40,62 +81,29 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
 /** Font sizes by which a label moves away from its centre if something is in its way, in the order tried. */
 const FARTHER = [0, 0.7];
 
-/**
- * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other, `boxes`
- * and, as far as they can, `avoided`. `room`: they stay inside.
- */
-export function placeLabels(
-  wishes: readonly LabelWish[],
-  room: Rect,
-  avoided: readonly Rect[],
-  fontSize: number,
-  boxes: readonly Rect[] = [],
-): (Point | null)[] {
-  const taken: Rect[] = [...boxes];
-  return wishes.map((wish) => {
-    const box = bestBox(wish, room, taken, avoided, fontSize);
-    if (box === null) return null;
-    taken.push(box);
-    return { x: box.left, y: box.bottom - LINE.descent * fontSize };
-  });
-}
-
-/** What a label covers, by the left end of its baseline. */
-export function labelBox({ x, y }: Point, width: number, fontSize: number): Rect {
-  const bottom = y + LINE.descent * fontSize;
-  return { left: x, top: bottom - LINE.height * fontSize, right: x + width, bottom };
-}
-
-/** The first place of those that cover least of `avoided`. */
+/** The first place of those that cover least of `avoided`; null where there is none. */
 function bestBox(
-  wish: LabelWish,
+  name: Name,
+  width: number,
   room: Rect,
   taken: readonly Rect[],
   avoided: readonly Rect[],
   fontSize: number,
 ): Rect | null {
   let [best, least]: [Rect | null, number] = [null, Infinity];
+  const height = LINE.height * fontSize;
   for (const by of FARTHER)
-    for (const side of SIDES) {
-      const box = boxAt(wish, wish.gap + by * fontSize, side, fontSize);
+    for (const [across, down] of SIDES) {
+      const gap = name.gap + by * fontSize;
+      const left = name.center.x + across * gap - ((1 - across) / 2) * width;
+      const top = name.center.y + down * gap - ((1 - down) / 2) * height;
+      const box = { left, top, right: left + width, bottom: top + height };
       if (!isInside(box, room) || overlap(box, taken) > 0) continue;
       const covered = overlap(box, avoided);
       if (covered === 0) return box;
       if (covered < least) [best, least] = [box, covered];
     }
   return best;
-}
-
-function boxAt(
-  { center, width }: LabelWish,
-  gap: number,
-  [across, down]: (typeof SIDES)[number],
-  fontSize: number,
-): Rect {
-  const height = LINE.height * fontSize;
-  const left = center.x + across * gap - ((1 - across) / 2) * width;
-  const top = center.y + down * gap - ((1 - down) / 2) * height;
-  return { left, top, right: left + width, bottom: top + height };
 }
 
 const isInside = ({ left, top, right, bottom }: Rect, room: Rect): boolean =>
@@ -150,22 +158,24 @@ const widths = new Map<string, number>();
 let context: CanvasRenderingContext2D | null = null;
 
 /** Measured by a canvas, which costs no layout. CSS pixels. */
-export const textWidth = (text: string, fontSize: number): number => (measured(text) * fontSize) / MEASURED;
-
-function measured(text: string): number {
-  const known = widths.get(text);
-  if (known !== undefined) return known;
-  if (widths.size >= MOST_WIDTHS) widths.clear();
-  context ??= document.createElement('canvas').getContext('2d');
-  if (context !== null) context.font = labelFont(`${String(MEASURED)}px`);
-  // Without a canvas: seven pixels a letter is wider than most text.
-  const width = context?.measureText(text).width ?? 7 * text.length;
-  widths.set(text, width);
-  return width;
+function textWidth(text: string, fontSize: number): number {
+  let width = widths.get(text);
+  if (width === undefined) {
+    if (widths.size >= MOST_WIDTHS) widths.clear();
+    context ??= document.createElement('canvas').getContext('2d');
+    if (context !== null) context.font = labelFont(`${String(MEASURED)}px`);
+    // Without a canvas: seven pixels a letter is wider than most text.
+    width = context?.measureText(text).width ?? 7 * text.length;
+    widths.set(text, width);
+  }
+  return (width * fontSize) / MEASURED;
 }
 
-/** The first `most` characters of a text, with an ellipsis in place of the rest. */
-export function shortened(text: string, most = 24): string {
+/** Characters of the longest name. */
+const LONGEST = 24;
+
+/** The first characters of a text, with an ellipsis in place of the rest. */
+export function shortened(text: string): string {
   const characters = Array.from(text);
-  return characters.length <= most ? text : `${characters.slice(0, most - 1).join('')}…`;
+  return characters.length <= LONGEST ? text : `${characters.slice(0, LONGEST - 1).join('')}…`;
 }

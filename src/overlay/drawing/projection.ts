@@ -11,6 +11,14 @@ export interface Point {
   readonly y: number;
 }
 
+/** Steps to the right and down by the `KeyboardEvent.key` of an arrow; other keys have no entry. */
+export const ARROWS: Readonly<Record<string, readonly [right: number, down: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
 export interface Sight {
   readonly pose: Pose;
   /** Vertical field of view, degrees. */
@@ -211,6 +219,6 @@ const clamp = (x: number, low: number, high: number): number => Math.min(Math.ma
 /** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
 export function inside({ x, y }: Point, { width, height }: { width: number; height: number }, margin: number): Point {
   const within = (value: number, size: number): number =>
-    size <= 2 * margin ? size / 2 : Math.min(Math.max(value, margin), size - margin);
+    size <= 2 * margin ? size / 2 : clamp(value, margin, size - margin);
   return { x: within(x, width), y: within(y, height) };
 }

@@ -1,14 +1,13 @@
 // Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are kept from list to
 // list, and only what differs is written.
 import { createSvg, set, write } from '../../element/dom.js';
-import { DASHES, labelFont, outlineOf, type DrawnItem } from './display-list.js';
-import { HALO } from './contrast.js';
+import { coreOf, DASHES, type DrawnItem, HALO, haloWidth, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
 
 const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 
-interface DrawnPrimitive {
-  readonly primitive: DrawnItem;
+interface ShownItem {
+  readonly item: DrawnItem;
   /** The outline first. */
   readonly elements: readonly SVGElement[];
 }
@@ -20,7 +19,7 @@ export class SvgLayer {
     'aria-hidden': 'true',
     focusable: 'false',
   });
-  #shown: DrawnPrimitive[] = [];
+  #shown: ShownItem[] = [];
 
   /** Labels are as large as the text around it. */
   constructor() {
@@ -40,25 +39,22 @@ export class SvgLayer {
    * nothing.
    */
   show(list: readonly DrawnItem[]): void {
-    list.forEach((primitive, i) => {
+    list.forEach((item, i) => {
       const shown = this.#shown[i];
-      if (shown !== undefined && isSame(shown.primitive, primitive)) return;
-      const elements = shown?.primitive.kind === primitive.kind ? shown.elements : this.#replace(shown, primitive.kind);
-      this.#shown[i] = { primitive, elements };
-      draw(elements, primitive);
+      if (shown !== undefined && isSame(shown.item, item)) return;
+      const elements = shown?.item.kind === item.kind ? shown.elements : this.#add(item.kind, shown?.elements);
+      this.#shown[i] = { item, elements };
+      draw(elements, item);
     });
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
-  #replace(shown: DrawnPrimitive | undefined, kind: DrawnItem['kind']): readonly SVGElement[] {
-    const tags = TAGS[kind];
-    const elements = tags.map((tag) => createSvg(tag));
-    const [first] = shown?.elements ?? [];
-    if (first === undefined) this.element.append(...elements);
-    else {
-      first.before(...elements);
-      for (const each of shown?.elements ?? []) each.remove();
-    }
+  /** Adds elements, in place of others or as the last ones. */
+  #add(kind: DrawnItem['kind'], replaced: readonly SVGElement[] = []): readonly SVGElement[] {
+    const elements = TAGS[kind].map((tag) => createSvg(tag));
+    if (replaced[0] === undefined) this.element.append(...elements);
+    else replaced[0].before(...elements);
+    for (const each of replaced) each.remove();
     return elements;
   }
 }
@@ -67,50 +63,27 @@ export class SvgLayer {
 const isSame = (a: DrawnItem, b: DrawnItem): boolean =>
   a === b || (a.kind === 'label' && JSON.stringify(a) === JSON.stringify(b));
 
-function draw(elements: readonly SVGElement[], primitive: DrawnItem): void {
-  const opacity = String(primitive.opacity ?? 1);
-  const [halo, core] = elements;
-  if (halo === undefined) return;
-  if (primitive.kind === 'label') {
-    const { at, text, color, part = null } = primitive;
-    set(halo, {
-      part,
-      x: round(at.x),
-      y: round(at.y),
-      fill: color,
-      stroke: HALO,
-      'stroke-width': '3',
-      opacity,
-    });
+function draw([halo, core]: readonly SVGElement[], item: DrawnItem): void {
+  const opacity = String(item.opacity ?? 1);
+  if (item.kind === 'label') {
+    const { at, text, color, part = null } = item;
+    const place = { part, x: round(at.x), y: round(at.y), fill: color, opacity };
     // As attributes: a style attribute is text that a strict CSP refuses.
-    set(halo, { 'paint-order': 'stroke', 'stroke-linejoin': 'round' });
-    write(halo, text);
+    const outline = { stroke: HALO, 'stroke-width': '3', 'paint-order': 'stroke', 'stroke-linejoin': 'round' };
+    write(set(halo!, { ...place, ...outline }), text);
     return;
   }
-  const { color, width } = primitive;
-  const dashes = primitive.dashed === true ? DASHES.join(' ') : 'none';
-  const line = { 'stroke-linejoin': 'round', 'stroke-dasharray': dashes, opacity };
-  const shape =
-    primitive.kind === 'disc'
-      ? { cx: round(primitive.center.x), cy: round(primitive.center.y), r: round(primitive.radius) }
-      : { d: pathOf(primitive.lines, primitive.filled === true) };
-  const filled = primitive.kind === 'stroke' && primitive.filled === true;
-  const inner = primitive.kind === 'disc' ? (primitive.fill ?? 'none') : filled ? color : 'none';
-  set(halo, {
-    ...shape,
-    ...line,
-    fill: 'none',
-    stroke: HALO,
-    'stroke-width': String(width + 2 * outlineOf(primitive)),
-  });
-  if (core !== undefined)
-    set(core, {
-      ...shape,
-      ...line,
-      fill: inner,
-      stroke: filled ? 'none' : color,
-      'stroke-width': String(width),
-    });
+  const shape = {
+    ...(item.kind === 'disc'
+      ? { cx: round(item.center.x), cy: round(item.center.y), r: round(item.radius) }
+      : { d: pathOf(item.lines, item.filled === true) }),
+    'stroke-linejoin': 'round',
+    'stroke-dasharray': item.dashed === true ? DASHES.join(' ') : 'none',
+    opacity,
+  };
+  const { fill, stroke } = coreOf(item);
+  set(halo!, { ...shape, fill: 'none', stroke: HALO, 'stroke-width': String(haloWidth(item)) });
+  set(core!, { ...shape, fill: fill ?? 'none', stroke: stroke ?? 'none', 'stroke-width': String(item.width) });
 }
 
 const pathOf = (lines: readonly (readonly Point[])[], closed: boolean): string =>

@@ -1,21 +1,20 @@
 // The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape
 // restores; pointers drag. Places elements over what is drawn, and reports what the user does.
+import { alongAxes } from '../../camera/gesture.js';
 import { create, set, write } from '../../element/dom.js';
-import type { ViewerText } from '../../element/fields/text-list.js';
-import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
+import { localNumber, phrase, type ViewerText, type ViewerTexts } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
-import { localNumber } from '../../element/page/local-number.js';
+import { followDrag } from '../../element/page/followed-drag.js';
+import { pictureBox } from '../../element/page/picture-box.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
-import type { ExtraHost } from '../../element/viewer/extra.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
-import { ARROWS } from '../arrow-keys.js';
-import { inside, type Projection } from '../drawing/projection.js';
+import { ARROWS, inside, type Projection } from '../drawing/projection.js';
 import { EDGE, type Handle, type LightMarks, type HandlePart } from './light-marks.js';
 import { LightMove } from './light-move.js';
 import type { SceneBall } from './placed-light.js';
-import { listenToPointers } from './pointer-drag.js';
 
 interface HandleEntry {
   readonly element: HTMLElement;
@@ -27,6 +26,9 @@ interface HandleEntry {
   texts: ViewerTexts | null;
 }
 
+/** CSS pixels of the page. A press that moves less is a click. Less than the camera's, so that lights move a little. */
+const SLOP = 3;
+
 /** What handles of parts add to the light's name. */
 const PART_TEXTS = { axis: '{name}: axis', aperture: '{name}: edge of the cone, {degrees}°' } as const;
 
@@ -34,11 +36,13 @@ export class Handles {
   readonly #host: ExtraHost;
   readonly #list = create('div', { role: 'listbox' });
   readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
-  readonly #shown = new Map<string, HandleEntry>();
-  readonly #byElement = new Map<Element, HandleEntry>();
-  readonly #ids = new Map<PhongLight, number>();
+  readonly #shown = new Map<EventTarget, HandleEntry>();
+  readonly #byLight = {
+    place: new Map<PhongLight, HandleEntry>(),
+    axis: new Map<PhongLight, HandleEntry>(),
+    aperture: new Map<PhongLight, HandleEntry>(),
+  } satisfies Record<HandlePart, unknown>;
   readonly #move: LightMove;
-  #lastId = 0;
   /** The handle that Tab reaches. */
   #current: HandleEntry | null = null;
 
@@ -48,21 +52,11 @@ export class Handles {
     this.#move = new LightMove(host.viewer, surfaceOf);
     place.append(this.#list, this.#region);
     this.#list.addEventListener('keydown', (event) => this.#onKey(event));
-    this.#list.addEventListener('focusin', ({ target }) => this.#choose(this.#byElement.get(target as Element)));
+    this.#list.addEventListener('focusin', ({ target }) => this.#choose(this.#shown.get(target!)));
     this.#list.addEventListener('focusout', () => this.#endKeys());
     // The picture below zooms, if it may.
     this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
-    listenToPointers(this.#list, host.tree.surface, {
-      press: (element) => {
-        const shown = this.#byElement.get(element);
-        if (shown === undefined) return false;
-        this.#endKeys();
-        element.focus({ preventScroll: true });
-        return this.#start(shown, false);
-      },
-      moved: (dx, dy, along) => this.#move.to(dx, dy, along),
-      end: () => this.#end(),
-    });
+    this.#listenToPointers();
   }
 
   /** Updates the elements to what is drawn. */
@@ -70,37 +64,57 @@ export class Handles {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, { 'aria-label': phrase(texts, 'Lights in the picture') });
-    const kept = new Set<string>();
+    const kept = new Set<HandleEntry>();
     let before: Element | null = null;
     lights.forEach((light, index) => {
       for (const handle of marks[index]!.handles) {
-        const key = this.#keyOf(light, handle.part);
-        kept.add(key);
-        const shown = this.#shown.get(key) ?? this.#add(key, light, handle.part);
+        const shown = this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part);
+        kept.add(shown);
         const expected: Element | null = before === null ? this.#list.firstElementChild : before.nextElementSibling;
         if (expected !== shown.element) this.#list.insertBefore(shown.element, expected);
         before = shown.element;
         this.#place(shown, handle, index, view);
       }
     });
-    for (const [key, shown] of this.#shown) if (!kept.has(key)) this.#remove(key, shown);
+    for (const shown of this.#shown.values()) if (!kept.has(shown)) this.#remove(shown);
     this.#list.hidden = kept.size === 0;
     if (this.#current === null) this.#choose(this.#shown.values().next().value);
   }
 
   hide(): void {
     this.#end();
-    for (const [key, shown] of this.#shown) this.#remove(key, shown);
+    for (const shown of this.#shown.values()) this.#remove(shown);
     this.#list.hidden = true;
   }
 
-  #keyOf(light: PhongLight, part: HandlePart): string {
-    let id = this.#ids.get(light);
-    if (id === undefined) this.#ids.set(light, (id = this.#lastId += 1));
-    return `${id} ${part}`;
+  /** Travel is along the axes of the picture's surface, which CSS transforms may turn. One pointer at a time. */
+  #listenToPointers(): void {
+    let drag: { readonly id: number; readonly element: HTMLElement; readonly end: () => void } | null = null;
+    this.#list.addEventListener('pointerdown', (event) => {
+      const { target, pointerId: id } = event;
+      // An element that was removed gets no event at the end of its drag.
+      if (drag?.element.isConnected === true && drag.id !== id) return;
+      const shown = this.#shown.get(target!);
+      if (event.button !== 0 || shown === undefined) return;
+      event.preventDefault(); // no selection, no focus elsewhere
+      drag?.end();
+      this.#endKeys();
+      const { element } = shown;
+      element.focus({ preventScroll: true });
+      if (!this.#start(shown, false)) return;
+      const { axes } = pictureBox(this.#host.tree.surface);
+      const end = followDrag(element, event, SLOP, {
+        moved: (dx, dy, { shiftKey }) => this.#move.to(...alongAxes(axes, dx, dy), shiftKey),
+        ended: () => {
+          drag = null;
+          this.#end();
+        },
+      });
+      drag = { id, element, end };
+    });
   }
 
-  #add(key: string, light: PhongLight, part: HandlePart): HandleEntry {
+  #add(light: PhongLight, part: HandlePart): HandleEntry {
     const element = create('div', {
       class: `handle ${part}`,
       role: 'option',
@@ -108,23 +122,22 @@ export class Handles {
       'aria-selected': 'false',
     });
     const shown: HandleEntry = { element, light, part, handle: null, index: 0, texts: null };
-    this.#shown.set(key, shown);
-    this.#byElement.set(element, shown);
+    this.#shown.set(element, shown);
+    this.#byLight[part].set(light, shown);
     return shown;
   }
 
-  #remove(key: string, shown: HandleEntry): void {
-    const { element, light } = shown;
+  #remove(shown: HandleEntry): void {
+    const { element, light, part } = shown;
     const hadFocus = element.matches(':focus');
-    this.#shown.delete(key);
-    this.#byElement.delete(element);
-    if (!this.#host.children.lights.includes(light)) this.#ids.delete(light);
+    this.#shown.delete(element);
+    this.#byLight[part].delete(light);
     if (this.#move.moves(light)) this.#end();
     const next = element.nextElementSibling ?? element.previousElementSibling;
     element.remove();
     if (this.#current === shown) {
       this.#current = null;
-      this.#choose(next === null ? undefined : this.#byElement.get(next));
+      this.#choose(next === null ? undefined : this.#shown.get(next));
     }
     // Otherwise the focus would be lost with the element.
     if (hadFocus) (this.#current?.element ?? this.#host.tree.surface).focus({ preventScroll: true });
@@ -151,8 +164,8 @@ export class Handles {
 
   #choose(shown: HandleEntry | undefined): void {
     if (shown === undefined || shown === this.#current) return;
-    if (this.#current !== null) mark(this.#current.element, false);
-    mark(shown.element, true);
+    if (this.#current !== null) set(this.#current.element, { tabindex: '-1', 'aria-selected': 'false' });
+    set(shown.element, { tabindex: '0', 'aria-selected': 'true' });
     this.#current = shown;
   }
 
@@ -165,17 +178,20 @@ export class Handles {
       return;
     }
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const current = this.#current;
-    if (current === null) return;
-    if (this.#act(event, current)) {
-      event.preventDefault();
-      event.stopPropagation();
-    }
+    if (this.#current === null || !this.#act(event, this.#current)) return;
+    event.preventDefault();
+    event.stopPropagation();
   }
 
   #act({ key, shiftKey }: KeyboardEvent, current: HandleEntry): boolean {
     const arrow = ARROWS[key];
-    if (key === 'Escape') return this.#restore();
+    if (key === 'Escape') {
+      if (!this.#move.active) return false;
+      this.#move.restore();
+      this.#end();
+      this.#say('');
+      return true;
+    }
     if (key === 'Enter' || key === ' ') {
       if (this.#move.active) this.#endKeys();
       else if (this.#start(current, true)) this.#say(MOVING);
@@ -218,14 +234,6 @@ export class Handles {
     this.#say('');
   }
 
-  #restore(): boolean {
-    if (!this.#move.active) return false;
-    this.#move.restore();
-    this.#end();
-    this.#say('');
-    return true;
-  }
-
   /** Announces a text, politely. */
   #say(text: ViewerText | ''): void {
     write(this.#region, text === '' ? '' : phrase(this.#host.viewer.texts, text));
@@ -238,7 +246,3 @@ export class Handles {
 }
 
 const MOVING = 'Arrow keys move, with Shift toward you and away. Enter ends, Escape restores.';
-
-function mark(element: HTMLElement, current: boolean): void {
-  set(element, { tabindex: current ? '0' : '-1', 'aria-selected': String(current) });
-}

@@ -3,15 +3,14 @@
 import { sameValue } from '../../fields/field-store.js';
 import { create } from '../../element/dom.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
-import { whole } from '../drawing/label-layout.js';
+import { listOf, NO_DRAWING, whole } from '../drawing/label-layout.js';
 import { type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import styles from './helpers.css?inline';
-import { listOf, NO_DRAWING } from './labels.js';
 import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './placed-light.js';
 import { SceneHelpers } from './scene-helpers.js';
@@ -44,7 +43,7 @@ class Helpers implements Extra {
     this.#lights = new LightHelpers(host, this.#element, changed);
     this.#objects = new SceneHelpers(host, changed);
     host.tree.room.before(this.#element);
-    this.#room = new Room(host.tree, changed, { textPart: LIGHT_NAME, followsBoxes: true });
+    this.#room = new Room(host.tree, changed, LIGHT_NAME);
   }
 
   update(): void {

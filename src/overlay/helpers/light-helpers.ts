@@ -6,13 +6,15 @@ import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightNameText } from '../../element/viewer/description.js';
-import type { ExtraHost } from '../../element/viewer/extra.js';
-import { boxAround } from '../drawing/label-layout.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
+import type { Vec3 } from '../../math/vector.js';
+import { distanceAlong } from '../../scene/snapshot/pick.js';
+import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
+import { boxAround, type Drawing } from '../drawing/label-layout.js';
 import type { Projection, Ray } from '../drawing/projection.js';
 import { Handles } from './handles.js';
-import type { Drawing } from './labels.js';
 import { type LightMarks, lightMarks } from './light-marks.js';
-import { FirstSurfaces, Occlusion } from './occlusion.js';
+import { isBehind, RayTests } from './occlusion.js';
 import type { SceneBall } from './placed-light.js';
 
 /** What a light's marks were computed from. */
@@ -36,17 +38,19 @@ const DIMMED = 0.75;
 export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
-  readonly #occlusion: Occlusion<PhongLight>;
+  readonly #hidden: RayTests<PhongLight, Vec3, boolean>;
   /** Where the axes of spots meet a surface. */
-  readonly #surfaces: FirstSurfaces<PhongLight>;
+  readonly #surfaces: RayTests<PhongLight, Ray, number>;
   readonly #known = new Map<PhongLight, KnownLight>();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
     this.#host = host;
     this.#handles = new Handles(host, place, this.#surfaceOf);
-    this.#occlusion = new Occlusion(host, changed);
-    this.#surfaces = new FirstSurfaces(host, changed);
+    this.#hidden = new RayTests(host, isBehind, changed);
+    const distance = ({ origin, direction }: Ray, _: Projection, shapes: SceneSnapshot): number =>
+      distanceAlong(shapes, origin, direction);
+    this.#surfaces = new RayTests(host, distance, changed);
   }
 
   /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn. */
@@ -57,7 +61,7 @@ export class LightHelpers {
     for (const light of this.#known.keys()) if (!present.has(light)) this.#known.delete(light);
     for (const light of lights) {
       const { values } = fieldsOf(light).store;
-      const hidden = this.#occlusion.isHidden(light);
+      const hidden = this.#isHidden(light);
       const surface = this.#surfaceOf(light);
       const known = this.#known.get(light);
       const isSame = known?.view === view && sameValues(known.values, values);
@@ -71,8 +75,13 @@ export class LightHelpers {
     const places = new Map(lights.map((light, i) => [light, marks[i]!.placed.place]));
     // A frame for another reason than a light: a mesh may have moved.
     const asked = isFrame && changed.length === 0 ? lights : changed;
-    this.#occlusion.follow(view, places, asked);
-    this.#surfaces.follow(view, axesOf(lights, marks), asked);
+    this.#hidden.follow(view, places, asked);
+    const axes = new Map<PhongLight, Ray>();
+    lights.forEach((light, i) => {
+      const { spot, place } = marks[i]!.placed;
+      if (spot !== null) axes.set(light, { origin: place, direction: spot.axis });
+    });
+    this.#surfaces.follow(view, axes, asked);
     return this.#drawing(lights, marks);
   }
 
@@ -80,20 +89,24 @@ export class LightHelpers {
   drawingAt(view: Projection, scene: SceneBall): Drawing {
     const { lights } = this.#host.children;
     const marks = lights.map((light) =>
-      lightMarks(fieldsOf(light).store.values, view, scene, this.#occlusion.isHidden(light), this.#surfaceOf(light)),
+      lightMarks(fieldsOf(light).store.values, view, scene, this.#isHidden(light), this.#surfaceOf(light)),
     );
     return this.#drawing(lights, marks);
   }
 
   hide(): void {
     this.#handles.hide();
-    this.#occlusion.stop();
+    this.#hidden.stop();
     this.#surfaces.stop();
     this.#known.clear();
   }
 
   /** Distance along a spot's axis, as last known; Infinity before that. */
   readonly #surfaceOf = (light: PhongLight): number => this.#surfaces.answer(light) ?? Infinity;
+
+  #isHidden(light: PhongLight): boolean {
+    return this.#hidden.answer(light) === true;
+  }
 
   #drawing(lights: readonly PhongLight[], marks: readonly LightMarks[]): Drawing {
     const { texts } = this.#host.viewer;
@@ -112,16 +125,6 @@ export class LightHelpers {
       covered: marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
     };
   }
-}
-
-/** The axes of spots. */
-function axesOf(lights: readonly PhongLight[], marks: readonly LightMarks[]): Map<PhongLight, Ray> {
-  const axes = new Map<PhongLight, Ray>();
-  lights.forEach((light, i) => {
-    const { spot, place } = marks[i]!.placed;
-    if (spot !== null) axes.set(light, { origin: place, direction: spot.axis });
-  });
-  return axes;
 }
 
 function sameValues(a: Readonly<LightValues>, b: Readonly<LightValues>): boolean {

@@ -2,18 +2,17 @@
 // halved. From placed lights to a display list, with the places of the handles. CSS pixels of the layer.
 import type { LightValues } from '../../light/light-state.js';
 import { add, scale, type Vec3 } from '../../math/vector.js';
-import { coreColor, cssRgb } from '../drawing/contrast.js';
-import { arrow, arrowHead, type Disc, type DrawnItem, type Stroke } from '../drawing/display-list.js';
-import { inside, type Point, type Projection } from '../drawing/projection.js';
 import {
-  acrossAxis,
-  coneSide,
-  onCone,
-  placedLight,
-  type PlacedLight,
-  type PlacedSpot,
-  type SceneBall,
-} from './placed-light.js';
+  arrow,
+  arrowHead,
+  coreColor,
+  cssRgb,
+  type Disc,
+  type DrawnItem,
+  type Stroke,
+} from '../drawing/display-list.js';
+import { inside, type Point, type Projection } from '../drawing/projection.js';
+import { coneOf, placedLight, type PlacedLight, type SceneBall } from './placed-light.js';
 
 /** The part of a light that a handle moves. */
 export type HandlePart = 'place' | 'axis' | 'aperture';
@@ -74,19 +73,20 @@ export function lightMarks(
   };
   const arrowTo = (tip: Vec3): void => {
     const ends = view.segment(place, tip);
-    if (ends !== null) list.push(...arrow(ends, { ...look, width: 2 }));
+    if (ends !== null) list.push(...arrow(...ends, { ...look, width: 2 }));
   };
   if (halfDistance !== null) stroke(view.line(facingCircle(place, halfDistance, view)), 1, true);
   if (shines !== null) arrowTo(add(place, scale(shines, ARROW * scene.radius)));
   if (spot !== null) {
-    const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, view) };
-    if (spot.halfAngle !== null && spot.halfAngle < spot.aperture)
-      stroke(view.line(rim(cone, spot, spot.halfAngle)), 1, true);
-    if (spot.aperture < 180) stroke(outlineOf(cone, spot, view), 1.5);
+    const { aperture, halfAngle, reach } = spot;
+    const onCone = coneOf(place, spot, view);
+    const rim = (degrees: number): Stroke['lines'] => view.line(circle((around) => onCone(reach, degrees, around)));
+    if (halfAngle !== null && halfAngle < aperture) stroke(rim(halfAngle), 1, true);
+    const sides = [0, Math.PI].flatMap((around) => view.line([place, onCone(reach, aperture, around)]));
+    if (aperture < 180) stroke([...sides, ...rim(aperture)], 1.5);
     const tip = add(place, scale(spot.axis, spot.arrow));
     handles.push(handleAt('axis', tip, view));
-    if (spot.aperture < 180)
-      handles.push(handleAt('aperture', onCone(cone, spot.aperture, coneSide(spot.grip, spot, spot.aperture)), view));
+    if (aperture < 180) handles.push(handleAt('aperture', onCone(spot.grip, aperture), view));
     for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
     // Over its handle, which would hide the head.
     arrowTo(tip);
@@ -105,22 +105,9 @@ const ARROW = 0.35;
 type Look = Pick<Disc, 'color' | 'dashed' | 'opacity'>;
 
 const disc = (center: Point, radius: number, fill: string | null, look: Look): Disc => ({
-  kind: 'disc',
+  ...{ kind: 'disc', center, radius, fill, width: 2 },
   ...look,
-  ...{ center, radius, fill, width: 2 },
 });
-
-function outlineOf(cone: ConeDirection, spot: PlacedSpot, view: Projection): Stroke['lines'] {
-  const { aperture } = spot;
-  const side = coneSide(spot.reach, spot, aperture);
-  const sides = [0, Math.PI].map((around) => [cone.place, onCone(cone, aperture, side, around)]);
-  return [...sides, rim(cone, spot, aperture)].flatMap((line) => view.line(line));
-}
-
-type ConeDirection = Parameters<typeof onCone>[0];
-
-const rim = (cone: ConeDirection, spot: PlacedSpot, degrees: number): Vec3[] =>
-  circle((around) => onCone(cone, degrees, coneSide(spot.reach, spot, degrees), around));
 
 /** A circle that faces the eye: the outline of a sphere without perspective. */
 function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3[] {

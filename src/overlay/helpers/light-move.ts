@@ -3,8 +3,7 @@
 import { sameValue } from '../../fields/field-store.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
-import type { PhongLight } from '../../element/elements.js';
-import type { PhongViewer } from '../../element/elements.js';
+import type { PhongLight, PhongViewer } from '../../element/elements.js';
 import { historyOf, type Undoable, valuesOf } from '../../element/viewer/history.js';
 import type { Projection } from '../drawing/projection.js';
 import { lightMarks, type HandlePart } from './light-marks.js';

@@ -5,7 +5,7 @@ import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Point, Projection, Ray } from '../drawing/projection.js';
 import type { Handle, HandlePart } from './light-marks.js';
-import { acrossAxis, coneSide, DIRECTIONAL_AT, onCone, type PlacedLight, type SceneBall } from './placed-light.js';
+import { coneOf, DIRECTIONAL_AT, type PlacedLight, type SceneBall } from './placed-light.js';
 
 /** The start of a move. */
 export interface Anchor {
@@ -168,10 +168,9 @@ function apertureAfter({ placed, handle, values, view: start }: Anchor, view: Pr
   const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), WIDEST);
   if (spot === null) return values.aperture;
   if (travel.byKeys) return clamped(values.aperture + (travel.dx - travel.dy) / PIXELS_PER_DEGREE);
-  const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, start) };
+  const onCone = coneOf(place, spot, start);
   const pointer = { x: handle.at.x + travel.dx, y: handle.at.y + travel.dy };
-  const distanceAt = (degrees: number): number =>
-    distance(view.point(onCone(cone, degrees, coneSide(spot.grip, spot, degrees))), pointer);
+  const distanceAt = (degrees: number): number => distance(view.point(onCone(spot.grip, degrees)), pointer);
   const nearest = (from: number, to: number, step: number): number => {
     let best = from;
     for (let degrees = from; degrees <= to; degrees += step) if (distanceAt(degrees) < distanceAt(best)) best = degrees;

@@ -1,10 +1,10 @@
 // Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one: a while
 // after a change and in slices. Nothing waits for them, and marks are drawn as before until they are known.
-import type { ExtraHost } from '../../element/viewer/extra.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { Vec3 } from '../../math/vector.js';
-import { distanceAlong, pick } from '../../scene/snapshot/pick.js';
+import { pick } from '../../scene/snapshot/pick.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
-import type { Projection, Ray } from '../drawing/projection.js';
+import type { Projection } from '../drawing/projection.js';
 
 /** Milliseconds between a change and the rays: several changes in a row, as in a drag, cost one series. */
 const PAUSE = 100;
@@ -16,7 +16,7 @@ const SLICE = 4;
 const TOLERANCE = 1e-3;
 
 /** Questions that a ray answers, by key. */
-class RayTests<Key, Question, Answer> {
+export class RayTests<Key, Question, Answer> {
   readonly #host: ExtraHost;
   readonly #test: (question: Question, view: Projection, scene: SceneSnapshot) => Answer;
   readonly #changed: () => void;
@@ -27,6 +27,7 @@ class RayTests<Key, Question, Answer> {
   /** Keys whose answers may have changed since the last series of rays began. */
   readonly #stale = new Set<Key>();
 
+  /** `changed` is called when an answer differs from the one before. */
   constructor(
     host: ExtraHost,
     test: (question: Question, view: Projection, scene: SceneSnapshot) => Answer,
@@ -76,14 +77,13 @@ class RayTests<Key, Question, Answer> {
   #slice(view: Projection, scene: SceneSnapshot, left: Key[], differs: boolean): void {
     const end = performance.now() + SLICE;
     let differ = differs;
-    do {
-      const key = left.pop();
-      const question = key === undefined ? undefined : this.#questions.get(key);
-      if (key === undefined || question === undefined) continue;
+    for (let key = left.pop(); key !== undefined; key = performance.now() < end ? left.pop() : undefined) {
+      const question = this.#questions.get(key);
+      if (question === undefined) continue;
       const answer = this.#test(question, view, scene);
       if (answer !== this.#answers.get(key)) differ = true;
       this.#answers.set(key, answer);
-    } while (left.length > 0 && performance.now() < end);
+    }
     if (left.length > 0)
       this.#timer = window.setTimeout(() => {
         this.#timer = 0;
@@ -96,31 +96,8 @@ class RayTests<Key, Question, Answer> {
   }
 }
 
-/** Whether places are behind a shape. */
-export class Occlusion<Key> extends RayTests<Key, Vec3, boolean> {
-  constructor(host: ExtraHost, changed: () => void) {
-    super(host, isBehind, changed);
-  }
-
-  /** As last known; false before that. */
-  isHidden(key: Key): boolean {
-    return this.answer(key) === true;
-  }
-
-  /** Whether it is known that nothing hides the place. */
-  isSeen(key: Key): boolean {
-    return this.answer(key) === false;
-  }
-}
-
-/** How far the first surface on a ray is; Infinity where there is none. */
-export class FirstSurfaces<Key> extends RayTests<Key, Ray, number> {
-  constructor(host: ExtraHost, changed: () => void) {
-    super(host, ({ origin, direction }, _, scene) => distanceAlong(scene, origin, direction), changed);
-  }
-}
-
-function isBehind(place: Vec3, view: Projection, scene: SceneSnapshot): boolean {
+/** A shape is in front of the place. */
+export function isBehind(place: Vec3, view: Projection, scene: SceneSnapshot): boolean {
   const point = view.point(place);
   if (point === null) return false;
   const { width, height } = scene;

@@ -115,15 +115,6 @@ function reachOf(place: Vec3, axis: Vec3, { center, radius }: SceneBall): number
   return Math.hypot(along, aside);
 }
 
-/**
- * Length of the side of a cone whose circle is across the axis at `reach`: over a level floor that is the edge
- * of the lit pool. Shorter where the circle would be too wide, as it always is from 90 degrees on.
- */
-export function coneSide(reach: number, { widest }: PlacedSpot, degrees: number): number {
-  const angle = radians(degrees);
-  return degrees < 90 ? Math.min(reach / Math.cos(angle), widest / Math.sin(angle)) : widest;
-}
-
 /** Where kc + kl·d + kq·d² = 2; null where attenuation is constant or 1/2 at the light already. */
 export function halfDistance([kc, kl, kq]: Vec3): number | null {
   if (kc >= 2 || (kl === 0 && kq === 0)) return null;
@@ -138,24 +129,25 @@ export function halfAngle(cutoff: number): number | null {
   return cutoff > 0 && cosine > -1 ? (Math.acos(cosine) * 180) / Math.PI : null;
 }
 
-/** A unit vector across the axis, in the picture's plane if it can be: the cone's outline as the eye sees it. */
-export function acrossAxis(axis: Vec3, place: Vec3, view: Projection): Vec3 {
-  const across = cross(axis, subtract(view.eye, place));
-  // Along the axis the outline is a circle, and any direction will do.
-  return length(across) > 1e-6 * length(subtract(view.eye, place)) ? normalize(across) : perpendicular(axis);
-}
-
 /**
- * A place at an angle of `degrees` from the axis, `distance` from the light, turned to `across` by 0 and around it by
- * `around`.
+ * Places on a spot's cones: at an angle of `degrees` from the axis, on the circle across the axis at `reach`, which over
+ * a level floor is the edge of the lit pool. Nearer to the light where that circle would be too wide, as it always is
+ * from 90 degrees on. By 0 and π `around` the axis is the outline as the eye sees it.
  */
-export function onCone(
-  { place, axis, across }: { readonly place: Vec3; readonly axis: Vec3; readonly across: Vec3 },
-  degrees: number,
-  distance: number,
-  around = 0,
-): Vec3 {
-  const side = add(scale(across, Math.cos(around)), scale(cross(axis, across), Math.sin(around)));
-  const angle = radians(degrees);
-  return add(place, scale(add(scale(axis, Math.cos(angle)), scale(side, Math.sin(angle))), distance));
+export function coneOf(
+  place: Vec3,
+  { axis, widest }: PlacedSpot,
+  view: Projection,
+): (reach: number, degrees: number, around?: number) => Vec3 {
+  const sightline = subtract(view.eye, place);
+  const facing = cross(axis, sightline);
+  // Along the axis the outline is a circle, and any direction will do.
+  const across = length(facing) > 1e-6 * length(sightline) ? normalize(facing) : perpendicular(axis);
+  const aside = cross(axis, across);
+  return (reach, degrees, around = 0) => {
+    const angle = radians(degrees);
+    const distance = degrees < 90 ? Math.min(reach / Math.cos(angle), widest / Math.sin(angle)) : widest;
+    const side = add(scale(across, Math.cos(around)), scale(aside, Math.sin(around)));
+    return add(place, scale(add(scale(axis, Math.cos(angle)), scale(side, Math.sin(angle))), distance));
+  };
 }

@@ -2,19 +2,19 @@
 // ball, a mesh, or what hides something has changed.
 import type { Mesh, Object3D } from 'three';
 import { sameValue } from '../../fields/field-store.js';
-import type { ExtraHost } from '../../element/viewer/extra.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { Helper } from '../../element/fields/viewer-fields.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { DrawnItem } from '../drawing/display-list.js';
+import { type Drawing, type Name, NO_DRAWING } from '../drawing/label-layout.js';
 import type { Projection } from '../drawing/projection.js';
-import { type Drawing, type Name, NO_DRAWING } from './labels.js';
-import { Occlusion } from './occlusion.js';
+import { isBehind, RayTests } from './occlusion.js';
 import type { SceneBall } from './placed-light.js';
 import { axesMarks, boundsMarks, gridMarks, type Hiding, normalMarks } from './scene-marks.js';
 
 export class SceneHelpers {
   readonly #host: ExtraHost;
-  readonly #occlusion: Occlusion<string>;
+  readonly #hidden: RayTests<string, Vec3, boolean>;
   /** What the last drawing was computed from. */
   #seen: readonly unknown[] = [];
   #drawing = NO_DRAWING;
@@ -24,7 +24,7 @@ export class SceneHelpers {
   /** `changed` is called when something looks different although nothing was drawn. */
   constructor(host: ExtraHost, changed: () => void) {
     this.#host = host;
-    this.#occlusion = new Occlusion(host, () => {
+    this.#hidden = new RayTests(host, isBehind, () => {
       this.#hidingChanged = true;
       changed();
     });
@@ -43,7 +43,7 @@ export class SceneHelpers {
     this.#hidingChanged = false;
     const asked = new Map<string, Vec3>();
     this.#drawing = this.#drawingOf(view, scene, helpers, meshes, asked);
-    this.#occlusion.follow(view, asked, changed ? asked.keys() : []);
+    this.#hidden.follow(view, asked, changed ? asked.keys() : []);
     return this.#drawing;
   }
 
@@ -53,7 +53,7 @@ export class SceneHelpers {
   }
 
   hide(): void {
-    this.#occlusion.stop();
+    this.#hidden.stop();
     this.#seen = [];
     this.#drawing = NO_DRAWING;
   }
@@ -66,16 +66,9 @@ export class SceneHelpers {
     meshes: readonly Mesh[],
     asked: Map<string, Vec3>,
   ): Drawing {
-    const occlusion = this.#occlusion;
-    const hiding: Hiding = {
-      hidden(key, place) {
-        asked.set(key, place);
-        return occlusion.isHidden(key);
-      },
-      seen(key, place) {
-        asked.set(key, place);
-        return occlusion.isSeen(key);
-      },
+    const hiding: Hiding = (key, place) => {
+      asked.set(key, place);
+      return this.#hidden.answer(key);
     };
     const list: DrawnItem[] = [];
     const names: Name[] = [];

@@ -6,19 +6,14 @@ import { PhongMaterial } from '../../material/phong-material.js';
 import { niceCeil } from '../../math/round-number.js';
 import { add, cross, dot, length, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
 import { arrowHead, type DrawnItem, type Stroke } from '../drawing/display-list.js';
+import type { Name } from '../drawing/label-layout.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
-import type { Name } from './labels.js';
 import type { SceneBall } from './placed-light.js';
 
-/** Tells which places are hidden. `key` identifies a place across frames. */
-export interface Hiding {
-  /** Something is in front of the place; false while that is not known. */
-  hidden(key: string, place: Vec3): boolean;
-  /** Nothing is in front of the place; false while that is not known. */
-  seen(key: string, place: Vec3): boolean;
-}
+/** Whether something is in front of a place; undefined while that is not known. `key`: the place's, across frames. */
+export type Hiding = (key: string, place: Vec3) => boolean | undefined;
 
-/** Light enough for a core (contrast.ts), and apart for eyes that see red and green alike. */
+/** Light enough for a core (display-list.ts), and apart for eyes that see red and green alike. */
 const COLORS = {
   x: '#ff9a8a',
   y: '#8fe388',
@@ -46,19 +41,22 @@ export function axesMarks(
   const names: Name[] = [];
   for (const [i, name] of (['x', 'y', 'z'] as const).entries()) {
     const tip: Vec3 = [i === 0 ? reach : 0, i === 1 ? reach : 0, i === 2 ? reach : 0];
-    const look = { kind: 'stroke', color: COLORS[name], width: 2 } as const;
+    const look = { color: COLORS[name], width: 2 };
     const { shown, behind } = pieces([0, 0, 0], tip, AXIS_PIECES, `axis ${name}`, view, hiding);
-    if (behind.length > 0) list.push({ ...look, lines: behind, dashed: true });
-    if (shown.length > 0) list.push({ ...look, lines: shown });
-    const [from, end] = view.segment([0, 0, 0], tip) ?? [];
-    if (from === undefined || end === undefined) continue;
-    const head = arrowHead(from, end);
-    if (head !== null) list.push({ ...look, lines: [head], filled: true });
+    list.push(...strokes(behind, { ...look, dashed: true }), ...strokes(shown, look));
+    const ends = view.segment([0, 0, 0], tip);
+    if (ends === null) continue;
+    const head = arrowHead(...ends);
+    if (head !== null) list.push(...strokes([head], { ...look, filled: true }));
     const last = lastInside(tip, view);
     if (last !== null) names.push({ text: name, center: last, gap: NAME_GAP });
   }
   return { list, names };
 }
+
+/** None for no lines. */
+const strokes = (lines: Stroke['lines'], look: Omit<Stroke, 'kind' | 'lines'>): Stroke[] =>
+  lines.length > 0 ? [{ kind: 'stroke', lines, ...look }] : [];
 
 /** Between an axis and its name, CSS pixels. */
 const NAME_GAP = 10;
@@ -92,9 +90,7 @@ export function gridMarks(view: Projection, { center, radius }: SceneBall, hidin
   };
   for (let x = lowX; x <= highX; x++) draw(`grid x ${x}`, [x * step, 0, lowZ * step], [x * step, 0, highZ * step]);
   for (let z = lowZ; z <= highZ; z++) draw(`grid z ${z}`, [lowX * step, 0, z * step], [highX * step, 0, z * step]);
-  return lines.length === 0
-    ? []
-    : [{ kind: 'stroke', lines, color: COLORS.grid, width: 1, outline: 0.5, opacity: 0.7 }];
+  return strokes(lines, { color: COLORS.grid, width: 1, outline: 0.5, opacity: 0.7 });
 }
 
 /** Half the grid's size, in radii of the scene. */
@@ -115,7 +111,7 @@ function pieces(
   const at = (share: number): Vec3 => add(from, scale(subtract(to, from), share));
   const result: Record<'shown' | 'behind', (readonly Point[])[]> = { shown: [], behind: [] };
   const sideOf = (i: number): 'shown' | 'behind' =>
-    hiding.hidden(`${key} ${i}`, at((i + 0.5) / count)) ? 'behind' : 'shown';
+    hiding(`${key} ${i}`, at((i + 0.5) / count)) === true ? 'behind' : 'shown';
   for (let i = 0, first = 0; i < count; i++) {
     const side = sideOf(i);
     if (i + 1 < count && sideOf(i + 1) === side) continue;
@@ -131,11 +127,8 @@ export function boundsMarks(meshes: readonly Mesh[], view: Projection): DrawnIte
   const front: (readonly Point[])[] = [];
   const back: (readonly Point[])[] = [];
   for (const mesh of meshes.slice(0, MOST_BOXES)) boxEdges(mesh, view, front, back);
-  const look = { kind: 'stroke', color: COLORS.bounds, width: 1.5 } as const;
-  return [
-    ...(back.length > 0 ? [{ ...look, lines: back, dashed: true }] : []),
-    ...(front.length > 0 ? [{ ...look, lines: front }] : []),
-  ];
+  const look = { color: COLORS.bounds, width: 1.5 };
+  return [...strokes(back, { ...look, dashed: true }), ...strokes(front, look)];
 }
 
 /** More would run into each other. */
@@ -207,8 +200,9 @@ export function normalMarks(
       const { p, N, isTwoSided } = normalAt(samples === count ? i : Math.floor(((i * GOLDEN) % 1) * count));
       if (length(N) === 0) continue;
       const faces = dot(N, subtract(view.eye, p)) > 0;
-      const key = `normal ${index} ${i}`;
-      if (faces ? hiding.hidden(key, p) : !isTwoSided || !hiding.seen(key, p)) continue;
+      if (!faces && !isTwoSided) continue;
+      const isHidden = hiding(`normal ${index} ${i}`, p);
+      if (faces ? isHidden === true : isHidden !== false) continue;
       const ends = view.segment(p, add(p, scale(N, (faces ? 1 : -1) * NORMAL * radius)));
       if (ends === null) continue;
       lines.push(ends);
@@ -216,13 +210,8 @@ export function normalMarks(
       if (head !== null) heads.push(head);
     }
   }
-  const look = { kind: 'stroke', color: COLORS.normals, width: 1, outline: 1 } as const;
-  return lines.length === 0
-    ? []
-    : [
-        { ...look, lines },
-        { ...look, lines: heads, filled: true },
-      ];
+  const look = { color: COLORS.normals, width: 1, outline: 1 };
+  return [...strokes(lines, look), ...strokes(heads, { ...look, filled: true })];
 }
 
 interface SurfacePoint {

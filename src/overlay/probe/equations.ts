@@ -100,63 +100,37 @@ function product(
     { symbol: `K${NAMES[term]}`, value: fragment[`k${NAMES[term]}`][channel], isGiven: true },
     { symbol: `I${NAMES[term]}`, value: linear ? srgbDecode(intensity) : intensity, isGiven: true },
   ];
-  const say = (key: keyof ViewerTexts, values: Readonly<Record<string, string>> = {}): string =>
-    phrase(texts, key, values);
-  const instead = (wrong: string, right: string, value: number): Wrong => ({
-    ...{ mistake: 'other-value', value },
-    text: say('That is the value with {wrong} in place of {right}.', { wrong, right }),
-  });
+  const wrongOf = wrongIn(texts);
+  const instead = (wrong: string, right: string, value: number): Wrong =>
+    wrongOf('other-value', value, 'That is the value with {wrong} in place of {right}.', { wrong, right });
+  const without = (factor: string, value: number, mistake: Wrong['mistake']): Wrong =>
+    wrongOf(mistake, value, 'That is the value without {factor}.', { factor });
   const { att, decay, c, insideCone, NoL, RoV, L } = share;
-  const attenuation = say('The attenuation does not touch the ambient term.');
-  if (term === 'ambient')
-    factors.push({
-      symbol: '',
-      value: 1,
-      wrongs: [{ mistake: 'attenuation', value: att, text: attenuation }],
-    });
-  else if (att !== 1) factors.push({ symbol: 'att', value: att, wrongs: [instead('1 / att', 'att', 1 / att)] });
+  if (term === 'ambient') {
+    const text = 'The attenuation does not touch the ambient term.';
+    factors.push({ symbol: '', value: 1, wrongs: [wrongOf('attenuation', att, text)] });
+  } else if (att !== 1) factors.push({ symbol: 'att', value: att, wrongs: [instead('1 / att', 'att', 1 / att)] });
   if (!insideCone) {
-    const text = say('The point is outside the cone.');
-    factors.push({
-      ...{ symbol: 'decay', value: 0 },
-      wrongs: [decay, 1].map((value) => ({ mistake: 'cone', value, text })),
-    });
+    const wrongs = [decay, 1].map((value) => wrongOf('cone', value, 'The point is outside the cone.'));
+    factors.push({ symbol: 'decay', value: 0, wrongs });
   } else if (decay !== 1 || light.aperture < 180) {
     const wrongs = [instead(`c^${light.cutoff}`, `((1 + c) / 2)^${light.cutoff}`, Math.max(c, 0) ** light.cutoff)];
     if (degreesOf(c) > light.aperture / 2)
-      wrongs.push({
-        ...{ mistake: 'aperture', value: 0 },
-        text: say('The aperture is the angle from the axis to the edge, not across the cone.'),
-      });
+      wrongs.push(wrongOf('aperture', 0, 'The aperture is the angle from the axis to the edge, not across the cone.'));
     factors.push({ symbol: 'decay', value: decay, wrongs });
   }
   const cosineWrongs = (symbol: string, cosine: number, power: number): Wrong[] => {
     const degrees = degreesOf(cosine);
     const angle = degreesText(cosine, 1, texts);
-    const list: Wrong[] = [
-      {
-        mistake: 'unclamped',
-        value: cosine ** power,
-        text: say('That is the value without {factor}.', { factor: 'max(…, 0)' }),
-      },
-      ...[degrees, radians(degrees)].map((value): Wrong => ({
-        ...{ mistake: 'angle', value: value ** power },
-        text: say('{cosine} is a cosine: the angle is {angle}.', { cosine: symbol, angle }),
-      })),
-      {
-        mistake: 'radians',
-        value: Math.cos(degrees) ** power,
-        text: say('That is the cosine of {angle} radians; the angle is in degrees.', {
-          angle: angle.slice(0, -1),
-        }),
-      },
-      {
-        mistake: 'sine',
-        value: Math.sin(radians(degrees)) ** power,
-        text: say('That is the value with {wrong} in place of {right}.', { wrong: 'sin', right: 'cos' }),
-      },
+    const radiansText = 'That is the cosine of {angle} radians; the angle is in degrees.';
+    return [
+      ...(cosine < 0 ? [without('max(…, 0)', cosine ** power, 'unclamped')] : []),
+      ...[degrees, radians(degrees)].map((value) =>
+        wrongOf('angle', value ** power, '{cosine} is a cosine: the angle is {angle}.', { cosine: symbol, angle }),
+      ),
+      wrongOf('radians', Math.cos(degrees) ** power, radiansText, { angle: angle.slice(0, -1) }),
+      { ...instead('sin', 'cos', Math.sin(radians(degrees)) ** power), mistake: 'sine' },
     ];
-    return cosine < 0 ? list : list.slice(1);
   };
   const clamped = (cosine: number) => (digits: number) => {
     const text = shortNumber(cosine, digits, texts);
@@ -175,33 +149,18 @@ function product(
     const otherCosine = halfway ? dot(subtract(scale(N, 2 * NoL), L), V) : dot(N, normalize(add(L, V)));
     const power = (x: number): number => (n === 0 ? 1 : Math.max(x, 0) ** n);
     const isBehind = NoL <= 0;
-    const without: Wrong = {
-      mistake: 'exponent',
-      value: Math.max(RoV, 0),
-      text: say('That is the value without the exponent {n}.', { n: exponent }),
-    };
+    const bare = Math.max(RoV, 0);
     factors.push({
       symbol: `max(${symbol}, 0)^n`,
       given: `max(${symbol}, 0)^${exponent}`,
       value: isBehind ? 0 : power(RoV),
       text: (digits) => (isBehind ? shortNumber(0, 0, texts) : `${clamped(RoV)(digits)}^${exponent}`),
       wrongs: isBehind
-        ? [
-            {
-              mistake: 'behind',
-              value: power(RoV),
-              text: say('The light is behind the surface: no highlight.'),
-            },
-          ]
+        ? [wrongOf('behind', power(RoV), 'The light is behind the surface: no highlight.')]
         : [
             instead(other, symbol, power(otherCosine)),
-            without,
-            {
-              ...without,
-              mistake: 'times-exponent',
-              value: n * RoV,
-              text: say('The exponent is a power, not a factor.'),
-            },
+            wrongOf('exponent', bare, 'That is the value without the exponent {n}.', { n: exponent }),
+            wrongOf('times-exponent', n * RoV, 'The exponent is a power, not a factor.'),
             instead('N · L', symbol, power(NoL)),
             ...cosineWrongs(symbol, RoV, n),
           ],
@@ -210,30 +169,18 @@ function product(
   const value = factors.reduce((all, factor) => all * factor.value, 1);
   const wrongs = factors.flatMap((factor) => {
     const rest = factors.reduce((all, each) => (each === factor ? all : all * each.value), 1);
-    const left: Wrong = {
-      mistake: 'left-out',
-      value: 1,
-      text: say('That is the value without {factor}.', { factor: factor.symbol }),
-    };
-    const isCone = factor.wrongs?.[0]?.mistake === 'cone';
-    const all = factor.symbol === '' || isCone ? (factor.wrongs ?? []) : [left, ...(factor.wrongs ?? [])];
+    const { symbol, wrongs: own = [] } = factor;
+    const all = symbol === '' || own[0]?.mistake === 'cone' ? own : [without(symbol, 1, 'left-out'), ...own];
     return all.map((wrong) => ({ ...wrong, value: rest * wrong.value }));
   });
   const shown = factors.filter(({ symbol }) => symbol !== '');
   const numberOf = (factor: Factor, digits: number): string =>
     factor.text?.(digits) ?? shortNumber(factor.value, factor.value === 0 || factor.value === 1 ? 0 : digits, texts);
   // As many decimals as make the product of the rounded numbers round to the result.
+  const roundedTo = ({ symbol, value: x }: Factor, digits: number): number =>
+    symbol.endsWith('^n') && x > 0 ? Math.max(rounded(RoV, digits), 0) ** fragment.shininess : rounded(x, digits);
   const isTrue = (digits: number): boolean =>
-    Math.abs(
-      shown.reduce(
-        (all, { symbol, value: x }) =>
-          all *
-          (symbol.endsWith('^n') && x > 0
-            ? Math.max(rounded(RoV, digits), 0) ** fragment.shininess
-            : rounded(x, digits)),
-        1,
-      ) - value,
-    ) < 0.005 && shortNumber(value, 2, null) !== '';
+    Math.abs(shown.reduce((all, factor) => all * roundedTo(factor, digits), 1) - value) < 0.005;
   const digits = decimals(2, isTrue);
   return {
     ...{ term, light: share.light, name: share.name, channel: null, value, wrongs },
@@ -247,6 +194,15 @@ function product(
   };
 }
 
+const wrongIn =
+  (texts: ViewerTexts | null) =>
+  (
+    mistake: Wrong['mistake'],
+    value: number,
+    text: keyof ViewerTexts,
+    values: Readonly<Record<string, string>> = {},
+  ): Wrong => ({ mistake, value, text: phrase(texts, text, values) });
+
 function factsOf(
   { NoL, RoV, d, c, att, decay, insideCone }: LightExplanation,
   { attenuation, aperture, cutoff }: Readonly<LightValues>,
@@ -254,12 +210,10 @@ function factsOf(
   halfway: boolean,
   texts: ViewerTexts | null,
 ): string {
-  const number = (x: number): string =>
-    shortNumber(
-      x,
-      decimals(0, (digits) => Math.abs(rounded(x, digits) - x) <= 0.0005 * x),
-      texts,
-    );
+  const number = (x: number): string => {
+    const isClose = (digits: number): boolean => Math.abs(rounded(x, digits) - x) <= 0.0005 * x;
+    return shortNumber(x, decimals(0, isClose), texts);
+  };
   const facts: string[] = [];
   if (term === 'diffuse') facts.push(`N ∠L ${degreesText(NoL, 1, texts)}`);
   if (term === 'specular') facts.push(`${halfway ? 'N ∠H' : 'R ∠V'} ${degreesText(RoV, 2, texts)}`);
@@ -288,10 +242,8 @@ function sumLine(
   const total = parts.reduce((all, part) => all + part.value, own);
   const encode = (x: number): number => (linear ? srgbEncode(Math.max(x, 0)) : x);
   const finish = (x: number): number => Math.min(Math.max(encode(x), 0), 1);
-  const without = (factor: string, x: number, mistake: Wrong['mistake'] = 'left-out'): Wrong => ({
-    ...{ mistake, value: x },
-    text: phrase(texts, 'That is the value without {factor}.', { factor }),
-  });
+  const without = (factor: string, x: number, mistake: Wrong['mistake'] = 'left-out'): Wrong =>
+    wrongIn(texts)(mistake, x, 'That is the value without {factor}.', { factor });
   const wrongs: Wrong[] = [without('min(…, 1)', encode(total), 'unclamped')];
   if (linear) wrongs.push(without(phrase(texts, 'encoded'), total));
   if (own > 0) wrongs.push(without('E', finish(total - own)));
@@ -330,12 +282,7 @@ const SLACK = 0.002;
 export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerTexts | null): Verdict {
   const match = /^([+-]?(?:\d+\.?\d*|\.\d+))\s*(%?)$/.exec(typed.trim().replace('−', '-').replace(',', '.'));
   if (match === null)
-    return {
-      value: null,
-      correct: false,
-      mistake: null,
-      text: phrase(texts, 'Type a number, such as 0.35.'),
-    };
+    return { value: null, correct: false, mistake: null, text: phrase(texts, 'Type a number, such as 0.35.') };
   const [, number = '', percent] = match;
   const unit = 10 ** -(number.split('.')[1]?.length ?? 0) / (percent === '%' ? 100 : 1);
   const answer = Number(number) / (percent === '%' ? 100 : 1);
@@ -349,20 +296,15 @@ export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerT
     const text = phrase(texts, correct ? 'Right.' : 'Right so far: give more digits.');
     return { value: answer, correct, mistake: correct ? null : 'digits', text };
   }
-  const scaled = [255, 255 * 255, 100].map((full): Wrong => ({
-    ...{ mistake: 'scale', value: value * full },
-    text: phrase(texts, 'Here 1 is full, not {number}.', { number: shortNumber(full, 0, texts) }),
-  }));
+  const scaled = [255, 255 * 255, 100].map((full) =>
+    wrongIn(texts)('scale', value * full, 'Here 1 is full, not {number}.', { number: shortNumber(full, 0, texts) }),
+  );
   const found = [...wrongs, ...(value === 0 ? [] : scaled)].filter(
     (wrong) => isNear(wrong.value) && !isCoarse(wrong.value),
   );
   const said = [...new Set(found.map(({ text }) => text))].slice(0, 2);
   const difference = resultText(Math.abs(answer - value), texts);
-  const text =
-    said.length > 0
-      ? said.join(` ${phrase(texts, 'Or:')} `)
-      : phrase(texts, answer > value ? 'Not yet: too large by {difference}.' : 'Not yet: too small by {difference}.', {
-          difference,
-        });
+  const side = answer > value ? 'Not yet: too large by {difference}.' : 'Not yet: too small by {difference}.';
+  const text = said.length > 0 ? said.join(` ${phrase(texts, 'Or:')} `) : phrase(texts, side, { difference });
   return { value: answer, correct: false, mistake: found[0]?.mistake ?? null, text };
 }

@@ -1,10 +1,14 @@
-// The vectors and angles of a fragment that are drawn: N, L of the lights that add most, and R or H of one of them, in
-// world space. V is not among them: it points at the eye, so the picture shows it as a point. For the same reason the
-// angle between R and V has no arc: it would lie on R itself.
+// The figure at a probed point: N, L of the lights that add most, R or H of one of them and their angles, in world
+// space; and its lines over the picture as a display list. V is a point there, because it points at the eye. For the
+// same reason the angle between R and V has no arc: it would lie on R itself.
 import type { FragmentExplanation } from '../../element/explanation.js';
 import type { ViewerTexts } from '../../element/fields/texts.js';
+import { radians } from '../../math/angle.js';
 import { add, dot, length, map, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
-import { byShare, type Sum, type SumRow } from './sum.js';
+import { arrow, coreColor, cssRgb, type DrawnItem } from '../drawing/display-list.js';
+import { boxAround, boxesAlong, listOf, type Name, type Rect, shortened } from '../drawing/label-layout.js';
+import type { Point, Projection } from '../drawing/projection.js';
+import { byShare, degreesOf, type Sum, type SumRow } from './sum.js';
 import { lobeWords, normalWords } from './words.js';
 
 /** Most lights with arrows. More arrows would be unreadable. */
@@ -54,17 +58,16 @@ export function figureOf(
   const rows = alone && chosen !== null ? [chosen] : byShare(sum.rows).slice(0, MOST_LIGHTS);
   if (chosen !== null && !rows.includes(chosen)) rows.push(chosen);
   for (const row of rows) {
-    const { L } = row.share;
     if (row.absence === 'no direction') continue;
     const name = sum.rows.length === 1 ? 'L' : `L ${row.name}`;
-    vectors.push({ name, of: row.name, direction: L, color: colorOf(row), dashed: row.absence !== null });
+    vectors.push({ name, of: row.name, direction: row.L, color: colorOf(row), dashed: row.absence !== null });
   }
   if (chosen === null || !hasNormal || chosen.absence === 'no direction') return { vectors, arcs };
-  const { L, NoL } = chosen.share;
+  const { L, NoL } = chosen;
   const color = colorOf(chosen);
-  arcs.push({ points: arc(N, L, ARC_RADIUS.L), label: normalWords(texts, chosen.share).angle });
+  arcs.push({ points: arc(N, L, ARC_RADIUS.L), label: normalWords(texts, chosen).angle });
   if (chosen.absence !== null) return { vectors, arcs };
-  const { angle } = lobeWords(texts, chosen.share.RoV, fragment.shininess);
+  const { angle } = lobeWords(texts, chosen.RoV, fragment.shininess);
   if (halfway) {
     const H = normalize(add(L, V));
     vectors.push({ ...plain('H', H), color });
@@ -87,7 +90,7 @@ function colorOf({ light }: SumRow): Vec3 | null {
 
 /** From one unit vector to another, at a distance from their common foot. Of opposite ones: a straight line. */
 function arc(from: Vec3, to: Vec3, radius: number): Vec3[] {
-  const angle = Math.acos(Math.min(Math.max(dot(from, to), -1), 1));
+  const angle = radians(degreesOf(dot(from, to)));
   const sine = Math.sin(angle);
   return Array.from({ length: ARC_STEPS + 1 }, (_, i) => {
     const t = i / ARC_STEPS;
@@ -112,3 +115,83 @@ export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[
     return transformed(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
   });
 }
+
+/** Length of a vector across the line of sight: a share of the layer's smaller side, within limits in CSS pixels. */
+const ARROW = { share: 0.24, least: 22, most: 110 };
+
+/** Radius of the mark, CSS pixels. Shorter arrows point at the eye or away from it and have no line. */
+const MARK = 6;
+
+/** Half the width that labels keep clear of an arrow, CSS pixels. */
+const LINE_HALF = 3;
+
+/** Distance from an arrow's tip to its light's name, in font sizes. */
+const BESIDE = 6;
+
+/** Layers smaller than this have room for arrows but not for their names. CSS pixels. */
+const NAMED = { width: 140, height: 110 };
+
+/** The mark alone. `dashed`: hidden, or on no surface. */
+export const markOf = (center: Point, dashed: boolean): DrawnItem[] => [
+  { kind: 'disc', center, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
+];
+
+export interface Surroundings {
+  /** A triangle around the point, if any. */
+  readonly outline: readonly Vec3[];
+  /** Labels stay inside. */
+  readonly room: Rect;
+  /** By the box, and by the names of lights and axes. */
+  readonly boxes: readonly Rect[];
+  readonly names: readonly (Rect & { readonly text: string })[];
+  readonly fontSize: number;
+}
+
+/** `p` is the point in world space, `at` its place on the layer. */
+export function drawingOf(
+  projection: Projection,
+  p: Vec3,
+  at: Point,
+  { vectors, arcs }: Figure,
+  { outline, room, boxes, names, fontSize }: Surroundings,
+): readonly DrawnItem[] {
+  const { width, height } = projection;
+  const pixels = Math.min(Math.max(ARROW.share * Math.min(width, height), ARROW.least), ARROW.most);
+  const unit = pixels / projection.pixelsPerUnit(projection.depthOf(p));
+  const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
+  const list: DrawnItem[] = [];
+  const labels: Name[] = [{ text: 'V', center: at, gap: MARK + 4 }];
+  const covered = [boxAround(at, MARK)];
+  if (outline.length > 0) {
+    const lines = projection.line([...outline, outline[0]!]);
+    list.push({ kind: 'stroke', lines, color: '#fff', width: 1, dashed: true });
+  }
+  for (const { points, label } of arcs) {
+    const line = points.map(placeOf).filter((point) => point !== null);
+    if (line.length < 2) continue;
+    list.push({ kind: 'stroke', lines: [line], color: '#fff', width: 1.5 });
+    covered.push(...boxesAlong(line, 1));
+    labels.push({ text: label, center: line[Math.floor(line.length / 2)]!, gap: 8 });
+  }
+  for (const { name, of = '', direction, color, dashed } of vectors) {
+    const tip = placeOf(direction);
+    if (tip === null) continue;
+    const css = cssRgb(coreColor(color ?? WHITE));
+    covered.push(...boxesAlong([at, tip], LINE_HALF));
+    if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK) list.push(...arrow(at, tip, { color: css, width: 2.5, dashed }));
+    const isNamed = names.some((each) => each.text === shortened(of) && isBeside(tip, each, fontSize));
+    labels.push({ text: isNamed ? 'L' : name, center: tip, gap: 7, color: css });
+  }
+  // The ring, and in it the tip of V, which points at the eye.
+  list.push(...markOf(at, false), { kind: 'disc', center: at, radius: 1, fill: '#fff', color: '#fff', width: 1 });
+  // The names of vectors come before those of angles.
+  labels.sort((a, b) => Number(a.text.endsWith('°')) - Number(b.text.endsWith('°')));
+  const hasRoom = width >= NAMED.width && height >= NAMED.height;
+  return listOf([{ list, names: hasRoom ? labels : [], covered }], room, fontSize, [...boxes, ...names]).list;
+}
+
+const WHITE: Vec3 = [1, 1, 1];
+
+/** An arrow's name here would be read together with the other one. */
+const isBeside = ({ x, y }: Point, { left, right, top, bottom }: Rect, fontSize: number): boolean =>
+  Math.hypot(Math.max(left - x, x - right, 0), Math.max(top - y, y - bottom, 0)) < BESIDE * fontSize;

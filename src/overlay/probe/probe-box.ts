@@ -10,9 +10,8 @@ import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
 import type { AnswerDetail } from '../../element/events.js';
 import type { Equation } from './equations.js';
-import { columnsOf, MOST_LEFT, NO_AMBIENT, type TableShape } from './columns.js';
 import { type Sum, type SumRow, tripleText } from './sum.js';
-import { type Chosen, STEPS, SumTable } from './sum-table.js';
+import { type Chosen, columnsOf, MOST_LEFT, NO_AMBIENT, STEPS, SumTable, type TableShape } from './sum-table.js';
 import { Tutor } from './tutor.js';
 import { FILTERED, GOURAUD, stepsText, UNLIT } from './words.js';
 
@@ -90,10 +89,7 @@ export class ProbeBox {
   show(state: BoxState): Rect {
     this.#keepAwayFrom(state.at);
     this.#fit(state);
-    const { left, top } = this.#room.box;
-    const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.#element;
-    const [x, y] = [left + offsetLeft, top + offsetTop];
-    return { left: x, top: y, right: x + offsetWidth, bottom: y + offsetHeight };
+    return this.#room.rectOf(this.#element);
   }
 
   get #element(): HTMLElement {

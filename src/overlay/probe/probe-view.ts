@@ -4,7 +4,7 @@ import { html, render } from 'lit';
 import { create, write } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
-import type { ExtraHost } from '../../element/viewer/extra.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';
@@ -12,9 +12,8 @@ import { whole } from '../drawing/label-layout.js';
 import { type Point, type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
-import { drawingOf, markOf, type Surroundings } from './drawing.js';
 import { equationsOf } from './equations.js';
-import { figureOf, trianglePlaces } from './figure.js';
+import { drawingOf, figureOf, markOf, type Surroundings, trianglePlaces } from './figure.js';
 import { type BoxContent, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, probeSum } from './sum.js';
@@ -38,12 +37,12 @@ export class ProbeView {
   readonly root = create('div', { class: 'probe' });
   /** The cross-hair. The mark that is seen is part of the drawing. */
   readonly cursor: HTMLElement;
+  shown: ProbedPoint | null = null;
   readonly #host: ExtraHost;
   readonly #drawing = new SvgLayer();
   readonly #announcer = new Announcer();
   readonly #room: Room;
   readonly #box: ProbeBox;
-  #shown: ProbedPoint | null = null;
   #releasable = false;
   #showing = false;
   /** {@link #show} was called while it ran. */
@@ -73,10 +72,6 @@ export class ProbeView {
   /** Holds the box. */
   get place(): HTMLElement {
     return this.#box.place;
-  }
-
-  get shown(): ProbedPoint | null {
-    return this.#shown;
   }
 
   /** Cross-hair, table or button has the focus. */
@@ -115,7 +110,7 @@ export class ProbeView {
 
   /** `releasable`: the user has pinned the point. */
   show(shown: ProbedPoint | null, releasable: boolean): void {
-    this.#shown = shown;
+    this.shown = shown;
     this.#releasable = releasable;
     const focused = this.hasFocus && this.#focus !== this.cursor;
     this.#show();
@@ -125,8 +120,8 @@ export class ProbeView {
   }
 
   announce(): void {
-    if (this.#shown === null) return;
-    const { fragment, message } = this.#shown;
+    if (this.shown === null) return;
+    const { fragment, message } = this.shown;
     // It would tell the answers.
     if (fragment !== null && this.#host.values.probe === 'ask') return;
     this.#announcer.say(fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)));
@@ -168,14 +163,14 @@ export class ProbeView {
   }
 
   #render(): void {
-    const { at, fragment, message } = this.#shown ?? { at: null, fragment: null, message: null };
+    const { at, fragment, message } = this.shown ?? { at: null, fragment: null, message: null };
     const texts = (this.#language = this.#texts);
     const { x, y } = at ?? this.middle;
-    if (this.#shown !== null) this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
+    if (this.shown !== null) this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
     const covered = this.#box.show({
       content: fragment === null ? message : this.#contentOf(fragment),
       at: { x, y },
-      pinned: this.#shown?.pinned === true,
+      pinned: this.shown?.pinned === true,
       releasable: this.#releasable,
       texts,
     });
@@ -203,20 +198,16 @@ export class ProbeView {
   }
 
   #contentOf(fragment: FragmentExplanation): BoxContent {
+    const { probe, colorInterpolation, terms } = this.#host.values;
     const sum = this.#sumOf(fragment);
     const halfway = this.#isHalfway(fragment);
     const gouraud = this.#isGouraud(fragment);
-    return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud, ...this.#lessonOf(fragment, halfway) };
-  }
-
-  /** Corners' terms and unlit surfaces have no equation at the point: the table shows them. */
-  #lessonOf(fragment: FragmentExplanation, halfway: boolean): Pick<BoxContent, 'equations' | 'asks'> {
-    const { probe, colorInterpolation, terms } = this.#host.values;
-    if (typeof probe === 'boolean' || fragment.unlit || this.#isGouraud(fragment))
-      return { equations: null, asks: false };
+    const content = { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
+    // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
+    if (typeof probe === 'boolean' || fragment.unlit || gouraud) return { ...content, equations: null, asks: false };
     const lights = this.#host.snapshot().lights.map(({ values }) => values);
     const options = { lights, linear: colorInterpolation === 'linear', halfway, terms };
-    return { equations: equationsOf(fragment, options, this.#texts), asks: probe === 'ask' };
+    return { ...content, equations: equationsOf(fragment, options, this.#texts), asks: probe === 'ask' };
   }
 
   /** The arrows at `at`, with labels in the space. */
@@ -225,7 +216,7 @@ export class ProbeView {
     at: Point,
     projection: Projection,
     space: Pick<Surroundings, 'room' | 'boxes' | 'names'>,
-  ): DrawnItem[] {
+  ): readonly DrawnItem[] {
     const sum = this.#sumOf(fragment);
     const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
     const figure = figureOf(fragment, sum, this.#rowOf(sum), look, this.#texts);

@@ -1,15 +1,16 @@
 // The probe: the point that a viewer explains. It is the place under the mouse or the cross-hair, or a pinned point in
-// the scene. At most one explanation runs at a time, one a frame, and none while nothing changes.
+// the scene. A mouse hovers, a click or tap without a drag pins, arrow keys move the cross-hair; the camera takes the
+// same events. At most one explanation runs at a time, one a frame, and none while nothing changes.
+import { SLOP } from '../../camera/kept-drag.js';
 import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
-import { inside, type Point } from '../drawing/projection.js';
-import { listen, type ProbeInputHost } from './probe-input.js';
+import { ARROWS, inside, type Point } from '../drawing/projection.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './words.js';
 
@@ -20,9 +21,12 @@ import { HIDDEN, NO_SURFACE, OUTSIDE } from './words.js';
  */
 const IN_FRONT = 0.005;
 
+/** CSS pixels per press of an arrow key, and with Shift. */
+const STEP = { fine: 1, coarse: 10 } as const;
+
 export const create = (host: ExtraHost): Extra => new Probe(host);
 
-class Probe implements Extra, ProbeInputHost {
+class Probe implements Extra {
   readonly #host: ExtraHost;
   readonly #view: ProbeView;
   readonly #listening = new AbortController();
@@ -43,9 +47,8 @@ class Probe implements Extra, ProbeInputHost {
   constructor(host: ExtraHost) {
     this.#host = host;
     this.#declared = host.values.probeAt;
-    this.#view = new ProbeView(host, () => this.release());
-    const { cursor, root, place } = this.#view;
-    listen({ surface: host.tree.surface, cursor, boxes: [root, place] }, this, this.#listening.signal);
+    this.#view = new ProbeView(host, () => this.#release());
+    this.#listen();
     this.#view.show(null, false);
   }
 
@@ -76,7 +79,67 @@ class Probe implements Extra, ProbeInputHost {
     this.#view.dispose();
   }
 
-  look(at: Point | null): void {
+  #listen(): void {
+    const { surface } = this.#host.tree;
+    const { cursor, root, place } = this.#view;
+    const boxes = [root, place];
+    const { signal } = this.#listening;
+    let pressed: Point = { x: 0, y: 0 };
+    let steady = false;
+    const on = <K extends keyof HTMLElementEventMap>(
+      target: HTMLElement,
+      type: K,
+      listener: (event: HTMLElementEventMap[K]) => void,
+    ): void => target.addEventListener(type, listener, { signal });
+    const placeOf = ({ offsetX, offsetY }: MouseEvent): Point => ({ x: offsetX / this.#zoom, y: offsetY / this.#zoom });
+
+    on(surface, 'pointerdown', ({ clientX, clientY, isPrimary }) => {
+      pressed = { x: clientX, y: clientY };
+      steady = isPrimary; // a second finger pinches
+    });
+    on(surface, 'pointermove', (event) => {
+      const { clientX, clientY, buttons, pointerType } = event;
+      if (buttons === 0) {
+        if (pointerType !== 'touch') this.#look(placeOf(event));
+        return;
+      }
+      const slop = pointerType === 'touch' ? SLOP.touch : SLOP.mouse;
+      steady &&= Math.hypot(clientX - pressed.x, clientY - pressed.y) <= slop;
+      if (!steady) this.#look(null);
+    });
+    on(surface, 'pointerleave', () => this.#look(null));
+    on(surface, 'click', (event) => {
+      if (steady) this.#pinAt(placeOf(event));
+      steady = false;
+    });
+
+    on(cursor, 'focus', () => {
+      if (this.#pin !== null || this.#declared !== null) return;
+      this.#free ??= this.#view.middle;
+      this.#follow();
+    });
+    for (const box of boxes)
+      on(box, 'focusout', ({ relatedTarget }) => {
+        if (!boxes.some((each) => each.contains(relatedTarget as Node | null))) this.#look(null);
+      });
+    on(cursor, 'keydown', (event) => {
+      if (event.ctrlKey || event.altKey || event.metaKey) return;
+      const arrow = ARROWS[event.key];
+      const pixels = event.shiftKey ? STEP.coarse : STEP.fine;
+      if (arrow !== undefined) this.#step(arrow[0] * pixels, arrow[1] * pixels);
+      else if (event.key !== 'Enter') return;
+      else if (this.#free !== null) this.#pinAt(this.#free);
+      event.preventDefault();
+    });
+    // Escape that removes a pin must do nothing else, such as closing a dialog around the viewer.
+    for (const target of [surface, ...boxes])
+      on(target, 'keydown', (event) => {
+        if (event.key === 'Escape' && this.#release()) event.preventDefault();
+      });
+  }
+
+  /** `at`: where the mouse is; null once it has left, or drags, or neither cross-hair nor table has the focus any more. */
+  #look(at: Point | null): void {
     if (this.#pin !== null || (at === null && this.#free === null)) return;
     // The cross-hair stays where it is while it has the focus.
     if (at === null && this.#view.hasFocus) return;
@@ -84,16 +147,13 @@ class Probe implements Extra, ProbeInputHost {
     this.#follow();
   }
 
-  pin(at: Point): void {
+  #pinAt(at: Point): void {
     this.#toPin = at;
     this.#follow();
   }
 
-  pinHere(): void {
-    if (this.#free !== null) this.pin(this.#free);
-  }
-
-  release(): boolean {
+  /** Removes the pin. False if there is none. */
+  #release(): boolean {
     if (this.#pin === null) return false;
     this.#pin = null;
     this.#free = this.#view.hasFocus && this.#declared === null ? (this.#view.shown?.at ?? null) : null;
@@ -101,22 +161,13 @@ class Probe implements Extra, ProbeInputHost {
     return true;
   }
 
-  step(across: number, down: number): void {
+  /** Moves the cross-hair. */
+  #step(across: number, down: number): void {
     const { x, y } = this.#free ?? this.#view.shown?.at ?? this.#view.middle;
     this.#pin = null;
     // Half a pixel inside: there is nothing to explain on the far edges.
     this.#free = inside({ x: x + across, y: y + down }, this.#view.size, 0.5);
     this.#follow();
-  }
-
-  focused(): void {
-    if (this.#pin !== null || this.#declared !== null) return;
-    this.#free ??= this.#view.middle;
-    this.#follow();
-  }
-
-  blurred(): void {
-    this.look(null);
   }
 
   /** The point that the user has pinned, in world space. */

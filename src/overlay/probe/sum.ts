@@ -1,32 +1,20 @@
 // The rows of the sum at a fragment, and the light that it is about. Plain values from an explanation of shadeAt.
 // Colours in codes: 255 is full.
-import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
-import type { ViewerTexts } from '../../element/fields/texts.js';
-import { localNumber } from '../../element/page/local-number.js';
-import { isBlack } from '../../math/color.js';
+import { localNumber, type ViewerTexts } from '../../element/fields/texts.js';
+import { isBlack, srgbDecode } from '../../math/color.js';
 import { radians } from '../../math/angle.js';
-import { srgbDecode } from '../../math/color.js';
 import { add, length, map, type Vec3 } from '../../math/vector.js';
 
 /** Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular terms. */
 export type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | 'no normal' | null;
 
-/** One active light's row. */
-export interface SumRow {
-  /** Null for the head-light. */
-  readonly light: PhongLight | null;
-  readonly name: string;
+/** One active light's row: its explanation, with the three terms in codes. */
+export interface SumRow extends LightExplanation {
   /** At the point itself, whatever the terms: under Gouraud shading they are those of the corners. */
   readonly absence: Absence;
-  readonly ambient: Vec3;
-  readonly diffuse: Vec3;
-  readonly specular: Vec3;
-  readonly att: number;
-  readonly decay: number;
   /** Sum of the three terms. */
   readonly total: Vec3;
-  readonly share: LightExplanation;
 }
 
 /** A row below the lights. */
@@ -62,18 +50,8 @@ export function probeSum(fragment: FragmentExplanation, linear: boolean): Sum {
 
 function rowOf(share: LightExplanation, hasNormal: boolean): SumRow {
   const [ambient, diffuse, specular] = [codes(share.ambient), codes(share.diffuse), codes(share.specular)];
-  return {
-    light: share.light,
-    name: share.name,
-    absence: absenceOf(share, hasNormal),
-    ambient,
-    diffuse,
-    specular,
-    att: share.att,
-    decay: share.decay,
-    total: add(add(ambient, diffuse), specular),
-    share,
-  };
+  const total = add(add(ambient, diffuse), specular);
+  return { ...share, ambient, diffuse, specular, total, absence: absenceOf(share, hasNormal) };
 }
 
 function absenceOf({ insideCone, L, NoL }: LightExplanation, hasNormal: boolean): Absence {

@@ -1,7 +1,7 @@
 // Reports the point of `probe-at` where no probe shows it.
 import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { projectionOf } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {

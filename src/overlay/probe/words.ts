@@ -1,7 +1,6 @@
 // A probed point in words. For screen readers, which see neither arrows nor table, and for the line below the table.
 // Plain functions from values to text.
-import { localNumber } from '../../element/page/local-number.js';
-import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
+import { localNumber, phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { LEAST_EXPONENT } from '../../light/precision.js';
 import { cosDegrees } from '../../math/angle.js';
@@ -61,24 +60,24 @@ const placeText = (texts: ViewerTexts | null, { p }: FragmentExplanation): strin
 /** The steps from a light's vectors through its cosines to its terms, at the point itself. */
 export function stepsText(
   texts: ViewerTexts | null,
-  { light, share, name, absence }: SumRow,
+  row: SumRow,
   { shininess }: FragmentExplanation,
   halfway: boolean,
 ): string {
+  const { light, name, absence, c } = row;
   if (absence === 'outside its cone') {
-    const isOutside = (digits: number): boolean =>
-      light === null || rounded(degreesOf(share.c), digits) > light.aperture;
+    const isOutside = (digits: number): boolean => light === null || rounded(degreesOf(c), digits) > light.aperture;
     return phrase(texts, '{name}: {angle} from its axis, outside its cone, so it adds nothing.', {
       name,
-      angle: degreesText(share.c, decimals(0, isOutside), texts),
+      angle: degreesText(c, decimals(0, isOutside), texts),
     });
   }
   if (absence === 'no direction') return phrase(texts, '{name}: no direction, so only ambient.', { name });
   if (absence === 'no normal') return phrase(texts, '{name}: no normal here, so only ambient.', { name });
-  const normal = { name, ...normalWords(texts, share) };
+  const normal = { name, ...normalWords(texts, row) };
   if (absence !== null)
     return phrase(texts, '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.', normal);
-  return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, share.RoV, shininess, halfway)}`;
+  return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, row.RoV, shininess, halfway)}`;
 }
 
 function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, halfway: boolean): string {

@@ -1,7 +1,7 @@
 // The 2D canvases of pictures that share one context: each shows a copy of its place in the atlas. A picture that is
 // not visible keeps its copy, so that scrolling back shows it at once, up to a common bound. Sizes are in device
 // pixels.
-import type { AtlasPlace, Size } from './atlas.js';
+import type { Region, Size } from './atlas.js';
 
 /** A picture that is shown as a copy. */
 export interface CopyClient extends Size {
@@ -40,7 +40,7 @@ export class AtlasCopies {
    * Shows one place of the atlas on `source`. Straight from the WebGL canvas: the browser resolves it once for all
    * copies that follow each other, and no intermediate canvas or bitmap was faster (src/decisions/one-context.md).
    */
-  show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: AtlasPlace): void {
+  show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
     const known = this.#canvases.get(client);
     const canvas = known ?? this.#newCanvas(client);
     this.#canvases.delete(client);

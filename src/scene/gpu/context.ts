@@ -1,10 +1,197 @@
-// The page's WebGL 2 context and three.js's renderer on it.
+// The page's one WebGL 2 context and three.js's renderer on it: opened with the first drawing, lost and restored, refused
+// and tried again, closed with the last picture. Sizes its canvas.
 import { getConsoleFunction, setConsoleFunction, WebGLRenderer } from 'three';
-import type { Size } from './atlas.js';
+import { deviceOf } from '../../material/device.js';
+import { checkLinks } from '../../material/program/program-cache.js';
+import type { AtlasLimit, Size } from './atlas.js';
 
 /** The browser gave no WebGL 2 context. */
 export class NoWebGL2Error extends Error {
   override readonly name = 'NoWebGL2Error';
+}
+
+/**
+ * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel. Tiles of a capture and
+ * the canvas of a new context are not larger.
+ */
+export const SAFE_SIDE = 4096;
+
+interface ContextEvents {
+  /** The GPU has lost everything. */
+  lost(): void;
+  /** Drawing is possible after {@link lost} or {@link missing}. Everything has to be uploaded. */
+  restored(): void;
+  /** The browser gives no context. */
+  missing(error: NoWebGL2Error): void;
+  /** The next drawing tries to open a context again. */
+  retrying(): void;
+}
+
+/**
+ * closed → open ⇄ lost. An opening that fails ends in `refused`; `retrying` opens with the next drawing, like `closed`.
+ * A refused context is tried again when a viewer connects and when the document becomes visible. A browser refuses when
+ * it is out of memory or restarts its GPU process, and no event says that this is over.
+ */
+type State = 'closed' | 'open' | 'lost' | 'refused' | 'retrying';
+
+const NO_LIMIT: AtlasLimit = { side: Infinity, area: Infinity };
+
+export class SharedContext {
+  readonly #events: ContextEvents;
+  #state: State = 'closed';
+  /** Null unless open or lost. */
+  #gl: WebGL2RenderingContext | null = null;
+  #renderer: WebGLRenderer | null = null;
+  #limit = NO_LIMIT;
+
+  constructor(events: ContextEvents) {
+    this.#events = events;
+  }
+
+  /** Null unless open. */
+  get renderer(): WebGLRenderer | null {
+    return this.#renderer;
+  }
+
+  /** There is no context, and drawing would not open one. By events: WebGL is not called. */
+  get unavailable(): boolean {
+    return this.#state === 'lost' || this.#state === 'refused';
+  }
+
+  /**
+   * Limits of one drawing. The area shrinks to what the browser really gives. Infinite before the first context is
+   * open.
+   */
+  get limit(): AtlasLimit {
+    return this.#limit;
+  }
+
+  /** The renderer; null while the context is lost. `size` is that of the first drawing. Throws NoWebGL2Error. */
+  open(size: Size): WebGLRenderer | null {
+    if (this.#renderer !== null || this.#state === 'lost') return this.#renderer;
+    if (this.#gl === null) {
+      this.#gl = openContext(size);
+      const { canvas } = this.#gl;
+      canvas.addEventListener('webglcontextlost', this.#onLost);
+      canvas.addEventListener('webglcontextrestored', this.#onRestored);
+    }
+    const wasRefused = this.#state === 'refused' || this.#state === 'retrying';
+    this.#start(this.#gl);
+    if (wasRefused && !this.unavailable) this.#events.restored();
+    return this.#renderer;
+  }
+
+  /** {@link open} has failed: reports that and waits for an occasion to try again. */
+  refuse(error: NoWebGL2Error): void {
+    this.#state = 'refused';
+    document.addEventListener('visibilitychange', this.#onVisible);
+    this.#events.missing(error);
+  }
+
+  /** Lets the next drawing try to open a refused context again. */
+  retry(): void {
+    if (this.#state !== 'refused') return;
+    this.#state = 'retrying';
+    this.#events.retrying();
+  }
+
+  /** Whether the context is lost. WebGL knows before the event arrives; the call does not wait for the GPU. */
+  noticeLoss(): boolean {
+    if (this.#state === 'open' && this.#gl?.isContextLost() === true) this.#lose();
+    return this.#state === 'lost';
+  }
+
+  /** Reports programs that do not link. Call after drawing. */
+  checkLinks(): void {
+    if (this.#renderer !== null) checkLinks(this.#renderer);
+  }
+
+  /**
+   * Gives the canvas of an open context exactly this size. False: the browser has no memory for that and gave a smaller
+   * drawing buffer. {@link limit} is lower from then on, and the canvas has one pixel.
+   */
+  resize({ width, height }: Size): boolean {
+    const renderer = this.#renderer;
+    if (renderer === null) return false;
+    const canvas = renderer.domElement;
+    if (canvas.width === width && canvas.height === height) return true;
+    renderer.setSize(width, height, false);
+    const { drawingBufferWidth, drawingBufferHeight } = renderer.getContext();
+    if (drawingBufferWidth >= width && drawingBufferHeight >= height) return true;
+    const area = drawingBufferWidth * drawingBufferHeight; // 0 if the context has been lost
+    if (area > 0) this.#limit = { ...this.#limit, area: Math.min(this.#limit.area, area) };
+    renderer.setSize(1, 1, false); // the canvas never differs from its drawing buffer
+    return false;
+  }
+
+  /** Releases everything. {@link open} can follow. */
+  close(): void {
+    document.removeEventListener('visibilitychange', this.#onVisible);
+    this.#limit = NO_LIMIT;
+    this.#release();
+  }
+
+  /** Makes a renderer, unless the context is lost already. */
+  #start(gl: WebGL2RenderingContext): void {
+    this.#state = 'open';
+    document.removeEventListener('visibilitychange', this.#onVisible);
+    try {
+      this.#limit = { ...this.#limit, side: largestSideOf(gl) };
+      this.#renderer = rendererOf(gl);
+      deviceOf(this.#renderer); // in the first frame the answer would wait for the commands before it
+    } catch (error) {
+      if (!this.noticeLoss()) throw error;
+    }
+    this.noticeLoss();
+  }
+
+  #lose(): void {
+    this.#state = 'lost';
+    this.#events.lost();
+    // Now, while the context is lost: deleting these objects on the restored context would be an error.
+    this.#disposeRenderer();
+  }
+
+  #release(): void {
+    this.#state = 'closed';
+    const gl = this.#gl;
+    if (gl === null) return;
+    this.#gl = null;
+    gl.canvas.removeEventListener('webglcontextlost', this.#onLost);
+    gl.canvas.removeEventListener('webglcontextrestored', this.#onRestored);
+    this.#disposeRenderer();
+    closeContext(gl);
+  }
+
+  #disposeRenderer(): void {
+    this.#renderer?.dispose();
+    this.#renderer = null;
+  }
+
+  readonly #onVisible = (): void => {
+    if (document.visibilityState === 'visible') this.retry();
+  };
+
+  // three.js must not see either event: it would write to the console, and a restored context gets a new renderer
+  // anyway.
+  readonly #onLost = (event: Event): void => {
+    event.stopImmediatePropagation();
+    event.preventDefault(); // otherwise the context is never restored
+    if (this.#state === 'open') this.#lose();
+  };
+
+  readonly #onRestored = (event: Event): void => {
+    event.stopImmediatePropagation();
+    if (this.#gl === null) return;
+    const { canvas } = this.#gl;
+    // The size may be why the context was lost, and the same size would lose it again.
+    if (canvas.width * canvas.height > SAFE_SIDE ** 2) this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
+    canvas.width = canvas.height = 1; // its buffer may be smaller than the canvas
+    // A context that has been lost again comes back by another event.
+    if (canBeCopied(this.#gl) || this.#gl.isContextLost()) this.#start(this.#gl);
+    else this.#release(); // the next drawing opens another
+    if (!this.unavailable) this.#events.restored();
+  };
 }
 
 const CONTEXT: WebGLContextAttributes = {
@@ -16,18 +203,12 @@ const CONTEXT: WebGLContextAttributes = {
 };
 
 /**
- * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel. Tiles of a capture and
- * the canvas of a new context are not larger.
- */
-export const SAFE_SIDE = 4096;
-
-/**
  * Opens the context on a canvas of the size of the first drawing: opening small and growing takes 6 ms longer at 600 ×
  * 400 and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts on a canvas of one pixel:
  * Chromium gives no context for 8192 × 8192, nor any other to this page afterwards, but a canvas that grows gets a
  * smaller drawing buffer at worst. Throws {@link NoWebGL2Error}.
  */
-export function openContext({ width, height }: Size): WebGL2RenderingContext {
+function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
   const isSafe = Math.max(width, height) <= SAFE_SIDE;
   canvas.width = isSafe ? width : 1;
@@ -43,7 +224,7 @@ export function openContext({ width, height }: Size): WebGL2RenderingContext {
 }
 
 /** Throws if the context is lost, or gets lost meanwhile. */
-export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
+function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const canvas = context.canvas as HTMLCanvasElement;
   // three.js logs what it cannot read, and a lost context answers null. The stage reports the loss.
   const log = getConsoleFunction() as ConsoleFunction | null; // null if none was set, whatever the types say
@@ -90,7 +271,7 @@ interface Ordered {
  * Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when the canvas has that
  * size.
  */
-export function largestSideOf(gl: WebGL2RenderingContext): number {
+function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
   const sides = [...viewport, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), gl.getParameter(gl.MAX_TEXTURE_SIZE)];
@@ -101,7 +282,7 @@ export function largestSideOf(gl: WebGL2RenderingContext): number {
  * Whether 2D canvases get the pixels of a restored context. After a crash of the GPU process they get none in Chromium
  * (156), however often the context draws: only a new canvas helps. Overwrites one drawing.
  */
-export function canBeCopied(gl: WebGL2RenderingContext): boolean {
+function canBeCopied(gl: WebGL2RenderingContext): boolean {
   gl.clearColor(1, 1, 1, 1);
   gl.clear(gl.COLOR_BUFFER_BIT);
   const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
@@ -113,7 +294,7 @@ export function canBeCopied(gl: WebGL2RenderingContext): boolean {
  * Releases the context now, or as soon as it is restored. Browsers allow few, and garbage collection would release it
  * late.
  */
-export function closeContext(gl: WebGL2RenderingContext): void {
+function closeContext(gl: WebGL2RenderingContext): void {
   const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
   gl.canvas.addEventListener('webglcontextrestored', close, { once: true });
   close();

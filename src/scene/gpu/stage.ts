@@ -3,10 +3,8 @@
 // its own. Reasons and figures: src/decisions/one-context.md.
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
-import { type AtlasLayout, layOutAtlas, type AtlasPlace, type Size } from './atlas.js';
-import { NoWebGL2Error, SAFE_SIDE } from './context.js';
-import { newTarget } from './capture-target.js';
-import { SharedContext } from './shared-context.js';
+import { type AtlasLayout, layOutAtlas, type Region, type Size, tilesOf } from './atlas.js';
+import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
 
 export { NoWebGL2Error } from './context.js';
 
@@ -49,9 +47,9 @@ class Stage {
     retrying: () => this.#repaintAll(),
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
-  readonly #places = new Map<StageClient, AtlasPlace>();
+  readonly #places = new Map<StageClient, Region>();
   /** Pictures in the atlas that have not been copied yet. */
-  readonly #drawn = new Map<StageClient, AtlasPlace>();
+  readonly #drawn = new Map<StageClient, Region>();
   #wastefulFrames = 0;
   #inFrame = false;
   #viewersDrawn = 0;
@@ -116,7 +114,11 @@ class Stage {
       if (render === undefined) return true;
       this.#count();
       if (alone) this.#drawAlone(client, renderer, render);
-      else this.#drawPlace(client, renderer, render);
+      else {
+        const place = this.#placeOf(client, renderer);
+        drawInto(renderer, place, render);
+        this.#drawn.set(client, place);
+      }
       this.#context.checkLinks();
       return true;
     } catch (error) {
@@ -158,13 +160,7 @@ class Stage {
    * canvas can hold the picture.
    */
   capture({ width, height }: Size, render: (renderer: WebGLRenderer, part: Region) => void): HTMLCanvasElement {
-    const target = newTarget(width, height);
-    if (target === null) {
-      // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory
-      // for this many pixels.
-      if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
-      throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
-    }
+    const target = this.newTarget({ width, height });
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
     try {
       const firstTile = { width: Math.min(width, SAFE_SIDE), height: Math.min(height, SAFE_SIDE) };
@@ -176,6 +172,19 @@ class Stage {
     // Also when it was lost between two tiles: their pictures would be empty.
     if (this.#context.noticeLoss()) throw contextLost();
     return target.canvas;
+  }
+
+  /** A 2D canvas of this size in pixels, transparent. Throws RangeError where there is no memory for it. */
+  newTarget({ width, height }: Size): CanvasRenderingContext2D {
+    const canvas = document.createElement('canvas');
+    canvas.width = width;
+    canvas.height = height;
+    const context = canvas.getContext('2d');
+    if (context !== null && hasMemory(context, width, height)) return context;
+    // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory
+    // for this many pixels.
+    if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
+    throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
   #drawAlone(client: StageClient, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
@@ -190,12 +199,6 @@ class Stage {
     if (client.holder.firstChild !== domElement) client.holder.replaceChildren(domElement);
   }
 
-  #drawPlace(client: StageClient, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
-    const place = this.#placeOf(client, renderer);
-    drawInto(renderer, place, render);
-    this.#drawn.set(client, place);
-  }
-
   /** Draws a capture into `target`, which has its size, tile by tile. */
   #drawTiles(
     renderer: WebGLRenderer,
@@ -207,18 +210,14 @@ class Stage {
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
     const step = Math.min(this.#context.limit.side, SAFE_SIDE);
-    for (let y = 0; y < height; y += step) {
-      for (let x = 0; x < width; x += step) {
-        const part = { x, y, width: Math.min(step, width - x), height: Math.min(step, height - y) };
-        const fits = part.width <= canvas.width && part.height <= canvas.height;
-        if (!fits && !this.#context.resize(part)) {
-          throw new RangeError(`the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`);
-        }
-        clear(renderer);
-        drawInto(renderer, { x: 0, y: 0, width: part.width, height: part.height }, (r) => render(r, part));
-        const top = canvas.height - part.height;
-        target.drawImage(canvas, 0, top, part.width, part.height, x, y, part.width, part.height);
-      }
+    for (const part of tilesOf(target.canvas, Infinity, step)) {
+      const fits = part.width <= canvas.width && part.height <= canvas.height;
+      if (!fits && !this.#context.resize(part))
+        throw new RangeError(`the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`);
+      clear(renderer);
+      drawInto(renderer, { ...part, x: 0, y: 0 }, (r) => render(r, part));
+      const top = canvas.height - part.height;
+      target.drawImage(canvas, 0, top, part.width, part.height, part.x, part.y, part.width, part.height);
     }
     this.#context.checkLinks();
     // The capture has overwritten the canvas that a lone picture shows.
@@ -234,7 +233,7 @@ class Stage {
    * Where `client` draws. The first picture of a frame starts an atlas and reserves places for all that are out of
    * date.
    */
-  #placeOf(client: StageClient, renderer: WebGLRenderer): AtlasPlace {
+  #placeOf(client: StageClient, renderer: WebGLRenderer): Region {
     const reserved = this.#places.get(client);
     this.#places.delete(client); // a second drawing needs a cleared place
     if (reserved?.width === client.width && reserved.height === client.height) return reserved;
@@ -327,7 +326,7 @@ function clear(renderer: WebGLRenderer): void {
 /** Draws one part of the canvas and leaves the others alone. */
 function drawInto(
   renderer: WebGLRenderer,
-  { x, y, width, height }: AtlasPlace,
+  { x, y, width, height }: Region,
   render: (renderer: WebGLRenderer) => void,
 ): void {
   const whole = renderer.domElement.width === width && renderer.domElement.height === height;
@@ -337,12 +336,18 @@ function drawInto(
   render(renderer);
 }
 
-/** A part of a picture: pixels from its top left corner. */
-export interface Region {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
+/** Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn pixel shows it. */
+function hasMemory(context: CanvasRenderingContext2D, width: number, height: number): boolean {
+  if (context.canvas.width !== width || context.canvas.height !== height) return false;
+  const corner = [width - 1, height - 1, 1, 1] as const;
+  try {
+    context.fillRect(...corner);
+    const drawn = context.getImageData(...corner).data[3] === 255;
+    context.clearRect(...corner);
+    return drawn;
+  } catch {
+    return false;
+  }
 }
 
 export const contextLost = (): Error =>

@@ -1,6 +1,7 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
+import type { SceneMesh } from './scene-mesh.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 
@@ -47,27 +48,19 @@ export class MeshAnimation {
 
 const nameOf = ({ autoplay, animationName }: Values): string | null => (autoplay ? animationName : null);
 
-/** What can play an animation. */
-export interface Animated {
-  /** It would play if motion were allowed. */
-  readonly plays: boolean;
-  /** Plays on. */
-  advance(seconds: number): void;
-}
-
 /** The time that all animations of a picture have played. It stands still while motion is not allowed. */
 export class Animations {
   /** Few meshes can move: a frame does not look at the others. */
-  readonly #all = new Set<Animated>();
+  readonly #all = new Set<SceneMesh>();
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;
 
-  add(animated: Animated): void {
-    this.#all.add(animated);
+  add(mesh: SceneMesh): void {
+    this.#all.add(mesh);
   }
 
-  delete(animated: Animated): void {
-    this.#all.delete(animated);
+  delete(mesh: SceneMesh): void {
+    this.#all.delete(mesh);
   }
 
   /** An animation would play if motion were allowed. */
@@ -80,7 +73,7 @@ export class Animations {
   step(now: number): boolean {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     const { playing } = this;
-    for (const animated of this.#all) if (animated.plays) animated.advance(elapsed);
+    for (const mesh of this.#all) if (mesh.plays) mesh.advance(elapsed);
     this.#last = playing ? now : null;
     return playing;
   }

@@ -1,60 +1,26 @@
 // Loads the content that a mesh's values name, a built-in shape or a model. One load at a time: a newer one replaces
 // it.
 import { sameValue } from '../../fields/field-store.js';
-import { fileName } from '../../model/file-name.js';
+import { fileName } from '../../model/request-model.js';
 import { type Content, NO_CONTENT } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import { acquireGeometry, releaseGeometry, type ShapeKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
-import { CLOSED, type GeometryName, type LoadedShape } from './shapes/shapes.js';
-import type { Budget, Claim, Need } from '../../model/budget.js';
+import { acquireShape, shapeKey } from './shapes/shared-shapes.js';
+import type { Claim } from '../../model/budget.js';
+import type { MeshHost, SceneMesh } from './scene-mesh.js';
 import { acquireModel } from './shared-models.js';
-import { type BufferGeometry, Matrix4 } from 'three';
-import { PLAIN_LOOK } from '../../material/file-surface.js';
-import type { CrossOrigin } from '../../model/request-file.js';
 
 type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
-/** What shows the content. */
-export interface ContentOwner {
-  /** What a shape will hold before there is a geometry. */
-  needsOf(geometry: GeometryName, segments: ContentName['segments']): readonly Need[];
-  /** Makes ready for a model what would take long in one task. Before {@link arrived}. */
-  prepare(content: Content, signal: AbortSignal): Promise<void>;
-  /** `late` unless it was there at once. `url` is null for a shape. The owner releases the claim. */
-  arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void;
-}
-
-/** Follows the loads of all owners. */
-export interface LoadHost<Owner> {
-  readonly crossOrigin: CrossOrigin;
-  readonly picture: { readonly budget: Budget };
-  /**
-   * Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was
-   * removed.
-   */
-  readonly mayLoad: boolean;
-  /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
-  began(owner: Owner): void;
-  progress(owner: Owner, loaded: number, total: number): void;
-  /**
-   * A load has ended, or what it brought cannot be shown; `error` is null on success. Not called for loads that a newer
-   * one replaced.
-   */
-  ended(owner: Owner, url: URL | null, error: unknown): void;
-  /** A load in progress was cancelled, or what failed is no longer wanted. */
-  dropped(owner: Owner): void;
-}
-
-export class ContentLoad<Owner extends ContentOwner> {
-  readonly #owner: Owner;
-  readonly #host: LoadHost<Owner>;
+export class ContentLoad {
+  readonly #mesh: SceneMesh;
+  readonly #host: MeshHost;
   #loading: AbortController | null = null;
   #failed = false;
   /** What was requested last; null for nothing. */
   #request: readonly unknown[] | null = null;
 
-  constructor(owner: Owner, host: LoadHost<Owner>) {
-    this.#owner = owner;
+  constructor(mesh: SceneMesh, host: MeshHost) {
+    this.#mesh = mesh;
     this.#host = host;
   }
 
@@ -74,18 +40,18 @@ export class ContentLoad<Owner extends ContentOwner> {
     if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
     this.drop();
     this.#request = key;
-    const claim = this.#host.picture.budget.claim(this.#owner);
+    const claim = this.#host.picture.budget.claim(this.#mesh);
     if (src !== '') {
       const url = addressOf(src);
-      this.#await(url, claim, (signal) => this.#loadModel(url, { src, type }, claim, signal));
+      void this.#await(url, claim, (signal) => this.#loadModel(url, { src, type }, claim, signal));
       return;
     }
     try {
       // Before the shape is built.
-      if (geometry !== null) claim.add(this.#owner.needsOf(geometry, segments));
-      const content = geometry === null ? NO_CONTENT : shapeContent(shapeKey(geometry, segments));
-      if (content instanceof Promise) this.#await(null, claim, () => content);
-      else this.#owner.arrived(content, claim, null, false);
+      if (geometry !== null) claim.add(this.#mesh.needsOf(geometry, segments));
+      const content = geometry === null ? NO_CONTENT : acquireShape(shapeKey(geometry, segments));
+      if (content instanceof Promise) void this.#await(null, claim, () => content);
+      else this.#mesh.arrived(content, claim, null, false);
     } catch (error) {
       claim.release();
       this.fail(null, error);
@@ -100,7 +66,7 @@ export class ContentLoad<Owner extends ContentOwner> {
   /** What has arrived cannot be used. */
   fail(url: URL | null, error: unknown): void {
     this.#failed = true;
-    this.#host.ended(this.#owner, url, error);
+    this.#host.ended(this.#mesh, url, error);
   }
 
   /** After a failure, the next {@link request} may be for the same. */
@@ -119,7 +85,7 @@ export class ContentLoad<Owner extends ContentOwner> {
     this.#loading = null;
     this.#failed = false;
     this.#request = null;
-    if (dropped) this.#host.dropped(this.#owner);
+    if (dropped) this.#host.dropped(this.#mesh);
   }
 
   #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
@@ -134,11 +100,11 @@ export class ContentLoad<Owner extends ContentOwner> {
   ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const { crossOrigin } = this.#host;
-    const onProgress = (loaded: number, total: number): void => this.#host.progress(this.#owner, loaded, total);
+    const onProgress = (loaded: number, total: number): void => this.#host.progress(this.#mesh, loaded, total);
     const name = { url, src, type: type ?? '', crossOrigin };
     const content = await acquireModel(name, { claim, signal, onProgress });
     try {
-      await this.#owner.prepare(content, signal);
+      await this.#mesh.prepare(content, signal);
     } catch (error) {
       content.dispose();
       throw error;
@@ -146,33 +112,25 @@ export class ContentLoad<Owner extends ContentOwner> {
     return content;
   }
 
-  #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): void {
-    const loading = new AbortController();
-    this.#loading = loading;
-    this.#host.began(this.#owner);
-    load(loading.signal).then(
-      (content) => {
-        if (this.#loading !== loading) {
-          content.dispose();
-          claim.release();
-          return;
-        }
-        this.#loading = null;
-        try {
-          this.#owner.arrived(content, claim, url, true);
-        } catch (error) {
-          claim.release();
-          this.fail(url, error);
-        }
-      },
-      (error: unknown) => {
+  async #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): Promise<void> {
+    const loading = (this.#loading = new AbortController());
+    this.#host.began(this.#mesh);
+    try {
+      const content = await load(loading.signal);
+      if (loading.signal.aborted) {
+        content.dispose();
         claim.release();
-        if (this.#loading !== loading) return;
-        this.#loading = null;
-        loading.abort(); // ends what is still being downloaded
-        this.fail(url, error);
-      },
-    );
+        return;
+      }
+      this.#loading = null;
+      this.#mesh.arrived(content, claim, url, true);
+    } catch (error) {
+      claim.release();
+      if (loading.signal.aborted) return;
+      if (this.#loading === loading) this.#loading = null;
+      loading.abort(); // ends what is still being downloaded
+      this.fail(url, error);
+    }
   }
 }
 
@@ -181,50 +139,3 @@ function addressOf(src: string | Blob): URL | null {
   if (typeof src !== 'string') return new URL(encodeURIComponent(fileName(src)), 'file:///');
   return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
 }
-
-/** A built-in shape: at once if its code is loaded, else a promise. */
-export function shapeContent(key: ShapeKey & { readonly name: LoadedShape }): Content;
-export function shapeContent(key: ShapeKey): Content | Promise<Content>;
-export function shapeContent(key: ShapeKey): Content | Promise<Content> {
-  const geometry = acquireGeometry(key);
-  const content = (ready: BufferGeometry): Content => {
-    let known = shapeContents.get(ready);
-    if (known === undefined) {
-      const { name } = key;
-      const sides = CLOSED.has(name) ? 'closed' : 'double';
-      known = {
-        parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
-        motion: null,
-        dispose: () => releaseGeometry(key),
-      };
-      shapeContents.set(ready, known);
-      flatNeeds.set(known, shapeNeeds(key, true));
-    }
-    return known;
-  };
-  return geometry instanceof Promise ? geometry.then(content) : content(geometry);
-}
-
-/** Equal shapes are one content. */
-const shapeContents = new WeakMap<BufferGeometry, Content>();
-
-/** What flat copies of a content's geometries hold. */
-export const flatNeedsOf = (content: Content): readonly Need[] =>
-  flatNeeds.get(content) ??
-  [...new Set(content.parts.map(({ geometry }) => geometry))].map((geometry) => ({
-    key: geometry,
-    claims: { values: flatValues(geometry) },
-    flat: true,
-  }));
-
-/** The values of a geometry's flat copy: every corner has its own, as floats. */
-function flatValues({ attributes, index }: BufferGeometry): number {
-  const sizes = Object.entries(attributes).map(([name, { itemSize }]) => (name === 'normal' ? 0 : itemSize));
-  const corners = index?.count ?? attributes['position']?.count ?? 0;
-  return corners * sizes.reduce((sum, size) => sum + size, 3);
-}
-
-/** Those of shapes, which are claimed before there is a geometry. */
-const flatNeeds = new WeakMap<Content, readonly Need[]>();
-
-const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();

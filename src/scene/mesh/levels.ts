@@ -5,9 +5,8 @@ import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Frame } from '../frame.js';
 import type { Frustum } from '../frustum-clip.js';
-import type { Budget } from '../../model/budget.js';
+import type { Picture } from '../picture.js';
 import type { SceneMesh } from './scene-mesh.js';
-import type { SharedMaterials } from './shared-materials.js';
 import { FIXED } from './shapes/shared-shapes.js';
 import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes/shapes.js';
 
@@ -37,22 +36,18 @@ export interface SharedLevels {
 }
 
 export class Levels {
-  readonly #meshes: ReadonlySet<SceneMesh>;
-  readonly #budget: Budget;
-  readonly #materials: SharedMaterials;
+  readonly #picture: Picture;
   /** Chooses together with other pictures; null: alone. */
   shared: SharedLevels | null = null;
 
-  constructor(meshes: ReadonlySet<SceneMesh>, budget: Budget, materials: SharedMaterials) {
-    this.#meshes = meshes;
-    this.#budget = budget;
-    this.#materials = materials;
+  constructor(picture: Picture) {
+    this.#picture = picture;
   }
 
   /** The number of segments of round shapes is part of this picture: Gouraud or flat shading shows it. */
   get isFixed(): boolean {
-    if (this.#materials.style.shading !== 'phong') return true;
-    for (const { auto, isFixed } of this.#meshes) if (isRound(auto) && isFixed) return true;
+    if (this.#picture.style.shading !== 'phong') return true;
+    for (const { auto, isFixed } of this.#picture.meshes) if (isRound(auto) && isFixed) return true;
     return false;
   }
 
@@ -64,8 +59,8 @@ export class Levels {
     const isFixed = this.shared?.isFixed ?? false;
     const sampled = samples > 1;
     let count = 0;
-    for (const { auto } of this.#meshes) if (isRound(auto)) count += 1;
-    for (const mesh of this.#meshes) {
+    for (const { auto } of this.#picture.meshes) if (isRound(auto)) count += 1;
+    for (const mesh of this.#picture.meshes) {
       const { auto } = mesh;
       if (auto === null) continue;
       let level = FIXED;
@@ -89,12 +84,16 @@ export class Levels {
     const { elements } = parts[0]!.mesh.matrixWorld;
     const wanted = levelIn(view, height, sampled, name, elements, FREE_TRIANGLES / count);
     if (wanted === null) return level; // out of view it stays as it is
-    const room = this.#budget.limit - this.#budget.used;
-    return within(room + trianglesOf(name, coarsestOf(name)), wanted, name);
+    return within(this.#room + trianglesOf(name, coarsestOf(name)), wanted, name);
+  }
+
+  get #room(): number {
+    const { limit, used } = this.#picture.budget;
+    return limit - used;
   }
 
   #flatLevelOf({ parts }: SceneMesh, name: GeometryName, view: Frustum): number {
-    const room = this.#budget.limit - this.#budget.used + trianglesOf(name, undefined);
+    const room = this.#room + trianglesOf(name, undefined);
     const isLarge = isLargeFor(view, name, parts[0]!.mesh.matrixWorld.elements);
     return isLarge && trianglesOf(name, LARGE_SEGMENTS) <= room ? LARGE_SEGMENTS : FIXED;
   }

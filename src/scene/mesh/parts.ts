@@ -4,32 +4,28 @@ import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../mate
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { BaseLook } from '../../material/file-surface.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
-import { radians } from '../../math/angle.js';
-import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { shareSize, sizeOf } from '../../model/geometry-size.js';
 import type { MeshAnimation } from './animation.js';
-import type { Claim } from '../../model/budget.js';
+import type { Claim, Need } from '../../model/budget.js';
 import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
-import { flatNeedsOf, shapeContent } from './content-load.js';
-import type { MeshState, MeshValues } from './mesh-fields.js';
+import type { MeshState } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
-import { FIXED, levelKey } from './shapes/shared-shapes.js';
-import type { LoadedShape } from './shapes/shapes.js';
+import { acquireShape, FIXED, levelKey, type ShapeContent } from './shapes/shared-shapes.js';
+import type { GeometryName } from './shapes/shapes.js';
 
 export interface Part {
   readonly mesh: Mesh;
   source: ContentPart;
   material: PhongMaterial;
-  look: BaseLook;
-  surface: Readonly<SurfaceValues>;
+  appearance: Appearance;
 }
 
 /** Content in the scene. */
 export interface ShownContent {
   readonly content: Content;
   /** A shape with automatic segments; null for anything else. */
-  readonly auto: LoadedShape | null;
+  readonly auto: GeometryName | null;
   /** Its segments, or `FIXED`. */
   readonly level: number;
   /** What the content holds of its viewer's budget. */
@@ -69,6 +65,22 @@ export function geometriesOf(content: Content, flat: boolean, claim: Claim | nul
   });
 }
 
+/** What flat copies of a content's geometries hold. */
+const flatNeedsOf = (content: Content): readonly Need[] =>
+  (content as Partial<ShapeContent>).needs ??
+  [...new Set(content.parts.map(({ geometry }) => geometry))].map((geometry) => ({
+    key: geometry,
+    claims: { values: flatValues(geometry) },
+    flat: true,
+  }));
+
+/** The values of a geometry's flat copy: every corner has its own, as floats. */
+function flatValues({ attributes, index }: BufferGeometry): number {
+  const sizes = Object.entries(attributes).map(([name, { itemSize }]) => (name === 'normal' ? 0 : itemSize));
+  const corners = index?.count ?? attributes['position']?.count ?? 0;
+  return corners * sizes.reduce((sum, size) => sum + size, 3);
+}
+
 /**
  * Parts that show a flat copy, by the copy's source. The last one frees it: it takes more than three times the source's
  * memory.
@@ -98,8 +110,8 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
  * Shows `shape`, the one that is shown, as another level of it. Its bounds are the same. Throws if there is no memory
  * for it.
  */
-export function showLevel(shown: ShownContent, shape: LoadedShape, level: number, flat: boolean): ShownContent {
-  const content = shapeContent(levelKey(shape, level));
+export function showLevel(shown: ShownContent, shape: GeometryName, level: number, flat: boolean): ShownContent {
+  const content = acquireShape(levelKey(shape, level)) as ShapeContent; // its code is here: it is no promise
   let geometries: readonly BufferGeometry[];
   try {
     geometries = geometriesOf(content, flat, null);
@@ -146,8 +158,7 @@ export function partsOf(
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
       countFlat({ mesh, source }, 1);
-      const { look, surface } = appearance;
-      parts.push({ mesh, material: mesh.material, look, surface, source });
+      parts.push({ mesh, material: mesh.material, appearance, source });
     });
     return parts;
   } catch (error) {
@@ -169,45 +180,6 @@ export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null 
   }
   return group;
 }
-
-/**
- * Where a mesh was last put. Values are replaced when they change, so those that are the same need not be written
- * again.
- */
-export class WrittenTransform {
-  #position: Vec3 | null = null;
-  #rotation: Vec3 | null = null;
-  #scale: Vec3 | null = null;
-
-  /** The root was put there. */
-  get known(): boolean {
-    return this.#position !== null;
-  }
-
-  /** The next {@link put} writes whatever its values are: the root is a new one. */
-  forget(): void {
-    this.#position = null;
-  }
-
-  /** Puts the root there, `rotation` in degrees; without one only takes note. False if the values are as before. */
-  put(root: Object3D | null, { position = ZERO, rotation = ZERO, scale = ONE }: Partial<PlaceValues>): boolean {
-    if (position === this.#position && rotation === this.#rotation && scale === this.#scale) return false;
-    this.#position = position;
-    this.#rotation = rotation;
-    this.#scale = scale;
-    if (root === null) return true;
-    root.position.set(...position);
-    root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
-    root.scale.set(...scale);
-    root.updateMatrix();
-    return true;
-  }
-}
-
-type PlaceValues = Readonly<Pick<MeshValues, 'position' | 'rotation' | 'scale'>>;
-
-const ZERO: Vec3 = [0, 0, 0];
-const ONE: Vec3 = [1, 1, 1];
 
 /** Updates meshes to their content's current pose. */
 export function followPose(parts: readonly Part[]): void {
@@ -249,19 +221,22 @@ function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
 const smooth = new WeakMap<BaseLook, BaseLook>();
 
 /**
- * Gives a part the material for how it looks now. False if that is as before, unless `restyled`. Throws if there is no
- * memory for it: the part keeps the material that it has, and is not tried again for the same values.
+ * Gives a part the material for how it looks now. False if that is as before. Throws if there is no memory for it: the
+ * part keeps the material that it has, and is not tried again for the same values.
  */
-export function dress(part: Part, appearance: Appearance, materials: SharedMaterials, restyled: boolean): boolean {
-  const { look, surface } = appearance;
-  if (!restyled && look === part.look && sameSurface(surface, part.surface)) return false;
-  part.look = look;
-  part.surface = surface;
+export function dress(part: Part, appearance: Appearance, materials: SharedMaterials): boolean {
+  if (isSame(appearance, part.appearance)) return false;
+  part.appearance = appearance;
   part.material = materials.exchange(part.material, appearance);
   part.mesh.material = part.material;
   return true;
 }
 
 /** By identity: defaults are the same objects in all meshes. */
-const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
-  a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;
+const isSame = (a: Appearance, b: Appearance): boolean =>
+  a.look === b.look &&
+  a.shading === b.shading &&
+  a.reflection === b.reflection &&
+  SURFACE_KEYS.every((key) => a.surface[key] === b.surface[key]);
+
+const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const;

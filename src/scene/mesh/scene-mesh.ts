@@ -1,20 +1,55 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
-// the next one is there and can be shown.
+// the next one is there and can be shown; with level of detail, pose, place and style.
+import type { Object3D } from 'three';
+import type { ShadingStyle } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
-import type { Claim } from '../../model/budget.js';
+import { radians } from '../../math/angle.js';
+import type { Vec3 } from '../../math/vector.js';
+import type { Claim, Need } from '../../model/budget.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { type Content, ModelError } from '../../model/model.js';
-import { modelCode } from '../../model/request-model.js';
-import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { MeshState } from './mesh-fields.js';
-import type { ShownContent } from './parts.js';
-import { FIXED } from './shapes/shared-shapes.js';
-import { effectiveSegments } from './shapes/shapes.js';
-import { type MeshPicture, ShownMesh } from './shown-mesh.js';
+import { type CrossOrigin, modelCode } from '../../model/request-model.js';
+import type { Picture } from '../picture.js';
+import { MeshAnimation } from './animation.js';
+import { ContentLoad } from './content-load.js';
+import type { MeshState, MeshValues, ShapeValues } from './mesh-fields.js';
+import {
+  appearanceOf,
+  dress,
+  EMPTY,
+  followPose,
+  freeShown,
+  geometriesOf,
+  type Part,
+  partsOf,
+  rootOf,
+  setGeometries,
+  showLevel,
+  type ShownContent,
+} from './parts.js';
+import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
+import { effectiveSegments, type GeometryName } from './shapes/shapes.js';
 
-/** The viewer of a mesh. */
-export interface MeshHost extends LoadHost<SceneMesh> {
-  readonly picture: MeshPicture;
+/** The viewer of meshes. */
+export interface MeshHost {
+  /** The one that the meshes are in. */
+  readonly picture: Picture;
+  readonly crossOrigin: CrossOrigin;
+  /**
+   * Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was
+   * removed.
+   */
+  readonly mayLoad: boolean;
+  /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
+  began(mesh: SceneMesh): void;
+  progress(mesh: SceneMesh, loaded: number, total: number): void;
+  /**
+   * A load has ended, or what it brought, from `url`, cannot be shown as the values say; `error` is null on success.
+   * Not called for loads that a newer one replaced.
+   */
+  ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
+  /** A load in progress was cancelled, or what failed is no longer wanted, or is shown now. */
+  dropped(mesh: SceneMesh): void;
   /**
    * The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content
    * before is kept.
@@ -24,52 +59,222 @@ export interface MeshHost extends LoadHost<SceneMesh> {
   removed(mesh: SceneMesh): void;
 }
 
+type Shading = ShadingStyle['shading'];
+
 /** Models with fewer parts get their materials at once. */
 const MANY_PARTS = 256;
 
-export class SceneMesh extends ShownMesh implements ContentOwner {
+const ZERO: Vec3 = [0, 0, 0];
+const ONE: Vec3 = [1, 1, 1];
+
+export class SceneMesh {
+  readonly #state: MeshState;
   readonly #host: MeshHost;
-  readonly #load: ContentLoad<SceneMesh>;
+  readonly #load: ContentLoad;
   /** Materials of a model that is about to come. */
   readonly #held: PhongMaterial[] = [];
+  #parent: Object3D | null = null;
+  #shown = EMPTY;
+  /** Shown before the present content, which has not been drawn yet. */
+  #before: ShownContent | null = null;
+  /** There was no memory for flat normals. Until another shading is wanted, the mesh keeps the one it has. */
+  #notFlat = false;
+  /** There was no memory for a material: one of the parts does not look as its values say. */
+  #notRestyled = false;
+  /** Where the root was last put; null for not yet. */
+  #placed: Readonly<Pick<MeshValues, 'position' | 'rotation' | 'scale'>> | null = null;
+  /** What the geometries were made for; null for not known. */
+  #effective: Shading | null = null;
 
   constructor(state: MeshState, host: MeshHost) {
-    super(state, host.picture);
+    this.#state = state;
     this.#host = host;
-    this.#load = new ContentLoad<SceneMesh>(this, host);
+    this.#load = new ContentLoad(this, host);
+  }
+
+  /** The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while nothing is shown. */
+  get root(): Object3D | null {
+    return this.#shown.root;
+  }
+
+  /** The three.js meshes that show it, each with its material. */
+  get parts(): readonly Readonly<Part>[] {
+    return this.#shown.parts;
+  }
+
+  /** What the model is shown without, by the names in it. */
+  get missing(): readonly string[] {
+    return this.#shown.content.missing ?? [];
   }
 
   /** The segments of the shape that is shown; null for a model or nothing. */
   get segments(): number | null {
-    const { geometry, segments } = this.values;
+    const { geometry, segments } = this.#values;
     if (this.complete !== 'shape' || geometry === null) return null;
     const drawn = this.auto === null || this.level === FIXED ? undefined : this.level;
     return effectiveSegments(geometry, segments === 'auto' ? drawn : segments);
   }
 
-  /** Makes the materials. Thousands take long, so each slice makes a few. They are held until the content has come. */
+  /** Its `src` is a file of the user's own, not an address. */
+  get isOwnFile(): boolean {
+    return typeof this.#values.src !== 'string';
+  }
+
+  /** Its values name something to show. */
+  get wanted(): boolean {
+    return this.#values.src !== '' || this.#values.geometry !== null;
+  }
+
+  /** The code of its shape is being fetched. */
+  get awaitsShape(): boolean {
+    return this.#load.pending && this.#values.src === '';
+  }
+
+  /** What it shows now is what its values name: a model, a shape, or (null) something else, as after a failure. */
+  get complete(): 'model' | 'shape' | null {
+    if (this.root === null || !this.#load.has(this.#values)) return null;
+    return this.#shown.url === null ? 'shape' : 'model';
+  }
+
+  /** Its number of segments is part of the picture. */
+  get isFixed(): boolean {
+    return (this.#values.shading ?? this.#picture.style.shading) !== 'phong';
+  }
+
+  /** The shape that has automatic segments; null where it shows anything else. */
+  get auto(): GeometryName | null {
+    return this.#shown.auto;
+  }
+
+  /** The segments of {@link auto}, or `FIXED`. */
+  get level(): number {
+    return this.#shown.level;
+  }
+
+  /** Shows another level of {@link auto}. Where there is no memory for it the level stays. */
+  set level(level: number) {
+    const { auto } = this;
+    if (auto === null) return;
+    try {
+      this.#shown = showLevel(this.#shown, auto, level, this.#effective === 'flat');
+    } catch (error) {
+      if (!isOutOfMemory(error)) throw error;
+    }
+  }
+
+  /** Its animation would play if motion were allowed. */
+  get plays(): boolean {
+    return this.#shown.animation?.plays ?? false;
+  }
+
+  /** Plays on. */
+  advance(seconds: number): void {
+    this.#shown.animation?.advance(seconds);
+    if (seconds > 0) followPose(this.parts);
+  }
+
+  /** Shows it below `parent`, whose world matrix is the identity. */
+  attach(parent: Object3D): void {
+    this.#parent = parent;
+    if (this.root !== null) parent.add(this.root);
+  }
+
+  /** Updates the scene to the values. Cheap if nothing has changed. */
+  update(): void {
+    this.#load.request(this.#values);
+    this.#settle();
+  }
+
+  /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
+  restyle(): void {
+    const { reflection = null } = this.#values;
+    const shading = this.#reshade();
+    let failure: unknown = null;
+    let exchanged = false;
+    for (const part of this.#shown.parts) {
+      const appearance = appearanceOf(this.#state, part.source, { shading, reflection });
+      try {
+        if (dress(part, appearance, this.#picture.materials)) exchanged = true;
+      } catch (error) {
+        failure = error;
+      }
+    }
+    if (failure !== null) this.#host.ended(this, this.#shown.url, failure);
+    else if (exchanged && this.#notRestyled) this.#host.dropped(this);
+    if (failure !== null || exchanged) this.#notRestyled = failure !== null;
+    this.#picture.invalidate();
+  }
+
+  /** After a failure, the next {@link update} requests the same again. */
+  retry(): void {
+    this.#load.retry();
+    this.#forgetNotFlat();
+  }
+
+  /** Cancels a load in progress. The next {@link update} requests it again. */
+  suspend(): void {
+    this.#load.suspend();
+  }
+
+  /** The present content has been drawn. */
+  drawn(): void {
+    if (this.#before !== null) freeShown(this.#before, this.#picture.materials);
+    this.#before = null;
+  }
+
+  /** The present content could not be drawn: goes back to what was shown before. */
+  revert(error: unknown): void {
+    const failed = this.#shown;
+    this.#replace(this.#before ?? EMPTY);
+    this.#pose();
+    this.#before = null;
+    freeShown(failed, this.#picture.materials);
+    this.#effective = null;
+    this.#settle();
+    this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable(error));
+  }
+
+  /** Ends any load and frees everything. */
+  dispose(): void {
+    this.#load.drop();
+    this.#letGo();
+    this.#host.removed(this);
+    this.#parent = null;
+    const before = this.#shown;
+    this.#replace(EMPTY);
+    freeShown(before, this.#picture.materials);
+    this.drawn();
+  }
+
+  /** For its load: what a shape will hold before there is a geometry. */
+  needsOf(geometry: GeometryName, segments: ShapeValues['segments']): readonly Need[] {
+    const isFixed = segments === 'auto' && this.isFixed;
+    return shapeNeeds(isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments), this.#wantsFlat);
+  }
+
+  /**
+   * For its load, before {@link arrived}: makes the materials. Thousands take long, so each slice makes a few. They are
+   * held until the content has come.
+   */
   async prepare({ parts }: Content, signal: AbortSignal): Promise<void> {
     this.#letGo();
     if (parts.length < MANY_PARTS) return;
     const { Slices } = await modelCode();
-    const { shading = null, reflection = null } = this.values;
+    const { shading = null, reflection = null } = this.#values;
     const slices = new Slices(signal);
     await slices.pause(); // the last task of the reader
     await slices.map(parts, (part) => {
-      const appearance = this.appearanceOf(part, { shading, reflection });
-      this.#held.push(this.#host.picture.materials.acquire(appearance));
+      const appearance = appearanceOf(this.#state, part, { shading, reflection });
+      this.#held.push(this.#picture.materials.acquire(appearance));
     });
     await slices.pause();
   }
 
-  #letGo(): void {
-    for (const material of this.#held.splice(0)) this.#host.picture.materials.release(material);
-  }
-
+  /** For its load: there is new content; `late` unless it was there at once. `url` is null for a shape. */
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
     let next: ShownContent;
     try {
-      next = this.prepared(content, claim, url);
+      next = this.#prepared(content, claim, url);
     } catch (error) {
       content.dispose();
       claim.release();
@@ -78,80 +283,157 @@ export class SceneMesh extends ShownMesh implements ContentOwner {
     } finally {
       this.#letGo();
     }
-    this.show(next);
+    this.#show(next);
     if (!late) return;
-    this.settle();
-    this.ended(url, null);
+    this.#settle();
+    this.#host.ended(this, url, null);
   }
 
-  /** Its `src` is a file of the user's own, not an address. */
-  get isOwnFile(): boolean {
-    return typeof this.values.src !== 'string';
+  get #values(): MeshState['values'] {
+    return this.#state.values;
   }
 
-  /** Its values name something to show. */
-  get wanted(): boolean {
-    return this.values.src !== '' || this.values.geometry !== null;
+  get #picture(): Picture {
+    return this.#host.picture;
   }
 
-  /** The code of its shape is being fetched. */
-  get awaitsShape(): boolean {
-    return this.#load.pending && this.values.src === '';
+  get #wantedShading(): Shading {
+    return this.#picture.materials.geometryShading(this.#values.shading ?? null);
   }
 
-  /** What it shows now is what its values name: a model, a shape, or (null) something else, as after a failure. */
-  get complete(): 'model' | 'shape' | null {
-    if (this.root === null || !this.#load.has(this.values)) return null;
-    return this.url === null ? 'shape' : 'model';
+  get #wantsFlat(): boolean {
+    return this.#wantedShading === 'flat';
   }
 
-  /** Updates the scene to the values. Cheap if nothing has changed. */
-  update(): void {
-    this.#load.request(this.values);
-    this.settle();
+  #letGo(): void {
+    for (const material of this.#held.splice(0)) this.#picture.materials.release(material);
   }
 
-  /** After a failure, the next {@link update} requests the same again. */
-  retry(): void {
-    this.#load.retry();
-    this.forgetNotFlat();
+  /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
+  #prepared(content: Content, claim: Claim, url: URL | null): ShownContent {
+    const { motion } = content;
+    const { shading = null, reflection = null, geometry, segments } = this.#values;
+    const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
+    const isAuto = url === null && geometry !== null && segments === 'auto';
+    // Shapes are called as their geometry is. The values may already name another one.
+    const auto = isAuto && content.parts[0]?.name === geometry ? geometry : null;
+    const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
+    const geometries = geometriesOf(content, this.#wantsFlat, auto === null ? claim : null);
+    const parts = partsOf(content, geometries, this.#picture.materials, (source) =>
+      appearanceOf(this.#state, source, { shading, reflection }),
+    );
+    const root = rootOf(parts, motion !== null);
+    return { content, auto, level, claim, parts, root, url, animation };
   }
 
-  /** Cancels a load in progress. The next {@link update} requests it again. */
-  suspend(): void {
-    this.#load.suspend();
+  /** Replaces what is shown. Call {@link #settle} next. */
+  #show(next: ShownContent): void {
+    this.#effective = this.#wantedShading;
+    const before = this.#shown;
+    this.#replace(next);
+    this.#forgetNotFlat();
+    const kept = next.root !== null && this.#host.shown(this);
+    if (kept && this.#before === null) {
+      this.#before = before;
+    } else {
+      freeShown(before, this.#picture.materials); // it was never drawn, or nothing goes back to it
+      if (!kept) this.drawn();
+    }
   }
 
-  /** The present content could not be drawn: goes back to what was shown before. */
-  revert(error: unknown): void {
-    this.#load.fail(this.goBack(), isOutOfMemory(error) ? error : undrawable(error));
+  #replace(next: ShownContent): void {
+    this.root?.removeFromParent();
+    this.#shown = next;
+    if (next.root !== null) this.#parent?.add(next.root);
+    this.#placed = null; // the new root has no place yet
+    if (next.animation === null) this.#picture.animations.delete(this);
+    else this.#picture.animations.add(this);
   }
 
-  protected ended(url: URL | null, error: unknown): void {
-    this.#host.ended(this, url, error);
+  /** Shows pose, place and style that the values say. */
+  #settle(): void {
+    const { animation, parts } = this.#shown;
+    if (animation?.update(this.#values) === true) followPose(parts);
+    this.#place();
+    this.restyle();
   }
 
-  protected dropped(): void {
-    this.#host.dropped(this);
+  /** Brings what is shown into its present pose. */
+  #pose(): void {
+    const { animation, parts } = this.#shown;
+    animation?.pose();
+    if (animation !== null) followPose(parts);
   }
 
-  protected keepsLast(): boolean {
-    return this.#host.shown(this);
+  #place(): void {
+    const { name = '', position = ZERO, rotation = ZERO, scale = ONE } = this.#values;
+    const [part] = this.parts;
+    const { root } = this;
+    if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
+    const last = this.#placed;
+    // Values are replaced when they change, so those that are the same need not be written again.
+    if (last?.position === position && last.rotation === rotation && last.scale === scale) return;
+    this.#placed = { position, rotation, scale };
+    root?.position.set(...position);
+    root?.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
+    root?.scale.set(...scale);
+    root?.updateMatrix();
+    if (last !== null && part?.mesh === root) this.#picture.fit.moved(part.mesh);
+    else this.#picture.reshaped();
+  }
+
+  /**
+   * Gives the parts the geometries that their shading needs. Returns the shading for their materials; null for the
+   * picture's.
+   */
+  #reshade(): Shading | null {
+    const { shading = null } = this.#values;
+    const wanted = this.#wantedShading;
+    if (wanted === 'flat' && this.#notFlat) return this.#effective;
+    if (wanted !== this.#effective) {
+      try {
+        this.#regroup(wanted === 'flat');
+        const was = this.#effective;
+        this.#effective = wanted;
+        if (was !== null) this.#retryShape();
+        this.#pose(); // a flat copy may be of an earlier pose
+      } catch (error) {
+        if (this.#effective !== 'flat') this.#shown.claim?.dropFlat();
+        this.#notFlat = true;
+        this.#host.ended(this, this.#shown.url, error);
+        return this.#effective;
+      }
+    }
+    this.#forgetNotFlat();
+    return shading;
+  }
+
+  /** Shows the geometries with or without separate triangles. Throws if there is no room or no memory for them. */
+  #regroup(flat: boolean): void {
+    const { auto, claim } = this.#shown;
+    const needs = auto === null ? null : this.needsOf(auto, 'auto');
+    if (auto !== null && needs !== null) {
+      claim?.add(needs);
+      // Before a flat copy is made of a finer level.
+      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, auto, FIXED, false);
+      this.#picture.reshaped(); // another level may be needed
+    }
+    const { content, parts } = this.#shown;
+    setGeometries(parts, geometriesOf(content, flat, needs === null ? claim : null));
+    if (needs !== null) claim?.keep(needs);
+    else if (!flat) claim?.dropFlat();
   }
 
   /** A shape that was too large as it was shaded before may fit in now. */
-  protected reshaded(): void {
-    if (!this.#load.failed || this.values.src !== '') return;
+  #retryShape(): void {
+    if (!this.#load.failed || this.#values.src !== '') return;
     this.#load.retry();
-    this.#load.request(this.values);
+    this.#load.request(this.#values);
   }
 
-  /** Ends any load and frees everything. */
-  dispose(): void {
-    this.#load.drop();
-    this.#letGo();
-    this.#host.removed(this);
-    this.clear();
+  #forgetNotFlat(): void {
+    if (this.#notFlat) this.#host.dropped(this);
+    this.#notFlat = false;
   }
 }
 

@@ -3,8 +3,7 @@
 import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
 import type { LoadOptions } from '../../model/model-content.js';
 import type { Content } from '../../model/model.js';
-import { type CrossOrigin, isDataUri } from '../../model/request-file.js';
-import { modelCode, requestModelFile } from '../../model/request-model.js';
+import { type CrossOrigin, isDataUri, modelCode, requestModelFile } from '../../model/request-model.js';
 
 interface ModelName {
   /** A file's address is not fetched: it is for messages. */

@@ -1,9 +1,9 @@
 // How many samples are drawn at once: as many as the GPU finishes in 12 ms, so that input and the page's own frames
 // never wait longer for them. One batch is drawn after the other: a small one ends long before the next frame.
 import type { WebGLRenderer } from 'three';
-import type { Region } from '../gpu/stage.js';
+import { pixelOffset } from '../../math/pixel-offsets.js';
+import type { Region } from '../gpu/atlas.js';
 import type { Picture } from '../picture.js';
-import { shifted } from './tiles.js';
 import type { SampleSum } from './sample-sum.js';
 
 const BATCH_MS = 12;
@@ -136,7 +136,10 @@ export function sendBatch(
   samples: number,
   tile: Region,
   renderer: WebGLRenderer,
-  picture: Pick<Picture, 'draw'>,
+  picture: Picture,
 ): void {
-  batches.send(samples - sum.count, () => sum.add(() => picture.draw(renderer, shifted(tile, sum.count))));
+  batches.send(samples - sum.count, () => {
+    const { x, y } = pixelOffset(sum.count);
+    sum.add(() => picture.draw(renderer, { ...tile, x: tile.x + x, y: tile.y + y }));
+  });
 }

@@ -1,29 +1,16 @@
 // The picture of one viewport while nothing changes: its samples are drawn batch by batch, and their mean replaces the
 // plain picture, until all are there. Fetched with the first use of `antialias="full"`.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import type { Size } from '../gpu/atlas.js';
-import { type Region, stage } from '../gpu/stage.js';
-import type { Picture } from '../picture.js';
+import { type Region, tilesOf } from '../gpu/atlas.js';
+import { stage } from '../gpu/stage.js';
+import type { Viewport } from '../viewport.js';
 import { Batches, sendBatch } from './batches.js';
-import { copyPart, fromBelow } from './picture-copy.js';
-import type { Captured } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
-import { tilesOf } from './tiles.js';
+import { copyPart, fromBelow } from './screen-pass.js';
 import { queue, release, seize, sharedSum, take } from './turns.js';
 
 // In one chunk with it: two that share most of their code would leave that in the first file.
 export { captureSamples } from './sampled-capture.js';
-
-/** The viewport, as its samples need it. Sizes are in device pixels. */
-export interface Sampled extends Size, Captured {
-  readonly picture: Pick<Picture, 'version' | 'invalidate' | 'make' | 'draw'>;
-  /** In view. */
-  readonly visible: boolean;
-  /** Shows the kept picture. `last`: it has all samples. */
-  show(last: boolean): void;
-  /** Requests an animation frame. */
-  animate(): void;
-}
 
 /**
  * Animation frames without a change before the first sample of a drag: a slow one has frames in which nothing moves.
@@ -43,7 +30,7 @@ const WAITS_AFTER = 8;
 const SHOWN_AGAIN = 4;
 
 export class ConvergingPicture {
-  readonly #subject: Sampled;
+  readonly #subject: Viewport;
   readonly #wanted: number;
   /** Samples of the picture that is shown; 0: the plain one. */
   #samples = 0;
@@ -58,7 +45,7 @@ export class ConvergingPicture {
   /** Not possible on this GPU, or not with this scene. */
   #failed = false;
 
-  constructor(subject: Sampled, wanted: number) {
+  constructor(subject: Viewport, wanted: number) {
     this.#subject = subject;
     this.#wanted = wanted;
   }
@@ -123,11 +110,12 @@ export class ConvergingPicture {
     release(this);
   }
 
+  /** Now: scrolling changes it. */
   get inView(): boolean {
     return this.#subject.visible;
   }
 
-  /** A turn is free. */
+  /** A turn is free: {@link step} takes it, or {@link pause} gives it up. */
   wake(): void {
     this.#subject.animate();
   }

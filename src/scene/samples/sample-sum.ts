@@ -9,8 +9,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import type { Size } from '../gpu/atlas.js';
-import type { Region } from '../gpu/stage.js';
+import type { Region, Size } from '../gpu/atlas.js';
 import { ScreenPass } from './screen-pass.js';
 
 /**

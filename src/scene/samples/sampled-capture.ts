@@ -1,15 +1,14 @@
 // A picture for `toBlob({ samples })`: the mean of its samples at any size, tile by tile, in batches that leave the
 // page its frames. Works in hidden documents, where animation frames do not come.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import type { Size } from '../gpu/atlas.js';
-import { newTarget } from '../gpu/capture-target.js';
+import { type Region, type Size, tilesOf } from '../gpu/atlas.js';
 import { SAFE_SIDE } from '../gpu/context.js';
-import { contextLost, type Region, stage } from '../gpu/stage.js';
+import { contextLost, stage } from '../gpu/stage.js';
 import type { Picture } from '../picture.js';
+import type { Viewport } from '../viewport.js';
 import { Batches, sendBatch } from './batches.js';
-import { copyPart } from './picture-copy.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
-import { tilesOf } from './tiles.js';
+import { copyPart } from './screen-pass.js';
 
 /** Milliseconds until the GPU is asked again whether it has finished a batch. */
 const PAUSE = 4;
@@ -17,27 +16,20 @@ const PAUSE = 4;
 /** Times that a capture begins again because its scene has changed. The last time it is drawn in one task. */
 const RESTARTS = 4;
 
-export interface Captured {
-  readonly picture: Pick<Picture, 'version' | 'make' | 'draw'>;
-  /** False: nothing keeps the context open from one task to the next. */
-  readonly attached: boolean;
-  /** Gives back what the GPU holds, at the end of the task, unless it is attached. */
-  releaseUnlessAttached(): void;
-}
-
 /** The page's last capture. One is drawn after the other: only the first has float buffers. */
 let last: Promise<unknown> = Promise.resolve();
 
 /** Rejects with RangeError if no canvas can hold the picture, and where the context is lost. */
-export function captureSamples(subject: Captured, size: Size, samples: number): Promise<HTMLCanvasElement> {
+export function captureSamples(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
   const picture = last.then(() => draw(subject, size, samples));
   last = picture.catch(() => undefined);
   return picture;
 }
 
-async function draw(subject: Captured, size: Size, samples: number): Promise<HTMLCanvasElement> {
+async function draw(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
   for (let restarts = 0; ; restarts++) {
     const { version } = subject.picture;
+    // Nothing keeps the context of a detached viewer open from one task to the next.
     const atOnce = restarts === RESTARTS || !subject.attached;
     const batches = drawBatches(subject.picture, size, samples, atOnce);
     subject.releaseUnlessAttached();
@@ -55,14 +47,12 @@ async function draw(subject: Captured, size: Size, samples: number): Promise<HTM
 
 /** Stops after each batch, unless `atOnce`. */
 function* drawBatches(
-  picture: Captured['picture'],
+  picture: Picture,
   size: Size,
   samples: number,
   atOnce: boolean,
 ): Generator<void, HTMLCanvasElement> {
-  const { width, height } = size;
-  const target = newTarget(width, height);
-  if (target === null) throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
+  const target = stage.newTarget(size);
   for (const tile of tilesOf(size, MOST_SUMMED, SAFE_SIDE)) {
     const piece = yield* drawTile(picture, size, tile, samples, atOnce);
     target.drawImage(piece, tile.x, tile.y);
@@ -71,7 +61,7 @@ function* drawBatches(
 }
 
 function* drawTile(
-  picture: Captured['picture'],
+  picture: Picture,
   size: Size,
   tile: Region,
   samples: number,

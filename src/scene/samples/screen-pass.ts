@@ -1,4 +1,5 @@
-// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that reads textures.
+// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that reads textures. One
+// of them copies a kept picture.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -10,8 +11,10 @@ import {
   RawShaderMaterial,
   type Texture,
   Vector2,
+  Vector4,
   type WebGLRenderer,
 } from 'three';
+import type { Region } from '../gpu/atlas.js';
 
 const VERTEX = `
 precision highp float;
@@ -88,3 +91,17 @@ void main() {
     this.#mesh.material.dispose();
   }
 }
+
+const copyPass = /* @__PURE__ */ new ScreenPass('color = texel;');
+const scratch = /* @__PURE__ */ new Vector4();
+
+/** Fills the renderer's present viewport with this part of a picture that is `height` pixels high. */
+export function copyPart(renderer: WebGLRenderer, picture: Texture, part: Region, height: number): void {
+  const { x, y } = fromBelow(part, height);
+  const viewport = renderer.getCurrentViewport(scratch);
+  copyPass.uniforms.uOrigin.value.set(viewport.x - x, viewport.y - y);
+  copyPass.draw(renderer, picture);
+}
+
+/** The same part, counted from the picture's bottom left corner, as WebGL does. */
+export const fromBelow = (part: Region, whole: number): Region => ({ ...part, y: whole - part.y - part.height });

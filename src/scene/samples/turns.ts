@@ -3,19 +3,11 @@
 // come before those that are only near it, and otherwise in the order in which they stood still: mostly that of the
 // document.
 import type { WebGLRenderer } from 'three';
+import type { ConvergingPicture } from './converging-picture.js';
 import { SampleSum } from './sample-sum.js';
 
-export interface Waiting {
-  /** Now: scrolling changes it. */
-  readonly inView: boolean;
-  /** A turn is free: take it in an animation frame, or give it up by {@link release}. */
-  wake(): void;
-  /** Another one takes the turn: release it. */
-  pause(): void;
-}
-
-let active: Waiting | null = null;
-let waiting = new Set<Waiting>();
+let active: ConvergingPicture | null = null;
+let waiting = new Set<ConvergingPicture>();
 /** While somebody turns a knob, one picture follows the other. Allocating takes 60 ms at 1600 × 900 (H100, OpenGL). */
 const KEPT_MS = 1000;
 
@@ -23,12 +15,12 @@ let freeing = 0;
 let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null = null;
 
 /** It will take its turn soon: whoever comes before it is known then. */
-export function queue(one: Waiting): void {
+export function queue(one: ConvergingPicture): void {
   if (active !== one) waiting.add(one);
 }
 
 /** Whether it is this one's turn. If not, it is woken once it may be. */
-export function take(one: Waiting): boolean {
+export function take(one: ConvergingPicture): boolean {
   queue(one);
   const next = nextWaiting();
   if (active?.inView === false && next?.inView === true) {
@@ -43,21 +35,21 @@ export function take(one: Waiting): boolean {
   return active === one;
 }
 
-function nextWaiting(): Waiting | undefined {
+function nextWaiting(): ConvergingPicture | undefined {
   for (const one of waiting) if (one.inView) return one;
   const [first] = waiting;
   return first;
 }
 
 /** Takes the turn from whoever has it. */
-export function seize(one: Waiting): void {
+export function seize(one: ConvergingPicture): void {
   if (active !== one) active?.pause();
   active = one;
   waiting.delete(one);
 }
 
 /** It needs no turn any more, or not now. */
-export function release(one: Waiting): void {
+export function release(one: ConvergingPicture): void {
   const waited = waiting.delete(one);
   if (active !== one && !waited) return;
   if (active === one) active = null;

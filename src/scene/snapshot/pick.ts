@@ -1,10 +1,30 @@
 // Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64,
 // from the orbit's own basis. Knows three.js and the Phong material, but neither lights nor elements.
-import { type Intersection, type Mesh, type Object3D, type PerspectiveCamera, Raycaster, type Vector3 } from 'three';
+import {
+  type Intersection,
+  Matrix3,
+  type Mesh,
+  type Object3D,
+  type PerspectiveCamera,
+  Raycaster,
+  Vector3,
+} from 'three';
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
+import { normalMatrix } from '../../material/normal-matrix.js';
 import { radians } from '../../math/angle.js';
-import { add, cross, dot, length, normalize, perpendicular, scale, subtract, type Vec3 } from '../../math/vector.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  perpendicular,
+  scale,
+  subtract,
+  type Vec3,
+  type Vec4,
+} from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
@@ -199,3 +219,40 @@ function asItWas({ object, ...then }: Drawn, use: (object: Object3D) => void): v
 
 const depthOf = ({ x, y, z }: Vector3, { origin, eye, back }: ShadingFrame): number =>
   -dot(subtract(subtract([x, y, z], origin), eye), back);
+
+/** A corner in shading space. */
+export interface Corner {
+  /** Place relative to the frame's origin. */
+  readonly p: Vec3;
+  /** Unit length, or zero; flipped on back faces. */
+  readonly N: Vec3;
+  /** Unit, along the u of a normal map; w is the side of its v. Null where the geometry has none. Not flipped. */
+  readonly tangent: Vec4 | null;
+}
+
+/** The corners of the triangle that was hit, as the vertex shader computes them. */
+export function cornersOf({ drawn, corners, front, frame }: Hit): readonly [Corner, Corner, Corner] {
+  const { geometry, matrixWorld } = drawn;
+  const toShading = matrixWorld.clone();
+  const e = toShading.elements;
+  for (let i = 0; i < 3; i++) e[12 + i]! -= frame.origin[i]!;
+  const turn = new Matrix3();
+  normalMatrix(toShading, turn);
+  const place = geometry.getAttribute('position');
+  const normal = geometry.hasAttribute('normal') ? geometry.getAttribute('normal') : null;
+  const tangents = geometry.hasAttribute('tangent') ? geometry.getAttribute('tangent') : null;
+  const sign = toShading.determinant() < 0 ? -1 : 1;
+  const linear = new Matrix3().setFromMatrix4(toShading);
+  const tangentOf = (vertex: number): Vec4 | null => {
+    if (tangents === null) return null;
+    const T = new Vector3().fromBufferAttribute(tangents, vertex).applyMatrix3(linear);
+    return [...normalize(T.toArray()), sign * tangents.getW(vertex)];
+  };
+  const corner = (vertex: number): Corner => {
+    const p = new Vector3().fromBufferAttribute(place, vertex).applyMatrix4(toShading);
+    const N = new Vector3();
+    if (normal !== null) N.fromBufferAttribute(normal, vertex).applyMatrix3(turn);
+    return { p: p.toArray(), N: scale(normalize(N.toArray()), front ? 1 : -1), tangent: tangentOf(vertex) };
+  };
+  return [corner(corners[0]), corner(corners[1]), corner(corners[2])];
+}

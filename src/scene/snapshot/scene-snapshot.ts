@@ -2,23 +2,14 @@
 // scene changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are
 // overwritten.
 import type { BufferAttribute, BufferGeometry, Material, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
-import type { Sides } from '../../material/back-faces.js';
 import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
-import type { BaseLook } from '../../material/file-surface.js';
 import { PhongMaterial } from '../../material/phong-material.js';
-import type { ShadingStyle, SurfaceValues } from '../../material/material-values.js';
 import { sameValue } from '../../fields/field-store.js';
 import { hasMovingVertices } from '../bounds.js';
 
 /** How the Phong material shades an object. */
-export interface DrawnLook {
-  readonly look: BaseLook;
-  readonly sides: Sides;
-  readonly surface: Readonly<SurfaceValues>;
-  readonly style: ShadingStyle;
-  readonly linear: boolean;
-}
+export type DrawnLook = Readonly<Pick<PhongMaterial, 'look' | 'sides' | 'surface' | 'style' | 'linear'>>;
 
 /** A drawn object at the moment of the snapshot. */
 export interface Drawn<Owner = unknown> {
@@ -104,9 +95,9 @@ function still(geometry: BufferGeometry): BufferGeometry {
   return copy;
 }
 
-const phongLook = ({ look, sides, surface, style, linear }: PhongMaterial): DrawnLook => ({
-  ...{ look, sides, surface, style, linear },
-});
+const phongLook = ({ look, sides, surface, style, linear }: PhongMaterial): DrawnLook => {
+  return { look, sides, surface, style, linear };
+};
 
 /** The frame itself is overwritten when the camera moves. */
 export const copyFrame = ({ origin, eye, right, up, back }: ShadingFrame): ShadingFrame => ({

@@ -30,11 +30,6 @@ export const CLOSED: ReadonlySet<GeometryName> = new Set(
   GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),
 );
 
-/** A shape whose code is here: its geometries are made at once. */
-export type LoadedShape = GeometryName & { readonly [loaded]: true };
-
-declare const loaded: unique symbol;
-
 /** A geometry, or a promise where the shape's code is a chunk of its own. */
 export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
 
@@ -115,14 +110,12 @@ const SAGITTA = Math.PI ** 2 / 4;
 
 const HALF: Vec3 = [0.5, 0.5, 0.5];
 
+/** Cylinder and cone: curved in one direction, so only half a sagitta is left once the vertices are moved. */
+const STRAIGHT = { gap: SAGITTA / 2, out: SAGITTA / 2, smooth: 48, most: 1024, half: HALF, radius: Math.SQRT1_2 };
+
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
-  box: {
-    segments: 1,
-    least: 1,
-    create: (n) => new BoxGeometry(1, 1, 1, n, n, n),
-    triangles: (n) => 12 * n * n,
-  },
+  box: { segments: 1, least: 1, create: (n) => new BoxGeometry(1, 1, 1, n, n, n), triangles: (n) => 12 * n * n },
   sphere: {
     segments: 64,
     least: 3,
@@ -136,30 +129,14 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     least: 3,
     create: solid('cylinder'),
     triangles: (n) => 4 * n,
-    round: {
-      gap: SAGITTA / 2,
-      out: SAGITTA / 2,
-      smooth: 48,
-      cover: 0.75,
-      most: 1024,
-      half: HALF,
-      radius: Math.SQRT1_2,
-    },
+    round: { ...STRAIGHT, cover: 0.75 },
   },
   cone: {
     segments: 64,
     least: 3,
     create: solid('cone'),
     triangles: (n) => 2 * n,
-    round: {
-      gap: SAGITTA / 2,
-      out: SAGITTA / 2,
-      smooth: 48,
-      cover: 0.4,
-      most: 1024,
-      half: HALF,
-      radius: Math.SQRT1_2,
-    },
+    round: { ...STRAIGHT, cover: 0.4 },
   },
   pyramid: { segments: 1, least: 1, create: solid('pyramid'), triangles: (n) => 6 * n * n },
   torus: {

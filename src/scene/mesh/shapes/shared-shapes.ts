@@ -1,16 +1,19 @@
-// The geometries of shapes that meshes show now. Meshes of the whole page with the same shape and segments share one;
-// users are counted.
+// The shapes that meshes show now. Meshes of the whole page with the same shape and segments share one content; users
+// are counted.
+import { type BufferGeometry, Matrix4 } from 'three';
+import { PLAIN_LOOK } from '../../../material/file-surface.js';
+import { claimsOf, type Need } from '../../../model/budget.js';
+import type { Content } from '../../../model/model.js';
 import {
+  CLOSED,
   coarsestOf,
   createGeometry,
   effectiveSegments,
   flatTrianglesOf,
   type GeometryName,
-  type PendingGeometry,
   roundOf,
   trianglesOf,
 } from './shapes.js';
-import { claimsOf, type Need } from '../../../model/budget.js';
 
 /** Segments as written, `undefined` for the shape's default; or a level of `auto`. */
 export interface ShapeKey {
@@ -29,7 +32,7 @@ export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKe
     : levelKey(name, roundOf(name) === undefined ? FIXED : coarsestOf(name));
 
 /** A level by its segments, or the shape's {@link FIXED} number. */
-export const levelKey = <Name extends GeometryName>(name: Name, level: number): ShapeKey & { readonly name: Name } => ({
+export const levelKey = (name: GeometryName, level: number): ShapeKey => ({
   name,
   segments: level === FIXED ? undefined : level,
   isLevel: level !== FIXED,
@@ -41,9 +44,15 @@ export const FIXED = 0;
 /** A level stays so long without users: the samples of a still picture use a finer one than the frame before. */
 const KEPT_MS = 1000;
 
+/** A built-in shape as the content of meshes. */
+export interface ShapeContent extends Content {
+  /** What it and its flat copy hold: claimed before there is a geometry. */
+  readonly needs: readonly Need[];
+}
+
 interface Shared {
   /** A promise until its code is here. */
-  geometry: PendingGeometry;
+  content: ShapeContent | Promise<ShapeContent>;
   users: number;
   freeing?: ReturnType<typeof setTimeout>;
 }
@@ -62,52 +71,48 @@ export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
 }
 
 /**
- * The geometry of a shape, for one more user. Each call needs one {@link releaseGeometry} with the same key, whether or
- * not a promise has settled by then; only this cache disposes of the geometry. A rejected promise (a chunk that could
- * not be fetched) needs no release, and the next call tries again.
+ * A shape for one more user, who disposes of the content once: at once if its code is loaded, else a promise. The last
+ * one frees the geometry, that of a level a second later. A rejected promise (a chunk that could not be fetched) needs
+ * no disposal, and the next call tries again.
  */
-export function acquireGeometry(key: ShapeKey): PendingGeometry {
-  const text = keyOf(key);
-  let entry = shared.get(text);
-  if (entry === undefined) {
-    entry = { geometry: createGeometry(key.name, key.segments, key.isLevel), users: 0 };
-    add(text, entry);
-  }
+export function acquireShape(key: ShapeKey): ShapeContent | Promise<ShapeContent> {
+  const entry = shared.get(keyOf(key)) ?? create(key);
   clearTimeout(entry.freeing);
   entry.users += 1;
-  return entry.geometry;
+  return entry.content;
 }
 
-function add(text: string, entry: Shared): void {
-  shared.set(text, entry);
-  if (!(entry.geometry instanceof Promise)) return;
-  entry.geometry.then(
-    (geometry) => (entry.geometry = geometry),
-    () => {
-      if (shared.get(text) === entry) shared.delete(text);
-    },
-  );
-}
-
-/**
- * Ends one use; the last one frees the geometry, that of a level a second later. More releases than uses do nothing.
- */
-export function releaseGeometry(key: ShapeKey): void {
+function create(key: ShapeKey): Shared {
   const text = keyOf(key);
-  const entry = shared.get(text);
-  if (entry === undefined || entry.users === 0) return;
-  entry.users -= 1;
-  if (entry.users > 0) return;
-  const free = (): void => {
-    if (shared.get(text) === entry) shared.delete(text);
-    if (!(entry.geometry instanceof Promise)) entry.geometry.dispose();
-    // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
-    else
-      entry.geometry.then(
-        (geometry) => geometry.dispose(),
-        () => undefined,
-      );
+  const { name } = key;
+  const contentOf = (geometry: BufferGeometry): ShapeContent => {
+    const free = (): void => {
+      shared.delete(text);
+      geometry.dispose();
+    };
+    const sides = CLOSED.has(name) ? 'closed' : 'double';
+    return {
+      parts: [{ name, geometry, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
+      motion: null,
+      needs: shapeNeeds(key, true),
+      dispose: () => {
+        entry.users -= 1;
+        if (entry.users > 0) return;
+        if (key.isLevel) entry.freeing = setTimeout(free, KEPT_MS);
+        else free();
+      },
+    };
   };
-  if (key.isLevel) entry.freeing = setTimeout(free, KEPT_MS);
-  else free();
+  const geometry = createGeometry(name, key.segments, key.isLevel);
+  const content = geometry instanceof Promise ? geometry.then(contentOf) : contentOf(geometry);
+  const entry: Shared = { content, users: 0 };
+  shared.set(text, entry);
+  if (content instanceof Promise)
+    content.then(
+      (ready) => (entry.content = ready),
+      () => shared.delete(text),
+    );
+  return entry;
 }
+
+const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();

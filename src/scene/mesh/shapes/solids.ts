@@ -1,8 +1,7 @@
 // The less common shapes, in one chunk: separate chunks would be smaller than a request costs.
-import type { BufferGeometry } from 'three';
+import { BufferGeometry, Float32BufferAttribute } from 'three';
+import { cross, normalize, subtract, type Vec3 } from '../../../math/vector.js';
 import { circle, type Grid, gridGeometry, put } from './grid-geometry.js';
-import { pyramidGeometry } from './pyramid.js';
-import { torusKnot } from './torus-knot.js';
 
 // The ring's radius and the tube's add up to the outer radius 1/2.
 const TORUS_RING = 0.35;
@@ -16,7 +15,7 @@ type Solid = (segments: number, out: number, isLevel: boolean) => BufferGeometry
 export const SOLIDS: Readonly<Record<'cylinder' | 'cone' | 'pyramid' | 'torus' | 'torus-knot', Solid>> = {
   cylinder: (n, out) => gridGeometry([cap(n, 0.5 + out, 1), side(n, 0.5 + out, 0.5 + out), cap(n, 0.5 + out, -1)]),
   cone: (n, out, isLevel) => gridGeometry([side(n, 0, 0.5 + out, isLevel), cap(n, 0.5 + out, -1)]),
-  pyramid: (n) => pyramidGeometry(n),
+  pyramid,
   torus,
   'torus-knot': torusKnot,
 };
@@ -83,4 +82,124 @@ function torus(columns: number, out: number): BufferGeometry {
       },
     },
   ]);
+}
+
+// The torus knot with three.js's defaults: the strands do not touch.
+const KNOT_RADIUS = 1;
+const KNOT_TUBE = 0.4;
+
+/** Largest extent of the round knot in three.js's size, along y, and the centre of its box, which is on the x axis. */
+const KNOT_EXTENT = 3.62822984;
+const KNOT_CENTER = 0.1588989;
+
+/** How far ahead three.js looks for the knot's direction, in radians of its own angle. */
+const AHEAD = 0.01;
+
+/**
+ * The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box.
+ * @param rows along the knot, at least 32; those around the tube grow with them, from 8 on.
+ * @param out how far the vertices are outside the tube.
+ */
+function torusKnot(rows: number, out: number): BufferGeometry {
+  const columns = Math.max(8, Math.round(rows / 8));
+  const tube = KNOT_TUBE / KNOT_EXTENT + out;
+  const { cos, sin } = circle(columns);
+  return gridGeometry([
+    {
+      ...{ columns, rows, corners: [0, 2, 1, 2, 3, 1] },
+      row: (row, into, first) => {
+        const angle = ((row % rows) / rows) * 4 * Math.PI;
+        const [x, y, z] = curve(angle);
+        const next = curve(angle + AHEAD);
+        const along = subtract(next, [x, y, z]);
+        const sum: Vec3 = [next[0] + x, next[1] + y, next[2] + z];
+        const B = normalize(cross(along, sum));
+        const N = normalize(cross(B, along));
+        for (let i = 0; i <= columns; i++) {
+          const [cx, cy] = [-cos[i]!, sin[i]!];
+          const nx = cx * N[0] + cy * B[0];
+          const ny = cx * N[1] + cy * B[1];
+          const nz = cx * N[2] + cy * B[2];
+          const px = (x - KNOT_CENTER) / KNOT_EXTENT + tube * nx;
+          const py = y / KNOT_EXTENT + tube * ny;
+          const pz = z / KNOT_EXTENT + tube * nz;
+          put(into, first + i, px, py, pz, nx, ny, nz, row / rows, i / columns);
+        }
+      },
+    },
+  ]);
+}
+
+/** The middle of the tube, in three.js's size. */
+function curve(angle: number): Vec3 {
+  const distance = KNOT_RADIUS * (2 + Math.cos(1.5 * angle)) * 0.5;
+  return [distance * Math.cos(angle), distance * Math.sin(angle), KNOT_RADIUS * Math.sin(1.5 * angle) * 0.5];
+}
+
+const CORNER = Math.SQRT1_2 / 2;
+const APEX: Vec3 = [0, 0.5, 0];
+/** Counter-clockwise seen from above, from the front left. */
+const BASE: readonly [Vec3, Vec3, Vec3, Vec3] = [
+  [-CORNER, -0.5, CORNER],
+  [CORNER, -0.5, CORNER],
+  [CORNER, -0.5, -CORNER],
+  [-CORNER, -0.5, -CORNER],
+];
+
+/**
+ * Of height 1 on a square base, whose corners lie on a circle of diameter 1 as a cone's do; sides facing the axes, as a
+ * box's do. Each face has its own vertices and normal. `segments`: parts into which every edge is divided.
+ */
+function pyramid(segments: number): BufferGeometry {
+  const mesh: Lists = { position: [], normal: [], uv: [], index: [] };
+  const [a, b, c, d] = BASE;
+  for (const [left, right] of [
+    [a, b],
+    [b, c],
+    [c, d],
+    [d, a],
+  ] as const)
+    addTriangle(mesh, left, right, APEX, segments);
+  addTriangle(mesh, a, d, c, segments);
+  addTriangle(mesh, c, b, a, segments);
+  const geometry = new BufferGeometry();
+  geometry.setIndex(mesh.index);
+  geometry.setAttribute('position', new Float32BufferAttribute(mesh.position, 3));
+  geometry.setAttribute('normal', new Float32BufferAttribute(mesh.normal, 3));
+  geometry.setAttribute('uv', new Float32BufferAttribute(mesh.uv, 2));
+  return geometry;
+}
+
+const normalOf = (a: Vec3, b: Vec3, c: Vec3): Vec3 => normalize(cross(subtract(b, a), subtract(c, a)));
+
+interface Lists {
+  readonly position: number[];
+  readonly normal: number[];
+  readonly uv: number[];
+  readonly index: number[];
+}
+
+/** The triangle a b c, counter-clockwise from outside, as rows of n, n - 1, … small ones from ab up to c. */
+function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
+  const normal = normalOf(a, b, c);
+  let row = mesh.position.length / 3;
+  for (let j = 0; j <= n; j += 1) {
+    const v = j / n;
+    const width = n - j;
+    for (let i = 0; i <= width; i += 1) {
+      const u = i / n;
+      const w = (width - i) / n;
+      for (const axis of [0, 1, 2] as const) {
+        mesh.position.push(w * a[axis] + u * b[axis] + v * c[axis]);
+      }
+      mesh.normal.push(...normal);
+      mesh.uv.push(u + v / 2, v);
+      if (i === width) continue;
+      const here = row + i;
+      const above = here + width + 1;
+      mesh.index.push(here, here + 1, above);
+      if (i + 1 < width) mesh.index.push(here + 1, above + 1, above);
+    }
+    row += width + 1;
+  }
 }

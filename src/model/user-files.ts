@@ -1,9 +1,13 @@
-// The files of a model that comes from the user's disk. Files dropped together are found by the paths that the model
-// names; nothing is fetched.
+// The files of a model from the user's disk, dropped or chosen together: which of them is the model, and which ones it
+// names. Found by their paths; nothing is fetched.
 import { listed } from '../fields/clip.js';
-import { fileName } from './file-name.js';
+import { modelExtensions, supportedFormats } from './format.js';
 import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
+import { fileName } from './request-model.js';
+
+/** Most files of a dropped folder. Models come with hundreds at most; a whole disk should not be walked. */
+const FILE_LIMIT = 5000;
 
 interface FileGroup {
   /** All files by their paths, which have no slash in front. The model is one of them. */
@@ -14,11 +18,60 @@ interface FileGroup {
   readonly problem: ModelError | null;
 }
 
+/** By the model. */
 const groups = new WeakMap<Blob, FileGroup>();
 
-/** From now on `model` is loaded with these files. */
-export function setFileGroup(model: Blob, group: FileGroup): void {
-  groups.set(model, group);
+/**
+ * The model among what was dropped; null if there is nothing. Set it as `src`: its files come with it, and if it cannot
+ * be shown, loading it says why.
+ * @param entries files and folders, as browsers give them for a drop; empty elsewhere.
+ * @param files the same without folders.
+ */
+export async function droppedModel(entries: readonly FileSystemEntry[], files: readonly File[]): Promise<File | null> {
+  const found = new Map<string, File>();
+  try {
+    for (const entry of entries) await collect(entry, found);
+  } catch {
+    // Some browsers refuse to read entries of pages opened from disk: the list of files is left.
+  }
+  // Files chosen by a folder picker have a path.
+  if (found.size === 0) for (const file of files) found.set(file.webkitRelativePath || file.name, file);
+  const models = [...found].filter(([path]) =>
+    modelExtensions.some((extension) => path.toLowerCase().endsWith(`.${extension}`)),
+  );
+  const [path, model] = models[0] ?? [...found][0] ?? [];
+  if (path === undefined || model === undefined) return null;
+  const problem = problemOf(
+    found.size,
+    models.map(([name]) => name),
+  );
+  groups.set(model, { files: found, path, problem });
+  return model;
+}
+
+async function collect(entry: FileSystemEntry, found: Map<string, File>): Promise<void> {
+  if (found.size >= FILE_LIMIT) return;
+  if (entry.isFile) {
+    const file = new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+    found.set(entry.fullPath.replace(/^\//, ''), await file);
+  } else if (entry.isDirectory) {
+    const reader = (entry as FileSystemDirectoryEntry).createReader();
+    const nextBatch = (): Promise<readonly FileSystemEntry[]> =>
+      new Promise((resolve, reject) => reader.readEntries(resolve, reject));
+    // Some browsers give a hundred at a time.
+    for (let batch = await nextBatch(); batch.length > 0; batch = await nextBatch())
+      for (const inner of batch) await collect(inner, found);
+  }
+}
+
+/** Null if it is clear what to show. A single file of an unknown name may still be a model. */
+function problemOf(files: number, models: readonly string[]): ModelError | null {
+  if (models.length === 1 || files === 1) return null;
+  const fact =
+    models.length === 0
+      ? `None of the ${String(files)} files is a model: ${supportedFormats}.`
+      : `There are ${String(models.length)} models: ${listed(models)}. Drop one of them, with its own files.`;
+  return new ModelError('bad-model', fact);
 }
 
 /** Where a model's bytes come from. */
@@ -44,9 +97,8 @@ export function openFile(model: Blob, budget: ModelBudget): OpenedModel {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
       // Files can be changed or deleted after they were chosen.
-      throw new ModelError('load-failed', `${name} could not be read. Was it moved or changed? Choose it again.`, {
-        cause,
-      });
+      const fact = `${name} could not be read. Was it moved or changed? Choose it again.`;
+      throw new ModelError('load-failed', fact, { cause });
     }
   };
 
@@ -94,9 +146,8 @@ function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
 /** The path that an address names, seen from the file at `base`; null if it is no relative address. */
 function pathOf(uri: string, base: string): string | null {
   try {
-    const root = 'file:///';
     const folder = base.split('/').map(encodeURIComponent).join('/');
-    const url = new URL(uri, new URL(folder, root));
+    const url = new URL(uri, new URL(folder, 'file:///'));
     return url.protocol === 'file:' ? decodeURIComponent(url.pathname.slice(1)) : null;
   } catch {
     return null;

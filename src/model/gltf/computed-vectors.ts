@@ -1,5 +1,6 @@
-// Normals of a file that have no direction (zero or no number) are computed anew, from the faces around their vertices.
-import type { BufferAttribute } from 'three';
+// Normals and tangents that a file lacks: normals without direction (zero or no number) from the faces around their
+// vertices, tangents from texture coordinates.
+import { BufferAttribute, type BufferGeometry } from 'three';
 import type { Slices } from '../slices.js';
 
 /** How many vectors have no direction. */
@@ -73,4 +74,57 @@ function writeFace(face: Float64Array, positions: ArrayLike<number>, a: number, 
   face[0] = uy * vz - uz * vy;
   face[1] = uz * vx - ux * vz;
   face[2] = ux * vy - uy * vx;
+}
+
+/**
+ * Adds the attribute `tangent` to `geometry`, computed from its texture coordinates `uv` (Lengyel, "Computing Tangent
+ * Space Basis Vectors for an Arbitrary Mesh"). A tangent points along
+ * growing u. Its w says that N × T · w points up the image, as a normal map's green does: against growing v, because
+ * glTF's v runs down the image.
+ */
+export async function addTangents(geometry: BufferGeometry, uv: string, slices: Slices): Promise<void> {
+  const positions = geometry.getAttribute('position').array;
+  const normals = geometry.getAttribute('normal').array;
+  const uvs = geometry.getAttribute(uv).array;
+  const { index } = geometry;
+  const { count } = geometry.getAttribute('position');
+  // Directions of growing u and v, summed over the triangles of each vertex.
+  const alongU = new Float64Array(3 * count);
+  const alongV = new Float64Array(3 * count);
+  await slices.over(index?.count ?? count, (from, to) => {
+    for (let i = from; i < to; i += 3) {
+      const [a, b, c] = index ? [index.getX(i), index.getX(i + 1), index.getX(i + 2)] : [i, i + 1, i + 2];
+      const ub = uvs[2 * b]! - uvs[2 * a]!;
+      const vb = uvs[2 * b + 1]! - uvs[2 * a + 1]!;
+      const uc = uvs[2 * c]! - uvs[2 * a]!;
+      const vc = uvs[2 * c + 1]! - uvs[2 * a + 1]!;
+      const scale = 1 / (ub * vc - uc * vb);
+      if (!Number.isFinite(scale)) continue; // its texture coordinates lie on a line
+      for (let k = 0; k < 3; k += 1) {
+        const pb = positions[3 * b + k]! - positions[3 * a + k]!;
+        const pc = positions[3 * c + k]! - positions[3 * a + k]!;
+        const u = (pb * vc - pc * vb) * scale;
+        const v = (pc * ub - pb * uc) * scale;
+        for (const vertex of [a, b, c]) {
+          alongU[3 * vertex + k]! += u;
+          alongV[3 * vertex + k]! += v;
+        }
+      }
+    }
+  });
+  const values = new Float32Array(4 * count);
+  await slices.over(count, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      const [nx, ny, nz] = [normals[3 * i]!, normals[3 * i + 1]!, normals[3 * i + 2]!];
+      const [ux, uy, uz] = [alongU[3 * i]!, alongU[3 * i + 1]!, alongU[3 * i + 2]!];
+      const along = nx * ux + ny * uy + nz * uz;
+      const [x, y, z] = [ux - nx * along, uy - ny * along, uz - nz * along];
+      const [vx, vy, vz] = [alongV[3 * i]!, alongV[3 * i + 1]!, alongV[3 * i + 2]!];
+      const length = Math.hypot(x, y, z);
+      if (length > 0 && length < Infinity) values.set([x / length, y / length, z / length], 4 * i);
+      const down = (ny * uz - nz * uy) * vx + (nz * ux - nx * uz) * vy + (nx * uy - ny * ux) * vz;
+      values[4 * i + 3] = down > 0 ? -1 : 1;
+    }
+  });
+  geometry.setAttribute('tangent', new BufferAttribute(values, 4));
 }

@@ -8,7 +8,7 @@ import { REFLECTIONS, SHADINGS } from '../material/material-values.js';
 import { TERMS } from '../light/light-state.js';
 import { VIEWS } from '../material/views.js';
 import type { Say } from './label.js';
-import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';
+import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-rows.js';
 import {
   button,
   flag,

@@ -1,5 +1,4 @@
-// A mesh's folder and its rows. Those of its surface are the rows of the viewer's own surface too.
-import type { GUI } from 'lil-gui';
+// The rows of a mesh. Those of its surface are the rows of the viewer's own surface too.
 import { fieldsOf, sceneMeshes } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -8,11 +7,9 @@ import { historyOf, valuesOf } from '../element/viewer/history.js';
 import { SURFACE_FIELDS, type SurfaceValues, REFLECTIONS, SHADINGS } from '../material/material-values.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import { ButtonRow } from './button-row.js';
-import type { ChildEditor } from './child-editor.js';
-import { ChildFolder } from './child-folders.js';
+import type { ChildKind } from './child-folders.js';
 import { chooseModel } from './files-row.js';
 import { button, color, readout, NO_ROW, number, oneOf, type Row, type RowTable, text, vector } from './rows.js';
-import type { SceneRange } from './scene-range.js';
 import { linear, logarithmic } from './travel.js';
 
 /** A button that shows a file of the user's instead of the mesh's model or shape. */
@@ -39,7 +36,7 @@ export const SURFACE_ROWS = {
 
 /** How many segments the shape has; under `auto`: what that gives now. */
 export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
-  ...readout('segments', (element: PhongMesh | PhongViewer) => String(sceneMeshes.get(element)?.segments ?? '')),
+  ...readout('segments', (element: PhongMesh | PhongViewer) => String(sceneMeshes.get(element)?.segments ?? ''), true),
   shown: ({ src, geometry }) => src === '' && geometry !== null,
 };
 
@@ -59,12 +56,8 @@ export const MESH_ROWS = {
   animationName: NO_ROW,
 } satisfies RowTable<MeshValues, PhongMesh, 'resetMaterial'>;
 
-export class MeshFolder extends ChildFolder<PhongMesh> {
-  constructor(group: GUI, mesh: PhongMesh, viewer: PhongViewer, range: SceneRange, editor: ChildEditor<PhongMesh>) {
-    super(group, mesh, viewer, range, MESH_ROWS, editor);
-  }
-
-  protected override titleAt(index: number): string {
-    return meshTitle(this.viewer.texts, this.element, index);
-  }
-}
+export const MESHES: ChildKind<PhongMesh> = {
+  rows: MESH_ROWS,
+  children: ({ meshes }) => meshes,
+  title: (mesh, index, texts) => meshTitle(texts, mesh, index),
+};
