@@ -7,7 +7,7 @@ const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 /** Small pictures of many scenes: time grows with the pixels, and mistakes are found by the scenes. */
 const SIZE = release ? { width: 200, height: 140 } : { width: 84, height: 60 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 18));
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 12));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 for (const [what, geometry, scenes, shading] of [

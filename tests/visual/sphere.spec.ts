@@ -7,7 +7,7 @@ import { subpixelBitsOf } from './program-scenes.js';
 import { Dice, randomScene, sceneMarkup } from './random-scene.js';
 import type { DeclaredScene } from './ray-cast.js';
 
-const SIZE = { width: 120, height: 84 };
+const SIZE = { width: fullOr(120, 90), height: fullOr(84, 63) };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(300, 12));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);

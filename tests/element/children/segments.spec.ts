@@ -1,5 +1,5 @@
 // Are round shapes as round as the screen shows, by default, in pictures, files and comparisons? Also: a viewer keeps to
-// its limit of triangles. The long form is release/round-films.spec.ts.
+// its limit of triangles. The long form is release/long-forms.spec.ts.
 
 import type { Locator } from '@playwright/test';
 import { expect, pixels, test } from '../../support/test.js';

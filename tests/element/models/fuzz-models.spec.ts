@@ -1,4 +1,4 @@
-// A few hostile models, as a sample of what tests/release/fuzz-models.spec.ts loads by the thousand.
+// A few hostile models, as a sample of what tests/release/long-forms.spec.ts loads by the thousand.
 import { fuzzModels, load, MemoryWatch } from '../../fuzz/model-run.js';
 import { barClaimsGlb, barGlb } from '../../fuzz/models.js';
 import { expect, test } from '../../support/test.js';

@@ -69,7 +69,7 @@ test.describe('shadeAt explains the picture', () => {
     });
     // Close by, so that triangles are larger than a few pixels.
     await assign(viewer, { radius: (await cameraOf(viewer)).radius / 4 });
-    await equationExpect(viewer).toShowTheEquation({ share: 0.1 });
+    await equationExpect(viewer).toShowTheEquation({ share: 0.1, pixels: fullOr(1e4, 1000) });
   });
 
   test('within one code on flattened and stretched shapes, from inside, behind others, at two device pixels per CSS pixel', async ({
@@ -89,7 +89,7 @@ test.describe('shadeAt explains the picture', () => {
       '<phong-mesh geometry="box"></phong-mesh><phong-mesh geometry="cone" segments="7" position="0 0.6 0.9"></phong-mesh>',
     ]) {
       await show(viewer, `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`);
-      await equationExpect(viewer, meshes).toShowTheEquation({ share: 0.2 });
+      await equationExpect(viewer, meshes).toShowTheEquation({ share: 0.2, pixels: fullOr(1e4, 1000) });
     }
   });
 

@@ -5,8 +5,9 @@
 import { axeOn } from '../../support/axe.js';
 import type { APIRequestContext, Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
+import { firstOf } from '../../support/repeats.js';
 import { strictPolicy } from '../../support/site.js';
-import { sitePages } from '../../support/site-pages.js';
+import { sitePages, takeNoSamples } from '../../support/site-pages.js';
 import { expectPictures } from '../../visual/contact-sheet.js';
 
 /** Pages whose pictures are compared with a baseline. The others show none, or some that change. */
@@ -23,6 +24,11 @@ const OFTEN: ReadonlySet<string> = new Set([
   ...['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'lesson/de/', 'playground/'],
 ]);
 
+/** Pages that are looked at in dark colours too in every run: together they have all that is coloured. */
+const DARK: ReadonlySet<string> = new Set(['', 'article/', 'explain/', 'guide/see/', 'lesson/', 'playground/']);
+
+test.beforeEach(({ page }) => takeNoSamples(page));
+
 const PHONE = { width: 390, height: 844 };
 
 async function open(page: Page, path: string): Promise<void> {
@@ -33,10 +39,10 @@ async function open(page: Page, path: string): Promise<void> {
 const contentOf = (page: Page, selector: string): Promise<string | null> =>
   page.locator(selector).getAttribute('content');
 
-async function expectFitAndAccessible(page: Page): Promise<void> {
+async function expectFitAndAccessible(page: Page, dark: boolean): Promise<void> {
   const tooWide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   expect.soft(tooWide, 'pixels beside the screen').toBeLessThanOrEqual(0);
-  for (const colorScheme of ['light', 'dark'] as const) {
+  for (const colorScheme of firstOf(['light', 'dark'] as const, dark ? 2 : 1)) {
     await page.emulateMedia({ colorScheme });
     const axe = axeOn(page);
     // The dark page is the light one in other colours.
@@ -100,7 +106,7 @@ for (const path of sitePages) {
     await page.setViewportSize(PHONE);
     await page.emulateMedia({ colorScheme: 'light' });
     await open(page, path);
-    await expectFitAndAccessible(page);
+    await expectFitAndAccessible(page, DARK.has(path));
     await expectHead(page, request);
     if (pictured) await expectPictures(page, `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`);
     await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
