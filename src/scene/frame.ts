@@ -55,8 +55,7 @@ export class Frame {
     this.height = height;
     this.samples = samples;
     this.#orbit.basis(this.#basis);
-    this.#orbit.offset(this.#offset);
-    this.#orbit.eye(this.#eye);
+    this.#writeEye();
     camera.fov = fov;
     camera.aspect = width / height;
     view.slopeY = Math.tan(radians(fov) / 2);
@@ -87,6 +86,16 @@ export class Frame {
     camera.updateProjectionMatrix();
     if (camera.far > DEEPEST * camera.near) removeFarPlane(camera);
     scaleClipSpace(camera, this.view.radius);
+  }
+
+  /** From the basis, which has taken the sines and cosines. */
+  #writeEye(): void {
+    const { radius, target } = this.#orbit;
+    const { back } = this.#basis;
+    for (let i = 0; i < 3; i++) {
+      this.#offset[i] = back[i]! * radius;
+      this.#eye[i] = this.#offset[i]! + target[i]!;
+    }
   }
 }
 
