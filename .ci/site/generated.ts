@@ -168,7 +168,7 @@ interface SizeRow {
 
 /** What files of dist/ are for. */
 export const SIZES: readonly SizeRow[] = [
-  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 118 }, // prettier-ignore
+  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 119 }, // prettier-ignore
   {
     words: 'the control panel, when it is first opened',
     folder: 'chunks',

@@ -17,7 +17,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 118_528, modules: 59_648 } as const;
+const budgets = { standalone: 118_784, modules: 59_648 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -61,8 +61,8 @@ test('@release a bundled app is not larger than measured, and smaller with the s
 });
 
 test('the script for pages opened from disk and the React components are not larger than measured', () => {
-  // Measured: 327.4 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(327_500);
+  // Measured: 327.5 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(327_600);
   // Measured: 0.64 kB.
   expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
