@@ -2,23 +2,18 @@
 // strings.
 import { ModelError } from './model.js';
 import type { ModelBudget } from './model-budget.js';
+import type { FileBytes } from './model-reader.js';
 import { isDataUri } from './request-model.js';
 import type { Slices } from './slices.js';
-
-export interface DataUri {
-  /** Media type without parameters, lower case; default `text/plain`. */
-  readonly type: string;
-  readonly bytes: Uint8Array<ArrayBuffer>;
-}
 
 /** Bytes or characters between two looks at the clock. */
 const SLICE = 2 ** 16;
 
 /**
- * Percent-encoded or base64 (padding and white space optional). Decoded here, because fetching one needs `connect-src
- * data:`, which a strict CSP refuses. Rejects with a `bad-model` error for anything else.
+ * Percent-encoded or base64. Decoded here, because fetching one needs `connect-src data:`, which a strict CSP refuses.
+ * The type is without parameters, in lower case; by default `text/plain`. @throws ModelError `bad-model`.
  */
-export async function decodeDataUri(uri: string, slices: Slices): Promise<DataUri> {
+export async function decodeDataUri(uri: string, slices: Slices): Promise<FileBytes> {
   const comma = uri.indexOf(',');
   if (!isDataUri(uri) || comma < 0) throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
   // A fragment identifier is not part of the data.
@@ -63,10 +58,7 @@ const VALUES = /* @__PURE__ */ (() => {
   return values;
 })();
 
-/**
- * The data behind base64, written over it. Padding and white space are optional.
- * @throws ModelError `bad-model` for anything else.
- */
+/** The data behind base64, written over it. @throws ModelError `bad-model` for anything else. */
 export async function fromBase64(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<Uint8Array<ArrayBuffer>> {
   const state = { bits: 0, count: 0, length: 0 };
   for (let from = 0; from < text.length; from += SLICE) {

@@ -1,6 +1,7 @@
 // Downloads a model's files with progress, abort, limits of size and silence, and errors that a page's author
 // understands.
 import { decodeDataUri } from './encodings.js';
+import type { FileBytes } from './model-reader.js';
 import { nameOf, isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-model.js';
 import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
@@ -21,21 +22,10 @@ interface Transfer {
 }
 
 /** Downloads a file; `request` if it was requested already. */
-type FetchBytes = (
-  url: URL,
-  redirect: RequestRedirect,
-  request?: FileRequest | null,
-) => Promise<Uint8Array<ArrayBuffer>>;
+type FetchBytes = (url: URL, redirect: RequestRedirect, request?: FileRequest | null) => Promise<FileBytes>;
 
-/**
- * A download function for the files of one model, which share budget and progress.
- * @param onType called with the media type of each file; empty if none came with it.
- */
-export function byteFetcher(
-  transfer: Transfer,
-  budget: ModelBudget,
-  onType: (type: string) => void = () => undefined,
-): FetchBytes {
+/** A download function for the files of one model, which share budget and progress. */
+export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes {
   const { signal } = transfer;
   let loaded = 0;
   let total = 0;
@@ -50,44 +40,38 @@ export function byteFetcher(
   return async (url, redirect, request) => {
     signal.throwIfAborted();
     if (isDataUri(url.href)) {
-      const { type, bytes } = await decodeDataUri(url.href, new Slices(signal));
-      onType(type);
-      budget.add({ bytes: bytes.byteLength });
-      return bytes;
+      const file = await decodeDataUri(url.href, new Slices(signal));
+      budget.add({ bytes: file.bytes.byteLength });
+      return file;
     }
     const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
-    onType(response.headers.get('content-type') ?? '');
+    const type = response.headers.get('content-type') ?? '';
     const expected = expectedLength(response);
     if (expected === 0) known = false;
     total += expected;
+    const reader = response.body?.getReader();
     try {
       claim(total);
+      // Of the announced length: joining chunks takes as much memory again, and 140 ms for 200 MB.
+      const whole = new Uint8Array(expected);
+      const chunks: Uint8Array[] = [];
+      let size = 0;
+      for (let chunk = await read(url, signal, reader); chunk; chunk = await read(url, signal, reader)) {
+        if (chunks.length === 0 && size + chunk.byteLength <= expected) whole.set(chunk, size);
+        else chunks.push(chunk);
+        size += chunk.byteLength;
+        loaded += chunk.byteLength;
+        claim(loaded);
+        transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
+      }
+      if (size === expected) return { bytes: whole, type };
+      // Another length was announced than came, or none.
+      const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
+      return { bytes: await new Slices(signal).joined([whole.subarray(0, begun), ...chunks]), type };
     } catch (error) {
-      discard(response);
+      reader?.cancel().catch(ignored); // the rest is neither sent nor unpacked
       throw error;
     }
-    // Of the announced length: joining chunks takes as much memory again, and 140 ms for 200 MB.
-    const whole = new Uint8Array(expected);
-    const chunks: Uint8Array[] = [];
-    let size = 0;
-    const reader = response.body?.getReader();
-    for (let chunk = await read(url, signal, reader); chunk; chunk = await read(url, signal, reader)) {
-      if (chunks.length === 0 && size + chunk.byteLength <= expected) whole.set(chunk, size);
-      else chunks.push(chunk);
-      size += chunk.byteLength;
-      loaded += chunk.byteLength;
-      try {
-        claim(loaded);
-      } catch (error) {
-        reader?.cancel().catch(ignored); // the rest is not unpacked
-        throw error;
-      }
-      transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
-    }
-    if (size === expected) return whole;
-    // Another length was announced than came, or none.
-    const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
-    return new Slices(signal).joined([whole.subarray(0, begun), ...chunks]);
   };
 }
 
@@ -112,14 +96,9 @@ async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Pr
     request.stop();
   }
   if (response.ok) return response;
-  discard(response);
+  response.body?.cancel().catch(ignored); // its connection may have broken off already
   const status = `${String(response.status)} ${response.statusText}`.trim();
   throw new ModelError('load-failed', `The server answered ${status} for ${nameOf(url)}.`);
-}
-
-/** Ends a download. Its connection may have broken off already, which changes nothing. */
-function discard({ body }: Response): void {
-  body?.cancel().catch(ignored);
 }
 
 const ignored = (): void => undefined;
@@ -143,11 +122,7 @@ function unanswered(url: URL, cause: unknown): ModelError {
 const POLICY_EVENT_WAIT_MS = 100;
 
 const later = (milliseconds: number): Promise<null> =>
-  new Promise((resolve) => {
-    setTimeout(() => {
-      resolve(null);
-    }, milliseconds);
-  });
+  new Promise((resolve) => setTimeout(resolve, milliseconds, null));
 
 /** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
 function expectedLength(response: Response): number {

@@ -1,6 +1,7 @@
 // The formats of models: their names, extensions and media types, and the code that reads them. What a file's bytes say
 // is in format.ts.
 import { lazyCode } from './lazy-code.js';
+import type { ModelReader } from './model-reader.js';
 
 /** One row per format, in the order in which contents are tested: the strictest test first. */
 export const FORMAT_NAMES = {
@@ -37,8 +38,8 @@ export const FORMAT_NAMES = {
 export interface FormatNames {
   /** For messages. */
   readonly name: string;
-  /** Requests the code of its reader. */
-  readonly code: () => Promise<unknown>;
+  /** Requests its reader. */
+  readonly code: () => Promise<{ readonly read: ModelReader }>;
   /** Lower case, without the dot. */
   readonly extensions: readonly string[];
   /** The words and media types that the attribute `type` takes. */

@@ -1,38 +1,18 @@
-// Finds the reader for a file's bytes. The content decides, then the element's `type`, the file extension and the media
-// type. A new format is a row here and one in format-names.ts; its reader is a separate chunk, fetched with the first
-// file that needs it.
+// Finds the format of a file's bytes. The content decides, then the element's `type`, the file extension and the media
+// type. A new format is a row here and one in format-names.ts.
 import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.js';
 import { ModelError } from './model.js';
-import type { ModelReader } from './model-reader.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
-export interface Format extends FormatNames {
-  /** Whether the bytes are those of this format and no other. */
-  readonly matches: (bytes: Uint8Array) => boolean;
-  readonly reader: () => Promise<ModelReader>;
-}
-
-/** How each format is recognised and read. */
-const READERS: Readonly<Record<FormatKey, Pick<Format, 'matches' | 'reader'>>> = {
-  gltf: {
-    matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
-    reader: async () => (await FORMAT_NAMES.gltf.code()).readGltf,
-  },
-  ply: {
-    matches: (bytes) => startsWith(bytes, 'ply\n') || startsWith(bytes, 'ply\r'),
-    reader: async () => (await FORMAT_NAMES.ply.code()).readPly,
-  },
-  stl: {
-    matches: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
-    reader: async () => (await FORMAT_NAMES.stl.code()).readStl,
-  },
-  obj: { matches: isObj, reader: async () => (await FORMAT_NAMES.obj.code()).readObj },
+/** Whether the bytes are those of a format and no other. */
+const CONTENT: Readonly<Record<FormatKey, (bytes: Uint8Array) => boolean>> = {
+  gltf: (bytes) => /^(glTF|(ï»¿)?\s*\{)/.test(latin1(bytes, 256)),
+  ply: (bytes) => /^ply[\r\n]/.test(latin1(bytes, 4)),
+  stl: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
+  obj: isObj,
 };
 
-const FORMATS: readonly Format[] = (Object.keys(FORMAT_NAMES) as FormatKey[]).map((key) => ({
-  ...FORMAT_NAMES[key],
-  ...READERS[key],
-}));
+const FORMATS: readonly FormatNames[] = Object.values(FORMAT_NAMES);
 
 /** What is known about a file besides its bytes. */
 interface FormatHints {
@@ -53,17 +33,19 @@ export function formatOf(
   name: string,
   bytes: Uint8Array,
   { type = '', mediaType = '', address = name }: FormatHints = {},
-): Format {
+): FormatNames {
   if (bytes.byteLength === 0) throw new ModelError('bad-model', `The file ${name} is empty.`);
   const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(address)?.[1]?.toLowerCase() ?? '';
-  const byType = (written: string): Format | undefined =>
+  const byContent = (Object.keys(CONTENT) as FormatKey[]).find((key) => CONTENT[key](bytes));
+  if (byContent !== undefined) return FORMAT_NAMES[byContent];
+  const byType = (written: string): FormatNames | undefined =>
     FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
-  const byContent = FORMATS.find(({ matches }) => matches(bytes));
-  if (byContent) return byContent;
-  refuse(name, foreignContent(bytes, extension));
+  const foreign = foreignContent(bytes, extension);
   const byHint = byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
-  if (byHint) return byHint;
-  refuse(name, foreignExtension(extension));
+  if (foreign === undefined && byHint) return byHint;
+  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign ?? foreignExtension(extension) ?? {};
+  if (what !== undefined)
+    throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, { advice: cure });
   throw new ModelError('bad-model', `The format is not supported: ${name}.`, {
     advice: `These are: ${supportedFormats}.`,
   });
@@ -77,13 +59,6 @@ export const supportedFormats = FORMATS.map(({ name, extensions }) => `${name} (
 /** Extensions of files that can be shown, lower case. */
 export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
 
-/** @throws ModelError unless `foreign` is null. */
-function refuse(name: string, foreign: ForeignFormat | null): void {
-  if (foreign === null) return;
-  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign;
-  throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, { advice: cure });
-}
-
 const OTHERS = FORMATS.slice(1)
   .map(({ name }) => name)
   .join(', ')
@@ -92,18 +67,10 @@ const OTHERS = FORMATS.slice(1)
 /** A media type without its parameters, or a word, as in the table. */
 const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
 
-function startsWith(bytes: Uint8Array, text: string): boolean {
-  return Array.from(text).every((character, i) => bytes[i] === character.charCodeAt(0));
-}
+/** The first bytes, a character each. A byte order mark of UTF-8 reads as `ï»¿`. */
+const latin1 = (bytes: Uint8Array, most: number): string => new TextDecoder('latin1').decode(bytes.subarray(0, most));
 
-/** The first character of a UTF-8 text that is neither white space nor a byte order mark. */
-function firstCharacter(bytes: Uint8Array): string {
-  return new TextDecoder().decode(bytes.subarray(0, 256)).trimStart().charAt(0);
-}
-
-/**
- * Whether each of the first lines begins with a word of OBJ files, and one of them is a vertex, a name or a library.
- */
+/** Whether each of the first lines begins with a word of OBJ, and one of them is a vertex, a name or a library. */
 function isObj(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 4096)).split(/\r?\n|\r/);
   if (bytes.byteLength > 4096) start.pop(); // cut in the middle
@@ -112,56 +79,41 @@ function isObj(bytes: Uint8Array): boolean {
   return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }
 
-/** A format that people bring and that cannot be read, for messages. */
+/** A format that people bring and that cannot be read. */
 interface ForeignFormat {
-  /** Such as `an FBX file`. */
+  /** For messages. */
   readonly what: string;
   /** What to do about it, as a sentence; by default it is to be exported in a supported format. */
   readonly cure?: string;
+  /** Lower case, without the dot. */
+  readonly extensions: readonly string[];
+  /** A beginning that no other format has, as Latin-1. */
+  readonly start: RegExp;
 }
 
-const FBX: ForeignFormat = { what: 'an FBX file' };
-const BLEND: ForeignFormat = { what: 'a Blender file (BLEND)' };
-const COLLADA: ForeignFormat = { what: 'a COLLADA file (DAE)' };
-const USD: ForeignFormat = { what: 'a USD file' };
-const ARCHIVE: ForeignFormat = { what: 'an archive', cure: 'Unpack it, and use the model in it.' };
-// Many servers answer with a web page when a file is missing.
-const WEB_PAGE: ForeignFormat = { what: 'a web page or XML, not a model', cure: 'Check the address.' };
-
-const EXTENSIONS: Readonly<Record<string, ForeignFormat>> = {
-  fbx: FBX,
-  blend: BLEND,
-  dae: COLLADA,
-  usd: USD,
-  usda: USD,
-  usdc: USD,
-  usdz: USD,
-  zip: ARCHIVE,
+const ARCHIVE: ForeignFormat = {
+  what: 'an archive',
+  cure: 'Unpack it, and use the model in it.',
+  extensions: ['zip'],
+  start: /^(PK\x03\x04|\x1f\x8b)/,
 };
 
-/** Beginnings that no other format has, as Latin-1. */
-const BEGINNINGS: readonly (readonly [text: string, format: ForeignFormat])[] = [
-  ['Kaydara FBX Binary', FBX],
-  ['; FBX', FBX],
-  ['BLENDER', BLEND],
-  ['#usda', USD],
-  ['PXR-USDC', USD],
-  ['PK\x03\x04', ARCHIVE],
-  ['\x1f\x8b', ARCHIVE],
+const FOREIGN: readonly ForeignFormat[] = [
+  { what: 'an FBX file', extensions: ['fbx'], start: /^(Kaydara FBX Binary|; FBX)/ },
+  { what: 'a Blender file (BLEND)', extensions: ['blend'], start: /^BLENDER/ },
+  { what: 'a USD file', extensions: ['usd', 'usda', 'usdc', 'usdz'], start: /^(#usda|PXR-USDC)/ },
+  { what: 'a COLLADA file (DAE)', extensions: ['dae'], start: /^(ï»¿)?\s*(<[^]*)?<COLLADA\b/ },
+  // Many servers answer with a web page when a file is missing.
+  { what: 'a web page or XML, not a model', cure: 'Check the address.', extensions: [], start: /^(ï»¿)?\s*</ },
+  ARCHIVE,
 ];
 
-/** Recognised by the first bytes, then by the extension (lower case, without the dot); null if unknown. */
-function foreignContent(bytes: Uint8Array, extension: string): ForeignFormat | null {
-  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
-  const known = BEGINNINGS.find(([text]) => start.startsWith(text));
+function foreignContent(bytes: Uint8Array, extension: string): ForeignFormat | undefined {
+  const start = latin1(bytes, 2048);
+  const found = FOREIGN.find((format) => format.start.test(start));
   // A USDZ file is an archive.
-  if (known) return known[1] === ARCHIVE ? (foreignExtension(extension) ?? ARCHIVE) : known[1];
-  // A byte order mark of UTF-8 reads as these three characters.
-  const markup = start.replace(/^ï»¿/, '').trimStart();
-  if (!markup.startsWith('<')) return null;
-  return /<COLLADA\b/.test(markup) ? COLLADA : WEB_PAGE;
+  return found === ARCHIVE ? (foreignExtension(extension) ?? ARCHIVE) : found;
 }
 
-/** @param extension lower case, without the dot. */
-const foreignExtension = (extension: string): ForeignFormat | null =>
-  Object.hasOwn(EXTENSIONS, extension) ? (EXTENSIONS[extension] ?? null) : null;
+const foreignExtension = (extension: string): ForeignFormat | undefined =>
+  FOREIGN.find(({ extensions }) => extensions.includes(extension));

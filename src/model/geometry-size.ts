@@ -28,7 +28,13 @@ export interface GeometrySize {
   readonly vertices: () => Vertices;
 }
 
-const known = new WeakMap<BufferGeometry, GeometrySize | null>();
+interface Known {
+  readonly size: GeometrySize | null;
+  /** The version of the vertices that a declared size is for; null for a measured one. */
+  readonly declaredFor: number | null;
+}
+
+const known = new WeakMap<BufferGeometry, Known>();
 
 /** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetSize}. */
 export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
@@ -45,22 +51,9 @@ export async function measureInSlices(geometry: BufferGeometry, slices: Slices):
   while (search.next().done === false) if (slices.due) await slices.pause();
 }
 
-interface Declared {
-  readonly size: GeometrySize;
-  /** The version of the vertices that it was declared for. */
-  readonly version: number;
-}
-
-const declared = new WeakMap<BufferGeometry, Declared>();
-
 /** Replaces the measured size of a geometry, until its vertices are written to. */
 export function declareSize(geometry: BufferGeometry, size: GeometrySize): void {
-  declared.set(geometry, { size, version: versionOf(geometry) });
-}
-
-function declaredOf(geometry: BufferGeometry): GeometrySize | undefined {
-  const found = declared.get(geometry);
-  return found?.version === versionOf(geometry) ? found.size : undefined;
+  known.set(geometry, { size, declaredFor: versionOf(geometry) });
 }
 
 const versionOf = (geometry: BufferGeometry): number =>
@@ -68,15 +61,16 @@ const versionOf = (geometry: BufferGeometry): number =>
 
 /** `copy` has the vertices of `geometry`: it is not read for itself. */
 export function shareSize(geometry: BufferGeometry, copy: BufferGeometry): void {
-  known.set(copy, sizeOf(geometry));
-  const size = declaredOf(geometry);
-  if (size !== undefined) declareSize(copy, size);
+  const size = sizeOf(geometry);
+  const isDeclared = known.get(geometry)?.declaredFor === versionOf(geometry);
+  known.set(copy, { size, declaredFor: isDeclared ? versionOf(copy) : null });
 }
 
 /** The vertices may have changed. Whether they have not, because the declared size still holds. */
 export function forgetSize(geometry: BufferGeometry): boolean {
-  known.delete(geometry);
-  return declaredOf(geometry) !== undefined;
+  const holds = known.get(geometry)?.declaredFor === versionOf(geometry);
+  if (!holds) known.delete(geometry);
+  return holds;
 }
 
 /** A computation in steps of about a millisecond. */
@@ -86,9 +80,9 @@ type Search<T> = Generator<undefined, T, undefined>;
 const PIECE = 3 * 2 ** 18;
 
 function* measuring(geometry: BufferGeometry): Search<GeometrySize | null> {
-  let found = known.get(geometry);
-  if (found === undefined) known.set(geometry, (found = declaredOf(geometry) ?? (yield* measured(geometry))));
-  return found;
+  const found = known.get(geometry) ?? { size: yield* measured(geometry), declaredFor: null };
+  known.set(geometry, found);
+  return found.size;
 }
 
 function* measured(geometry: BufferGeometry): Search<GeometrySize | null> {

@@ -3,25 +3,16 @@
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
-import { type ModelBudget, requireAtMost } from './model-budget.js';
-import type { ModelSource } from './model-reader.js';
+import { requireAtMost } from './model-budget.js';
+import type { FileBytes, ModelSource } from './model-reader.js';
 
-/**
- * Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its
- * result.
- */
+/** Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of its result. */
 const PIXELS_AT_ONCE = 2 ** 24;
-
-export interface ImageFile {
-  readonly bytes: Uint8Array<ArrayBuffer>;
-  /** Media type; may be empty. */
-  readonly type: string;
-}
 
 export type Sampler = Readonly<Pick<Texture, 'magFilter' | 'minFilter' | 'wrapS' | 'wrapT'>>;
 
 /** Texture coordinates are multiplied by `scale`, then `offset` is added. */
-export interface Placement {
+interface Placement {
   readonly scale: readonly [u: number, v: number];
   readonly offset: readonly [u: number, v: number];
 }
@@ -55,7 +46,7 @@ export class ImageTextures {
   of(
     key: unknown,
     name: string,
-    read: () => Promise<ImageFile>,
+    read: () => Promise<FileBytes>,
     sampler: Sampler,
     placement = AS_IT_IS,
   ): Promise<Texture | null> {
@@ -77,11 +68,24 @@ export class ImageTextures {
       if (image.status === 'fulfilled') image.value?.bitmap.close();
   }
 
-  #decode(name: string, read: () => Promise<ImageFile>): Image['decoded'] {
+  #decode(name: string, read: () => Promise<FileBytes>): Image['decoded'] {
     const { optional, budget, signal } = this.#source;
     return optional(name, read, async (file) => {
-      const size = countImage(file, budget);
-      return { pixels: size.width * size.height, bitmap: await decodeImage(file, size, signal) };
+      const size = imageSize(file.bytes);
+      if (!size) throw new Error('is no PNG, JPEG, WebP or KTX2 image, or its headers contradict each other');
+      const pixels = size.width * size.height;
+      const isPacked = isKtx2(file.bytes);
+      if (isPacked) requireAtMost(pixels, IMAGE_PIXEL_LIMIT, 'pixels in one KTX2 image');
+      budget.add({ pixels });
+      const scale = scaledDown(size);
+      const atOnce = Math.min(pixels, PIXELS_AT_ONCE);
+      await acquire(atOnce);
+      try {
+        const decode = isPacked ? decodeKtx2(file.bytes, scale, signal) : decodeByBrowser(file, size, scale);
+        return { pixels, bitmap: await decode };
+      } finally {
+        release(atOnce);
+      }
     });
   }
 
@@ -105,33 +109,8 @@ export class ImageTextures {
   }
 }
 
-/**
- * Adds an image that is to be decoded to the budget. @throws Error for a file that is no image, ModelError past a
- * limit.
- */
-function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize {
-  const size = imageSize(bytes);
-  if (!size) throw new Error('is no PNG, JPEG, WebP or KTX2 image, or its headers contradict each other');
-  const pixels = size.width * size.height;
-  if (isKtx2(bytes)) requireAtMost(pixels, IMAGE_PIXEL_LIMIT, 'pixels in one KTX2 image');
-  budget.add({ pixels });
-  return size;
-}
-
-/** Decodes an image, scaled down if it is larger than the limits of one image. @throws if it cannot be decoded. */
-async function decodeImage(file: ImageFile, size: ImageSize, signal: AbortSignal): Promise<ImageBitmap> {
-  const pixels = Math.min(size.width * size.height, PIXELS_AT_ONCE);
-  await acquire(pixels);
-  try {
-    const scale = scaledDown(size);
-    return isKtx2(file.bytes) ? await decodeKtx2(file.bytes, scale, signal) : await decodeByBrowser(file, size, scale);
-  } finally {
-    release(pixels);
-  }
-}
-
 async function decodeByBrowser(
-  { bytes, type }: ImageFile,
+  { bytes, type }: FileBytes,
   { width, height }: ImageSize,
   scale: ImageBitmapOptions,
 ): Promise<ImageBitmap> {
@@ -240,10 +219,7 @@ function pngSize(view: DataView): ImageSize | null {
   return null;
 }
 
-/**
- * The one frame header (SOF0 to SOF15, but DHT, JPG and DAC, which lie between) before the first scan. A height of 0,
- * which a DNL segment would give later, is none.
- */
+/** The one frame header (SOF0 to SOF15, but DHT, JPG and DAC) before the first scan, with a height: none by DNL. */
 function jpegSize(view: DataView): ImageSize | null {
   let size: ImageSize | null = null;
   for (let at = 2, i = 0; i < MOST_CHUNKS; i += 1) {
@@ -278,14 +254,7 @@ function webpSize(view: DataView): ImageSize | null {
       const bottom = 2 * uint24(view, start + 3) + 1 + uint24(view, start + 9);
       return canvas !== null && right <= canvas.width && bottom <= canvas.height ? canvas : null;
     }
-    const frame = hasText(view, at, 'VP8L')
-      ? losslessSize(view.getUint32(start + 1, true))
-      : hasText(view, at, 'VP8 ')
-        ? {
-            width: view.getUint16(start + 6, true) & 0x3fff,
-            height: view.getUint16(start + 8, true) & 0x3fff,
-          }
-        : null;
+    const frame = webpFrame(view, at);
     at = start + 2 * Math.ceil(view.getUint32(at + 4, true) / 2);
     if (frame === null) continue;
     return canvas === null || (canvas.width === frame.width && canvas.height === frame.height) ? frame : null;
@@ -293,9 +262,14 @@ function webpSize(view: DataView): ImageSize | null {
   return null;
 }
 
-const losslessSize = (bits: number): ImageSize => ({
-  width: 1 + (bits & 0x3fff),
-  height: 1 + ((bits >>> 14) & 0x3fff),
-});
+/** The size in a chunk that holds a picture, lossless or lossy; null for other chunks. */
+function webpFrame(view: DataView, at: number): ImageSize | null {
+  if (hasText(view, at, 'VP8L')) {
+    const bits = view.getUint32(at + 9, true);
+    return { width: 1 + (bits & 0x3fff), height: 1 + ((bits >>> 14) & 0x3fff) };
+  }
+  if (!hasText(view, at, 'VP8 ')) return null;
+  return { width: view.getUint16(at + 14, true) & 0x3fff, height: view.getUint16(at + 16, true) & 0x3fff };
+}
 
 const uint24 = (view: DataView, at: number): number => view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;

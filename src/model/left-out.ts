@@ -19,16 +19,10 @@ const NAMES = {
 
 export type LeftOutKind = keyof typeof NAMES;
 
-interface Reason {
-  readonly text: string;
-  /** Position in the file, where its line helps. */
-  readonly at: number | undefined;
-}
-
 export class LeftOut {
   readonly #counts = new Map<LeftOutKind, number>();
-  /** The first of each kind. */
-  readonly #reasons = new Map<LeftOutKind, Reason>();
+  /** The first of each kind, with the position in the file where its line helps. */
+  readonly #reasons = new Map<LeftOutKind, { readonly text: string; readonly at: number | undefined }>();
   readonly #features = new Set<string>();
 
   add(kind: LeftOutKind, count = 1): void {
@@ -36,12 +30,8 @@ export class LeftOut {
   }
 
   /** Keeps the first reason of a kind, whether or not the thing will be left out. */
-  because(kind: LeftOutKind, text: string, at?: number): void {
-    if (!this.#reasons.has(kind)) this.#reasons.set(kind, { text, at });
-  }
-
-  hasReason(kind: LeftOutKind): boolean {
-    return this.#reasons.has(kind);
+  because(kind: LeftOutKind, reason: () => string, at?: number): void {
+    if (!this.#reasons.has(kind)) this.#reasons.set(kind, { text: reason(), at });
   }
 
   /** A feature that the equation has no place for, by the file's own name. */

@@ -1,22 +1,13 @@
 // The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB; how
 // memory is freed, and how a lack of it is recognised.
 
-/**
- * Most bytes of one model, all its files together, as they arrive after decompression: 256 MiB. The reader holds the
- * bytes and their copies as vertices, and the GPU holds the vertices once more.
- */
+/** Most bytes of one model's files, unpacked: 256 MiB. They are held besides their copies as vertices. */
 export const BYTE_LIMIT = 2 ** 28;
 
-/**
- * Most bytes of text in one model, 128 MiB: its characters become strings, lists and numbers that take more than the
- * bytes. Data in base64 is no text.
- */
+/** Most bytes of text, without base64: 128 MiB. Strings, lists and numbers take more than the bytes. */
 export const TEXT_LIMIT = 2 ** 27;
 
-/**
- * Most bytes of a glTF's JSON without data in base64: 32 MiB. While it is read it is there several times, as text and
- * as values.
- */
+/** Most bytes of a glTF's JSON without base64: 32 MiB. It is held several times, as text and as values. */
 export const JSON_TEXT_LIMIT = 2 ** 25;
 
 /** Most items that are visited while a model is read, beyond its values: some seconds, in short tasks. */
@@ -26,14 +17,14 @@ export const WORK_LIMIT = 2 ** 28;
 export const CORNER_LIMIT = 2 ** 24;
 
 /**
- * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder's heap and what comes out of it
- * take 500 MB for them, and 1.1 GB for two million. A larger model can have several such meshes.
+ * Most corners, and most vertices, of one Draco mesh: a million triangles. Its heap and result take 500 MB for them,
+ * and 1.1 GB for two million.
  */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 
 /**
- * Most 4-byte values in a model's vertices and indices, each geometry counted once as it is drawn: 400 MB in the page,
- * and as much on the GPU. Enough for 5 million triangles with a position and a normal per corner.
+ * Most 4-byte values in vertices and indices, each geometry once: 400 MB in the page, and as much on the GPU. Enough
+ * for 5 million triangles with a position and a normal per corner.
  */
 export const VALUE_LIMIT = 100_000_000;
 
@@ -43,10 +34,7 @@ export const PART_LIMIT = 10_000;
 /** Most nodes of a model's tree, with or without meshes. Each takes 2 kB and 20 µs while the model is read. */
 export const NODE_LIMIT = 30_000;
 
-/**
- * Most values in a model's JSON, counted by its brackets and commas. A parsed value takes up to 200 bytes while the
- * model is read.
- */
+/** Most values in a glTF's JSON, by its brackets and commas. A parsed one takes up to 200 bytes. */
 export const JSON_LIMIT = 2 ** 21;
 
 /**
@@ -61,20 +49,13 @@ export const JSON_PIECE_BYTES = 2 ** 23;
 /** Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024 × 1024. */
 export const PIXEL_LIMIT = 2 ** 26;
 
-/**
- * Longest side of an image as it is shown; larger ones are scaled down. All but old phones have textures of this size.
- */
+/** Longest side of an image as it is shown; larger ones are scaled down. All but old phones have such textures. */
 export const IMAGE_SIDE_LIMIT = 8192;
 
-/**
- * Most pixels of an image as it is shown; larger ones are scaled down. While it is uploaded, its memory is needed four
- * times.
- */
+/** Most pixels of an image as it is shown; larger ones are scaled down. The upload takes the memory four times. */
 export const IMAGE_PIXEL_LIMIT = 2 ** 25;
 
-/**
- * Most bytes that a model may take in the page and the GPU process together, by the estimate in `budget.ts`.
- */
+/** Most bytes in the page and the GPU process together, by the estimate in `budget.ts`. */
 export const MEMORY_LIMIT = 950_000_000;
 
 /**
@@ -90,10 +71,7 @@ export const VALUES_PER_TRIANGLE = 7;
  */
 export const TRIANGLE_LIMIT = 2 ** 24;
 
-/**
- * Frees the memory of arrays that nothing reads any more, where the browser can: the collector may come only after the
- * GPU has its copy of the model.
- */
+/** Frees arrays that nothing reads any more, where the browser can: the collector may come after the upload. */
 export function free(...arrays: readonly ArrayBufferView[]): void {
   for (const { buffer } of arrays) (buffer as { transfer?: (bytes: number) => void }).transfer?.(0);
 }

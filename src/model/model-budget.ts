@@ -9,9 +9,7 @@ export class ModelBudget {
   #claimed = NO_CLAIMS;
   readonly #onClaim: ((claimed: Amounts) => void) | undefined;
 
-  /**
-   * @param onClaim called with all that is claimed so far. What it throws ends the load: for what other models take.
-   */
+  /** @param onClaim called with all that is claimed so far. What it throws ends the load. */
   constructor(onClaim?: (claimed: Amounts) => void) {
     this.#onClaim = onClaim;
   }
@@ -22,13 +20,5 @@ export class ModelBudget {
     requireWithin(claimed);
     this.#onClaim?.(claimed);
     this.#claimed = claimed;
-  }
-
-  /**
-   * Claims time: call before items are visited that no other claim counts (keys of animations, entries of lists, tokens
-   * of a text), for many at once. An item takes some 10 ns. @throws ModelError `too-large`.
-   */
-  claimWork(items: number): void {
-    this.add({ work: items });
   }
 }

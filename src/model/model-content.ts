@@ -1,6 +1,5 @@
-// Loads a model from an address: downloads it, detects the format and reads it. Every failure is a ModelError with a
-// code and a sentence. Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval. Entry
-// point of the code that reads models, fetched with the first one.
+// Loads a model: downloads it, detects the format and reads it. Works under a strict CSP: fetches no blob: or data: URL,
+// needs no worker and no eval. Entry point of the code that reads models, fetched with the first one.
 import { clip, listed } from '../fields/clip.js';
 import type { Amounts } from './budget.js';
 import { free, isOutOfMemory } from './limits.js';
@@ -9,7 +8,7 @@ import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
 import { nameOf, type CrossOrigin, type FileRequest } from './request-model.js';
 import { formatOf } from './format.js';
-import type { ReadOptional } from './model-reader.js';
+import { neededCode, type ReadOptional } from './model-reader.js';
 import { asUtf8 } from './encodings.js';
 import { type Content, ModelError } from './model.js';
 import { measureInSlices } from './geometry-size.js';
@@ -47,20 +46,16 @@ export async function modelContent(
   const { signal, type = '' } = options;
   const budget = new ModelBudget(options.onClaim);
   const isRequest = from === null || 'response' in from;
-  const { name, read, linked, mediaType } = isRequest
-    ? openAddress(url, options, budget, from)
-    : openFile(from, budget);
+  const { name, read, linked } = isRequest ? openAddress(url, options, budget, from) : openFile(from, budget);
   const missing = new Map<string, string>();
   const optional = optionalReader(signal, missing);
   try {
-    const bytes = await asUtf8(await read(), budget, new Slices(signal));
-    const format = formatOf(name, bytes, { type, mediaType: mediaType(), address: url.href });
-    const readModel = await format.reader().catch((cause: unknown) => {
-      const message = `The code that reads ${format.name} files could not be fetched.`;
-      throw new ModelError('load-failed', message, { cause });
-    });
+    const file = await read();
+    const bytes = await asUtf8(file.bytes, budget, new Slices(signal));
+    const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
+    const reader = await neededCode(format.code(), `The code that reads ${format.name} files`);
     signal.throwIfAborted();
-    const model = await readModel({ url, bytes, signal, linked, optional, budget });
+    const model = await reader.read({ url, bytes, signal, linked, optional, budget });
     free(bytes);
     try {
       await measureModel(model, signal);
@@ -85,17 +80,13 @@ export async function modelContent(
 }
 
 function openAddress(url: URL, options: LoadOptions, budget: ModelBudget, request: FileRequest | null): OpenedModel {
-  let mediaType = '';
-  const fetchBytes = byteFetcher(options, budget, (type) => {
-    mediaType ||= type; // the first file is the model
-  });
+  const fetchBytes = byteFetcher(options, budget);
   const anywhere = options.crossOrigin !== null;
   return {
     name: nameOf(url),
     read: () => fetchBytes(url, 'follow', request),
     // A redirect could lead out of the folder. If any address is allowed, it does no harm.
-    linked: async (uri) => fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error'),
-    mediaType: () => mediaType,
+    linked: async (uri) => (await fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error')).bytes,
   };
 }
 
@@ -180,10 +171,7 @@ function parsed(uri: string, base: URL): URL | null {
   }
 }
 
-/**
- * Finds all bounds that framing and culling will need, in slices: the first frame would do it in one task.
- * @throws the signal's reason after an abort.
- */
+/** Finds all bounds that framing and culling will need, in slices: the first frame would do it in one task. */
 async function measureModel({ parts }: Content, signal: AbortSignal): Promise<void> {
   const slices = new Slices(signal);
   for (const geometry of new Set(parts.map((part) => part.geometry))) await measureInSlices(geometry, slices);

@@ -2,9 +2,15 @@
 import { BufferAttribute, type Texture } from 'three';
 import type { BaseLook } from '../material/file-surface.js';
 import { writeFaceNormals } from '../material/flat-geometry.js';
-import type { Content } from './model.js';
+import { type Content, ModelError } from './model.js';
 import type { ModelBudget } from './model-budget.js';
 import type { Slices } from './slices.js';
+
+export interface FileBytes {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** The media type that came with it; empty if none did. */
+  readonly type: string;
+}
 
 export interface ModelSource {
   readonly url: URL;
@@ -29,6 +35,13 @@ export type ReadOptional = <Bytes, Result>(
   read: () => Promise<Bytes>,
   use: (bytes: Bytes) => Result | Promise<Result>,
 ) => Promise<Result | null>;
+
+/** Code of the package that the model needs. @throws ModelError `load-failed` where it cannot be fetched. */
+export const neededCode = <Code>(code: Promise<Code>, what: string): Promise<Code> =>
+  code.catch((cause: unknown) => {
+    if (cause instanceof ModelError) throw cause;
+    throw new ModelError('load-failed', `${what}, which this model needs, could not be fetched.`, { cause });
+  });
 
 /** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
 export type ModelReader = (source: ModelSource) => Promise<Content>;

@@ -1,5 +1,6 @@
 // Keeps the page responsive during long work. Loops over vertices run in slices and let the browser handle input and
 // frames between them.
+import type { ModelBudget } from './model-budget.js';
 
 /** Half a frame at 60 Hz. */
 const TASK_MS = 8;
@@ -16,22 +17,17 @@ const CLAIMED = 2 ** 18;
 /** Items between two looks at the clock in {@link Slices.map}, less one. */
 const MAP_MASK = 0xff;
 
-/** What work is claimed of. */
-interface WorkBudget {
-  claimWork(items: number): void;
-}
-
 /** Loops that share a clock and end when the load is aborted. */
 export class Slices {
   readonly #signal: AbortSignal;
-  readonly #budget: WorkBudget | null;
+  readonly #budget: ModelBudget | null;
   #since = performance.now();
   /** Items since the last look at the clock, and since the last claim. */
   #work = 0;
   #unclaimed = 0;
 
   /** `budget` gets the work that {@link took} counts. */
-  constructor(signal: AbortSignal, budget: WorkBudget | null = null) {
+  constructor(signal: AbortSignal, budget: ModelBudget | null = null) {
     this.#signal = signal;
     this.#budget = budget;
   }
@@ -87,7 +83,7 @@ export class Slices {
     this.#unclaimed += this.#work;
     this.#work = 0;
     if (this.#unclaimed >= CLAIMED) {
-      this.#budget?.claimWork(Math.ceil(this.#unclaimed));
+      this.#budget?.add({ work: Math.ceil(this.#unclaimed) });
       this.#unclaimed = 0;
     }
     return this.due;

@@ -3,6 +3,7 @@
 import { listed } from '../fields/clip.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import type { ModelBudget } from './model-budget.js';
+import type { FileBytes } from './model-reader.js';
 import { ModelError } from './model.js';
 import { fileName } from './request-model.js';
 
@@ -78,11 +79,9 @@ function problemOf(files: number, models: readonly string[]): ModelError | null 
 export interface OpenedModel {
   /** Its address or name, for messages and for the extension. */
   readonly name: string;
-  readonly read: () => Promise<Uint8Array<ArrayBuffer>>;
+  readonly read: () => Promise<FileBytes>;
   /** Reads a file that the model names. */
   readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
-  /** The media type that came with the bytes, once they are there; empty if none did. */
-  readonly mediaType: () => string;
 }
 
 /** A file, and the files of its group that it names. */
@@ -106,9 +105,8 @@ export function openFile(model: Blob, budget: ModelBudget): OpenedModel {
     name,
     read: async () => {
       if (group.problem) throw group.problem;
-      return bytesOf(model);
+      return { bytes: await bytesOf(model), type: model.type };
     },
-    mediaType: () => model.type,
     linked: async (uri) => {
       const file = fileNamed(uri, group);
       if (file) return bytesOf(file);
@@ -129,17 +127,14 @@ export class MissingFileError extends ModelError {
   }
 }
 
-/** Exactly the path named; else one that differs in case; else the only file of that name, in whatever folder. */
+/** Exactly the path named; else the only file of that name, in whatever folder and case. */
 function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
   const wanted = pathOf(uri, path);
   if (wanted === null) return undefined;
   const exact = files.get(wanted);
   if (exact) return exact;
-  const entries = [...files];
-  const lower = wanted.toLowerCase();
-  const sameLetters = entries.find(([known]) => known.toLowerCase() === lower);
-  if (sameLetters) return sameLetters[1];
-  const sameName = entries.filter(([known]) => lastOf(known).toLowerCase() === lastOf(lower));
+  const name = lastOf(wanted).toLowerCase();
+  const sameName = [...files].filter(([known]) => lastOf(known).toLowerCase() === name);
   return sameName.length === 1 ? sameName[0]?.[1] : undefined;
 }
 

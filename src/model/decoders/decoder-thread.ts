@@ -44,10 +44,7 @@ export class DecoderThread<Job, Result> {
     this.#rest();
   }
 
-  /**
-   * @param job is copied for the worker.
-   * @throws what the decoder throws, by message and name, or the signal's reason after an abort.
-   */
+  /** @throws what the decoder throws, by message and name, or the signal's reason after an abort. */
   decode(job: Job, signal: AbortSignal): Promise<Result> {
     const result = this.#last.then(() => this.#decodeNow(job, signal));
     this.#last = result.catch(() => undefined);

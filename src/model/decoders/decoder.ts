@@ -51,10 +51,7 @@ export interface WasmOptions {
 /** The magic number and version of a module without content (WebAssembly core specification 5.5.16). */
 const EMPTY_MODULE = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
-/**
- * The decoder, with its console output suppressed.
- * @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it.
- */
+/** @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it. */
 export async function startWasm<Decoder>(
   create: (options: WasmOptions) => Promise<Decoder>,
   address: string,

@@ -30,7 +30,6 @@ export class Accessors {
   readonly #budget: ModelBudget;
   readonly #read = new Set<Entry>();
 
-  /** Use {@link Accessors.of}. */
   constructor(entries: readonly Entry[], budget: ModelBudget) {
     this.#entries = entries;
     this.#budget = budget;

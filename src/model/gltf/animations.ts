@@ -1,6 +1,5 @@
-// The animations of a glTF document that can be played, and what they cost. Channels of shown nodes, with samplers that
-// fit their properties. An animation with a mistake is left out, and the model is shown without it. Knows the JSON
-// only.
+// The animations of a glTF document: channels of shown nodes, with samplers that fit, and what they cost. The model is
+// shown without those that have a mistake. Knows the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';

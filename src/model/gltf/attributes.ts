@@ -1,21 +1,19 @@
 // Turns a file's vertex attributes into what the shaders read: finite floats, normals of unit length, encoded colours.
 // The source can be quantised, normalised or interleaved.
 import { BufferAttribute, type InterleavedBufferAttribute } from 'three';
+import { LIMITS } from '../../light/light-state.js';
 import { srgbEncode } from '../../math/color.js';
 import type { Slices } from '../slices.js';
 
 export type Attribute = BufferAttribute | InterleavedBufferAttribute;
 export type Conversion = (source: Attribute, slices: Slices) => Promise<BufferAttribute>;
 
-/** Domain of coordinates: products of two stay finite in float32. */
-export const COORDINATE_LIMIT = 1e15;
-
 /** Rejects with an Error if a coordinate is not a number or beyond ±1e15. */
 export async function requireCoordinates(coordinates: ArrayLike<number>, slices: Slices): Promise<void> {
   await slices.over(coordinates.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
       const value = coordinates[i]!;
-      if (Math.abs(value) <= COORDINATE_LIMIT) continue;
+      if (Math.abs(value) <= LIMITS.coordinate) continue;
       throw new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
     }
   });

@@ -2,26 +2,20 @@
 import { requireAtMost } from '../budget.js';
 import { lazyCode } from '../lazy-code.js';
 import { isDataUri } from '../request-model.js';
-import type { ModelSource } from '../model-reader.js';
+import { type FileBytes, type ModelSource, neededCode } from '../model-reader.js';
 import { BYTE_LIMIT } from '../limits.js';
-import { ModelError } from '../model.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
 import type { MeshoptView } from './accessors.js';
 
-export interface GltfBytes {
-  /** A copy of the view's bytes, padded by the view's stride after the last element. */
-  view(index: number): Promise<ArrayBuffer>;
-  /** An image file. `type` is empty if the document does not give it. */
-  image(index: number): Promise<{ readonly bytes: Uint8Array<ArrayBuffer>; readonly type: string }>;
-}
+export type GltfBytes = ReturnType<typeof gltfBytes>;
 
 export function gltfBytes(
   document: GltfDocument,
   { body, data }: Pick<Container, 'body' | 'data'>,
   source: ModelSource,
-): GltfBytes {
+) {
   const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
   let copied = 0;
 
@@ -57,7 +51,8 @@ export function gltfBytes(
   };
 
   return {
-    view: async (index) => {
+    /** A copy of the view's bytes, padded by the view's stride after the last element. */
+    view: async (index: number): Promise<ArrayBuffer> => {
       const view = document.bufferViews[index];
       const meshopt = view?.meshopt;
       const bytes = await slice(index);
@@ -67,10 +62,10 @@ export function gltfBytes(
       // Views may overlap or be compressed, so a small file can claim any size.
       requireAtMost(copied, BYTE_LIMIT, 'bytes once they are unpacked');
       const copy = new Uint8Array(size);
-      copy.set(meshopt ? await (await meshoptDecoder())(bytes, meshopt) : bytes);
+      copy.set(meshopt ? await unpacked(bytes, meshopt) : bytes);
       return copy.buffer;
     },
-    image: async (index) => {
+    image: async (index: number): Promise<FileBytes> => {
       const image = document.images[index] ?? {};
       const uri = textAt(image['uri']);
       const type = textAt(image['mimeType']);
@@ -84,11 +79,7 @@ export function gltfBytes(
 
 const meshoptCode = lazyCode(() => import('./meshopt.js'), 'the meshopt decoder');
 
-async function meshoptDecoder(): Promise<(bytes: Uint8Array, view: MeshoptView) => Promise<Uint8Array>> {
-  const { decodeMeshopt } = await meshoptCode().catch((cause: unknown) => {
-    throw new ModelError('load-failed', 'The meshopt decoder, which this model needs, could not be fetched.', {
-      cause,
-    });
-  });
-  return decodeMeshopt;
+async function unpacked(bytes: Uint8Array, view: MeshoptView): Promise<Uint8Array> {
+  const { decodeMeshopt } = await neededCode(meshoptCode(), 'The meshopt decoder');
+  return decodeMeshopt(bytes, view);
 }

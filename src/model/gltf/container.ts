@@ -1,15 +1,16 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of the file. A document's
 // lists can be millions of values long, so they are parsed in pieces of some objects each, with pauses in between.
-import { fromBase64, dataHeader, type DataUri, decodeDataUri } from '../encodings.js';
+import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
 import { JSON_LIMIT, JSON_PIECE_BYTES, JSON_PIECE_LIMIT, JSON_TEXT_LIMIT } from '../limits.js';
 import { type ModelBudget, requireAtMost } from '../model-budget.js';
+import type { FileBytes } from '../model-reader.js';
 import { isDataUri } from '../request-model.js';
 import type { Slices } from '../slices.js';
 
 export interface Container {
   readonly json: unknown;
   /** The data behind a data: URI in the JSON, long ones of which are only keys. Decoded once. */
-  readonly data: (uri: string) => Promise<DataUri>;
+  readonly data: (uri: string) => Promise<FileBytes>;
   /** The binary chunk, which is the first buffer, or null. */
   readonly body: Uint8Array<ArrayBuffer> | null;
 }
@@ -190,7 +191,7 @@ interface Cut {
 const keyOf = (index: number): string => `data:;part-of-file,${String(index)}`;
 
 function dataByKey(cuts: readonly Cut[], slices: Slices): Container['data'] {
-  const decoded = new Map<string, Promise<DataUri>>();
+  const decoded = new Map<string, Promise<FileBytes>>();
   return (key) => {
     const known = decoded.get(key);
     if (known !== undefined) return known;

@@ -10,9 +10,10 @@ import {
   type Skeleton,
   Sphere,
 } from 'three';
+import { LIMITS } from '../../light/light-state.js';
 import { writeFaceNormals } from '../../material/flat-geometry.js';
 import type { Slices } from '../slices.js';
-import { type Attribute, COORDINATE_LIMIT, requireCoordinates } from './attributes.js';
+import { type Attribute, requireCoordinates } from './attributes.js';
 
 /** The attributes that move, with their numbers per vertex. */
 const STRIDES = { position: 3, normal: 3, tangent: 4 } as const;
@@ -46,10 +47,7 @@ interface Moving {
 /** Joints that move a vertex. */
 const JOINTS = 4;
 
-/**
- * Deforms one geometry, whose attributes at construction are those of the undeformed mesh. Tangents and normals may be
- * absent.
- */
+/** Deforms one geometry, whose attributes at construction are those of the undeformed mesh. */
 export class Deformation {
   readonly #geometry: BufferGeometry;
   readonly #rig: Rig;
@@ -194,10 +192,7 @@ export class Deformation {
     }
   }
 
-  /**
-   * Always from the file's own numbers, so that no error accumulates. Normals use the cofactors of the blended matrix,
-   * which are right for any scale, including 0.
-   */
+  /** From the file's own numbers: no error accumulates. Cofactors of the blended matrix suit any scale, even 0. */
   #deform(from: number, to: number): void {
     this.#morph(from, to);
     const { joints } = this.#rig;
@@ -325,10 +320,7 @@ function normalizeAll(values: Float32Array, stride: number, from: number, to: nu
   }
 }
 
-/**
- * The matrices of a skeleton's joints, from the mesh's bind space to the model's, and a version that says when one has
- * changed. Shared by all meshes with that skeleton.
- */
+/** The matrices of a skeleton's joints, from the mesh's bind space to the model's. Shared by all its meshes. */
 export class JointPose {
   /** 16 numbers for each joint. */
   readonly matrices: Float64Array;
@@ -345,10 +337,7 @@ export class JointPose {
     this.matrices = new Float64Array(skeleton.bones.length * 16);
   }
 
-  /**
-   * World matrices must be up to date within the scene. A joint whose matrix leaves the domain of coordinates stays
-   * where it was.
-   */
+  /** World matrices must be up to date. A joint whose matrix leaves the domain of coordinates stays where it was. */
   update(): void {
     const { bones, boneInverses } = this.#skeleton;
     const { matrices } = this;
@@ -356,7 +345,7 @@ export class JointPose {
     for (const bone of this.#roots) bone.updateWorldMatrix(false, true);
     bones.forEach((bone, i) => {
       const { elements } = this.#matrix.multiplyMatrices(bone.matrixWorld, boneInverses[i] ?? IDENTITY);
-      if (!elements.every((element) => Math.abs(element) <= COORDINATE_LIMIT)) return;
+      if (!elements.every((element) => Math.abs(element) <= LIMITS.coordinate)) return;
       for (let j = 0; j < 16; j += 1) {
         if (matrices[i * 16 + j] !== elements[j]) changes += 1;
         matrices[i * 16 + j] = elements[j]!;

@@ -1,6 +1,5 @@
-// Reduces a glTF document to what is shown: the nodes and meshes of its scene, base colours and their textures.
-// Everything else (other scenes, cameras, lights, other textures, extras) is removed before anything is loaded. Every
-// index and size that the parser will use is checked here. Knows the JSON only, no bytes.
+// Reduces a glTF document to what is shown, before anything is loaded. Every index and size that the parser will use is
+// checked here. Knows the JSON only, no bytes.
 import { clip } from '../../fields/clip.js';
 import { DRACO_LIMIT } from '../limits.js';
 import { type ModelBudget, requireAtMost } from '../model-budget.js';
@@ -24,7 +23,7 @@ import {
   type JsonObject,
 } from './json.js';
 import { readMaterials, readTextures, type GltfTexture } from './materials.js';
-import { DRACO, type MorphAccessors, type Primitive, type PrimitiveContext, readPrimitives } from './primitives.js';
+import { DRACO, type Primitive, type PrimitiveContext, readPrimitives } from './primitives.js';
 
 export interface GltfDocument {
   /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
@@ -37,8 +36,8 @@ export interface GltfDocument {
   /** What the equation has no place for, by the file's own names. */
   readonly dropped: ReadonlySet<string>;
   readonly animations: readonly GltfAnimation[];
-  /** The morph targets of each primitive of each mesh. */
-  readonly targets: readonly (readonly (readonly MorphAccessors[])[])[];
+  /** By mesh. */
+  readonly primitives: readonly (readonly Primitive[])[];
   /** The weights of each node's morph targets; empty without. */
   readonly weights: readonly (readonly number[])[];
   /** The instances of each node's mesh; undefined where the node itself is the only one. */
@@ -47,10 +46,7 @@ export interface GltfDocument {
   readonly draco: ReadonlyMap<number, DracoClaims>;
 }
 
-/**
- * Nodes inside nodes. Beyond it three.js, which visits children by recursion, would overflow the stack in some
- * browsers.
- */
+/** Nodes inside nodes: three.js visits children by recursion, and would overflow the stack in some browsers. */
 const DEPTH_LIMIT = 1000;
 
 /**
@@ -67,7 +63,10 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
     );
   }
   const required = unreadable(json);
-  if (required !== undefined) throw unsupported(required);
+  if (required !== undefined) {
+    const fact = `The model needs the glTF extension ${clip(required)}, which is not supported.`;
+    throw new ModelError('bad-model', fact, { advice: 'Save it without that extension.' });
+  }
   budget.add({ nodes: listAt(json['nodes'], 'nodes').length });
   const dropped = new Set(extensionsLeftOut(json));
   const bufferDefs = objectsAt(json['buffers'], 'buffers');
@@ -78,12 +77,18 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
   const materials = await readMaterials(json, textures, dropped, slices);
   const meshes = await readMeshes(json, { accessors, materials, views: bufferViews.length, dropped }, slices);
   const skins = readSkins(json, accessors);
-  const nodes = hiddenLeftOut(await readNodes(json, { meshes, skins, accessors, budget, dropped }, slices));
+  const nodes = await readNodes(json, { meshes, skins, accessors, budget, dropped }, slices);
   const roots = readRoots(json, nodes);
   const inScene = withChildren(nodes, roots);
-  const drawn = Array.from(inScene, (index) => nodes[index]!);
+  // Hidden nodes and all below them are places, no more: they can be joints.
+  const hidden = withChildren(
+    nodes,
+    nodes.flatMap((node, i) => (node.hidden ? i : [])),
+  );
+  const visible = new Set([...inScene].filter((index) => !hidden.has(index)));
+  const drawn = Array.from(visible, (index) => nodes[index]!);
   const draco = await countDrawn(drawn, accessors, budget, slices);
-  const shown = withJoints(nodes, inScene);
+  const shown = withJoints(drawn, inScene);
   const weights = nodes.map((node) => node.weights);
   const targets = weights.map((list, i) => (shown.has(i) ? list.length : undefined));
   const animations = await readAnimations(json, { accessors, targets, budget }, dropped, slices);
@@ -92,11 +97,11 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
       asset: { version: '2.0' },
       scene: 0,
       scenes: [{ nodes: roots }],
-      nodes: await slices.map(nodes, ({ definition, mesh, children, skinIndex }, i) => ({
+      nodes: await slices.map(nodes, ({ definition, mesh, children, skin }, i) => ({
         ...definition,
         // A joint outside the scene is a place, no more.
         children: children.filter((child) => shown.has(child)),
-        ...(inScene.has(i) ? { mesh, skin: skinIndex } : {}),
+        ...(visible.has(i) ? { mesh, skin: skin?.index } : {}),
       })),
       // A mesh without triangles stays as an empty group, so that indices stay valid.
       meshes: await slices.map(meshes, ({ name, primitives }) => ({
@@ -122,20 +127,15 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
     textures,
     dropped,
     animations,
-    targets: meshes.map(({ primitives }) => primitives.map((primitive) => primitive.targets)),
+    primitives: meshes.map(({ primitives }) => primitives),
     weights,
     instances: nodes.map((node) => node.instances),
     draco,
   };
 }
 
-function unsupported(extension: string): ModelError {
-  return new ModelError('bad-model', `The model needs the glTF extension ${clip(extension)}, which is not supported.`, {
-    advice: 'Save it without that extension.',
-  });
-}
-
 interface Skin {
+  readonly index: number;
   readonly joints: readonly number[];
   readonly inverseBindMatrices: Accessor | undefined;
 }
@@ -145,11 +145,11 @@ function readSkins(json: JsonObject, accessors: Accessors): readonly Skin[] {
   return objectsAt(json['skins'], 'skins').map((skin, i) => {
     const what = `skins[${String(i)}]`;
     const joints = listAt(skin['joints'], `${what}.joints`).map((joint) => indexAt(joint, nodeCount, `${what}.joints`));
-    if (skin['inverseBindMatrices'] === undefined) return { joints, inverseBindMatrices: undefined };
+    if (skin['inverseBindMatrices'] === undefined) return { index: i, joints, inverseBindMatrices: undefined };
     const inverseBindMatrices = accessors.at(skin['inverseBindMatrices'], `${what}.inverseBindMatrices`);
     if (inverseBindMatrices.components !== 16 || inverseBindMatrices.count < joints.length)
       throw new Error(`${what} has too few matrices`);
-    return { joints, inverseBindMatrices };
+    return { index: i, joints, inverseBindMatrices };
   });
 }
 
@@ -189,7 +189,6 @@ interface GltfNode {
   readonly primitives: readonly Primitive[];
   readonly instances: Instances | undefined;
   readonly skin: Skin | undefined;
-  readonly skinIndex: number | undefined;
   readonly weights: readonly number[];
 }
 
@@ -218,7 +217,6 @@ async function readNodes(
     // A float64 each, in the file's list and in the pose.
     budget.add({ values: 4 * targets });
     const given = node['weights'] === undefined ? fallback : listAt(node['weights'], `${what}.weights`);
-    const bind = bound ? skin : undefined;
     const visible = optionalObject(optionalObject(node['extensions'], what)[VISIBILITY], what)['visible'];
     return {
       children: listAt(node['children'], `${what}.children`).map((child) => indexAt(child, defs.length, what)),
@@ -226,8 +224,7 @@ async function readNodes(
       mesh: primitives.length > 0 ? index : undefined,
       primitives,
       instances,
-      skin: bind === undefined ? undefined : skins[bind],
-      skinIndex: bind,
+      skin: bound && skin !== undefined ? skins[skin] : undefined,
       weights: Array.from({ length: targets }, (_, k) => numberAt(given[k], `${what}.weights`, 0)),
       definition: {
         name: textAt(node['name']),
@@ -286,25 +283,7 @@ async function countDrawn(
   return packed;
 }
 
-/** Hidden nodes and all below them are places, no more: they can be joints. */
-function hiddenLeftOut(nodes: readonly GltfNode[]): readonly GltfNode[] {
-  const hidden = withChildren(
-    nodes,
-    nodes.flatMap((node, i) => (node.hidden ? i : [])),
-  );
-  const nothing = {
-    mesh: undefined,
-    primitives: [],
-    instances: undefined,
-    skin: undefined,
-    skinIndex: undefined,
-  };
-  return nodes.map((node, i) => (hidden.has(i) ? { ...node, ...nothing, weights: [] } : node));
-}
-
-/**
- * The scene's nodes without those that lie below another one: they would be there twice. Without a scene, all nodes.
- */
+/** The scene's nodes, or all, without those that lie below another one: they would be there twice. */
 function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly number[] {
   const scenes = objectsAt(json['scenes'], 'scenes');
   const all = nodes.map((_, i) => i);
@@ -327,36 +306,28 @@ function withChildren(nodes: readonly GltfNode[], roots: readonly number[]): Rea
   return reached;
 }
 
-/** The nodes of the scene, and the joints of its skins, which may lie outside it. */
-function withJoints(nodes: readonly GltfNode[], inScene: ReadonlySet<number>): ReadonlySet<number> {
+/** The nodes of the scene, and the joints of the skins that are drawn, which may lie outside it. */
+function withJoints(drawn: readonly GltfNode[], inScene: ReadonlySet<number>): ReadonlySet<number> {
   const shown = new Set(inScene);
-  const skins = new Set(Array.from(inScene, (index) => nodes[index]?.skin));
+  const skins = new Set(drawn.map(({ skin }) => skin));
   for (const skin of skins) for (const joint of skin?.joints ?? []) shown.add(joint);
   return shown;
 }
 
-/**
- * Throws for a cycle of nodes, on which the parser would wait forever.
- * @throws ModelError `too-large` if nodes are nested too deeply.
- */
+/** The parser would wait for ever on a cycle. @throws ModelError `too-large` if nodes are nested too deeply. */
 function requireTree(children: readonly (readonly number[])[]): void {
-  const parents = new Map<number, number>();
-  children.forEach((list, node) => {
-    for (const child of list) {
-      if (parents.has(child)) throw new Error(`nodes[${String(child)}] has two parents`);
-      parents.set(child, node);
-    }
-  });
-  const depths = new Map<number, number>();
-  for (const start of children.keys()) {
-    const path = new Set<number>();
-    let node: number | undefined = start;
-    for (; node !== undefined && !depths.has(node); node = parents.get(node)) {
-      if (path.has(node)) throw new Error(`nodes[${String(node)}] contains itself`);
-      path.add(node);
-    }
-    let depth = node === undefined ? 0 : depths.get(node)!;
-    for (const below of [...path].reverse()) depths.set(below, (depth += 1));
-    requireAtMost(depth, DEPTH_LIMIT, 'levels of nodes inside nodes');
+  const below = new Set<number>();
+  for (const child of children.flat()) {
+    if (below.has(child)) throw new Error(`nodes[${String(child)}] has two parents`);
+    below.add(child);
   }
+  const reached = new Set<number>();
+  let level = [...children.keys()].filter((node) => !below.has(node));
+  for (let depth = 1; level.length > 0; depth += 1) {
+    requireAtMost(depth, DEPTH_LIMIT, 'levels of nodes inside nodes');
+    for (const node of level) reached.add(node);
+    level = level.flatMap((node) => children[node]!);
+  }
+  const cyclic = [...children.keys()].find((node) => !reached.has(node));
+  if (cyclic !== undefined) throw new Error(`nodes[${String(cyclic)}] contains itself`);
 }

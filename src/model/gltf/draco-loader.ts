@@ -7,7 +7,7 @@ import { lazyCode } from '../lazy-code.js';
 import { DRACO_LIMIT } from '../limits.js';
 import { requireAtMost } from '../model-budget.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
-import { ModelError } from '../model.js';
+import { neededCode } from '../model-reader.js';
 import type { Slices } from '../slices.js';
 import type { DracoJob, DracoMesh } from './draco-mesh.js';
 
@@ -20,13 +20,7 @@ const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
  */
 const thread = /* @__PURE__ */ new DecoderThread<DracoJob, DracoMesh>(
   () => new Worker(new URL('./draco-worker.ts', import.meta.url), { type: 'module' }),
-  async () => {
-    const { createDecoder } = await decoderCode().catch((cause: unknown) => {
-      const message = 'The Draco decoder, which this model needs, could not be fetched.';
-      throw new ModelError('load-failed', message, { cause });
-    });
-    return createDecoder;
-  },
+  async () => (await neededCode(decoderCode(), 'The Draco decoder')).createDecoder,
   wasm,
 );
 
@@ -66,10 +60,7 @@ export interface DracoClaims {
   readonly vertices: number;
 }
 
-/**
- * Encoders merge or split vertices, and some do not update the accessors. None that we have seen comes near twice their
- * count.
- */
+/** Encoders merge or split vertices without a word in the accessors: none that we have seen by a factor near 2. */
 const TOLERANCE = 2;
 
 /**

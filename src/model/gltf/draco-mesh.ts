@@ -27,10 +27,7 @@ export const meshDecoder =
     return { result, transfer: arrays.map(({ buffer }) => buffer) };
   };
 
-/**
- * Decodes a mesh. Attributes are looked up by their Draco id and returned by name, as arrays of the given type.
- * @throws Error if the bytes are not a Draco mesh or an attribute is missing.
- */
+/** @throws Error if the bytes are not a Draco mesh or an attribute is missing. */
 function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: DracoJob): DracoMesh {
   const bytes = new Int8Array(data);
   const decoder = new draco.Decoder();

@@ -25,8 +25,8 @@ import {
 import type { Accessor } from './accessors.js';
 import { Deformation, type MorphTarget, JointPose } from './deformation.js';
 import type { Instances } from './instances.js';
-import { addTangents, completeNormals, countMissing } from './computed-vectors.js';
-import { CORNERS, FAN, type MorphAccessors, STRIP } from './primitives.js';
+import { addTangents, countMissing, takeFileNormals } from './computed-vectors.js';
+import { cornersOf, FANS, type MorphAccessors, type Primitive, STRIPS, TRIANGLES } from './primitives.js';
 import { mapsOf, uvNameOf } from './materials.js';
 
 /** Where the file describes an object. */
@@ -42,8 +42,8 @@ export interface GeometrySource {
   indicesOf(object: Object3D): FileIndices | undefined;
   /** The numbers of an accessor that was counted. */
   readonly accessor: (accessor: Accessor) => Promise<Attribute>;
-  /** By mesh and primitive. */
-  readonly targets: readonly (readonly (readonly MorphAccessors[])[])[];
+  /** By mesh. */
+  readonly primitives: readonly (readonly Primitive[])[];
   /** Weights of morph targets, by node. */
   readonly weights: readonly (readonly number[])[];
   /** By node. */
@@ -60,10 +60,7 @@ export function nodeOf(object: Object3D, source: Pick<GeometrySource, 'indicesOf
   return undefined;
 }
 
-/**
- * The loader makes a mesh that several nodes share a skinned one for all of them. Those without a skin have no
- * skeleton.
- */
+/** The loader makes a mesh skinned for all nodes that share it. Those without a skin have no skeleton. */
 export const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
   mesh instanceof SkinnedMesh && (mesh.skeleton as Skeleton | undefined) !== undefined;
 
@@ -74,8 +71,6 @@ export class Geometries {
   readonly #source: GeometrySource;
   readonly #slices: Slices;
   readonly #cache = new Map<string, BufferGeometry>();
-  /** Vectors without direction in each attribute of normals. */
-  readonly #missing = new Map<BufferAttribute, number>();
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
 
   constructor(source: GeometrySource, slices: Slices) {
@@ -88,13 +83,14 @@ export class Geometries {
     const uvs = [...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : [])))];
     const tangents = normalMap === null ? null : uvNameOf(normalMap);
     const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
-    const targets = this.#targetsOf(mesh);
+    const { meshes = -1, primitives = -1 } = this.#source.indicesOf(mesh) ?? {};
+    const { mode = TRIANGLES, targets = [] } = this.#source.primitives[meshes]?.[primitives] ?? {};
     // The weights of morph targets belong to a node.
     const own = targets.length > 0 ? mesh.uuid : '';
-    const key = [mesh.geometry.uuid, ...uvs, 'tangents', tangents, skin, own].join(' ');
+    const key = [mesh.geometry.uuid, mode, ...uvs, 'tangents', tangents, skin, own].join(' ');
     const present = this.#cache.get(key);
     if (present) return present;
-    const built = await this.#build(mesh, uvs, tangents, targets);
+    const built = await this.#build(mesh, mode, uvs, tangents, targets);
     this.#cache.set(key, built);
     return built;
   }
@@ -102,6 +98,7 @@ export class Geometries {
   /** @param tangents the coordinates of the normal map; null for none. */
   async #build(
     mesh: Mesh,
+    mode: number,
     uvs: readonly string[],
     tangents: string | null,
     targets: readonly MorphAccessors[],
@@ -121,16 +118,20 @@ export class Geometries {
     for (const [name, attribute] of attributes) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
-    let corners = await this.#cornersOf(source, count);
+    let corners = await this.#cornersOf(source.index, mode, count);
     const moves = isSkinned(mesh) || targets.length > 0;
-    const split = await this.#completeNormals(attributes, corners);
-    const flat = !attributes.has('normal');
+    const total = corners?.length ?? count;
+    const own = attributes.get('normal');
+    const missing = own === undefined ? total : await countMissing(own.array, corners, total, this.#slices);
+    // Without any normal that has a direction they count as absent.
+    const flat = missing === total;
+    if (flat) for (const name of ['normal', 'tangent']) attributes.delete(name);
     const computed = tangents !== null && !attributes.has('tangent');
     // A copy of the vertices for each corner, where they cannot be shared, or few of them are used.
-    const separate = corners && (flat || split || corners.length * 2 < count) ? corners : null;
+    const separate = corners && (missing > 0 || corners.length * 2 < count) ? corners : null;
     const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
     const each =
-      (separate ? items : 0) + (flat || split ? 3 : 0) + (moves ? MOVING_VALUES : 0) + (computed ? TANGENT_VALUES : 0);
+      (separate ? items : 0) + (missing > 0 ? 3 : 0) + (moves ? MOVING_VALUES : 0) + (computed ? TANGENT_VALUES : 0);
     // An index, and one of its own where joints mirror it.
     const indices = separate ? 0 : (corners?.length ?? 0) * (isSkinned(mesh) ? 2 : 1);
     this.#source.budget.add({ values: (separate?.length ?? count) * each + indices });
@@ -142,16 +143,9 @@ export class Geometries {
     }
     const geometry = new BufferGeometry();
     for (const name of shown) if (attributes.has(name)) geometry.setAttribute(name, attributes.get(name)!);
-    if (flat || split) {
-      const { array } = geometry.getAttribute('position');
-      const normals = await faceNormals(array, this.#slices);
-      if (split) {
-        const smooth = geometry.getAttribute('normal').array;
-        await this.#slices.over(split.length, (from, to) => {
-          for (let i = from; i < to; i += 1)
-            if (split[i] === 0) normals.setXYZ(i, smooth[i * 3]!, smooth[i * 3 + 1]!, smooth[i * 3 + 2]!);
-        });
-      }
+    if (missing > 0) {
+      const normals = await faceNormals(geometry.getAttribute('position').array, this.#slices);
+      if (!flat) await takeFileNormals(geometry.getAttribute('normal').array, normals.array, this.#slices);
       geometry.setAttribute('normal', normals);
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
@@ -180,21 +174,23 @@ export class Geometries {
   }
 
   /** The vertex of each corner of whole triangles. Null if each vertex is a corner. */
-  async #cornersOf(source: BufferGeometry, vertices: number): Promise<Uint16Array | Uint32Array | null> {
-    const { index } = source;
-    const strip = source.hasAttribute(STRIP.toLowerCase());
-    const fan = source.hasAttribute(FAN.toLowerCase());
+  async #cornersOf(
+    index: BufferAttribute | null,
+    mode: number,
+    vertices: number,
+  ): Promise<Uint16Array | Uint32Array | null> {
     const count = index?.count ?? vertices;
-    const length = strip || fan ? CORNERS.strip(count) : CORNERS.list(count);
-    if (!index && !strip && !fan && length === count) return null;
+    const length = cornersOf(mode, count);
+    if (!index && mode === TRIANGLES && length === count) return null;
     // 8-bit indices become 16-bit, which every GPU reads at full speed.
     const Type = vertices > 0xffff ? Uint32Array : Uint16Array;
     const plain = index instanceof BufferAttribute && index.array instanceof Type;
-    const ready = plain && !strip && !fan && length === count;
+    const ready = plain && mode === TRIANGLES && length === count;
+    const cornerOf = CORNER_OF[mode];
     const corners = ready ? (index.array as InstanceType<typeof Type>) : new Type(length);
     await this.#slices.over(length, (from, to) => {
       for (let i = from; i < to; i += 1) {
-        const at = strip ? stripCorner(i) : fan ? fanCorner(i) : i;
+        const at = cornerOf === undefined ? i : cornerOf(i);
         const vertex = index ? index.getX(at) : at;
         if (!(vertex < vertices))
           throw new Error(`a triangle refers to vertex ${String(vertex)} of ${String(vertices)}`);
@@ -202,31 +198,6 @@ export class Geometries {
       }
     });
     return corners;
-  }
-
-  /**
-   * Normals of the file that have no direction are computed anew. If all of them, they count as absent. Gives 1 for
-   * each corner that takes its face's own normal; null for none.
-   */
-  async #completeNormals(
-    attributes: Map<string, Attribute>,
-    corners: ArrayLike<number> | null,
-  ): Promise<Uint8Array | null> {
-    const source = attributes.get('normal') as BufferAttribute | undefined;
-    if (source === undefined) return null;
-    const missing = this.#missing.get(source) ?? (await countMissing(source, this.#slices));
-    this.#missing.set(source, missing);
-    if (missing === 0) return null;
-    if (missing === source.count) {
-      for (const name of ['normal', 'tangent']) attributes.delete(name);
-      return null;
-    }
-    // A copy, and sums in float64.
-    this.#source.budget.add({ values: 9 * source.count });
-    const { array } = attributes.get('position')!;
-    const { normals, split } = await completeNormals(array, source, corners, this.#slices);
-    attributes.set('normal', normals);
-    return split;
   }
 
   /** Brings the geometry into the file's pose. Its attributes are those of the undeformed mesh. */
@@ -261,11 +232,6 @@ export class Geometries {
     return pose;
   }
 
-  #targetsOf(mesh: Mesh): readonly MorphAccessors[] {
-    const { meshes = -1, primitives = -1 } = this.#source.indicesOf(mesh) ?? {};
-    return this.#source.targets[meshes]?.[primitives] ?? [];
-  }
-
   /** All primitives of a node share its weights; those with fewer targets use the first ones. */
   #weightsOf(mesh: Mesh, targets: number): Float64Array {
     const index = nodeOf(mesh, this.#source);
@@ -293,27 +259,20 @@ const JOINTS = ['skinIndex', 'skinWeight'] as const;
 /** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
 const TANGENT_VALUES = 16;
 
-/**
- * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, its joints and
- * their weights, and whether they mirror it.
- */
+/** What a vertex that moves costs, in values: position, normal, tangent, joints, weights, whether it is mirrored. */
 const MOVING_VALUES = 17;
 
 /** Names the attribute of a morph target. */
 const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
 
-/**
- * Triangle t of a strip is t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same
- * side.
- */
-function stripCorner(corner: number): number {
-  const within = corner % 3;
-  const triangle = (corner - within) / 3;
-  return triangle + (within > 0 && triangle % 2 === 1 ? 3 - within : within);
-}
-
-/** Triangle t of a fan is t + 1, t + 2, 0. */
-function fanCorner(corner: number): number {
-  const within = corner % 3;
-  return within === 2 ? 0 : (corner - within) / 3 + within + 1;
-}
+/** The vertex of a corner of triangle t, as strips and fans count. */
+const CORNER_OF: Readonly<Record<number, (corner: number) => number>> = {
+  /** t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same side. */
+  [STRIPS]: (corner) => {
+    const within = corner % 3;
+    const triangle = (corner - within) / 3;
+    return triangle + (within > 0 && triangle % 2 === 1 ? 3 - within : within);
+  },
+  /** t + 1, t + 2, 0. */
+  [FANS]: (corner) => (corner % 3 === 2 ? 0 : Math.floor(corner / 3) + (corner % 3) + 1),
+};

@@ -43,10 +43,7 @@ export function readTextures(json: JsonObject, images: number, slices: Slices): 
 interface MaterialValues {
   readonly unlit: boolean;
   readonly emissive: readonly number[];
-  /**
-   * Null: the file leaves metalness and roughness at glTF's default, a rough metal, which shows nothing but its
-   * surroundings.
-   */
+  /** Null for glTF's default, a rough metal, which shows nothing but its surroundings. */
   readonly metalRough: { readonly metalness: number; readonly roughness: number } | null;
   /** Factor of the specular coefficient; null for none. */
   readonly specular: readonly number[] | null;
@@ -126,10 +123,7 @@ function readMetalRough(metallic: JsonObject, glossy: JsonObject, what: string):
   return metalness === 1 && roughness === 1 ? null : { metalness: Math.min(metalness, MOST_METAL), roughness };
 }
 
-/**
- * Metalness of a metal all over, without a texture. What it shows of its surroundings is not in the equation; half of
- * Kd stands for that.
- */
+/** Metalness without a texture: half of Kd stands for the surroundings, which are not in the equation. */
 const MOST_METAL = 0.5;
 
 function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): readonly number[] | null {

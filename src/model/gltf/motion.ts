@@ -69,33 +69,10 @@ export async function readMotion(
     if (tracks.length === channels.length) clips.push({ name, tracks, duration });
     else dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
   }
-  return clips.length === 0 ? null : motionOf(file, clips, poser(clips, movable));
+  return clips.length === 0 ? null : motionOf(file, clips, movable);
 }
 
-function motionOf(file: string, clips: readonly Clip[], pose: ReturnType<typeof poser>): Motion {
-  const unknown = new Set<string>();
-  const quoted = (name: string): string => JSON.stringify(clip(name));
-  const clipOf = (wanted: string): Clip | undefined => {
-    const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
-    if (found === undefined && !unknown.has(wanted)) {
-      const names = listed(clips.map(({ name }) => quoted(name)));
-      console.warn(`${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`);
-      unknown.add(wanted);
-    }
-    return found ?? clips[0];
-  };
-  return {
-    names: clips.map(({ name }) => name),
-    durationOf: (name) => clipOf(name)?.duration ?? 0,
-    pose: (name, seconds) => {
-      const clip = name === null ? null : (clipOf(name) ?? null);
-      pose(clip, clip !== null && clip.duration > 0 ? seconds % clip.duration : 0);
-    },
-  };
-}
-
-/** Times outside a clip give its first or last pose. Null: without animation. */
-function poser(clips: readonly Clip[], movable: Movable): (clip: Clip | null, seconds: number) => void {
+function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motion {
   const { scene, rigid, joints, deformations } = movable;
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
@@ -105,24 +82,41 @@ function poser(clips: readonly Clip[], movable: Movable): (clip: Clip | null, se
   const tracks = clips.flatMap((clip) => clip.tracks);
   const matrix = new Matrix4();
   let posed: Clip | null = null;
-  return (clip, seconds) => {
-    if (clip !== posed) for (const { rest, set } of tracks) set(rest);
-    posed = clip;
-    if (clip !== null) {
-      for (const { keyframes, value, set } of clip.tracks) {
-        sampleTrack(keyframes, seconds, value);
-        set(value);
+  const unknown = new Set<string>();
+  const quoted = (name: string): string => JSON.stringify(clip(name));
+  const clipOf = (wanted: string): Clip => {
+    const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
+    if (found === undefined && !unknown.has(wanted)) {
+      const names = listed(clips.map(({ name }) => quoted(name)));
+      console.warn(`${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`);
+      unknown.add(wanted);
+    }
+    return found ?? clips[0]!;
+  };
+  return {
+    names: clips.map(({ name }) => name),
+    durationOf: (name) => clipOf(name).duration,
+    pose: (name, seconds) => {
+      const next = name === null ? null : clipOf(name);
+      if (next !== posed) for (const { rest, set } of tracks) set(rest);
+      posed = next;
+      if (next !== null) {
+        const time = next.duration > 0 ? seconds % next.duration : 0;
+        for (const { keyframes, value, set } of next.tracks) {
+          sampleTrack(keyframes, time, value);
+          set(value);
+        }
       }
-    }
-    scene.updateMatrixWorld();
-    for (const { part, mesh, within } of rigid) {
-      if (within === null) matrix.copy(mesh.matrixWorld);
-      else matrix.multiplyMatrices(mesh.matrixWorld, within);
-      // Scales inside scales can leave the range of numbers. The part then stays where it was.
-      if (matrix.elements.every(Number.isFinite)) part.matrix.copy(matrix);
-    }
-    for (const pose of joints) pose.update();
-    for (const deformation of deformations) deformation.update();
+      scene.updateMatrixWorld();
+      for (const { part, mesh, within } of rigid) {
+        if (within === null) matrix.copy(mesh.matrixWorld);
+        else matrix.multiplyMatrices(mesh.matrixWorld, within);
+        // Scales inside scales can leave the range of numbers. The part then stays where it was.
+        if (matrix.elements.every(Number.isFinite)) part.matrix.copy(matrix);
+      }
+      for (const pose of joints) pose.update();
+      for (const deformation of deformations) deformation.update();
+    },
   };
 }
 

@@ -7,21 +7,8 @@ import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject 
 
 export const DRACO = 'KHR_draco_mesh_compression';
 
-/**
- * Extra attributes that mark strips and fans for the code that builds the parts. The parser gets all primitives as
- * triangles: it would turn strips into arrays of numbers and copy their vertices.
- */
-export const STRIP = '_STRIP';
-export const FAN = '_FAN';
-
-/** Corners of triangles that a list, strip or fan of this many vertices or indices stands for. */
-export const CORNERS = {
-  list: (count: number): number => count - (count % 3),
-  strip: (count: number): number => Math.max(count - 2, 0) * 3,
-} as const;
-
 export interface Primitive {
-  /** For the parser. */
+  /** For the parser, which gets triangles: it would turn strips into arrays of numbers and copy their vertices. */
   readonly definition: {
     readonly attributes: Readonly<Record<string, number>>;
     readonly extensions: JsonObject;
@@ -29,6 +16,8 @@ export interface Primitive {
     readonly material: number | undefined;
     readonly mode: number;
   };
+  /** How vertices or indices become triangles. */
+  readonly mode: number;
   /** As drawn. */
   readonly corners: number;
   readonly vertices: number;
@@ -66,9 +55,13 @@ const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
 ]);
 /** The attributes that morph targets move. */
 const MORPHED = ['POSITION', 'NORMAL', 'TANGENT'] as const;
-const TRIANGLES = 4;
-const STRIPS = 5;
-const FANS = 6;
+export const TRIANGLES = 4;
+export const STRIPS = 5;
+export const FANS = 6;
+
+/** Corners of triangles that a list, strip or fan of this many vertices or indices stands for. */
+export const cornersOf = (mode: number, count: number): number =>
+  mode === TRIANGLES ? count - (count % 3) : Math.max(count - 2, 0) * 3;
 
 export async function readPrimitives(
   mesh: JsonObject,
@@ -107,10 +100,8 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   const count = (order ?? { count: vertices }).count;
   // The Draco decoder returns separate triangles, whatever the mode was.
   const mode = packed ? TRIANGLES : countAt(primitive['mode'], 'mode', TRIANGLES);
-  const position = indexes['POSITION'] ?? 0;
-  const mark = mode === STRIPS ? { [STRIP]: position } : mode === FANS ? { [FAN]: position } : {};
   const definition = {
-    attributes: { ...indexes, ...mark },
+    attributes: indexes,
     indices: order?.index,
     material: material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
     mode: TRIANGLES,
@@ -120,7 +111,8 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   const unpacked = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
   return {
     definition,
-    corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
+    mode,
+    corners: cornersOf(mode, count),
     vertices,
     attributes,
     read: [
@@ -158,9 +150,7 @@ function readTargets(
   });
 }
 
-/**
- * @param wanted the primitive's attributes. One that only the extension lists has no accessor type, so it is ignored.
- */
+/** @param wanted attributes. One that only the extension lists has no accessor type, so it is ignored. */
 function readDraco(
   extension: JsonObject,
   wanted: JsonObject,

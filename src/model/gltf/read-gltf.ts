@@ -27,7 +27,7 @@ import { lookOf } from './materials.js';
 import { type Movable, readMotion, type RigidPart } from './motion.js';
 import { gltfTexture } from './textures.js';
 
-export const readGltf: ModelReader = async (source) => {
+export const read: ModelReader = async (source) => {
   const { budget } = source;
   const slices = new Slices(source.signal, source.budget);
   const container = await openContainer(source.bytes, budget, slices);
@@ -57,12 +57,12 @@ export const readGltf: ModelReader = async (source) => {
     // It takes a parsed document too, whatever its types say: a text would be parsed in one task.
     const { scene, parser } = await loader.parseAsync(document.json as unknown as string, '');
     source.signal.throwIfAborted();
-    const { animations, targets, weights, instances } = document;
+    const { animations, primitives, weights, instances } = document;
     const accessor = ({ index }: Accessor): Promise<Attribute> =>
       parser.getDependency('accessor', index) as Promise<Attribute>;
     const node = (index: number): Promise<Object3D> => parser.getDependency('node', index) as Promise<Object3D>;
     const indicesOf = (object: Object3D): FileIndices | undefined => parser.associations.get(object);
-    const file = { indicesOf, accessor, targets, weights, instances, budget };
+    const file = { indicesOf, accessor, primitives, weights, instances, budget };
     const { parts, movable } = await collectParts(scene, file, slices);
     const dropped = new Set(document.dropped);
     const place = nameOf(source.url);

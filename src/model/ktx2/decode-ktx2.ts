@@ -3,6 +3,7 @@ import transcoder from 'three/examples/jsm/libs/basis/basis_transcoder.wasm?url'
 import { lazyCode } from '../lazy-code.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { ModelError } from '../model.js';
+import { neededCode } from '../model-reader.js';
 import type { Ktx2Job } from './ktx2.js';
 
 const decoderCode = /* @__PURE__ */ lazyCode(() => import('./ktx2.js'), 'KTX2 textures');
@@ -13,8 +14,8 @@ const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
     // The script for pages opened from disk has no WebAssembly beside it.
     if (transcoder === '')
       throw new ModelError('bad-model', 'KTX2 textures cannot be shown by phong-viewer.classic.js.', { advice: 'Use the module, from a server.' }); // prettier-ignore
-    const { createDecoder } = await decoderCode().catch(notFetched);
-    return (address) => createDecoder(address).catch(notStarted);
+    const { createDecoder } = await neededCode(decoderCode(), DECODER);
+    return (address) => neededCode(createDecoder(address).catch(notAllowed), DECODER);
   },
   transcoder,
 );
@@ -30,13 +31,10 @@ export function decodeKtx2(
   return thread.decode({ bytes: bytes.slice(), scale }, signal);
 }
 
-function notFetched(cause: unknown): never {
-  const message = `The decoder of KTX2 textures, which this model needs, could not be fetched with ${transcoder}.`;
-  throw new ModelError('load-failed', message, { cause });
-}
+const DECODER = `The decoder of KTX2 textures (${transcoder})`;
 
-function notStarted(cause: unknown): never {
-  if (!(cause instanceof WebAssembly.CompileError || cause instanceof EvalError)) notFetched(cause);
+function notAllowed(cause: unknown): never {
+  if (!(cause instanceof WebAssembly.CompileError || cause instanceof EvalError)) throw cause;
   throw new ModelError(
     'csp',
     'The model has KTX2 textures, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks them.',

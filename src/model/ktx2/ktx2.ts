@@ -14,10 +14,7 @@ export interface Ktx2Job {
 /** The transcoder's number for four bytes per pixel. */
 const RGBA32 = 13;
 
-/**
- * @param address of the transcoder's WebAssembly.
- * @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it.
- */
+/** @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it. */
 export async function createDecoder(address: string): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
   const basis = await startWasm(createBasis, address);
   basis.initializeBasis();

@@ -1,17 +1,14 @@
-// Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they
-// are written (encoded sRGB, no conversion), except an Ns of 0; Ke is what the surface emits. Other statements are
-// skipped, and named if they would change the picture.
-import type { Vec3 } from '../../math/vector.js';
+// Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are kept as written (encoded sRGB), except an Ns of 0. Other
+// statements are skipped, and named if they would change the picture.
+import { scale, type Vec3 } from '../../math/vector.js';
+import type { SurfaceValues } from '../../material/material-values.js';
 import { LIMITS } from '../../light/light-state.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 
 export interface MtlMaterial {
-  /** Ambient; the diffuse colour if the file does not give it. Undefined if it gives neither. */
-  readonly ka?: Vec3;
-  readonly kd?: Vec3;
-  readonly ks?: Vec3;
-  readonly shininess?: number;
+  /** What the file gives of Ka, Kd, Ks and the exponent; Ka is Kd if it gives that alone. */
+  readonly surface: Partial<SurfaceValues>;
   /** 0 to 1. */
   readonly opacity: number;
   /** Multiplies Ka and Kd. */
@@ -26,7 +23,7 @@ export interface MtlMaterial {
 
 /** A texture. */
 export interface MtlMap {
-  /** As it is written, with slashes instead of backslashes. */
+  /** Its path from the model, with slashes instead of backslashes. */
   readonly file: string;
   /** Texture coordinates are multiplied by this, in the file's own directions (v upward). */
   readonly scale: readonly [u: number, v: number];
@@ -38,14 +35,6 @@ export interface MtlMap {
 /** Materials beyond this are skipped: a model cannot have that many draws. */
 const MATERIAL_LIMIT = 10_000;
 
-export const NO_MATERIAL: MtlMaterial = {
-  opacity: 1,
-  map: null,
-  ke: [0, 0, 0],
-  keMap: null,
-  leftOut: new Set(),
-};
-
 /** What a material's statements say. */
 interface Draft {
   readonly colors: Partial<Record<ColorKey, Vec3>>;
@@ -56,12 +45,21 @@ interface Draft {
   dissolved: boolean;
 }
 
+const emptyDraft = (): Draft => ({ colors: {}, maps: {}, leftOut: new Set(), opacity: 1, dissolved: false });
+
 const COLOR_KEYS = ['ka', 'kd', 'ks', 'ke'] as const;
 type ColorKey = (typeof COLOR_KEYS)[number];
 const isColor = (keyword: string): keyword is ColorKey => COLOR_KEYS.some((key) => key === keyword);
 
-/** Materials by name. A statement that cannot be read is as good as missing. */
-export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<ReadonlyMap<string, MtlMaterial>> {
+/**
+ * Materials by name. A statement that cannot be read is as good as missing.
+ * @param folder of the library, with a slash behind it: images are named relative to it.
+ */
+export async function readMtl(
+  bytes: Uint8Array,
+  folder: string,
+  slices: Slices,
+): Promise<ReadonlyMap<string, MtlMaterial>> {
   const materials = new Map<string, Draft>();
   let material: Draft | null = null;
   const scanner = new TextScanner(bytes);
@@ -70,10 +68,10 @@ export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<Readon
     const keyword = scanner.word().toLowerCase();
     if (keyword === 'newmtl') {
       if (materials.size >= MATERIAL_LIMIT) break;
-      material = { colors: {}, maps: {}, leftOut: new Set(), opacity: 1, dissolved: false };
+      material = emptyDraft();
       materials.set(scanner.rest(NAME_LENGTH), material);
     } else if (material !== null) {
-      readStatement(keyword, scanner, material);
+      readStatement(keyword, scanner, material, folder);
     }
     if (slices.took(1 + (scanner.at - at) / 8)) await slices.pause();
     ({ at } = scanner);
@@ -84,7 +82,7 @@ export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<Readon
 /** Longest name of a material in bytes, as in the OBJ file. */
 const NAME_LENGTH = 256;
 
-function readStatement(keyword: string, scanner: TextScanner, material: Draft): void {
+function readStatement(keyword: string, scanner: TextScanner, material: Draft, folder: string): void {
   if (isColor(keyword)) {
     const color = readColor(scanner);
     if (color !== null) material.colors[keyword] = color;
@@ -105,7 +103,7 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft): 
     // 1 would be invisible. Programs that write it mean opaque.
     material.opacity = transparency < 1 ? 1 - clamped(transparency) : 1;
   } else if (keyword === 'map_kd' || keyword === 'map_ke' || keyword === 'map_ka') {
-    material.maps[keyword] = readMap(scanner.rest());
+    material.maps[keyword] = readMap(scanner.rest(), folder);
   } else {
     const name = LEFT_OUT.get(keyword);
     if (name !== undefined && !NEUTRAL.get(name)?.test(scanner.rest())) material.leftOut.add(name);
@@ -154,7 +152,7 @@ const OPTION = /^\s*(-[a-z]+)(?=\s)/i;
 /** An option behind the name. A name may contain what looks like one, but not with a number or a switch behind it. */
 const TRAILING = /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
 
-function readMap(text: string): MtlMap | null {
+function readMap(text: string, folder: string): MtlMap | null {
   const options: Options = { scale: [1, 1], offset: [0, 0], clamped: false };
   let rest = takeOptions(text, options);
   const [, quoted, behind] = /^\s*("[^"]+")(.*)$/.exec(rest) ?? [];
@@ -162,7 +160,7 @@ function readMap(text: string): MtlMap | null {
   takeOptions(behind ?? rest.slice(end), options);
   rest = quoted ?? rest.slice(0, end);
   const file = imageName(rest);
-  return file === '' ? null : { file, ...options };
+  return file === '' ? null : { file: folder + file, ...options };
 }
 
 type Options = { -readonly [K in Exclude<keyof MtlMap, 'file'>]: MtlMap[K] };
@@ -204,10 +202,12 @@ function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMate
   // The map of Kd is that of Ka too.
   if (maps.map_ka && maps.map_ka.file !== map?.file) leftOut.add('map_Ka');
   return {
-    ...(ka && { ka }),
-    ...(kd && { kd }),
-    ...(ks && { ks }),
-    ...(shininess !== undefined && { shininess }),
+    surface: {
+      ...(ka && { ka: scale(ka, 255) }),
+      ...(kd && { kd: scale(kd, 255) }),
+      ...(ks && { ks: scale(ks, 255) }),
+      ...(shininess !== undefined && { shininess }),
+    },
     opacity,
     map,
     ke: colors.ke ?? (keMap === null ? BLACK : WHITE),
@@ -219,13 +219,12 @@ function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMate
 const WHITE: Vec3 = [1, 1, 1];
 const BLACK: Vec3 = [0, 0, 0];
 
+export const NO_MATERIAL = /* @__PURE__ */ finished(emptyDraft());
+
 /** Without the quotes around it, if there are any. */
 export const unquoted = (name: string): string => /^"([^"]*)"$/.exec(name)?.[1]?.trim() ?? name;
 
-/**
- * A material's name as it is compared if it is not found as written: without quotes, and without a comment behind it.
- * Names can contain `#`, as 3ds Max's own do.
- */
+/** A name as it is compared if it is not found as written: without quotes and a comment, but `#` may be in it. */
 export const plainName = (name: string): string => unquoted(name.replace(/\s#.*$/, '').trim());
 
 /** An image's name without quotes, or a comment behind its extension. */

@@ -6,18 +6,23 @@ import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { unquoted } from './mtl.js';
-import { CornerLists, FACETED, NONE, NOT_THERE, UNSTATED, wrongCoordinate } from '../triangles/corner-lists.js';
+import {
+  CornerLists,
+  FACETED,
+  type Growing,
+  NONE,
+  NOT_THERE,
+  UNSTATED,
+  wrongCoordinate,
+} from '../triangles/corner-lists.js';
+import type { CornerRange } from '../triangles/indexed-geometry.js';
 import { keepSoundFaces } from '../triangles/sound-faces.js';
 import { Polygons } from '../triangles/triangulate.js';
 
 /** Consecutive triangles of one object with one material. */
-export interface ObjRun {
+export interface ObjRun extends CornerRange {
   readonly object: string;
   readonly material: string;
-  /** First corner. */
-  readonly start: number;
-  /** The corner after the last. */
-  readonly end: number;
 }
 
 export interface ObjText {
@@ -27,9 +32,7 @@ export interface ObjText {
   readonly libraries: readonly string[];
 }
 
-/**
- * Most changes of object or material: drawings of plants have tens of thousands of objects. More would block the page.
- */
+/** Most changes of object or material: drawings of plants have tens of thousands. More would block the page. */
 const RUN_LIMIT = 2 ** 17;
 /** Material libraries that are read. Files have one, seldom two. */
 const LIBRARY_LIMIT = 16;
@@ -63,10 +66,8 @@ class ObjReader {
   /** Whether the line is a face with more corners to come. */
   #inFace = false;
   /** What the last piece took, as {@link Slices.took} counts it. */
-  #work = 0;
-  /**
-   * Names in force, or where they are: one without a face is not read. Millions of strings would stop the collector.
-   */
+  work = 0;
+  /** Names in force, or where they are: those without a face are not read. Millions of strings stop the collector. */
   readonly #names: Record<'o' | 'g' | 'usemtl', string | number> = { o: '', g: '', usemtl: '' };
   #smoothing = UNSTATED;
   /** First corner of the run. */
@@ -83,10 +84,6 @@ class ObjReader {
     this.#leftOut = leftOut;
   }
 
-  get work(): number {
-    return this.#work;
-  }
-
   /** Reads a line, or a part of a long one. False at the end. */
   readPiece(): boolean {
     const { at } = this.#scanner;
@@ -94,7 +91,7 @@ class ObjReader {
     const more = this.#inFace || this.#nextLine();
     if (this.#inFace) this.#corners();
     else if (more) this.#statement();
-    this.#work = (this.#scanner.at - at) / 8 + (this.#polygons.steps - steps) / 16;
+    this.work = (this.#scanner.at - at) / 8 + (this.#polygons.steps - steps) / 16;
     return more;
   }
 
@@ -160,7 +157,7 @@ class ObjReader {
       const { index, at } = this.#highest[kind];
       if (index < counts[kind]) continue;
       const reason = `it refers to ${what} ${String(index + 1)}, but there are only ${String(counts[kind])}`;
-      this.#leftOut.because(kind, reason, at);
+      this.#leftOut.because(kind, () => reason, at);
     }
     return { lists, runs: this.#runs, libraries: this.#libraries };
   }
@@ -170,15 +167,12 @@ class ObjReader {
     const { places, colors } = this.#lists;
     const start = scanner.at;
     const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
-    if (!places.push(x, y, z)) this.#leaveOut(start, x, y, z);
-    if (scanner.atLineEnd()) {
-      if (colors.length > 0) pushColor(colors, 1, 1, 1);
-      return;
+    if (!places.push(x, y, z)) {
+      this.#leftOut.add('vertex');
+      this.#leftOut.because('vertex', () => scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z), this.#lineStart);
     }
     // Four numbers are x y z w, and w matters to curves only. Six are x y z r g b.
-    const red = scanner.number();
-    const green = scanner.number();
-    const blue = scanner.number();
+    const [red, green, blue] = scanner.atLineEnd() ? NO_COLOR : [scanner.number(), scanner.number(), scanner.number()];
     if (Number.isNaN(blue)) {
       if (colors.length > 0) pushColor(colors, 1, 1, 1);
       return;
@@ -195,13 +189,6 @@ class ObjReader {
     uvs.push(Number.isFinite(u) ? u : 0);
     // In OBJ the last row of an image is at v = 0.
     uvs.push(Number.isFinite(v) ? 1 - v : 1);
-  }
-
-  #leaveOut(start: number, x: number, y: number, z: number): void {
-    this.#leftOut.add('vertex');
-    if (this.#leftOut.hasReason('vertex')) return;
-    const problem = this.#scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z);
-    this.#leftOut.because('vertex', problem, this.#lineStart);
   }
 
   /** The next corners of a face, and its triangles after the last. */
@@ -238,7 +225,7 @@ class ObjReader {
     if (hasSlash && scanner.atBreak) return false;
     const word = scanner.quotedWord();
     const why = `${word} is not written as v, v/vt, v//vn or v/vt/vn`;
-    this.#leftOut.because(hasSlash ? 'corner' : 'face', why, this.#lineStart);
+    this.#leftOut.because(hasSlash ? 'corner' : 'face', () => why, this.#lineStart);
     if (hasSlash) this.#leftOut.add('corner');
     return !hasSlash;
   }
@@ -248,12 +235,11 @@ class ObjReader {
     const written = this.#scanner.integerHere();
     const index = written > 0 ? written - 1 : count + written;
     if (!(written !== 0 && index >= 0 && index < CORNER_LIMIT)) {
-      if (!this.#leftOut.hasReason(kind)) {
-        const why = Number.isNaN(written)
+      const why = (): string =>
+        Number.isNaN(written)
           ? `${this.#scanner.quotedWord()} is not a corner of a face`
           : 'a corner of a face refers to something that is not there';
-        this.#leftOut.because(kind, why, this.#lineStart);
-      }
+      this.#leftOut.because(kind, why, this.#lineStart);
       return NOT_THERE;
     }
     const highest = this.#highest[kind];
@@ -318,9 +304,8 @@ function smoothingOf(word: string): number {
   return Number.isInteger(group) && group > 0 && group <= 0x7fffffff ? group : FACETED;
 }
 
-function pushColor(
-  colors: { push: (value: number) => void },
-  ...channels: readonly [r: number, g: number, b: number]
-): void {
+const NO_COLOR = [NaN, NaN, NaN] as const;
+
+function pushColor(colors: Growing<Float32Array>, ...channels: readonly [r: number, g: number, b: number]): void {
   for (const value of channels) colors.push(value > 0 ? Math.min(value, 1) : 0);
 }

@@ -2,11 +2,9 @@
 // the equation. Corners without a normal get one by smoothing group. A separate chunk.
 import { ClampToEdgeWrapping, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, type Texture } from 'three';
 import { type BaseLook, emits, PLAIN_LOOK } from '../../material/file-surface.js';
-import type { SurfaceValues } from '../../material/material-values.js';
-import { scale } from '../../math/vector.js';
 import { clip } from '../../fields/clip.js';
-import { type ModelReader, type ModelSource, ownedModel } from '../model-reader.js';
-import { type ImageFile, ImageTextures } from '../image.js';
+import { type FileBytes, type ModelReader, type ModelSource, ownedModel } from '../model-reader.js';
+import { ImageTextures } from '../image.js';
 import { LeftOut } from '../left-out.js';
 import type { ContentPart } from '../model.js';
 import { Slices } from '../slices.js';
@@ -16,22 +14,22 @@ import { smoothNormals } from '../triangles/smooth-normals.js';
 import { plainName, type MtlMap, type MtlMaterial, NO_MATERIAL, readMtl } from './mtl.js';
 import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
-export const readObj: ModelReader = async (source) => {
+export const read: ModelReader = async (source) => {
   const { bytes } = source;
   const slices = new Slices(source.signal, source.budget);
   const { budget } = source;
   budget.add({ text: bytes.byteLength });
   const leftOut = new LeftOut();
   const text = await readObjText(bytes, leftOut, slices);
-  const materials = await readLibraries(text, source, slices);
+  const materials = await readLibraries(text, source, leftOut, slices);
   await smoothNormals(text.lists, slices);
   const textures = new ImageTextures(source);
   const geometries = new IndexedGeometries(text.lists, budget, slices);
   try {
     const parts: ContentPart[] = [];
     for (const { name, material, ranges } of await groupsOf(text.runs, slices)) {
-      const definition = materials.named(material);
-      const { map, keMap } = definition;
+      const definition = materialNamed(materials, material) ?? NO_MATERIAL;
+      const { map, keMap, surface } = definition;
       const withUvs = (map !== null || keMap !== null) && text.lists.uvs.length > 0;
       const geometry = await geometries.of(ranges, withUvs);
       if (geometry === null) continue;
@@ -43,13 +41,11 @@ export const readObj: ModelReader = async (source) => {
           }
         : {};
       const { matrix } = text.lists.places;
-      const surface = surfaceOf(definition);
       parts.push({ name, geometry, matrix, look: { ...look, ...maps }, sides: 'double', surface });
       if (slices.took(16)) await slices.pause();
     }
     text.lists.free();
     if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
-    materials.nameLeftOut(leftOut);
     const dropped = await leftOut.names(bytes, slices);
     return { ...ownedModel(parts, () => void textures.close()), dropped };
   } catch (error) {
@@ -68,81 +64,53 @@ async function textureOf(
   const { file, scale, offset, clamped } = map;
   const wrap = clamped ? ClampToEdgeWrapping : RepeatWrapping;
   const sampler = { magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, wrapS: wrap, wrapT: wrap } as const;
-  const read = async (): Promise<ImageFile> => ({ bytes: await linked(addressOf(file)), type: '' });
+  const load = async (): Promise<FileBytes> => ({ bytes: await linked(addressOf(file)), type: '' });
   // The file's v points up, the geometry's points down: 1 − (v·s + o) = (1 − v)·s + (1 − s − o).
-  return textures.of(file, file, read, sampler, { scale, offset: [offset[0], 1 - scale[1] - offset[1]] });
+  return textures.of(file, file, load, sampler, { scale, offset: [offset[0], 1 - scale[1] - offset[1]] });
 }
 
 /** OBJ and MTL files name files by paths, not by addresses. */
 const addressOf = (path: string): string => path.split('/').map(encodeURIComponent).join('/');
 
-type Entry = readonly [name: string, material: MtlMaterial];
+/** The materials of a model's libraries: by name, as it is written and plain. */
+type Materials = ReadonlyMap<string, MtlMaterial>;
 
-/** The materials of a model's libraries. */
-class Materials {
-  readonly #byName: ReadonlyMap<string, MtlMaterial>;
-  readonly #byPlainName: ReadonlyMap<string, MtlMaterial>;
-  /** Whether every library was read. A missing one is reported by itself. */
-  readonly #complete: boolean;
-  readonly #used = new Set<MtlMaterial>();
-  readonly #unknown = new Set<string>();
+const materialNamed = (materials: Materials, name: string): MtlMaterial | undefined =>
+  materials.get(name) ?? materials.get(plainName(name));
 
-  constructor(entries: readonly Entry[], complete: boolean) {
-    this.#byName = new Map(entries);
-    this.#byPlainName = new Map(entries.map(([name, material]) => [plainName(name), material]));
-    this.#complete = complete;
-  }
-
-  named(name: string): MtlMaterial {
-    const found = this.#byName.get(name) ?? this.#byPlainName.get(plainName(name));
-    if (found) this.#used.add(found);
-    else if (name !== '') this.#unknown.add(name);
-    return found ?? NO_MATERIAL;
-  }
-
-  /** What those that were asked for leave out, and those that are in no library. */
-  nameLeftOut(leftOut: LeftOut): void {
-    for (const material of this.#used) for (const name of material.leftOut) leftOut.feature(name);
-    const [first] = this.#unknown;
-    if (!this.#complete || first === undefined) return;
-    leftOut.add('material', this.#unknown.size);
-    leftOut.because('material', clip(first, 40));
-  }
-}
-
+/** Names what the materials in use leave out, and those that are in no library. A missing library names itself. */
 async function readLibraries(
   { libraries, runs }: ObjText,
   { linked, optional, budget }: ModelSource,
+  leftOut: LeftOut,
   slices: Slices,
 ): Promise<Materials> {
-  const named = new Set(Array.from(new Set(runs.map(({ material }) => material)), plainName));
-  const read = libraries.map(async (library) => {
+  const used = new Set(runs.map(({ material }) => material));
+  const usedPlain = new Set(Array.from(used, plainName));
+  const pending = libraries.map(async (library) => {
     const found = await optional(
       library,
       () => linked(addressOf(library)),
       async (bytes) => {
         budget.add({ text: bytes.byteLength });
-        return readMtl(await asUtf8(bytes, budget, slices), slices);
+        const folder = library.slice(0, library.lastIndexOf('/') + 1);
+        return readMtl(await asUtf8(bytes, budget, slices), folder, slices);
       },
     );
-    const folder = library.slice(0, library.lastIndexOf('/') + 1);
-    if (found === null) return null;
-    const placed = await slices.map([...found], (entry) =>
-      named.has(plainName(entry[0])) ? [placedIn(folder, entry)] : [],
-    );
-    return placed.flat();
+    return found && [...found].filter(([name]) => usedPlain.has(plainName(name)));
   });
-  const found = await Promise.all(read);
-  return new Materials(
-    found.flatMap((entries) => entries ?? []),
-    !found.includes(null),
-  );
-}
-
-/** Images are named relative to the library. */
-function placedIn(folder: string, [name, material]: Entry): Entry {
-  const placed = (map: MtlMaterial['map']): MtlMaterial['map'] => map && { ...map, file: folder + map.file };
-  return [name, { ...material, map: placed(material.map), keMap: placed(material.keMap) }];
+  const found = await Promise.all(pending);
+  const entries = found.flatMap((library) => library ?? []);
+  const plain = entries.map(([name, material]) => [plainName(name), material] as const);
+  const materials = new Map([...plain, ...entries]);
+  const unknown = [...used].filter((name) => name !== '' && !materialNamed(materials, name));
+  for (const name of used)
+    for (const statement of materialNamed(materials, name)?.leftOut ?? []) leftOut.feature(statement);
+  if (unknown.length > 0 && !found.includes(null)) {
+    leftOut.add('material', unknown.length);
+    leftOut.because('material', () => clip(unknown[0]!, 40));
+  }
+  return materials;
 }
 
 interface Group {
@@ -151,10 +119,7 @@ interface Group {
   readonly ranges: CornerRange[];
 }
 
-/**
- * Most parts that keep their objects apart. Plans from CAD have an object per screw; drawing each of them alone is
- * slow.
- */
+/** Most parts that keep their objects apart. Plans from CAD have an object per screw, slow to draw one by one. */
 const OBJECT_LIMIT = 1000;
 
 /** Runs by object and material. Past {@link OBJECT_LIMIT} objects of the same material become one part. */
@@ -181,15 +146,4 @@ async function groupedBy(
 
 function lookOf({ opacity, ke }: MtlMaterial, vertexColors: boolean): BaseLook {
   return { ...PLAIN_LOOK, opacity, alphaMode: opacity < 1 ? 'blend' : 'opaque', emissive: ke, vertexColors };
-}
-
-/** Colours from 0 to 255, as in HTML. What the file leaves out is left out. */
-function surfaceOf(material: MtlMaterial): Partial<SurfaceValues> {
-  const surface: Partial<SurfaceValues> = {};
-  for (const key of ['ka', 'kd', 'ks'] as const) {
-    const color = material[key];
-    if (color !== undefined) surface[key] = scale(color, 255);
-  }
-  if (material.shininess !== undefined) surface.shininess = material.shininess;
-  return surface;
 }

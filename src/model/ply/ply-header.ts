@@ -1,5 +1,6 @@
 // Reads the header of a PLY file: elements with their counts and properties, and how the values are written.
-import { TextScanner } from '../text/text-scanner.js';
+import type { Slices } from '../slices.js';
+import { lineOf, TextScanner } from '../text/text-scanner.js';
 
 type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
 
@@ -54,69 +55,72 @@ const ENCODINGS: ReadonlyMap<string, PlyEncoding> = new Map([
   ['binary_big_endian', 'big-endian'],
 ]);
 
-/** Most elements and properties. Files have two elements and about ten properties. */
-const DECLARATION_LIMIT = 1000;
-
 /** Most bytes of a header: it is read in one piece. */
 const HEADER_LIMIT = 2 ** 20;
 
 const LF = 10;
 const CR = 13;
 
+/** What the lines so far say. */
+interface Draft {
+  encoding: PlyEncoding | null;
+  readonly elements: (PlyElement & { readonly properties: PlyProperty[] })[];
+  hasTexture: boolean;
+}
+
 /** @throws Error for a header that is broken, or that claims more values than the file has bytes for. */
-export function readPlyHeader(bytes: Uint8Array): PlyHeader {
+export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<PlyHeader> {
   const scanner = new TextScanner(bytes.subarray(0, HEADER_LIMIT));
   scanner.word(); // `ply`
-  let encoding: PlyEncoding | null = null;
-  const elements: { name: string; count: number; properties: PlyProperty[] }[] = [];
-  let declarations = 0;
-  let hasTexture = false;
+  const draft: Draft = { encoding: null, elements: [], hasTexture: false };
   while (scanner.nextLine()) {
-    const at = scanner.at;
+    const { at } = scanner;
     const keyword = scanner.word();
     if (keyword === 'end_header') {
+      const { encoding } = draft;
       if (encoding === null) throw new Error('its header has no format');
-      const header = { encoding, elements, hasTexture, end: afterLineEnd(bytes, scanner.at) };
+      const header = { ...draft, encoding, end: afterLineEnd(bytes, scanner.at) };
       requireBytes(header, bytes.byteLength - header.end);
       return header;
     }
-    if (keyword === 'format') {
-      const written = scanner.word();
-      encoding = ENCODINGS.get(written) ?? null;
-      if (encoding === null) throw wrong(scanner, at, `the format ${written} is unknown`);
-    } else if (keyword === 'element') {
-      const name = scanner.word();
-      const count = scanner.number();
-      if (!Number.isSafeInteger(count) || count < 0) throw wrong(scanner, at, 'an element has no count');
-      elements.push({ name, count, properties: [] });
-    } else if (keyword === 'property') {
-      const element = elements.at(-1);
-      if (!element) throw wrong(scanner, at, 'a property comes before any element');
-      element.properties.push(readProperty(scanner, at));
-    } else {
-      hasTexture ||= keyword === 'comment' && scanner.word() === 'TextureFile';
-      continue; // comments, and what other programs add
+    try {
+      readDeclaration(keyword, scanner, draft);
+    } catch (cause) {
+      const line = await lineOf(bytes, at, slices);
+      throw new Error(`line ${String(line)}: ${(cause as Error).message}`, { cause });
     }
-    declarations += 1;
-    if (declarations > DECLARATION_LIMIT) throw new Error('its header has more than 1000 lines');
   }
   throw new Error('its header has no end');
 }
 
-function readProperty(scanner: TextScanner, at: number): PlyProperty {
-  const typeNamed = (written: string): PlyType => {
-    const type = TYPES.find(({ names }) => names.includes(written));
-    if (type === undefined) throw wrong(scanner, at, `the type ${written} is unknown`);
-    return type;
-  };
-  const first = scanner.word();
-  const countType = first === 'list' ? typeNamed(scanner.word()) : null;
-  const type = typeNamed(countType === null ? first : scanner.word());
-  return { name: scanner.word(), type, countType };
+/** Comments, and what other programs add, are skipped. */
+function readDeclaration(keyword: string, scanner: TextScanner, draft: Draft): void {
+  if (keyword === 'format') {
+    const written = scanner.word();
+    draft.encoding = ENCODINGS.get(written) ?? null;
+    if (draft.encoding === null) throw new Error(`the format ${written} is unknown`);
+  } else if (keyword === 'element') {
+    const name = scanner.word();
+    const count = scanner.number();
+    if (!Number.isSafeInteger(count) || count < 0) throw new Error('an element has no count');
+    draft.elements.push({ name, count, properties: [] });
+  } else if (keyword === 'property') {
+    const element = draft.elements.at(-1);
+    if (!element) throw new Error('a property comes before any element');
+    const first = scanner.word();
+    const countType = first === 'list' ? typeNamed(scanner.word()) : null;
+    const type = typeNamed(countType === null ? first : scanner.word());
+    element.properties.push({ name: scanner.word(), type, countType });
+  } else if (keyword === 'comment') {
+    draft.hasTexture ||= scanner.word() === 'TextureFile';
+  }
 }
 
-const wrong = (scanner: TextScanner, at: number, what: string): Error =>
-  new Error(`line ${String(scanner.lineAt(at))}: ${what}`);
+function typeNamed(written: string): PlyType {
+  const type = TYPES.find(({ names }) => names.includes(written));
+  if (type === undefined) throw new Error(`the type ${written} is unknown`);
+  return type;
+}
 
 /** Where CR alone ends lines, a following LF is the first byte of the data. */
 function afterLineEnd(bytes: Uint8Array, at: number): number {

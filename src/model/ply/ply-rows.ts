@@ -1,192 +1,223 @@
-// Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each. Lists of millions
-// of items are read in slices.
+// Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each.
 import { clip } from '../../fields/clip.js';
 import type { LeftOut } from '../left-out.js';
 import { CORNER_LIMIT } from '../limits.js';
 import type { Slices } from '../slices.js';
+import { TextScanner } from '../text/text-scanner.js';
 import { CornerLists, type Growing, NONE, NOT_THERE, UNSTATED, wrongCoordinate } from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
-import { countOf, type PlyElement, type PlyHeader, type PlyProperty, type PlyType } from './ply-header.js';
-import type { PlyValues } from './ply-values.js';
+import { countOf, type PlyElement, type PlyHeader, type PlyType } from './ply-header.js';
 
-/** @throws Error for broken data; ModelError `too-large`. */
+/**
+ * @param byLines whether each row of a text is a line, and may have more values than its header names.
+ * @throws Error for broken data; ModelError `too-large`.
+ */
 export async function readRows(
-  header: PlyHeader,
-  values: PlyValues,
+  bytes: Uint8Array<ArrayBuffer>,
+  { encoding, elements, end }: PlyHeader,
+  byLines: boolean,
   leftOut: LeftOut,
   slices: Slices,
 ): Promise<CornerLists> {
-  const lists = new CornerLists(countOf(header.elements, 'vertex'), countOf(header.elements, 'face'));
-  const polygons = new Polygons(lists);
-  const ofVertices = new Colors(lists.colors, 0);
-  const ofFaces = new Colors(lists.faceColors, 1);
-  const file: PlyFile = { values, leftOut, slices, lists, polygons, ofVertices, ofFaces, highestVertex: -1 };
-  for (const element of header.elements) {
-    if (element.properties.length === 0) continue;
-    await readElement(element, file, (READERS.get(element.name) ?? skipping)(element, file));
-  }
-  chooseColors(file);
-  const { highestVertex } = file;
-  const { count } = lists.places;
-  if (highestVertex >= count)
-    leftOut.because('face', `a face refers to vertex ${String(highestVertex)} of ${String(count)}`);
-  return lists;
+  const values =
+    encoding === 'text' ? textValues(bytes, end, byLines) : binaryValues(bytes, end, encoding === 'little-endian');
+  const rows = new PlyRows(elements, values, leftOut, slices);
+  for (const element of elements) if (element.properties.length > 0) await rows.read(element);
+  return rows.finish();
 }
 
-interface PlyFile {
-  readonly values: PlyValues;
-  readonly leftOut: LeftOut;
-  readonly slices: Slices;
-  readonly lists: CornerLists;
-  readonly polygons: Polygons;
-  readonly ofVertices: Colors;
-  readonly ofFaces: Colors;
-  /** The largest number of a vertex that a face refers to. */
-  highestVertex: number;
-}
+/** The numbers of a row that are used, by property. x y z come first, then the normal, then the colour. */
+const SLOTS: ReadonlyMap<string, number> = new Map([
+  ...['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'].map((name, slot) => [name, slot] as const),
+  ...['r', 'g', 'b', 'a'].map((name, i) => [name, 6 + i] as const),
+  ...['diffuse_red', 'diffuse_green', 'diffuse_blue'].map((name, i) => [name, 6 + i] as const),
+]);
+const [PLACE, NORMAL, COLOR, ALPHA, UNUSED] = [0, 3, 6, 9, 10] as const;
 
-/** Reads one property of a row. Null, or for a long list a promise. */
-type Column = () => Promise<void> | null;
+type Row = Float64Array;
 
-interface RowReader {
+/** What becomes of the rows of an element. Whatever else they have is skipped. */
+interface RowTaker {
+  /** Name of the list of vertices. */
+  readonly list?: RegExp;
   readonly begin?: () => void;
-  readonly columns: readonly Column[];
-  /** What follows after the last property. */
+  readonly item?: (value: number) => void;
+  readonly endList?: () => void;
   readonly end?: () => void;
 }
 
-type MakeReader = (element: PlyElement, file: PlyFile) => RowReader;
+class PlyRows {
+  readonly #values: PlyValues;
+  readonly #leftOut: LeftOut;
+  readonly #slices: Slices;
+  readonly #lists: CornerLists;
+  readonly #polygons: Polygons;
+  readonly #ofVertices: Colors;
+  readonly #ofFaces: Colors;
+  /** The largest number of a vertex that a face refers to. */
+  #highestVertex = -1;
+  /** Position and steps that were counted as work. */
+  #at = 0;
+  #steps = 0;
 
-async function readElement(element: PlyElement, file: PlyFile, row: RowReader): Promise<void> {
-  const { values, leftOut, slices, polygons } = file;
-  for (let i = 0; i < element.count;) {
-    const { at } = values;
-    const { steps } = polygons;
-    if (values.beginRow()) {
-      row.begin?.();
-      for (const column of row.columns) {
-        const longList = column();
-        if (longList) await longList;
+  constructor(elements: readonly PlyElement[], values: PlyValues, leftOut: LeftOut, slices: Slices) {
+    this.#values = values;
+    this.#leftOut = leftOut;
+    this.#slices = slices;
+    this.#lists = new CornerLists(countOf(elements, 'vertex'), countOf(elements, 'face'));
+    this.#polygons = new Polygons(this.#lists);
+    this.#ofVertices = new Colors(this.#lists.colors, 0);
+    this.#ofFaces = new Colors(this.#lists.faceColors, 1);
+  }
+
+  async read(element: PlyElement): Promise<void> {
+    const values = this.#values;
+    const slices = this.#slices;
+    const row: Row = new Float64Array(UNUSED + 1);
+    row[ALPHA] = 1;
+    const taker = this.#takerOf(element, row);
+    const columns = element.properties.map(({ name, type, countType }) => {
+      const slot = SLOTS.get(name) ?? UNUSED;
+      return { type, countType, slot, full: slot < COLOR ? 1 : type.full, taken: taker.list?.test(name) === true };
+    });
+    for (let i = 0; i < element.count;) {
+      if (values.beginRow()) {
+        taker.begin?.();
+        for (const { type, countType, slot, full, taken } of columns) {
+          if (countType === null) {
+            const value = values.next(type);
+            row[slot] = value / full;
+            if (slot < NORMAL && Number.isNaN(value)) this.#leftOut.because('vertex', () => values.problem());
+            continue;
+          }
+          for (let left = this.#listLength(countType); left > 0; left -= 1) {
+            const value = values.next(type);
+            if (taken) taker.item?.(value);
+            if (this.#took()) await slices.pause();
+          }
+          if (taken) taker.endList?.();
+        }
+        taker.end?.();
+        if (values.endRow()) this.#leftOut.add('surplus');
+        i += 1;
       }
-      row.end?.();
-      if (values.endRow()) leftOut.add('surplus');
-      i += 1;
+      if (this.#took()) await slices.pause();
     }
-    if (slices.took((values.at - at) / 8 + (polygons.steps - steps) / 16)) await slices.pause();
   }
-}
 
-const READERS: ReadonlyMap<string, MakeReader> = new Map([
-  ['vertex', vertexReader],
-  ['face', faceReader],
-  ['tristrips', ({ properties }, file) => ({ columns: columnsOf(properties, file, stripTaker(file)) })],
-]);
+  /** Counts the work since the last call. */
+  #took(): boolean {
+    const { at } = this.#values;
+    const { steps } = this.#polygons;
+    const work = (at - this.#at) / 8 + (steps - this.#steps) / 16;
+    this.#at = at;
+    this.#steps = steps;
+    return this.#slices.took(work);
+  }
 
-const skipping: MakeReader = ({ name, properties, count }, file) => {
-  if (count > 0) file.leftOut.feature(`the element ${clip(name, 40)}`);
-  return { columns: columnsOf(properties, file) };
-};
+  finish(): CornerLists {
+    this.#chooseColors();
+    const { count } = this.#lists.places;
+    const highest = this.#highestVertex;
+    if (highest >= count)
+      this.#leftOut.because('face', () => `a face refers to vertex ${String(highest)} of ${String(count)}`);
+    return this.#lists;
+  }
 
-/** What takes the items of a list of vertices: each in turn, then its end. */
-interface ListTaker {
-  readonly lists: RegExp;
-  item(value: number): void;
-  end(): void;
-}
+  #takerOf({ name, count, properties }: PlyElement, row: Row): RowTaker {
+    const found = new Set(properties.map((property) => (property.countType === null ? SLOTS.get(property.name) : -1)));
+    const has = (first: number): boolean => [0, 1, 2].every((i) => found.has(first + i));
+    if (name === 'vertex') {
+      if (!has(PLACE)) throw new Error('its vertices have no x, y and z');
+      return this.#vertices(row, has(NORMAL), has(COLOR));
+    }
+    if (name === 'face') return this.#faces(row, has(COLOR));
+    if (name === 'tristrips') return this.#strips();
+    if (count > 0) this.#leftOut.feature(`the element ${clip(name, 40)}`);
+    return {};
+  }
 
-/** What takes a number: at once. */
-type NumberTaker = (value: number) => void;
-
-/** Properties that nothing takes are skipped. */
-function columnsOf(
-  properties: readonly PlyProperty[],
-  file: PlyFile,
-  vertices: ListTaker | null = null,
-  takerOf: (property: PlyProperty) => NumberTaker | null = () => null,
-): readonly Column[] {
-  const { values } = file;
-  return properties.map((property) => {
-    const { name, type, countType } = property;
-    if (countType !== null)
-      return listColumn(type, countType, file, vertices?.lists.test(name) === true ? vertices : null);
-    const take = takerOf(property);
-    return () => {
-      const value = values.next(type);
-      take?.(value);
-      return null;
+  #vertices(row: Row, withNormals: boolean, withColors: boolean): RowTaker {
+    const { places } = this.#lists;
+    const end = (): void => {
+      const [x, y, z] = [row[0]!, row[1]!, row[2]!];
+      if (!places.push(x, y, z)) {
+        this.#leftOut.add('vertex');
+        this.#leftOut.because('vertex', () => wrongCoordinate(x, y, z));
+      }
+      if (withNormals) this.#lists.pushNormal(row[NORMAL]!, row[NORMAL + 1]!, row[NORMAL + 2]!);
+      if (withColors) this.#ofVertices.push(row);
     };
-  });
-}
-
-/** Longest list that is read at once. */
-const SHORT_LIST = 256;
-
-function listColumn(type: PlyType, countType: PlyType, { values, slices }: PlyFile, taker: ListTaker | null): Column {
-  const read = (most: number): number => {
-    if (taker === null) return values.skip(type, most);
-    taker.item(values.next(type));
-    return 1;
-  };
-  const readLong = async (count: number): Promise<void> => {
-    for (let i = 0; i < count;) {
-      const { at } = values;
-      i += read(count - i);
-      if (slices.took(1 / 8 + (values.at - at) / 8)) await slices.pause();
-    }
-    taker?.end();
-  };
-  return () => {
-    const count = values.next(countType);
-    if (Number.isNaN(count)) throw new Error(values.problem());
-    if (!(Number.isInteger(count) && count >= 0)) throw new Error('a list has no length');
-    if (count > SHORT_LIST) return readLong(count);
-    for (let i = 0; i < count;) i += read(count - i);
-    taker?.end();
-    return null;
-  };
-}
-
-type Slot = 'x' | 'y' | 'z' | 'nx' | 'ny' | 'nz' | ColorSlot;
-type ColorSlot = 'red' | 'green' | 'blue' | 'alpha';
-
-const SLOTS: ReadonlyMap<string, Slot> = new Map([
-  ...(['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'] as const).map((name) => [name, name] as const),
-  ['r', 'red'],
-  ['g', 'green'],
-  ['b', 'blue'],
-  ['a', 'alpha'],
-  ['diffuse_red', 'red'],
-  ['diffuse_green', 'green'],
-  ['diffuse_blue', 'blue'],
-]);
-
-/** The numbers of the current row, and which of them it has. */
-class RowValues {
-  readonly values: Record<Slot, number> = { x: 0, y: 0, z: 0, nx: 0, ny: 0, nz: 0, red: 0, green: 0, blue: 0, alpha: 1 }; // prettier-ignore
-  readonly #found = new Set<Slot>();
-
-  has(...slots: readonly Slot[]): boolean {
-    return slots.every((slot) => this.#found.has(slot));
+    return { end };
   }
 
-  /** @param check called where a coordinate of a position is no number. */
-  takerOf({ name, type }: PlyProperty, check: () => void = () => undefined): NumberTaker | null {
-    const slot = SLOTS.get(name);
-    if (slot === undefined) return null;
-    this.#found.add(slot);
-    const full = COLOR_SLOTS.has(slot) ? type.full : 1;
-    const isPlace = slot === 'x' || slot === 'y' || slot === 'z';
-    const { values } = this;
-    return (value) => {
-      values[slot] = value / full;
-      if (isPlace && Number.isNaN(value)) check();
+  #faces(row: Row, withColors: boolean): RowTaker {
+    const colors = this.#ofFaces;
+    const polygons = this.#polygons;
+    return {
+      list: /^vertex_ind(ices|ex)$/,
+      begin: () => polygons.begin(UNSTATED, withColors ? colors.list.length / 3 : NONE),
+      item: (value) => polygons.add(this.#vertexOf(value)),
+      endList: () => polygons.end(),
+      end: () => {
+        if (withColors) colors.push(row);
+      },
     };
   }
+
+  /** Each vertex makes a triangle with the two before it, every second one turned around; -1 begins a new strip. */
+  #strips(): RowTaker {
+    const lists = this.#lists;
+    let length = 0;
+    let before = 0;
+    let last = 0;
+    const item = (value: number): void => {
+      if (value === -1) {
+        length = 0;
+        return;
+      }
+      const next = this.#vertexOf(value);
+      if (length >= 2) {
+        const even = length % 2 === 0;
+        lists.beginTriangle(false);
+        lists.pushCorner(even ? before : last);
+        lists.pushCorner(even ? last : before);
+        lists.pushCorner(next);
+      }
+      before = last;
+      last = next;
+      length += 1;
+    };
+    return { list: /^vertex_indices$/, item, endList: () => (length = 0) };
+  }
+
+  /** The vertex with this number, which may come later. */
+  #vertexOf(value: number): number {
+    if (Number.isInteger(value) && value >= 0 && value < CORNER_LIMIT) {
+      this.#highestVertex = Math.max(this.#highestVertex, value);
+      return value;
+    }
+    this.#leftOut.because('face', () => `a face refers to the vertex ${String(value)}`);
+    return NOT_THERE;
+  }
+
+  #listLength(type: PlyType): number {
+    const count = this.#values.next(type);
+    if (Number.isNaN(count)) throw new Error(this.#values.problem());
+    if (Number.isInteger(count) && count >= 0) return count;
+    throw new Error('a list has no length');
+  }
+
+  /** A geometry has one kind of colours: those of faces, unless those of vertices say more, as in other viewers. */
+  #chooseColors(): void {
+    const [ofVertices, ofFaces] = [this.#ofVertices, this.#ofFaces];
+    const both = ofVertices.count > 0 && ofFaces.count > 0;
+    const byFace = ofFaces.count > 0 && !(both && ofVertices.differ);
+    if (both) this.#leftOut.feature(byFace ? 'the colours of its vertices' : 'the colours of its faces');
+    if (!byFace) this.#lists.faceColors.length = this.#lists.triangleColors.length = 0;
+    if ((byFace ? ofFaces : ofVertices).hasAlpha) this.#leftOut.feature('alpha');
+  }
 }
-
-const COLOR_SLOTS: ReadonlySet<Slot> = new Set(['red', 'green', 'blue', 'alpha']);
-
-const clamped = (value: number): number => (value > 0 ? Math.min(value, 1) : 0);
 
 /** Colours of vertices or of faces. */
 class Colors {
@@ -196,112 +227,84 @@ class Colors {
   hasAlpha = false;
   readonly #first: number;
 
-  /** @param first number of the first one in the list. */
+  /** @param first number of the first one in the list; white ones come before it. */
   constructor(list: Growing<Float32Array>, first: number) {
     this.list = list;
     this.#first = 3 * first;
-    for (let i = 0; i < this.#first; i += 1) list.push(1);
+    list.fillTo(this.#first, 1);
   }
 
   get count(): number {
     return (this.list.length - this.#first) / 3;
   }
 
-  push({ values }: RowValues): void {
+  push(row: Row): void {
     const { list } = this;
-    for (const slot of ['red', 'green', 'blue'] as const) {
-      const { length } = list;
-      list.push(clamped(values[slot]));
-      this.differ ||= list.array[this.#first + (length % 3)] !== list.array[length];
+    for (let c = 0; c < 3; c += 1) {
+      const value = row[COLOR + c]!;
+      list.push(value > 0 ? Math.min(value, 1) : 0);
+      this.differ ||= list.array[this.#first + c] !== list.array[list.length - 1];
     }
-    this.hasAlpha ||= values.alpha < 1;
+    this.hasAlpha ||= row[ALPHA]! < 1;
   }
 }
 
-/** A geometry has one kind of colours: those of faces, unless those of vertices say more, as in other viewers. */
-function chooseColors({ ofVertices, ofFaces, lists, leftOut }: PlyFile): void {
-  const both = ofVertices.count > 0 && ofFaces.count > 0;
-  const byFace = ofFaces.count > 0 && !(both && ofVertices.differ);
-  if (both) leftOut.feature(byFace ? 'the colours of its vertices' : 'the colours of its faces');
-  if (!byFace) lists.faceColors.length = lists.triangleColors.length = 0;
-  if ((byFace ? ofFaces : ofVertices).hasAlpha) leftOut.feature('alpha');
+/** The values after a header, one after another, text or binary of either byte order. */
+interface PlyValues {
+  /** Position of the next byte. */
+  readonly at: number;
+  /** Goes to the next row. False where it is not there yet: call again. @throws Error at the end of the file. */
+  beginRow(): boolean;
+  /** Whether values are left that no property names. */
+  endRow(): boolean;
+  /** @throws Error at the end of the file, or of the row if rows are lines. Text that is no number is NaN. */
+  next(type: PlyType): number;
+  /** Why the last value is no number, in words. */
+  problem(): string;
 }
 
-function vertexReader({ properties }: PlyElement, file: PlyFile): RowReader {
-  const { values, leftOut, lists } = file;
-  const row = new RowValues();
-  const check = (): void => {
-    if (!leftOut.hasReason('vertex')) leftOut.because('vertex', values.problem());
-  };
-  const columns = columnsOf(properties, file, null, (property) => row.takerOf(property, check));
-  if (!row.has('x', 'y', 'z')) throw new Error('its vertices have no x, y and z');
-  const withNormals = row.has('nx', 'ny', 'nz');
-  const withColors = row.has('red', 'green', 'blue');
-  const end = (): void => {
-    const { x, y, z, nx, ny, nz } = row.values;
-    if (!lists.places.push(x, y, z)) {
-      leftOut.add('vertex');
-      leftOut.because('vertex', wrongCoordinate(x, y, z));
-    }
-    if (withNormals) lists.pushNormal(nx, ny, nz);
-    if (withColors) file.ofVertices.push(row);
-  };
-  return { columns, end };
-}
+const truncated = (): Error => new Error('it is truncated: it ends before its last value');
 
-function faceReader({ properties }: PlyElement, file: PlyFile): RowReader {
-  const { polygons, ofFaces } = file;
-  const row = new RowValues();
-  const taker: ListTaker = {
-    lists: /^vertex_ind(ices|ex)$/,
-    item: (value) => polygons.add(vertexOf(value, file)),
-    end: () => polygons.end(),
-  };
-  const columns = columnsOf(properties, file, taker, (property) => row.takerOf(property));
-  const withColors = row.has('red', 'green', 'blue');
-  const begin = (): void => polygons.begin(UNSTATED, withColors ? ofFaces.list.length / 3 : NONE);
-  const end = (): void => {
-    if (withColors) ofFaces.push(row);
-  };
-  return { begin, columns, end };
-}
+/** `c` and `#`: no number begins with them. */
+const COMMENTS: ReadonlySet<number> = new Set([0x63, 0x23]);
 
-/** Each vertex makes a triangle with the two before it, every second one turned around; -1 begins a new strip. */
-function stripTaker(file: PlyFile): ListTaker {
-  const { lists } = file;
-  let length = 0;
-  let before = 0;
-  let last = 0;
+function textValues(bytes: Uint8Array, start: number, byLines: boolean): PlyValues {
+  const scanner = new TextScanner(bytes, start);
+  let begun = false;
   return {
-    lists: /^vertex_indices$/,
-    item: (value) => {
-      if (value === -1) {
-        length = 0;
-        return;
-      }
-      const vertex = vertexOf(value, file);
-      if (length >= 2) {
-        const even = length % 2 === 0;
-        lists.beginTriangle(false);
-        lists.pushCorner(even ? before : last);
-        lists.pushCorner(even ? last : before);
-        lists.pushCorner(vertex);
-      }
-      before = last;
-      last = vertex;
-      length += 1;
+    get at() {
+      return scanner.at;
     },
-    end: () => (length = 0),
+    beginRow: () => {
+      if (!byLines) return true;
+      if (!(begun ? scanner.nextLine() : scanner.nextWord())) throw truncated();
+      begun = true;
+      return !scanner.atLineEnd() && !COMMENTS.has(scanner.peek());
+    },
+    endRow: () => byLines && !scanner.atLineEnd(),
+    next: () => {
+      if (byLines ? scanner.atLineEnd() : !scanner.nextWord()) throw truncated();
+      return scanner.number();
+    },
+    problem: () => `${scanner.quotedWord()} is not a number`,
   };
 }
 
-/** The vertex with this number, which may come later. */
-function vertexOf(value: number, file: PlyFile): number {
-  const { leftOut } = file;
-  if (Number.isInteger(value) && value >= 0 && value < CORNER_LIMIT) {
-    file.highestVertex = Math.max(file.highestVertex, value);
-    return value;
-  }
-  if (!leftOut.hasReason('face')) leftOut.because('face', `a face refers to the vertex ${String(value)}`);
-  return NOT_THERE;
+function binaryValues(bytes: Uint8Array<ArrayBuffer>, start: number, little: boolean): PlyValues {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  let at = start;
+  return {
+    get at() {
+      return at;
+    },
+    beginRow: () => true,
+    endRow: () => false,
+    problem: () => 'a value is not a number',
+    next: (type) => {
+      const from = at;
+      at += type.bytes;
+      if (at > view.byteLength) throw truncated();
+      return type.read(view, from, little);
+    },
+  };
 }

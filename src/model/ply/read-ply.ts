@@ -12,25 +12,22 @@ import { smoothNormals } from '../triangles/smooth-normals.js';
 import { keepSoundFaces } from '../triangles/sound-faces.js';
 import { countOf, readPlyHeader, type PlyElement } from './ply-header.js';
 import { readRows } from './ply-rows.js';
-import { plyValues } from './ply-values.js';
 
-export const readPly: ModelReader = async ({ bytes, signal, budget }) => {
+export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal, budget);
-  const header = readPlyHeader(bytes);
+  const header = await readPlyHeader(bytes, slices);
   requireFaces(header.elements);
   if (header.encoding === 'text') budget.add({ text: bytes.byteLength });
   let leftOut = new LeftOut();
-  const read = (byLines: boolean): Promise<CornerLists> =>
-    readRows(header, plyValues(bytes, header, byLines), leftOut, slices);
   let lists: CornerLists;
   try {
-    lists = await read(true);
+    lists = await readRows(bytes, header, true, leftOut, slices);
   } catch (error) {
     const isWrong = error instanceof ModelError || isOutOfMemory(error) || signal.aborted;
     if (header.encoding !== 'text' || isWrong) throw error;
     // Rows need not be lines.
     leftOut = new LeftOut();
-    lists = await read(false);
+    lists = await readRows(bytes, header, false, leftOut, slices);
   }
   if (lists.triangles === 0) throw new Error('it has no triangles');
   if (lists.normals.length > 0) {

@@ -1,6 +1,5 @@
 // Reads an STL file, binary or text. Each triangle has its own normal, taken from its corners: the normals in files are
-// often zero or stale, and the order of the corners is what the format defines. Colours of the two 15-bit conventions.
-// A separate chunk.
+// often zero or stale. Colours of the two 15-bit conventions. A separate chunk.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../math/vector.js';
 import { faceNormals, type ModelReader, ownedModel } from '../model-reader.js';
@@ -14,7 +13,7 @@ import { TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 
-export const readStl: ModelReader = async ({ bytes, signal, budget }) => {
+export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal, budget);
   const leftOut = new LeftOut();
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
@@ -63,7 +62,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, leftOut: LeftOut, slic
       if (places.push(x, y, z)) continue;
       places.cut(kept);
       leftOut.add('triangle');
-      leftOut.because('triangle', wrongCoordinate(x, y, z));
+      leftOut.because('triangle', () => wrongCoordinate(x, y, z));
       break;
     }
     if (places.count === kept) continue;
@@ -243,7 +242,7 @@ class StlTextReader {
   }
 
   #spoil(why: string, at: number): void {
-    this.#leftOut.because('triangle', why, at);
+    this.#leftOut.because('triangle', () => why, at);
     this.#isSound = false;
   }
 

@@ -12,10 +12,7 @@ const NOTHING = -1;
 const latin1 = new TextDecoder('latin1');
 const utf8 = new TextDecoder();
 
-/**
- * 10^0 to 10^22: the powers of ten that float64 holds exactly, so that one product or quotient with them is rounded
- * once.
- */
+/** 10^0 to 10^22, which float64 holds exactly: one product or quotient with them is rounded once. */
 const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${String(exponent)}`));
 /** Most digits of a whole number that float64 always holds exactly. */
 const EXACT_DIGITS = 15;
@@ -191,10 +188,7 @@ export class TextScanner {
     return this.#quoted(start);
   }
 
-  /**
-   * The whole number at this very byte, without a sign or with one; NaN if there is none. Stops before the byte after
-   * it.
-   */
+  /** The whole number at this very byte, with a sign or without; NaN if there is none. */
   integerHere(): number {
     const bytes = this.#bytes;
     const negative = bytes[this.at] === 45;
@@ -222,17 +216,6 @@ export class TextScanner {
   /** Whether a word ends before the next byte. */
   get atBreak(): boolean {
     return isBreak(this.#bytes[this.at]);
-  }
-
-  /** For messages: which line is this position in? Counted from 1. */
-  lineAt(position = this.at): number {
-    let line = 1;
-    const bytes = this.#bytes;
-    const end = Math.min(position, bytes.length);
-    for (let i = 0; i < end; i += 1) {
-      if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) line += 1;
-    }
-    return line;
   }
 
   #quoted(start: number): string {
@@ -322,10 +305,8 @@ function digitOf(byte: number | undefined): number {
 /** Which line a position is in, counted from 1. In slices: a file can have millions of lines. */
 export async function lineOf(bytes: Uint8Array, position: number, slices: Slices): Promise<number> {
   let line = 1;
-  const end = Math.min(position, bytes.length);
-  for (let i = 0; i < end; i += 1) {
-    if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) line += 1;
-    if (slices.took(1 / 64)) await slices.pause();
-  }
+  await slices.over(Math.min(position, bytes.length), (from, to) => {
+    for (let i = from; i < to; i += 1) if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) line += 1;
+  });
   return line;
 }

@@ -1,6 +1,6 @@
 // A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
 // their own, as OBJ writes them.
-import { Matrix4 } from 'three';
+import { Matrix4, type TypedArray } from 'three';
 import { requireAtMost } from '../budget.js';
 import { LIMITS } from '../../light/light-state.js';
 import { CORNER_LIMIT, free } from '../limits.js';
@@ -96,8 +96,8 @@ export const itemAt = (list: Growing<Int32Array>, index: number): number =>
   index < list.length ? (list.array[index] ?? NONE) : NONE;
 
 /**
- * A first vertex farther out than this becomes the origin. Maps and plants have coordinates of 1e5 to 1e7 metres and
- * details of centimetres; float32 keeps steps of 3 cm at 5e5.
+ * A first vertex farther out becomes the origin: maps and plants have coordinates of 1e5 to 1e7 metres and details of
+ * centimetres; float32 keeps steps of 3 cm at 5e5.
  */
 const FAR_OUT = 1024;
 
@@ -160,22 +160,12 @@ export function wrongCoordinate(x: number, y: number, z: number): string {
   return `a vertex has the coordinate ${String(value)}; ±1e15 is the limit`;
 }
 
-interface NumberArray {
-  readonly length: number;
-  [index: number]: number;
-  set(values: ArrayLike<number>, offset?: number): void;
-  fill(value: number, start: number, end: number): unknown;
-}
-
 const FIRST_LENGTH = 1024;
 /** Longest list: 11 million vertices. Moving half of it takes 30 ms. */
 const LONGEST = 2 ** 25;
 
-/**
- * A list of numbers whose length is not known before the end of the file: a typed array, doubled when it is full. What
- * of it is not written yet takes no memory.
- */
-export class Growing<A extends NumberArray> {
+/** A list of numbers of unknown length: a typed array, doubled when it is full. What is not written takes no memory. */
+export class Growing<A extends TypedArray> {
   readonly #make: new (length: number) => A;
   readonly #first: number;
   /** Valid up to {@link length}. Replaced when it grows: do not keep it. */

@@ -1,6 +1,5 @@
-// Normals for corners that have none in the file: the mean of the faces around a vertex that are smoothed together,
-// weighted by their angles there, so that it does not depend on how polygons are cut into triangles. Computed in
-// float64.
+// Normals for corners that have none: the mean, in float64, of the faces around a vertex that are smoothed together,
+// weighted by their angles there, so that it does not depend on how polygons are cut into triangles.
 import { free } from '../limits.js';
 import type { Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
@@ -21,10 +20,7 @@ const FAN_LIMIT = 256;
 const PAIR_LIMIT = 2 ** 28;
 const USUAL_FAN = 16;
 
-/**
- * Faces whose sum is no longer than this share of its terms cancel: what is left is rounding. Triangles have
- * normals in float32.
- */
+/** Faces whose sum is no longer than this share of its terms cancel: what is left is rounding of float32 normals. */
 const CANCELLED = 1e-5;
 
 /** Appends normals to `lists.normals` and sets them in `lists.cornerNormals`. */

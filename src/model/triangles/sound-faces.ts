@@ -12,7 +12,6 @@ import { faceVector, type FaceVector } from './triangulate.js';
  */
 export async function keepSoundFaces(lists: CornerLists, leftOut: LeftOut, slices: Slices): Promise<void> {
   const { joined, triangles } = lists;
-  const counts = { uvs: lists.uvs.length / 2, normals: lists.normals.length / 3 };
   /** What the face refers to although it is not there. */
   const misses = { uv: 0, normal: 0 };
   for (let first = 0; first < triangles;) {
@@ -27,7 +26,7 @@ export async function keepSoundFaces(lists: CornerLists, leftOut: LeftOut, slice
     for (let triangle = first; triangle < end; triangle += 1) {
       if (slices.took(1 / 4)) await slices.pause();
       if (!isSound) lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
-      else settle(lists, 3 * triangle, counts, misses);
+      else settle(lists, 3 * triangle, misses);
     }
     for (const kind of ['uv', 'normal'] as const) {
       leftOut.add(kind, misses[kind]);
@@ -43,26 +42,21 @@ function areThere({ corners, places }: CornerLists, at: number): boolean {
   return places.has(array[at]!) && places.has(array[at + 1]!) && places.has(array[at + 2]!);
 }
 
-/** @param counts texture coordinates and normals that are there. @param misses becomes 1 for those that are not. */
-function settle(
-  lists: CornerLists,
-  at: number,
-  counts: { readonly uvs: number; readonly normals: number },
-  misses: { uv: number; normal: number },
-): void {
-  const { cornerUvs, cornerNormals, normals } = lists;
+/** @param misses becomes 1 for what the triangle at corner `at` refers to, and is not there. */
+function settle(lists: CornerLists, at: number, misses: { uv: number; normal: number }): void {
+  const { cornerUvs, cornerNormals, uvs, normals } = lists;
   for (let corner = at; corner < at + 3; corner += 1) {
-    if (itemAt(cornerUvs, corner) >= counts.uvs) {
+    if (itemAt(cornerUvs, corner) >= uvs.length / 2) {
       cornerUvs.array[corner] = NONE;
       misses.uv = 1;
     }
     const normal = itemAt(cornerNormals, corner);
     if (normal === NONE) continue;
-    const isThere = normal < counts.normals;
+    const isThere = normal < normals.length / 3;
     if (!isThere) misses.normal = 1;
     if (!isThere || isZero(normals.array, 3 * normal)) cornerNormals.array[corner] = NONE;
   }
-  if (counts.normals === 0 || !isTurned(lists, at)) return;
+  if (normals.length === 0 || !isTurned(lists, at)) return;
   const { array } = lists.corners;
   [array[at + 1], array[at + 2]] = [array[at + 2]!, array[at + 1]!];
   exchange(cornerUvs, at + 1, at + 2);
