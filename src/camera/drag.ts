@@ -21,10 +21,7 @@ export interface RadiusLimits {
   readonly max: number;
 }
 
-/**
- * One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles. A
- * picture without size is not turned: its angles are not finite.
- */
+/** One width is 360°, one height 180°; the shape follows the pointer. Without a size no angle is finite: no turn. */
 export const turn = (start: Pose, dx: number, dy: number, { width, height }: PictureFrame): Pose =>
   turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
 
@@ -83,9 +80,7 @@ const KEY_ZOOM = 1.1;
 const KEY_DEGREES = 5;
 const KEY_DEGREES_FINE = 1;
 
-/**
- * Multiplies the radius by exp(0.001 · pixels), so turning back undoes turning forth. `height`: one page, CSS pixels.
- */
+/** Multiplies the radius by exp(0.001 · pixels): turning back undoes turning forth. `height`: a page, CSS pixels. */
 export function wheelZoom(start: Pose, wheel: WheelTurn, height: number, limits: RadiusLimits): Pose {
   const unit = wheel.deltaMode === 1 ? LINE_PIXELS : wheel.deltaMode === 2 ? height : 1;
   return zoomBy(start, Math.exp(WHEEL_RATE * wheel.deltaY * unit), limits);

@@ -26,9 +26,7 @@ const MARGIN = 1.05;
 const EMPTY_RADIUS = 4;
 const ZOOM_REACH = 1e3;
 
-/**
- * The target and radius that `auto` stands for. An empty scene gives the origin and 4, a single point its place and 4.
- */
+/** What `auto` stands for. An empty scene gives the origin and 4, a single point its place and 4. */
 export function fitPose(bounds: Bounds | null, fov: number, aspect: number): Pick<Pose, 'target' | 'radius'> {
   if (bounds === null || !bounds.center.every(Number.isFinite)) {
     return { target: [0, 0, 0], radius: EMPTY_RADIUS };
@@ -84,10 +82,7 @@ export function depthRange(
   return out;
 }
 
-/**
- * A near plane before a surface at this depth. A tenth is more than float32 loses where vertices are 1e5 times as far
- * away.
- */
+/** Before a surface at this depth, by more than float32 loses where vertices are 1e5 times as far away. */
 export const nearBefore = (depth: number, radius: number): number => Math.max(0.9 * depth, LEAST_NEAR * radius);
 
 /** Share of the orbit's radius. Closer to the eye, float32 positions relative to the target are no longer distinct. */

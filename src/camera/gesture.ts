@@ -55,10 +55,7 @@ interface Anchor {
   readonly axes: PictureAxes;
   readonly orbit: boolean;
   readonly zoom: boolean;
-  /**
-   * The orbit's version after the last move of this gesture; a different one means that something else moved the
-   * camera.
-   */
+  /** The orbit's version after this gesture's last move: another one means another mover. */
   version: number;
 }
 
@@ -169,10 +166,7 @@ export class PointerGesture {
   }
 }
 
-/**
- * A pointer's travel in pixels of the picture. No travel where the picture is seen edge-on: nothing can be pressed
- * there.
- */
+/** A pointer's travel in pixels of the picture; none where that is seen edge-on. */
 export function alongAxes(
   [rightX, rightY, downX, downY]: PictureAxes = UPRIGHT,
   x: number,

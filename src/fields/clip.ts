@@ -7,10 +7,7 @@ const LONGEST = 100;
 /** Longest message. The longest of our own sentences has 250 characters and repeats two texts. */
 const LONGEST_MESSAGE = 500;
 
-/**
- * The first `longest` characters of `text` (default 100) and an ellipsis; shorter text as it is. Cuts no surrogate
- * pair.
- */
+/** The first `longest` characters and an ellipsis, or all of a shorter text. Cuts no surrogate pair. */
 export function clip(text: string, longest = LONGEST): string {
   return text.length > longest ? text.slice(0, longest).replace(/[\ud800-\udbff]$/, '') + '...' : text;
 }

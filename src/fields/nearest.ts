@@ -3,10 +3,7 @@
 /** Letters from which on a word may be misspelled twice. In shorter ones two edits make another word. */
 const TWICE_FROM = 6;
 
-/**
- * The word of `words` that is one edit from the unknown `word`, or two if it has six letters or more; undefined for
- * none.
- */
+/** The word of `words` that is one edit from `word`, or two from six letters on; undefined for none. */
 export const nearest = (word: string, words: readonly string[]): string | undefined =>
   words.find((known) => isWithin(1, word, known)) ??
   words.find((known) => known.length >= TWICE_FROM && isWithin(2, word, known));

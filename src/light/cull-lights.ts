@@ -8,10 +8,7 @@ import { LIMIT_OPEN, NEAREST } from './precision.js';
 /** Axis-aligned, in shading space: low x y z, high x y z. */
 export type Box = readonly [number, number, number, number, number, number];
 
-/**
- * Writes 1 into `mask` for every sent light that can reach the box, 0 for the others, and returns how many can. `mask`
- * has room for `packed.sent` lights.
- */
+/** Writes into `mask` 1 for each sent light that can reach the box, else 0. Returns how many can. */
 export function cullLights(packed: Readonly<PackedLights>, box: Box, mask: Uint8Array): number {
   const { directional, point } = packed.counts;
   const firstSpot = directional + point;

@@ -53,10 +53,7 @@ export function unionOf(a: number, b: number): number {
   return ((a | b) & BITS) | decay;
 }
 
-/**
- * For each kind, the features that any of its lights needs; 0 without a light of that kind.
- * @param packed lights sorted by kind.
- */
+/** The features that any light of each kind needs; 0 without one. Lights stand sorted by kind. */
 export function kindFeatures({
   counts,
   features,

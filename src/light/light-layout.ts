@@ -54,10 +54,7 @@ export const MOVED_VALUES = byKind((kind) => PACKED_VALUES[kind].filter(({ as })
 export const floatOf = (kind: LightKind, name: string): number =>
   PACKED_VALUES[kind].find((value) => value.name === name)!.at;
 
-/**
- * Rows of each kind of light, relative to the light's first row, by the vector in x y z. Lights stand sorted by kind in
- * this order: directional, point, spot.
- */
+/** Rows from the first of a light, by the vector in x y z. Lights stand sorted: directional, point, spot. */
 export const ROWS = byKind((kind): Readonly<Record<string, number>> & { readonly rows: number } => {
   const values = PACKED_VALUES[kind];
   const rows = Math.max(...values.map(({ at, as }) => (at >> 2) + (as === 'numbers' ? 3 : 1)));

@@ -202,10 +202,7 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
   return dot(sum, sum) / 4;
 }
 
-/**
- * A unit vector along v, not zero: scaled by its largest component first, so that a denormal vector has its direction
- * too.
- */
+/** A unit vector along v, not zero; divided first, so that a denormal vector keeps its direction. */
 function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3): void {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const x = v[0] / largest;

@@ -21,10 +21,7 @@ export const LARGEST_MILD_POWER = 200;
  */
 export const LARGEST_MILD_CUTOFF = 32;
 
-/**
- * Largest integer exponent that a specialised program multiplies out: six squarings (powInteger) round to 0.001 of a
- * code.
- */
+/** Largest integer power that a specialised program multiplies out: six squarings round to 0.001 of a code. */
 export const LARGEST_INTEGER_POWER = 64;
 
 /**
@@ -58,10 +55,7 @@ const LEAST_BY_COSINE = 15;
 /** A cone whose edge a cosine finds. */
 const isBlunt = (aperture: number): boolean => aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
-/**
- * A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_CUTOFF at the
- * axis.
- */
+/** Needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_CUTOFF at the axis. */
 export function isSteep({ aperture, cutoff }: Readonly<LightValues>): boolean {
   const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_MILD_CUTOFF);
   return !gentle || !(aperture >= 180 || isBlunt(aperture));

@@ -11,10 +11,7 @@ export type Sides = 'closed' | 'single' | 'double';
 /** Determinants below this share of the column lengths' product are 0 up to rounding: the mesh is flattened. */
 const FLATTENED = 1e-9;
 
-/**
- * Whether back faces are culled. Never on a flattened mesh: its two sides coincide. `matrixWorld` and camera are up to
- * date.
- */
+/** Whether back faces are culled. Never on a flattened mesh: its two sides coincide. */
 export function cullsBackFaces(sides: Sides, geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
   if (sides === 'double' || isFlattened(matrixWorld)) return false;
   return sides === 'single' || isOutside(geometry, matrixWorld, camera);
@@ -64,10 +61,7 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   );
 }
 
-/**
- * Whether the vector d from the box's centre is longer than `half` of the column at `axis`, plus `reach`, along the
- * normal of the columns at `u` and `v`.
- */
+/** Whether d is longer than `half` of the column at `axis`, plus `reach`, along the normal of columns `u` and `v`. */
 function isBeyond(
   m: ArrayLike<number>,
   u: number,

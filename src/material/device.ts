@@ -1,9 +1,7 @@
 // What draws: software or a GPU, and how many rows of lights fit its uniforms.
 import type { WebGLRenderer } from 'three';
 
-/**
- * Rows of the uniform array in general programs: what WebGL 2 promises (224), then 1,000. Other uniforms need RESERVED.
- */
+/** Rows of the uniform array in general programs: what WebGL 2 promises (224) less RESERVED, then 1,000. */
 const CAPACITIES = [200, 1000] as const;
 const RESERVED = 24;
 

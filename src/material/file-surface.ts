@@ -67,10 +67,7 @@ export const LEAST_ROUGHNESS = 0.045;
 /** The (n + 2)/(2π) of Lafortune and Willems' modified Phong lobe, without 1/(2π), at the default exponent 32. */
 export const FULL_LOBE = 34;
 
-/**
- * Reached at a roughness of 0.76. A lobe with a smaller exponent is a flat patch that ends in an edge where R·V reaches
- * 0.
- */
+/** Reached at a roughness of 0.76. A smaller one makes a flat patch that ends in an edge where R·V reaches 0. */
 export const LEAST_FILE_EXPONENT = 1;
 
 /**

@@ -50,7 +50,6 @@ export function updateFlatGeometry(source: BufferGeometry): void {
   flat.boundingSphere = source.boundingSphere;
 }
 
-/** These attributes of each corner, and the triangles' normals. */
 function separateTriangles({ attributes, index }: BufferGeometry, names: readonly string[]): BufferGeometry {
   const corners = new BufferGeometry();
   for (const name of names) if (name !== 'normal' && name in attributes) corners.setAttribute(name, attributes[name]!);
@@ -72,10 +71,7 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
   return flat.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 
-/**
- * Writes the unit normal of every triangle from `from` to before `to`, three times each: counter-clockwise is outside.
- * A triangle without area gets zero, which shades as ambient only. `positions`: x, y, z of three corners per triangle.
- */
+/** Writes the unit normal of triangles `from` to `to` (excluded), three times each, as {@link flatGeometry} says. */
 export function writeFaceNormals(positions: ArrayLike<number>, normals: Float32Array, from: number, to: number): void {
   for (let at = from * 9; at < to * 9; at += 9) {
     const ux = positions[at + 3]! - positions[at]!;

@@ -19,8 +19,6 @@ export class LightBuffer {
   #rows = this.#data.subarray(0, 0);
   /** Most rows ever held. Those beyond the last row stay: lights that come back find theirs unchanged. */
   #written = 0;
-  /** What the feature key was made of. */
-  #described: { readonly counts: Counts; readonly masks: Counts } | null = null;
   #featureKey = '';
   #revision = 0;
   /** three.js uses it unchanged. A texture of three's own would query the anisotropy limit, which blocks. */
@@ -46,7 +44,6 @@ export class LightBuffer {
     return this.#revision;
   }
 
-  /** All rows, for a uniform array. */
   get rows(): Float32Array {
     return this.#rows;
   }
@@ -67,7 +64,9 @@ export class LightBuffer {
     kept.set(data.subarray(first, last + 1), first);
     this.#revision = revisions += 1;
     this.#addStale(first >> 2, (last >> 2) + 1);
-    this.#describe();
+    const { counts } = this.packed;
+    const masks = kindFeatures(this.packed);
+    this.#featureKey = KINDS.flatMap((kind) => [counts[kind], masks[kind]]).join();
   }
 
   /** Sends changed rows to the texture and returns it. */
@@ -110,16 +109,6 @@ export class LightBuffer {
     this.#owner = null;
   }
 
-  /** Computes the feature key again if counts or features have changed. */
-  #describe(): void {
-    const { counts } = this.packed;
-    const masks = kindFeatures(this.packed);
-    const before = this.#described;
-    if (before !== null && sameCounts(counts, before.counts) && sameCounts(masks, before.masks)) return;
-    this.#described = { counts: { ...counts }, masks };
-    this.#featureKey = KINDS.flatMap((kind) => [counts[kind], masks[kind]]).join();
-  }
-
   #addStale(from: number, to: number): void {
     const { from: first, to: last } = this.#stale;
     this.#stale = first < last ? { from: Math.min(from, first), to: Math.max(to, last) } : { from, to };
@@ -136,11 +125,6 @@ export class LightBuffer {
     this.dispose();
   }
 }
-
-type Counts = PackedLights['counts'];
-
-const sameCounts = (a: Counts, b: Counts): boolean =>
-  a.directional === b.directional && a.point === b.point && a.spot === b.spot;
 
 /** Sends rows [from, to) to the bound texture: a part of one line, or whole lines. */
 function sendRows(gl: WebGL2RenderingContext, data: Float32Array, from: number, to: number): void {

@@ -21,7 +21,6 @@ import type { PictureView } from './views.js';
 export interface ShadingFrame {
   /** World position of shading space's origin: the camera's target. */
   readonly origin: Vec3;
-  /** The eye in shading space. */
   readonly eye: Vec3;
   /** Camera basis, orthonormal, in world axes; back points from the target to the eye. */
   readonly right: Vec3;
@@ -43,15 +42,12 @@ export class PhongLighting {
   /** Specialised programs of this picture. */
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();
-  /**
-   * What is shown in place of the shaded colour; null, the default, for that. Materials need a call of `setStyle`
-   * afterwards.
-   */
+  /** Shown in place of the shaded colour; null: nothing. Materials need a call of `setStyle` afterwards. */
   view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
   #declared = 0;
-  /** What the lights were last packed for; null: nothing yet. */
-  #packedFor: PackedFor | null = null;
+  /** Versions of the light set, and what else the lights were last packed for. */
+  #packedFor = { lights: -1, kinds: -1, view: null as PictureView | null, linear: false };
   /** This frame changed the packed lights. */
   #changed = false;
   /** A light turns with the eye, active or not. */
@@ -96,7 +92,6 @@ export class PhongLighting {
     return this.#declared;
   }
 
-  /** The lights as last packed. */
   get packed(): Readonly<PackedLights> {
     return this.#meshLights.all.packed;
   }
@@ -137,7 +132,7 @@ export class PhongLighting {
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
     this.#changed = false;
-    const { lights, kinds, view, linear } = this.#packedFor ?? NEVER;
+    const { lights, kinds, view, linear } = this.#packedFor;
     const isOther = view !== this.view || linear !== this.linear;
     const { version, kindVersion } = this.lights;
     if (kinds !== kindVersion) this.#declare();
@@ -216,7 +211,6 @@ export class PhongLighting {
     this.#device = null;
   }
 
-  /** Shading space to a camera's view, by its matrices. */
   #viewOf({ matrixWorldInverse }: Camera): Matrix4 {
     const [x, y, z] = this.#origin;
     return view.makeTranslation(x, y, z).premultiply(matrixWorldInverse);
@@ -252,16 +246,6 @@ export class PhongLighting {
     while (rows > (capacities[this.#capacity] ?? Infinity)) this.#capacity += 1;
   }
 }
-
-/** Versions of the light set, and what else decides how lights are packed. */
-interface PackedFor {
-  readonly lights: number;
-  readonly kinds: number;
-  readonly view: PictureView | null;
-  readonly linear: boolean;
-}
-
-const NEVER: PackedFor = { lights: -1, kinds: -1, view: null, linear: false };
 
 /** Overwritten by each call of `#viewOf`. */
 const view = /* @__PURE__ */ new Matrix4();

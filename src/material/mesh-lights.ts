@@ -2,7 +2,6 @@
 // lights reach share one buffer; many narrow spots on one mesh get a light grid. Culls again only where lights or mesh
 // changed.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
-import { sameValue } from '../fields/field-store.js';
 import { type Box, cullLights } from '../light/cull-lights.js';
 import { divideLights, LEAST_DIVIDED } from '../light/light-grid.js';
 import { selectLights } from '../light/pack-lights.js';
@@ -26,11 +25,10 @@ export class MeshLights {
   readonly #grids = new Set<MeshLightGrid>();
   readonly #culled = new WeakMap<Mesh, CulledLights>();
   #frame = 0;
-  /** A new array after each move, so that identity shows a change. */
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
 
-  /** A frame begins: frees the buffers that the last one did not use. */
+  /** A frame begins: frees the buffers that the last one did not use. `origin` is another array after each move. */
   begin(origin: Vec3): void {
     for (const [key, subset] of this.#subsets) {
       if (subset.frame === this.#frame) continue;
@@ -43,27 +41,28 @@ export class MeshLights {
       this.#grids.delete(grid);
     }
     this.#frame += 1;
-    if (!sameValue(origin, this.#origin)) this.#origin = origin;
+    this.#origin = origin;
   }
 
   /** The lights for `mesh`, whose world matrix is up to date. */
   of(mesh: Mesh): LightBuffer {
     if (this.all.packed.counts.spot === 0) return this.all;
-    const culled = this.#culledFor(mesh);
-    const { subset } = culled;
-    if (subset !== null && subset.source === this.all.revision) subset.frame = this.#frame;
-    return culled.buffer;
+    const { subset } = this.#culledFor(mesh);
+    if (subset === null) return this.all;
+    subset.frame = this.#frame;
+    return subset.buffer;
   }
 
   /** The same lights divided into a grid; null where that is not worth it. */
   gridOf(mesh: Mesh): LightBuffer | null {
     if (this.all.packed.counts.spot < LEAST_DIVIDED) return null;
-    if (this.of(mesh).packed.counts.spot < LEAST_DIVIDED) return null;
+    const lights = this.of(mesh);
+    if (lights.packed.counts.spot < LEAST_DIVIDED) return null;
     const culled = this.#culledFor(mesh);
     const grid = (culled.grid ??= new MeshLightGrid());
     grid.frame = this.#frame;
     this.#grids.add(grid);
-    return grid.of(culled);
+    return grid.of(lights, culled.box);
   }
 
   /** Whether `light`, an index among all sent lights, is among those for `mesh`. */
@@ -79,7 +78,7 @@ export class MeshLights {
 
   #culledFor(mesh: Mesh): CulledLights {
     let culled = this.#culled.get(mesh);
-    if (culled === undefined) this.#culled.set(mesh, (culled = new CulledLights(mesh, this.all)));
+    if (culled === undefined) this.#culled.set(mesh, (culled = new CulledLights(mesh)));
     const moved = culled.moved(this.#origin);
     const kept = culled.subset === null || this.#subsets.get(culled.subset.key) === culled.subset;
     if (moved || !kept || culled.source !== this.all.revision) this.#cull(culled);
@@ -90,14 +89,12 @@ export class MeshLights {
     const { packed, revision } = this.all;
     culled.source = revision;
     culled.subset = null;
-    culled.buffer = this.all;
     if (culled.box === null) return;
     if (this.#mask.length < packed.sent) this.#mask = new Uint8Array(packed.features.length);
     const mask = this.#mask.subarray(0, packed.sent);
     if (cullLights(packed, culled.box, mask) === packed.sent) return;
     culled.mask = mask.slice();
     culled.subset = this.#subsetOf(culled.mask);
-    culled.buffer = culled.subset.buffer;
   }
 
   #subsetOf(mask: Uint8Array): Subset {
@@ -122,7 +119,6 @@ const NO_MASK = new Uint8Array(0);
 /** The lights that reach one mesh. */
 class CulledLights {
   readonly #mesh: Mesh;
-  buffer: LightBuffer;
   /** Null: all lights. */
   subset: Subset | null = null;
   mask = NO_MASK;
@@ -137,9 +133,8 @@ class CulledLights {
   /** Bounds in shading space; null where the mesh has none. */
   box: Box | null = null;
 
-  constructor(mesh: Mesh, all: LightBuffer) {
+  constructor(mesh: Mesh) {
     this.#mesh = mesh;
-    this.buffer = all;
   }
 
   /** Whether bounds changed since the last call. */
@@ -176,13 +171,13 @@ class MeshLightGrid {
   /** Doubles with each failure. */
   #nextSkips = 0;
 
-  of({ buffer, box }: CulledLights): LightBuffer | null {
-    if (buffer.revision !== this.#source || box !== this.#box) {
-      this.#source = buffer.revision;
+  of(lights: LightBuffer, box: Box | null): LightBuffer | null {
+    if (lights.revision !== this.#source || box !== this.#box) {
+      this.#source = lights.revision;
       this.#box = box;
       this.#divided = false;
       if (this.#skips > 0) this.#skips -= 1;
-      else if (box !== null) this.#divide(buffer, box);
+      else if (box !== null) this.#divide(lights, box);
     }
     return this.#divided ? this.#buffer : null;
   }

@@ -42,7 +42,6 @@ const BLACK: Vec3 = [0, 0, 0];
  */
 let programRows = new WeakMap<object, Map<string, number>>();
 
-/** Parameters of three.js's hook before each draw. */
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
 /**
@@ -191,10 +190,7 @@ export class PhongMaterial extends RawShaderMaterial {
     this.needsUpdate = true;
   }
 
-  /**
-   * Writes the mesh's place in shading space into the matrices that three.js sends with each mesh, in place of those
-   * for its own materials. True where the uniform for mirrored meshes has changed.
-   */
+  /** Writes the mesh's place in shading space into three.js's matrices. True where `uMirrored` has changed. */
   #place(mesh: Mesh): boolean {
     const { origin } = this.#lighting;
     const model = mesh.modelViewMatrix.copy(mesh.matrixWorld);
@@ -238,10 +234,7 @@ export class PhongMaterial extends RawShaderMaterial {
   }
 }
 
-/**
- * The first values of the uniforms that hold what a file says; the material writes those that depend on its style.
- * Those of a map that a program does not sample are never sent.
- */
+/** The uniforms that hold what a file says, with the values that do not depend on the style. */
 function fileUniforms(look: BaseLook) {
   const { map, emissiveMap, metalRoughMap, normalMap } = look;
   const transform = (texture: Texture | null) => ({ value: texture?.matrix ?? new Matrix3() });

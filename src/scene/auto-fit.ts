@@ -13,7 +13,6 @@ export interface Framing {
   readonly radius: number | 'auto';
 }
 
-/** Where `auto` puts the camera. */
 export interface Fit {
   readonly target: Vec3;
   readonly radius: number;
@@ -37,7 +36,7 @@ export class AutoFit {
   #aspect = 1;
   #shared: SharedFit | null = null;
   /** Null after a change of the scene. */
-  #measured: { readonly extent: Extent; readonly bounds: Bounds | null } | null = null;
+  #measured: Extent | null = null;
   /** Where the orbit was put; null after a change of anything that this follows from. */
   #fitted: Fit | null = null;
   readonly #depthBounds = { center: ORIGIN, radius: 0 };
@@ -80,22 +79,20 @@ export class AutoFit {
     this.#refit();
   }
 
-  /**
-   * A mesh has moved; its world matrix is where it was. Inside the bounds at both places it leaves them as they are.
-   */
+  /** A mesh has moved from where its world matrix is. Inside the bounds at both places it leaves them. */
   moved(mesh: Mesh): void {
     if (this.#staysInside(mesh)) this.#picture.invalidate();
     else this.reshaped();
   }
 
   #staysInside({ geometry, matrixWorld, matrix, parent }: Mesh): boolean {
-    const { extent, bounds = null } = this.#measured ?? {};
+    const extent = this.#measured;
     // Other points than the bounds' centre have other farthest vertices.
     const { target = 'auto', radius = 0 } = this.#framing ?? {};
     const isFitted = this.#fitted !== null || this.#framing === null;
-    if (bounds === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) return false;
+    if (extent === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) return false;
     if (target !== 'auto' && radius === 'auto') return false;
-    return [matrixWorld, matrix].every(({ elements }) => extent!.holds(geometry, elements, bounds.radius));
+    return [matrixWorld, matrix].every(({ elements }) => extent.holds(geometry, elements));
   }
 
   resized({ width, height }: Size): void {
@@ -103,17 +100,15 @@ export class AutoFit {
     this.#refit();
   }
 
-  /** The meshes' bounds, measured where the scene has changed; null where it shows nothing. */
-  measure(): Bounds | null {
-    return this.#measure().bounds;
+  measure(): Extent {
+    if (this.#measured !== null) return this.#measured;
+    this.#picture.place();
+    return (this.#measured = measure(this.#picture.scene));
   }
 
-  /**
-   * A sphere about the same centre that holds everything visible under the present world matrices, objects that moved
-   * since the last measurement included. Null where the scene shows nothing. Overwritten by the next call.
-   */
+  /** Holds all that is visible now, about the same centre; null for nothing. Overwritten by the next call. */
   depthBounds(): Bounds | null {
-    const { bounds } = this.#measure();
+    const { bounds } = this.measure();
     const depth = this.#depthBounds;
     depth.center = bounds?.center ?? ORIGIN;
     depth.radius = radiusOf(this.#picture.scene, depth.center);
@@ -122,7 +117,7 @@ export class AutoFit {
 
   /** Measures and fits where something has changed. True if the orbit moved. */
   settle(): boolean {
-    this.#measure();
+    this.measure();
     if (this.#fitted !== null || this.#framing === null) return false;
     this.#fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing);
     const { radius } = this.#framing;
@@ -135,12 +130,11 @@ export class AutoFit {
     return orbit.version !== before;
   }
 
-  /**
-   * Where this framing puts the camera for this picture alone. The radius is that of `auto`, whatever the framing says.
-   */
+  /** The camera of this framing for this picture alone. Its radius is that of `auto`, whatever the framing says. */
   fitOf({ target }: Framing): Fit {
-    const { extent, bounds } = this.#measure();
-    const { empty } = extent;
+    const extent = this.measure();
+    const { bounds } = extent;
+    const empty = bounds === null;
     const fitted = fitPose(bounds, this.#fov, this.#aspect);
     if (target === 'auto') return { ...fitted, empty };
     const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), this.#fov, this.#aspect);
@@ -151,15 +145,6 @@ export class AutoFit {
     this.#fitted = null;
     this.#shared?.changed();
     this.#picture.invalidate();
-  }
-
-  #measure(): { readonly extent: Extent; readonly bounds: Bounds | null } {
-    if (this.#measured !== null) return this.#measured;
-    this.#picture.place();
-    const extent = measure(this.#picture.scene);
-    const { center, empty } = extent;
-    const bounds = empty ? null : { center, radius: extent.radiusAbout(center) };
-    return (this.#measured = { extent, bounds });
   }
 }
 

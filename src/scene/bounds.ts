@@ -1,22 +1,21 @@
 // The size of a scene: the centre of its box and its farthest vertex, in world space and float64. A mesh that is not
 // turned is measured by its geometry's box.
 import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
+import type { Bounds } from '../camera/fit.js';
 import { transformed, type Vec3 } from '../math/vector.js';
 import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
 
-/** Centre of a scene's box, and its farthest vertex from any point; `empty` where it shows nothing. */
 export interface Extent {
-  readonly empty: boolean;
-  readonly center: Vec3;
+  /** Centre of the scene's box, and the distance of the farthest vertex from it; null where it shows nothing. */
+  readonly bounds: Bounds | null;
   /** Distance of the farthest vertex from a point. */
   radiusAbout(point: Vec3): number;
-  /** A geometry under this world matrix reaches neither the box nor so far from its centre. */
-  holds(geometry: BufferGeometry, matrix: readonly number[], farthest: number): boolean;
+  /** A geometry under this world matrix reaches neither the box nor the farthest vertex. */
+  holds(geometry: BufferGeometry, matrix: readonly number[]): boolean;
 }
 
-const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0, holds: () => false };
+const NO_EXTENT: Extent = { bounds: null, radiusAbout: () => 0, holds: () => false };
 
-/** A measured mesh under its present matrix. */
 interface Placed {
   readonly size: GeometrySize;
   readonly matrix: readonly number[];
@@ -27,7 +26,6 @@ interface WorldSphere {
   readonly radius: number;
 }
 
-/** World sphere that holds all of a mesh. */
 const sphereOf = ({ size: { center, radius }, matrix }: Placed): WorldSphere => ({
   center: transformed(matrix, ...center),
   radius: radius * stretch(matrix),
@@ -58,24 +56,21 @@ export function measure(root: Object3D): Extent {
       extend(low, high, mesh.size.vertices(), mesh.matrix);
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   const center: Vec3 = [middle(0), middle(1), middle(2)];
+  const radius = farthestFrom(center, meshes);
   return {
-    empty: false,
-    center,
+    bounds: { center, radius },
     radiusAbout: (point) => farthestFrom(point, meshes),
-    holds(geometry, matrix, farthest) {
+    holds(geometry, matrix) {
       const size = measuredOf(geometry);
       if (size === null) return false;
       const sphere = sphereOf({ size, matrix });
       const fromCenter = distance(center, ...sphere.center) + sphere.radius;
-      return inside(sphere, 1 + SAME) && fromCenter < (1 - SAME) * farthest;
+      return inside(sphere, 1 + SAME) && fromCenter < (1 - SAME) * radius;
     },
   };
 }
 
-/**
- * Radius of a sphere about `point` that holds everything visible below `root`: meshes, points, lines and sprites. At
- * least as large as needed. World matrices must be up to date. Costs one step per object.
- */
+/** Radius of a sphere about `point` that holds all that is visible below `root`: one step per object. */
 export function radiusOf(root: Object3D, point: Vec3): number {
   if (!root.visible) return 0;
   let radius = boundsOf(root, ball) ? reachOf(root.matrixWorld.elements, ball, point) : 0;
@@ -86,7 +81,6 @@ export function radiusOf(root: Object3D, point: Vec3): number {
   return radius;
 }
 
-/** A sphere in an object's own space. */
 export interface Ball {
   x: number;
   y: number;
@@ -211,10 +205,7 @@ const isEvenlyScaled = (m: readonly number[]): boolean =>
 const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =>
   Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
 
-/**
- * Upper bound of the factor by which a matrix lengthens vectors: the square root of the largest row sum of MᵀM, which
- * is no less than its largest eigenvalue, and equal to it where the matrix does not shear.
- */
+/** Most that a matrix lengthens vectors: √ of the largest row sum of MᵀM, exact where it does not shear. */
 export function stretch(m: readonly number[]): number {
   const along = (i: number, j: number): number =>
     Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);

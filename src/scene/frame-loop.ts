@@ -39,10 +39,7 @@ export class FrameLoop {
     this.#running.clear();
   };
 
-  /**
-   * Draws the waiting pictures of another size now. Call between layout and paint: in the next frame they would be
-   * stretched in this one.
-   */
+  /** Draws the waiting pictures of another size between layout and paint: later they would be stretched in a frame. */
   drawResized(): void {
     for (const picture of this.#waiting) {
       if (!picture.resized) continue;

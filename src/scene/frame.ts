@@ -42,10 +42,7 @@ export class Frame {
     this.camera.matrixWorldAutoUpdate = false;
   }
 
-  /**
-   * Looks from where the orbit is now. `fov` is vertical, in degrees; `version` is that of the scene and the orbit.
-   * Matrices and depth range follow by {@link aim}. False if only lights can differ from the last frame.
-   */
+  /** Looks from the orbit; {@link aim} follows. `fov` is vertical, in degrees. False if only lights can differ. */
   look(fov: number, { width, height }: Size, samples = 1, version = 0): boolean {
     const { view, camera } = this;
     const isSameSize = width === this.width && height === this.height;
@@ -55,12 +52,16 @@ export class Frame {
     this.height = height;
     this.samples = samples;
     this.#orbit.basis(this.#basis);
-    this.#writeEye();
+    const { radius, target } = this.#orbit;
+    for (let i = 0; i < 3; i++) {
+      this.#offset[i] = this.#basis.back[i]! * radius;
+      this.#eye[i] = this.#offset[i]! + target[i]!;
+    }
     camera.fov = fov;
     camera.aspect = width / height;
     view.slopeY = Math.tan(radians(fov) / 2);
     view.slopeX = view.slopeY * camera.aspect;
-    view.radius = this.#orbit.radius;
+    view.radius = radius;
     return isOther;
   }
 
@@ -87,16 +88,6 @@ export class Frame {
     if (camera.far > DEEPEST * camera.near) removeFarPlane(camera);
     scaleClipSpace(camera, this.view.radius);
   }
-
-  /** From the basis, which has taken the sines and cosines. */
-  #writeEye(): void {
-    const { radius, target } = this.#orbit;
-    const { back } = this.#basis;
-    for (let i = 0; i < 3; i++) {
-      this.#offset[i] = back[i]! * radius;
-      this.#eye[i] = this.#offset[i]! + target[i]!;
-    }
-  }
 }
 
 /**
@@ -110,10 +101,7 @@ function removeFarPlane({ near, projectionMatrix, projectionMatrixInverse }: Per
   projectionMatrixInverse.copy(projectionMatrix).invert();
 }
 
-/**
- * Far over near. Beyond, the hundredth by which the far plane lies behind the scene is less than 20 roundings of w,
- * and surfaces near it could be cut.
- */
+/** Far over near. Beyond, far lies less than 20 roundings of w behind the scene, and could cut it. */
 const DEEPEST = 2 ** 14;
 
 /**

@@ -62,10 +62,7 @@ const coordinate = (m: ClipRows, row: number, x: number, y: number, z: number): 
 
 export const depthOf = (m: ClipRows, x: number, y: number, z: number): number => coordinate(m, 8, x, y, z);
 
-/**
- * Less than the depth of whatever a sphere has in view, if that is less than `before`; otherwise `before`. The sphere
- * is in the space of an object with the world matrix `m`.
- */
+/** A lower bound of the depth of a sphere in view, at most `before`; `m`: world matrix of its object. */
 export function sphereDepth(
   { frame, slopeX, slopeY }: Frustum,
   m: readonly number[],
@@ -119,10 +116,7 @@ const STRIDE = 3;
 const polygon = new Float64Array(STRIDE * 8);
 const clipped = new Float64Array(STRIDE * 8);
 
-/**
- * The least depth of what is in view of a triangle, by its vertices, if that is less than `before`; otherwise `before`,
- * as for a triangle that is seen edge-on.
- */
+/** The least depth of a triangle's part in view if below `before`; else `before`, as for one seen edge-on. */
 export function triangleDepth(
   m: ClipRows,
   view: Frustum,

@@ -21,7 +21,7 @@ import {
 } from './frustum-clip.js';
 import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle-bvh.js';
 
-/** Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond this distance. */
+/** A share of the radius: objects whose vertices only the GPU knows are never cut beyond it. */
 const UNKNOWN_NEAREST = 1e-5;
 
 /**
@@ -39,7 +39,6 @@ export function nearestDepth(root: Object3D, view: Frustum, limit: number): numb
 
 class NearestSearch implements BvhQuery {
   view!: Frustum;
-  /** The least depth found so far. */
   nearest = 0;
   /** From the present object's own space to clip coordinates. */
   readonly #matrix = new Float64Array(12);
@@ -126,7 +125,6 @@ const search = /* @__PURE__ */ new NearestSearch();
 const unknownDepth = ({ radius, slopeX, slopeY }: Frustum): number =>
   (UNKNOWN_NEAREST * radius) / Math.hypot(1, slopeX, slopeY);
 
-/** The vertices are drawn as they are stored. */
 function hasKnownVertices(object: Mesh): boolean {
   const { isSkinnedMesh, isBatchedMesh } = object as { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
   const { isInstancedBufferGeometry } = object.geometry as { isInstancedBufferGeometry?: boolean };

@@ -20,13 +20,12 @@ import { copyFrame, drawnObjects, type SceneSnapshot } from './snapshot/scene-sn
 export class Picture {
   readonly scene = new Scene();
   readonly orbit = new Orbit();
-  readonly animations = new Animations();
+  readonly animations = new Animations(this);
   readonly budget = new Budget();
   readonly lighting: PhongLighting;
   readonly materials: SharedMaterials;
   readonly levels = new Levels(this);
   readonly fit = new AutoFit(this);
-  /** As last made. */
   readonly frame = new Frame(this.orbit);
   readonly #meshes = new Set<SceneMesh>();
   readonly #changed: () => void;
@@ -57,7 +56,6 @@ export class Picture {
     return this.#version;
   }
 
-  /** Something has changed. */
   invalidate(): void {
     this.#version += 1;
     this.#changed();
@@ -108,19 +106,13 @@ export class Picture {
     this.reshaped();
   }
 
-  /**
-   * The order in which the scene is drawn: meshes that are not among these, these, the page author's own objects. Where
-   * surfaces coincide, the last one drawn shows.
-   */
+  /** Drawing order: other meshes, these, own objects of the page. Where surfaces coincide, the last one shows. */
   arrange(meshes: readonly SceneMesh[]): void {
     for (const mesh of meshes) if (this.#meshes.delete(mesh)) this.#meshes.add(mesh);
     this.invalidate();
   }
 
-  /**
-   * Updates order and world matrices before drawing or measuring. A mesh that has not moved costs one call. A user's
-   * objects are computed again each time, as three.js does.
-   */
+  /** Updates order and world matrices. An unmoved mesh costs one call; a user's objects are always computed. */
   place(): void {
     const { children } = this.scene;
     let own = 0;
@@ -147,7 +139,7 @@ export class Picture {
   /** The meshes' bounds, measured unless nothing has changed since; null where the scene shows nothing. */
   measure(): Bounds | null {
     this.settle();
-    return this.fit.measure();
+    return this.fit.measure().bounds;
   }
 
   /** Computes the frame that {@link draw} draws: the scene as it is now, at this size in pixels. */
@@ -233,9 +225,7 @@ export interface ViewportStats {
   readonly viewersDrawn: number;
 }
 
-/**
- * Releases a scene's buffers, programs and textures on the GPU. Nothing is lost: the next drawing uploads them again.
- */
+/** Releases a scene's buffers, programs and textures on the GPU. The next drawing uploads them again. */
 function releaseGpu(root: Object3D): void {
   root.traverse((object) => {
     const { geometry, material } = object as Partial<Mesh>;

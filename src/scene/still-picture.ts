@@ -1,7 +1,6 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its first use.
-import type { WebGLRenderer } from 'three';
 import { lazyCode, reportMissing } from '../model/lazy-code.js';
-import type { Region, Size } from './gpu/atlas.js';
+import type { Size } from './gpu/atlas.js';
 import type { ConvergingPicture } from './samples/converging-picture.js';
 import type { Viewport } from './viewport.js';
 
@@ -14,13 +13,17 @@ export class StillPicture {
   readonly #subject: Viewport;
   readonly #settled: () => void;
   #wanted = 0;
-  /** Null while no samples are wanted or the code is being fetched. */
   #converging: ConvergingPicture | null = null;
 
   /** `settled`: no more samples are to come, because all are there or cannot be drawn. */
   constructor(subject: Viewport, settled: () => void) {
     this.#subject = subject;
     this.#settled = settled;
+  }
+
+  /** Null while no samples are wanted or the code is being fetched. */
+  get converging(): ConvergingPicture | null {
+    return this.#converging;
   }
 
   /** Samples per pixel. 0, the default: the picture stays as it was drawn. */
@@ -31,7 +34,7 @@ export class StillPicture {
   set wanted(samples: number) {
     if (samples === this.#wanted) return;
     this.#wanted = samples;
-    this.dispose();
+    this.#converging?.dispose();
     this.#converging = null;
     if (samples > 0) void this.#fetch();
     this.#subject.picture.invalidate();
@@ -47,11 +50,6 @@ export class StillPicture {
     return this.#wanted > 0 && (this.#converging?.pending ?? true);
   }
 
-  /** The code is there, so that an animation frame brings samples. */
-  get startable(): boolean {
-    return this.#converging?.pending === true;
-  }
-
   /** Call in an animation frame in which nothing moves. True: call again in the next one. */
   step(): boolean {
     try {
@@ -63,37 +61,14 @@ export class StillPicture {
 
   /** Draws the missing samples now, as far as `deadline` allows: a time as of `performance.now()`. */
   finish(deadline: number): void {
-    if (this.startable) this.#converging?.finish(deadline);
+    if (this.pending) this.#converging?.finish(deadline);
     if (!this.pending) this.#settled();
   }
 
-  /** Draws the mean of {@link samples} in place of the scene, or the part of it that `part` is. */
-  copy(renderer: WebGLRenderer, part?: Region): void {
-    this.#converging?.copy(renderer, part);
-  }
-
-  /**
-   * The mean of so many samples of each pixel, at exactly this size in pixels. It begins again when the scene changes.
-   * Rejects with RangeError if no canvas can hold it. Where the GPU has no float targets it is the plain picture.
-   */
+  /** The mean of so many samples at this size; plain without float targets. RangeError if no canvas can hold it. */
   async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
     const { captureSamples } = await sampling();
     return captureSamples(this.#subject, size, samples);
-  }
-
-  /** Something has changed. */
-  reset(): void {
-    this.#converging?.reset();
-  }
-
-  /** Nobody can see the picture. */
-  pause(): void {
-    this.#converging?.pause();
-  }
-
-  /** Gives back what the GPU holds. */
-  dispose(): void {
-    this.#converging?.dispose();
   }
 
   async #fetch(): Promise<void> {

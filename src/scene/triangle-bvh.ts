@@ -4,10 +4,7 @@ import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from
 
 export type Position = BufferAttribute | InterleavedBufferAttribute;
 
-/**
- * Triangles in a box of the lowest level, and boxes in one of the next: a test of a box costs about as much as one of
- * a triangle.
- */
+/** Triangles in a lowest box, and boxes in the next: testing either costs about the same. */
 const IN_BOX = 16;
 
 /** Centre and half sizes of each box: six numbers. */
@@ -32,7 +29,6 @@ export interface BvhQuery {
 
 const known = new WeakMap<BufferGeometry, Bvh>();
 
-/** Visits the runs of triangles in drawing order. */
 export function queryBvh(geometry: BufferGeometry, query: BvhQuery): void {
   const bvh = bvhOf(geometry);
   walk(bvh, bvh.levels.length - 1, 0, 1, query);

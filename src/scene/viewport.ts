@@ -4,7 +4,7 @@ import { Signal } from '../fields/signal.js';
 import type { LightSet } from '../light/light-set.js';
 import { type FrameLoop, frameLoopOf } from './frame-loop.js';
 import type { Size } from './gpu/atlas.js';
-import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import { stage } from './gpu/stage.js';
 import { Picture, type ViewportStats } from './picture.js';
 import { StillPicture } from './still-picture.js';
 
@@ -14,8 +14,6 @@ const NONE = -1; // no version of a picture
 export class ViewportSignals {
   /** Before the first frame: size and visibility of the picture are not known yet. Set `near` and call `resize`. */
   readonly layoutNeeded = new Signal();
-  /** The scene as it is has been drawn without an exception. */
-  readonly painted = new Signal();
   /** A frame was drawn, and may still have to be copied to the picture's canvas. */
   readonly drawn = new Signal();
   /** A changed picture is on its canvas, whose pixels can be read until the task ends. Once a frame. */
@@ -28,10 +26,7 @@ export class ViewportSignals {
   readonly contextMissing = new Signal<Error>();
   readonly contextLost = new Signal();
   readonly contextRestored = new Signal();
-  /**
-   * Moves what moves by itself to where it is at `now`, the time of an animation frame in ms. True while it keeps
-   * moving.
-   */
+  /** Moves what moves by itself to its place at `now`, in ms. True while it keeps moving. */
   moveTo: (now: number) => boolean = () => false;
   /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
   awaited: () => boolean = () => false;
@@ -39,13 +34,14 @@ export class ViewportSignals {
   recover: (error: unknown, draw: () => void) => boolean = () => false;
 }
 
-export class Viewport implements StageClient {
+/** One viewer's picture on the page; sizes are in device pixels. The stage calls what begins with `context`. */
+export class Viewport {
+  /** Holds the picture's canvas, and nothing else. */
   readonly holder: HTMLElement;
   readonly picture: Picture;
   /** Its samples while it stands still. */
   readonly still: StillPicture;
   readonly #signals: ViewportSignals;
-  /** Requested size in device pixels. */
   #wanted: Size = { width: 0, height: 0 };
   /** In view, and not only near it. Default false. */
   visible = false;
@@ -61,13 +57,12 @@ export class Viewport implements StageClient {
   #moving = false;
   #frames = 0;
 
-  /** `holder` is an element that holds nothing but the canvas. */
   constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
     this.holder = holder;
     this.#signals = signals;
     this.still = new StillPicture(this, () => signals.frameEnded.emit());
     const changed = (): void => {
-      this.still.reset();
+      this.still.converging?.reset();
       this.animate();
     };
     // The first fit is not a move.
@@ -137,9 +132,10 @@ export class Viewport implements StageClient {
     return this.#painted === this.picture.version;
   }
 
+  /** The canvas no longer shows the picture: draws it again once it is visible. */
   repaint(): void {
     // Out of sight, what the GPU keeps goes with the copy on the page.
-    if (this.still.samples === 0 || !this.drawable) this.still.reset();
+    if (this.still.samples === 0 || !this.drawable) this.still.converging?.reset();
     this.#painted = NONE;
     this.animate();
   }
@@ -154,28 +150,23 @@ export class Viewport implements StageClient {
     if (this.#near === undefined) this.#signals.layoutNeeded.emit();
   }
 
-  /**
-   * Second phase: advances motion such as a turning camera; true requests another frame. `now` is the animation frame's
-   * time in milliseconds. Pictures that move must all be out of date before the first one draws: only those share an
-   * atlas.
-   */
+  /** Second phase: advances motion to `now`, in ms; true requests another frame. All move before the first draws. */
   advance(now: number): boolean {
     return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));
   }
 
-  /** Third phase: draws if the picture is out of date. */
   draw(): void {
     if (!this.drawable) return;
     if (this.#signals.awaited())
       stage.draw(this); // opens the context meanwhile
     else if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.still.step()) return;
-    if (this.#moving || this.still.startable) this.animate();
+    if (this.#moving || this.still.converging?.pending === true) this.animate();
   }
 
   redraw(): void {
     if (!this.drawable || this.#near === undefined) {
-      this.still.reset();
+      this.still.converging?.reset();
       this.#painted = NONE;
     } else if (this.still.samples > 0) {
       this.show(false);
@@ -189,7 +180,6 @@ export class Viewport implements StageClient {
     this.#painted = version;
     try {
       if (this.#paint()) {
-        this.#signals.painted.emit();
         this.#frames += 1;
         this.#signals.drawn.emit();
       } else this.#painted = NONE; // drawn once there is a context
@@ -206,7 +196,6 @@ export class Viewport implements StageClient {
     }
   }
 
-  /** False where there is no context. */
   readonly #paint = (): boolean => stage.draw(this, this.#render);
 
   readonly #render = (renderer: WebGLRenderer): void => {
@@ -221,22 +210,19 @@ export class Viewport implements StageClient {
 
   /** Shows the kept mean. `last`: it has all samples. */
   show(last: boolean): void {
-    const isShown = stage.draw(this, (renderer) => this.still.copy(renderer));
+    const isShown = stage.draw(this, (renderer) => this.still.converging?.copy(renderer));
     this.#painted = isShown ? this.picture.version : NONE;
     if (last) this.#reported = NONE;
   }
 
-  /**
-   * The picture now, at exactly this size in pixels: the mean that is shown if it has this size, else a plain one.
-   * Throws RangeError if no canvas can hold it.
-   */
+  /** The picture now: the shown mean if it has this size, else plain. RangeError if no canvas can hold it. */
   capture(size: Size): HTMLCanvasElement {
     const { picture, still, width, height } = this;
     const isMean = still.samples > 0 && size.width === width && size.height === height;
     if (!isMean) picture.make(size, 1);
     this.releaseUnlessAttached();
     return stage.capture(size, (renderer, part) => {
-      if (isMean) still.copy(renderer, part);
+      if (isMean) still.converging?.copy(renderer, part);
       else picture.draw(renderer, part);
     });
   }
@@ -246,6 +232,7 @@ export class Viewport implements StageClient {
     return { ...this.picture.stats, frames: this.#frames, samples, programs, viewersDrawn };
   }
 
+  /** What has been drawn is on the pictures' canvases. */
   shown(): void {
     if (this.#painted === NONE || this.#painted === this.#reported) return;
     this.#reported = this.#painted;
@@ -255,7 +242,7 @@ export class Viewport implements StageClient {
   contextLost(): void {
     this.picture.invalidate();
     this.#loop?.cancel(this);
-    this.still.dispose();
+    this.still.converging?.dispose();
     this.picture.release();
     this.#signals.contextLost.emit();
     this.#signals.frameEnded.emit();
@@ -266,7 +253,7 @@ export class Viewport implements StageClient {
     this.#signals.contextRestored.emit();
   }
 
-  contextMissing(error: NoWebGL2Error): void {
+  contextMissing(error: Error): void {
     this.#loop?.cancel(this);
     this.#signals.contextMissing.emit(error);
     this.#signals.frameEnded.emit();
@@ -276,7 +263,7 @@ export class Viewport implements StageClient {
   releaseUnlessAttached(): void {
     queueMicrotask(() => {
       if (this.attached) return;
-      this.still.dispose();
+      this.still.converging?.dispose();
       this.picture.release();
     });
   }
@@ -285,7 +272,7 @@ export class Viewport implements StageClient {
   #wake(): void {
     if (!this.drawable) {
       this.#loop?.cancel(this);
-      this.still.pause();
+      this.still.converging?.pause();
     } else if (!this.upToDate || this.still.pending) this.#loop?.request(this);
   }
 }

@@ -74,10 +74,7 @@ export class ProgramCache {
     this.#request = null;
   }
 
-  /**
-   * The variant for a draw: the specialised one where it is there, else null. `key` names everything it depends on;
-   * `specialise` makes it.
-   */
+  /** The specialised variant for a draw, made by `specialise`; null if it is not there. `key` is all it depends on. */
   choose(key: string, draw: Draw, specialise: () => Variant): Variant | null {
     const entry = this.#entries.get(key) ?? this.#add(key);
     const isFirst = entry.frame !== this.#frame;
@@ -94,7 +91,6 @@ export class ProgramCache {
     return null;
   }
 
-  /** Disposes of all programs. */
   dispose(): void {
     for (const entry of this.#entries.values()) disposeOf(entry);
     this.#entries.clear();
@@ -155,10 +151,7 @@ export class ProgramCache {
     entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };
   }
 
-  /**
-   * At most one program of the page is drawn for the first time in a frame. Waits if another one was since this cache's
-   * last frame.
-   */
+  /** At most one program of the page is drawn for the first time between two frames of this cache. */
   #takeOver(entry: Entry, probe: Probe): Variant | null {
     if (takeOvers !== this.#seen.before) return null;
     takeOvers += 1;
@@ -167,7 +160,6 @@ export class ProgramCache {
   }
 }
 
-/** What a material needs to draw with a variant. */
 export const variantParameters = ({ defines, vertexShader, fragmentShader }: Variant) => ({
   defines: { ...defines },
   vertexShader,
@@ -221,10 +213,7 @@ export function checkLinks(renderer: WebGLRenderer): void {
   }
 }
 
-/**
- * Reports a program that does not link to the page's error handlers, with the driver's logs. Not where the context was
- * lost meanwhile: then no program links.
- */
+/** Reports a program that does not link, with the logs. Without a context no program links. */
 function reportLinkFailure(gl: WebGLRenderingContext | WebGL2RenderingContext, program: WebGLProgram): void {
   const shaders = gl.getAttachedShaders(program) ?? [];
   const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];

@@ -35,7 +35,6 @@ const CONSTANTS = `${layoutDefines()}
 #define SRGB_EXPONENT ${float(SRGB.exponent)}
 `;
 
-/** Text that only programs with this condition compile. */
 const where = (condition: string, ...chunks: readonly string[]): string =>
   [`#if ${condition}`, ...chunks, '#endif'].join('\n');
 

@@ -26,10 +26,7 @@ export interface Variant extends Shaders {
   readonly key: string;
 }
 
-/**
- * The variant for any number of lights. `declared`: `declaredFeatures`. `capacity`: rows of its uniform array, or
- * 0 for a texture.
- */
+/** The variant for any number of lights. `capacity`: rows of its uniform array, or 0 for a texture. */
 export function generalVariant(
   { look, style, linear, mildShininess }: MaterialFeatures,
   declared: number,
@@ -78,10 +75,7 @@ const storageDefines = (capacity: number): Record<string, string> =>
     ? { LIGHT_STORAGE: 'STORAGE_UNIFORMS', LIGHT_ROWS: String(capacity) }
     : { LIGHT_STORAGE: 'STORAGE_TEXTURE' };
 
-/**
- * Defines in one order, because three.js's program key depends on it. `surface` as in {@link shadersOf}; the defines
- * name it.
- */
+/** Sorts the defines: three.js's program key depends on their order. `surface`: see {@link shadersOf}. */
 export function variantOf(defines: Readonly<Record<string, string>>, surface?: string): Variant {
   // Gouraud shading sums the lights at the vertices, everything else at the fragments.
   const lit = 'IS_UNLIT' in defines ? null : 'SHADING_GOURAUD' in defines ? 'vertex' : 'fragment';
@@ -95,7 +89,6 @@ export function variantOf(defines: Readonly<Record<string, string>>, surface?: s
 
 /** What a specialised variant takes from its material besides the general variant. */
 export interface MaterialTerms {
-  /** The terms that are summed now. */
   readonly terms: readonly Term[];
   /** The specular exponent where it is an integer that is multiplied out; else null. */
   readonly integerShininess: number | null;
@@ -109,7 +102,6 @@ export interface MaterialTerms {
 export const FORMS = ['counted', 'inlined', 'grid'] as const;
 export type Form = (typeof FORMS)[number];
 
-/** The variant for exactly these lights. */
 export function specialisedVariant(
   general: Variant,
   { terms, integerShininess }: MaterialTerms,
@@ -138,7 +130,6 @@ export function specialisedVariant(
   return variantOf(defines);
 }
 
-/** The define that holds the features of all declared lights. */
 const DECLARED = 'DECLARED_FEATURES';
 
 /** All features but those of values that enter none of these terms. */

@@ -34,10 +34,7 @@ export function pictureView(view: View, chosen: Chosen): PictureView {
   };
 }
 
-/**
- * The one light of a view of a single quantity, in shading space. From float64, as packed lights are. Declared in
- * shaders/view_quantity.glsl.
- */
+/** The light of a view of one quantity, in shading space; shaders/view_quantity.glsl declares it. */
 const quantityUniforms = () => ({
   uViewPosition: { value: new Vector4() },
   uViewAxis: { value: new Vector4() },
@@ -66,17 +63,12 @@ function writeQuantityLight(
 /** What a view shows by programs of its own. */
 type OwnProgram = Exclude<Shows, { by: 'equation' }>;
 
-/**
- * Quantities are of the fragment itself, not encoded, and the same whether a surface is lit or emits light.
- */
+/** Quantities are not encoded, and the same whether a surface is lit or emits light. */
 const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HAS_EMISSIVE_MAP'];
 
 const made = new Map<string, Variant>();
 
-/**
- * The program of a view that is not the equation's: a material's general program with another text for the colour, and
- * without what only colours need. One for each view and general program.
- */
+/** A material's general program with another text for the colour, and without what only colours need. */
 function viewVariant(view: View, shows: OwnProgram, general: Variant): Variant {
   const key = `${view} ${general.key}`;
   const present = made.get(key);

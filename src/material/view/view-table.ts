@@ -16,10 +16,7 @@ export type Shows =
 
 export interface ViewEntry {
   readonly shows: Shows;
-  /**
-   * The lights that have a part in it. `one`: a number that every light has its own of, shown of one light.
-   * `view-light` limits `all` to one.
-   */
+  /** The lights that have a part in it. `one`: each light has its own. `view-light` limits `all` to one. */
   readonly lights: 'all' | 'one' | 'none';
   /** Title of the legend: a key of the element's texts. */
   readonly title: string;

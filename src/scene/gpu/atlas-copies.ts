@@ -1,17 +1,8 @@
 // The 2D canvases of pictures that share one context: each shows a copy of its place in the atlas. A picture that is
 // not visible keeps its copy, so that scrolling back shows it at once, up to a common bound. Sizes are in device
 // pixels.
+import type { Viewport } from '../viewport.js';
 import type { Region, Size } from './atlas.js';
-
-/** A picture that is shown as a copy. */
-export interface CopyClient extends Size {
-  /** The element that holds the picture's canvas, and nothing else. */
-  readonly holder: HTMLElement;
-  /** It is visible, or its visibility is not known yet. */
-  readonly drawable: boolean;
-  /** The copy is gone: draw again once visible. */
-  repaint(): void;
-}
 
 /** Pixels that pictures out of sight may keep together, in screens. */
 const KEPT_SCREENS = 2;
@@ -32,15 +23,12 @@ export function sizeOnPage({ width, height }: Size): Size {
 
 export class AtlasCopies {
   /** In the order of their last drawing, oldest first. */
-  readonly #canvases = new Map<CopyClient, HTMLCanvasElement>();
+  readonly #canvases = new Map<Viewport, HTMLCanvasElement>();
   /** Shown since the last call of {@link trim}. */
-  readonly #fresh = new Set<CopyClient>();
+  readonly #fresh = new Set<Viewport>();
 
-  /**
-   * Shows one place of the atlas on `source`. Straight from the WebGL canvas: the browser resolves it once for all
-   * copies that follow each other, and no intermediate canvas or bitmap was faster (src/decisions/one-context.md).
-   */
-  show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
+  /** Straight from the WebGL canvas: no intermediate canvas or bitmap was faster (src/decisions/one-context.md). */
+  show(client: Viewport, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
     const known = this.#canvases.get(client);
     const canvas = known ?? this.#newCanvas(client);
     this.#canvases.delete(client);
@@ -62,7 +50,7 @@ export class AtlasCopies {
   }
 
   /** A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL context. */
-  #newCanvas(client: CopyClient): HTMLCanvasElement {
+  #newCanvas(client: Viewport): HTMLCanvasElement {
     const canvas = client.holder.ownerDocument.createElement('canvas');
     canvas.addEventListener('contextrestored', () => {
       if (this.#canvases.get(client) === canvas) client.repaint();
@@ -71,7 +59,7 @@ export class AtlasCopies {
   }
 
   /** Releases one copy's pixels now. Garbage collection would release them late. */
-  drop(client: CopyClient): void {
+  drop(client: Viewport): void {
     const canvas = this.#canvases.get(client);
     if (canvas === undefined) return;
     this.#canvases.delete(client);
@@ -81,13 +69,10 @@ export class AtlasCopies {
     canvas.height = 0;
   }
 
-  /**
-   * Call after a frame. Releases the copies of invisible pictures beyond the bound, oldest first. Copies of this frame
-   * are kept: an invisible picture is drawn only to be printed.
-   */
+  /** Releases the oldest invisible copies beyond the bound, but none of this frame: it may be printed. */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser
-    const isKept = (client: CopyClient): boolean => client.drawable || this.#fresh.has(client);
+    const isKept = (client: Viewport): boolean => client.drawable || this.#fresh.has(client);
     let surplus = -KEPT_SCREENS * screenPixels();
     for (const [client, { width, height }] of this.#canvases) if (!isKept(client)) surplus += width * height;
     for (const [client, { width, height }] of this.#canvases) {

@@ -5,7 +5,7 @@ export interface Size {
   readonly height: number;
 }
 
-/** A part of a picture, from its top left corner; or of the atlas, from its bottom left one, as WebGL counts. */
+/** A part of a picture, from its top left; or of the atlas, from its bottom left, as WebGL counts. */
 export interface Region extends Size {
   readonly x: number;
   readonly y: number;
@@ -23,10 +23,7 @@ export interface AtlasLimit {
   readonly area: number;
 }
 
-/**
- * Places the pictures in rows, in the given order, on an atlas about as wide as high. Sizes are at least 1 and at most
- * `limit.side`.
- */
+/** Places the pictures in rows, in their order, about as wide as high. Sizes are 1 to `limit.side`. */
 export function layOutAtlas(sizes: readonly Size[], limit: AtlasLimit): AtlasLayout {
   const total = sizes.reduce((sum, { width, height }) => sum + width * height, 0);
   const widest = sizes.reduce((most, { width }) => Math.max(most, width), 0);

@@ -1,31 +1,19 @@
 // The page's one WebGL 2 context and three.js's renderer on it: opened with the first drawing, lost and restored, refused
 // and tried again, closed with the last picture. Sizes its canvas.
-import { getConsoleFunction, setConsoleFunction, WebGLRenderer } from 'three';
+import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
 import { deviceOf } from '../../material/device.js';
 import { checkLinks } from '../../material/program/program-cache.js';
 import type { AtlasLimit, Size } from './atlas.js';
 
-/** The browser gave no WebGL 2 context. */
 export class NoWebGL2Error extends Error {
   override readonly name = 'NoWebGL2Error';
 }
 
-/**
- * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel. Tiles of a capture and
- * the canvas of a new context are not larger.
- */
+/** Longest side in pixels of a drawing, with 4 samples per pixel, that any GPU has memory for. */
 export const SAFE_SIDE = 4096;
 
-interface ContextEvents {
-  /** The GPU has lost everything. */
-  lost(): void;
-  /** Drawing is possible after {@link lost} or {@link missing}. Everything has to be uploaded. */
-  restored(): void;
-  /** The browser gives no context. */
-  missing(error: NoWebGL2Error): void;
-  /** The next drawing tries to open a context again. */
-  retrying(): void;
-}
+/** What pictures do then. `repaint`: the next drawing tries to open a refused context again. */
+type Consequence = 'contextLost' | 'contextRestored' | 'repaint';
 
 /**
  * closed → open ⇄ lost. An opening that fails ends in `refused`; `retrying` opens with the next drawing, like `closed`.
@@ -37,18 +25,17 @@ type State = 'closed' | 'open' | 'lost' | 'refused' | 'retrying';
 const NO_LIMIT: AtlasLimit = { side: Infinity, area: Infinity };
 
 export class SharedContext {
-  readonly #events: ContextEvents;
+  readonly #changed: (consequence: Consequence) => void;
   #state: State = 'closed';
   /** Null unless open or lost. */
   #gl: WebGL2RenderingContext | null = null;
   #renderer: WebGLRenderer | null = null;
   #limit = NO_LIMIT;
 
-  constructor(events: ContextEvents) {
-    this.#events = events;
+  constructor(changed: (consequence: Consequence) => void) {
+    this.#changed = changed;
   }
 
-  /** Null unless open. */
   get renderer(): WebGLRenderer | null {
     return this.#renderer;
   }
@@ -58,10 +45,7 @@ export class SharedContext {
     return this.#state === 'lost' || this.#state === 'refused';
   }
 
-  /**
-   * Limits of one drawing. The area shrinks to what the browser really gives. Infinite before the first context is
-   * open.
-   */
+  /** Limits of one drawing: infinite before the first context; the area shrinks to what the browser gives. */
   get limit(): AtlasLimit {
     return this.#limit;
   }
@@ -77,22 +61,21 @@ export class SharedContext {
     }
     const wasRefused = this.#state === 'refused' || this.#state === 'retrying';
     this.#start(this.#gl);
-    if (wasRefused && !this.unavailable) this.#events.restored();
+    if (wasRefused && !this.unavailable) this.#changed('contextRestored');
     return this.#renderer;
   }
 
-  /** {@link open} has failed: reports that and waits for an occasion to try again. */
-  refuse(error: NoWebGL2Error): void {
+  /** {@link open} has failed: waits for an occasion to try again. */
+  refuse(): void {
     this.#state = 'refused';
     document.addEventListener('visibilitychange', this.#onVisible);
-    this.#events.missing(error);
   }
 
   /** Lets the next drawing try to open a refused context again. */
   retry(): void {
     if (this.#state !== 'refused') return;
     this.#state = 'retrying';
-    this.#events.retrying();
+    this.#changed('repaint');
   }
 
   /** Whether the context is lost. WebGL knows before the event arrives; the call does not wait for the GPU. */
@@ -101,15 +84,11 @@ export class SharedContext {
     return this.#state === 'lost';
   }
 
-  /** Reports programs that do not link. Call after drawing. */
   checkLinks(): void {
     if (this.#renderer !== null) checkLinks(this.#renderer);
   }
 
-  /**
-   * Gives the canvas of an open context exactly this size. False: the browser has no memory for that and gave a smaller
-   * drawing buffer. {@link limit} is lower from then on, and the canvas has one pixel.
-   */
+  /** Sizes the canvas. False where the browser gives fewer pixels: {@link limit} is lower then, the canvas has one. */
   resize({ width, height }: Size): boolean {
     const renderer = this.#renderer;
     if (renderer === null) return false;
@@ -147,7 +126,7 @@ export class SharedContext {
 
   #lose(): void {
     this.#state = 'lost';
-    this.#events.lost();
+    this.#changed('contextLost');
     // Now, while the context is lost: deleting these objects on the restored context would be an error.
     this.#disposeRenderer();
   }
@@ -190,7 +169,7 @@ export class SharedContext {
     // A context that has been lost again comes back by another event.
     if (canBeCopied(this.#gl) || this.#gl.isContextLost()) this.#start(this.#gl);
     else this.#release(); // the next drawing opens another
-    if (!this.unavailable) this.#events.restored();
+    if (!this.unavailable) this.#changed('contextRestored');
   };
 }
 
@@ -250,27 +229,12 @@ function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
 
 type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
 
-/**
- * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup shows. three.js
- * would sort by material, in the order in which materials were created.
- */
-const byScene = (a: Ordered, b: Ordered): number => a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
+/** Keeps the scene's order: where surfaces coincide, the last in the markup shows. three.js would sort by material. */
+const byScene = (a: RenderItem, b: RenderItem): number => a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
 
 /** Farther objects first. At equal depth this keeps the scene's order; three.js would sort by creation. */
-const fromBehind = (a: Ordered, b: Ordered): number => byScene(a, b) || b.z - a.z;
+const fromBehind = (a: RenderItem, b: RenderItem): number => byScene(a, b) || b.z - a.z;
 
-/** The part of three.js's render item that sorting reads. */
-interface Ordered {
-  readonly groupOrder: number;
-  readonly renderOrder: number;
-  /** Depth. */
-  readonly z: number;
-}
-
-/**
- * Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when the canvas has that
- * size.
- */
 function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
@@ -290,10 +254,7 @@ function canBeCopied(gl: WebGL2RenderingContext): boolean {
   return copy?.getImageData(0, 0, 1, 1).data[3] === 255;
 }
 
-/**
- * Releases the context now, or as soon as it is restored. Browsers allow few, and garbage collection would release it
- * late.
- */
+/** Releases the context now, or once it is restored. Browsers allow few, and collect late. */
 function closeContext(gl: WebGL2RenderingContext): void {
   const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
   gl.canvas.addEventListener('webglcontextrestored', close, { once: true });

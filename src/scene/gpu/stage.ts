@@ -2,27 +2,12 @@
 // Several pictures are drawn next to each other into an atlas on that canvas, and each is then copied into a canvas of
 // its own. Reasons and figures: src/decisions/one-context.md.
 import type { WebGLRenderer } from 'three';
-import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
+import type { Viewport } from '../viewport.js';
+import { AtlasCopies, screenPixels } from './atlas-copies.js';
 import { type AtlasLayout, layOutAtlas, type Region, type Size, tilesOf } from './atlas.js';
 import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
 
 export { NoWebGL2Error } from './context.js';
-
-/** A picture that draws with the shared context. Sizes are in device pixels. */
-export interface StageClient extends CopyClient {
-  /** Drawing now would change nothing. */
-  readonly upToDate: boolean;
-  /** Draw again now, before the browser shows the page. */
-  redraw(): void;
-  /** What has been drawn is on the pictures' canvases. Pixels of a lone one can be read until the task ends. */
-  shown(): void;
-  /** The GPU has lost everything: release it. */
-  contextLost(): void;
-  /** Drawing is possible again, after either of the others. */
-  contextRestored(): void;
-  /** The browser gives no context. */
-  contextMissing(error: NoWebGL2Error): void;
-}
 
 /** Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
 const FRAMES_BEFORE_SHRINKING = 30;
@@ -30,31 +15,24 @@ const FRAMES_BEFORE_SHRINKING = 30;
 const ONE_PIXEL: Size = { width: 1, height: 1 };
 
 class Stage {
-  readonly #clients = new Set<StageClient>();
+  readonly #clients = new Set<Viewport>();
   readonly #copies = new AtlasCopies();
-  readonly #context: SharedContext = new SharedContext({
-    lost: () => {
+  readonly #context: SharedContext = new SharedContext((consequence) => {
+    if (consequence === 'contextLost') {
       this.#drawn.clear();
       this.#places.clear();
-      for (const client of this.#clients) client.contextLost();
-    },
-    restored: () => {
-      for (const client of this.#clients) client.contextRestored();
-    },
-    missing: (error) => {
-      for (const client of this.#clients) client.contextMissing(error);
-    },
-    retrying: () => this.#repaintAll(),
+    }
+    for (const client of this.#clients) client[consequence]();
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
-  readonly #places = new Map<StageClient, Region>();
+  readonly #places = new Map<Viewport, Region>();
   /** Pictures in the atlas that have not been copied yet. */
-  readonly #drawn = new Map<StageClient, Region>();
+  readonly #drawn = new Map<Viewport, Region>();
   #wastefulFrames = 0;
   #inFrame = false;
   #viewersDrawn = 0;
 
-  add(client: StageClient): void {
+  add(client: Viewport): void {
     if (this.#clients.has(client)) return;
     this.#clients.add(client);
     // The first picture shows the shared canvas itself, and the others are about to draw on it.
@@ -67,7 +45,7 @@ class Stage {
     this.#context.retry();
   }
 
-  remove(client: StageClient): void {
+  remove(client: Viewport): void {
     if (!this.#clients.delete(client)) return;
     this.#showDrawn();
     this.#copies.drop(client);
@@ -105,7 +83,7 @@ class Stage {
    * first call opens the context. False: nothing is drawn, because there is no context. All clients are notified of
    * that, and again when drawing is possible. Without `render` the context is opened, and that is all.
    */
-  draw(client: StageClient, render?: (renderer: WebGLRenderer) => void): boolean {
+  draw(client: Viewport, render?: (renderer: WebGLRenderer) => void): boolean {
     try {
       // The canvas stays in its own document: a picture in a popup is a copy too.
       const alone = this.#clients.size === 1 && client.holder.ownerDocument === document;
@@ -122,8 +100,10 @@ class Stage {
       this.#context.checkLinks();
       return true;
     } catch (error) {
-      if (error instanceof NoWebGL2Error) this.#context.refuse(error);
-      else if (!this.#context.noticeLoss()) throw error; // a lost context answers null, which three.js does not expect
+      if (error instanceof NoWebGL2Error) {
+        this.#context.refuse();
+        for (const one of this.#clients) one.contextMissing(error);
+      } else if (!this.#context.noticeLoss()) throw error; // a lost context answers null, which three.js does not expect
       return false;
     }
   }
@@ -136,10 +116,7 @@ class Stage {
     return renderer;
   }
 
-  /**
-   * Calls `render` to draw into targets of its own; no picture changes. False: there is no context, or it was lost
-   * meanwhile.
-   */
+  /** Lets `render` draw into targets of its own. False: there is no context, or it was lost meanwhile. */
   drawAside(render: (renderer: WebGLRenderer) => void): boolean {
     const { renderer } = this.#context;
     if (renderer === null || this.#context.noticeLoss()) return false;
@@ -161,11 +138,9 @@ class Stage {
    */
   capture({ width, height }: Size, render: (renderer: WebGLRenderer, part: Region) => void): HTMLCanvasElement {
     const target = this.newTarget({ width, height });
-    if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
     try {
       const firstTile = { width: Math.min(width, SAFE_SIDE), height: Math.min(height, SAFE_SIDE) };
-      const renderer = this.#context.open(firstTile);
-      if (renderer !== null) this.#drawTiles(renderer, target, render);
+      this.#drawTiles(this.open(firstTile), target, render);
     } catch (error) {
       if (!this.#context.noticeLoss()) throw error;
     }
@@ -187,7 +162,7 @@ class Stage {
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
-  #drawAlone(client: StageClient, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
+  #drawAlone(client: Viewport, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
     this.#beforeOverwriting();
     // The second time only if the browser gave less: the client's size has become smaller then.
     if (!this.#context.resize(client)) this.#context.resize(client);
@@ -229,11 +204,8 @@ class Stage {
     for (const client of this.#clients) client.repaint();
   }
 
-  /**
-   * Where `client` draws. The first picture of a frame starts an atlas and reserves places for all that are out of
-   * date.
-   */
-  #placeOf(client: StageClient, renderer: WebGLRenderer): Region {
+  /** The first picture of a frame starts an atlas and reserves places for all that are out of date. */
+  #placeOf(client: Viewport, renderer: WebGLRenderer): Region {
     const reserved = this.#places.get(client);
     this.#places.delete(client); // a second drawing needs a cleared place
     if (reserved?.width === client.width && reserved.height === client.height) return reserved;
@@ -253,17 +225,14 @@ class Stage {
   }
 
   /** The pictures that are out of date and their places, `client` first. */
-  #layOut(client: StageClient): { pictures: readonly StageClient[]; atlas: AtlasLayout } {
+  #layOut(client: Viewport): { pictures: readonly Viewport[]; atlas: AtlasLayout } {
     const pictures = [client];
     for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) pictures.push(one);
     const { side, area } = this.#context.limit;
     return { pictures, atlas: layOutAtlas(pictures, { side, area: Math.min(area, screenPixels()) }) };
   }
 
-  /**
-   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a
-   * while. False where there is no memory for it, as {@link SharedContext.resize} says.
-   */
+  /** Makes the canvas at least this large, or false. New sizes cost buffers: a larger canvas stays a while. */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
@@ -282,7 +251,6 @@ class Stage {
     if (this.#context.unavailable) throw contextLost();
   }
 
-  /** Copies what has been drawn into the pictures' own canvases. */
   #showDrawn(): void {
     if (this.#places.size > 0) this.#places.clear(); // clearing allocates, even an empty map
     // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked in each frame.)
@@ -313,17 +281,13 @@ class Stage {
   };
 }
 
-/**
- * Clears the whole canvas to transparent. Unscissored, which the GPU does without drawing. A scene with a background
- * colour leaves three.js's clear colour changed.
- */
+/** Unscissored, which the GPU does without drawing. A scene's background leaves three.js's clear colour changed. */
 function clear(renderer: WebGLRenderer): void {
   renderer.setScissorTest(false);
   renderer.setClearColor(0x000000, 0);
   renderer.clear(true, true, false);
 }
 
-/** Draws one part of the canvas and leaves the others alone. */
 function drawInto(
   renderer: WebGLRenderer,
   { x, y, width, height }: Region,
@@ -353,5 +317,4 @@ function hasMemory(context: CanvasRenderingContext2D, width: number, height: num
 export const contextLost = (): Error =>
   new Error('the graphics context is lost: there is no picture until the browser restores it');
 
-/** The page's stage. */
 export const stage = new Stage();

@@ -1,7 +1,7 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import type { SceneMesh } from './scene-mesh.js';
+import type { Picture } from '../picture.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 
@@ -34,13 +34,11 @@ export class MeshAnimation {
     return this.#name !== null && this.#motion.durationOf(this.#name) > 0;
   }
 
-  /** Plays on. */
   advance(seconds: number): void {
     this.#seconds += seconds;
     if (seconds > 0) this.pose();
   }
 
-  /** Writes the present pose into the content. */
   pose(): void {
     this.#motion.pose(this.#name, this.#seconds);
   }
@@ -50,22 +48,16 @@ const nameOf = ({ autoplay, animationName }: Values): string | null => (autoplay
 
 /** The time that all animations of a picture have played. It stands still while motion is not allowed. */
 export class Animations {
-  /** Few meshes can move: a frame does not look at the others. */
-  readonly #all = new Set<SceneMesh>();
+  readonly #picture: Picture;
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;
 
-  add(mesh: SceneMesh): void {
-    this.#all.add(mesh);
+  constructor(picture: Picture) {
+    this.#picture = picture;
   }
 
-  delete(mesh: SceneMesh): void {
-    this.#all.delete(mesh);
-  }
-
-  /** An animation would play if motion were allowed. */
   get playing(): boolean {
-    for (const { plays } of this.#all) if (plays) return true;
+    for (const { plays } of this.#picture.meshes) if (plays) return true;
     return false;
   }
 
@@ -73,7 +65,7 @@ export class Animations {
   step(now: number): boolean {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     const { playing } = this;
-    for (const mesh of this.#all) if (mesh.plays) mesh.advance(elapsed);
+    for (const mesh of this.#picture.meshes) if (mesh.plays) mesh.advance(elapsed);
     this.#last = playing ? now : null;
     return playing;
   }

@@ -58,12 +58,6 @@ export class ContentLoad {
     }
   }
 
-  /** What was requested last has failed. */
-  get failed(): boolean {
-    return this.#failed;
-  }
-
-  /** What has arrived cannot be used. */
   fail(url: URL | null, error: unknown): void {
     this.#failed = true;
     this.#host.ended(this.#mesh, url, error);

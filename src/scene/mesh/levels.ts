@@ -51,10 +51,7 @@ export class Levels {
     return false;
   }
 
-  /**
-   * Chooses for a picture of so many device pixels, and builds and shows what is chosen. With more than one sample it
-   * is one of a still picture's. World matrices must be up to date.
-   */
+  /** Chooses for a frame whose world matrices are up to date; builds and shows what is chosen. */
   choose({ view, height, samples }: Pick<Frame, 'view' | 'height' | 'samples'>): void {
     const isFixed = this.shared?.isFixed ?? false;
     const sampled = samples > 1;
@@ -70,9 +67,7 @@ export class Levels {
     }
   }
 
-  /**
-   * `count`: of round shapes. Finer levels than the coarsest one, which the mesh has claimed, take what room is left.
-   */
+  /** `count`: of round shapes. Finer levels than the coarsest one, which is claimed, take what room is left. */
   #levelOf(
     { parts, level }: SceneMesh,
     name: GeometryName,
@@ -132,10 +127,7 @@ export function isLargeFor({ frame: { origin, eye } }: Frustum, name: GeometryNa
   return longest > LARGE * (outside > 0 ? Math.sqrt(outside) : inside);
 }
 
-/**
- * The level of a shape under its world matrix, for a picture of `height` pixels; null out of view. `free`: triangles
- * that it may have however small they are.
- */
+/** The level of a shape; null out of view. `free`: triangles that it may have however small they are. */
 export function levelIn(
   view: Frustum,
   height: number,
@@ -158,10 +150,7 @@ export function levelIn(
 /** The step from a level of about so many segments to the next. */
 const stepAt = (segments: number): number => (segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8);
 
-/**
- * At least so many segments as a level: a multiple of an eighth of the next power of two, so that at most a quarter is
- * more than needed and a camera that comes near passes few levels.
- */
+/** At least so many segments, as a multiple of an eighth of the next power of two: at most a quarter too many. */
 export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
   const { most } = roundOf(name)!;
@@ -242,10 +231,7 @@ export function segmentsIn(
   return Math.sqrt((gap * size * finest) / (outline * cos * cos));
 }
 
-/**
- * The nearest outline that counts, in radii of the bounding sphere. An eye so close sees faces, most outlines are
- * farther away, and slivers narrower than a pixel are shaded worse than wider triangles.
- */
+/** In radii of the bounding sphere. Nearer, an eye sees faces, and slivers below a pixel are shaded worse. */
 const NEAREST = 1 / 8;
 
 /** Whether a shape is still a ball, of radius `reach`, under its matrix. */

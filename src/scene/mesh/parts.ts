@@ -21,7 +21,6 @@ export interface Part {
   appearance: Appearance;
 }
 
-/** Content in the scene. */
 export interface ShownContent {
   readonly content: Content;
   /** A shape with automatic segments; null for anything else. */
@@ -50,10 +49,7 @@ export const EMPTY: ShownContent = {
   animation: null,
 };
 
-/**
- * The measured geometries that show a content, smooth or flat. Allocates all memory that showing it takes, except the
- * GPU's. Throws if there is not enough, or if flat copies exceed the limit of `claim`.
- */
+/** The geometries of a content, measured. Throws where there is no memory, or no room in `claim` for flat ones. */
 export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
   if (flat) claim?.add(flatNeedsOf(content));
   return content.parts.map(({ geometry }) => {
@@ -81,10 +77,7 @@ function flatValues({ attributes, index }: BufferGeometry): number {
   return corners * sizes.reduce((sum, size) => sum + size, 3);
 }
 
-/**
- * Parts that show a flat copy, by the copy's source. The last one frees it: it takes more than three times the source's
- * memory.
- */
+/** How many parts show a source's flat copy, of over three times its memory. The last one frees it. */
 const flatUsers = new WeakMap<BufferGeometry, number>();
 
 function countFlat({ mesh, source }: Pick<Part, 'mesh' | 'source'>, change: 1 | -1): void {
@@ -106,19 +99,10 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
   });
 }
 
-/**
- * Shows `shape`, the one that is shown, as another level of it. Its bounds are the same. Throws if there is no memory
- * for it.
- */
-export function showLevel(shown: ShownContent, shape: GeometryName, level: number, flat: boolean): ShownContent {
-  const content = acquireShape(levelKey(shape, level)) as ShapeContent; // its code is here: it is no promise
-  let geometries: readonly BufferGeometry[];
-  try {
-    geometries = geometriesOf(content, flat, null);
-  } catch (error) {
-    content.dispose();
-    throw error;
-  }
+/** Shows another level of the shape that is shown. Its bounds are the same. */
+export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
+  const content = acquireShape(levelKey(shown.auto!, level)) as ShapeContent; // its code is here: it is no promise
+  const geometries = geometriesOf(content, flat, null);
   shown.parts.forEach((part, i) => {
     countFlat(part, -1);
     part.source = content.parts[i]!;
@@ -148,12 +132,12 @@ export function partsOf(
   content: Content,
   geometries: readonly BufferGeometry[],
   materials: SharedMaterials,
-  appearanceOf: (source: ContentPart) => Appearance,
+  state: MeshState,
 ): Part[] {
   const parts: Part[] = [];
   try {
     content.parts.forEach((source, i) => {
-      const appearance = appearanceOf(source);
+      const appearance = appearanceOf(state, source);
       const mesh = new Mesh(geometries[i], materials.acquire(appearance));
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
@@ -181,7 +165,6 @@ export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null 
   return group;
 }
 
-/** Updates meshes to their content's current pose. */
 export function followPose(parts: readonly Part[]): void {
   for (const { mesh, source } of parts) {
     mesh.matrix.copy(source.matrix);
@@ -192,13 +175,14 @@ export function followPose(parts: readonly Part[]): void {
 
 const IDENTITY = /* @__PURE__ */ new Matrix4();
 
-/** How a part looks in this style. */
+/** How a part looks. `shading`: by default the mesh's own. */
 export function appearanceOf(
   state: MeshState,
   source: ContentPart,
-  style: Pick<Appearance, 'shading' | 'reflection'>,
+  shading: Appearance['shading'] = state.values.shading ?? null,
 ): Appearance {
-  return { look: lookOf(state, source), sides: source.sides, surface: surfaceOf(state, source), ...style };
+  const { reflection = null } = state.values;
+  return { look: lookOf(state, source), sides: source.sides, surface: surfaceOf(state, source), shading, reflection };
 }
 
 /** Attributes win, then the file's values, then the defaults. */
@@ -220,20 +204,8 @@ function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
 /** Looks without their roughness: the same object each time, because materials are compared by it. */
 const smooth = new WeakMap<BaseLook, BaseLook>();
 
-/**
- * Gives a part the material for how it looks now. False if that is as before. Throws if there is no memory for it: the
- * part keeps the material that it has, and is not tried again for the same values.
- */
-export function dress(part: Part, appearance: Appearance, materials: SharedMaterials): boolean {
-  if (isSame(appearance, part.appearance)) return false;
-  part.appearance = appearance;
-  part.material = materials.exchange(part.material, appearance);
-  part.mesh.material = part.material;
-  return true;
-}
-
-/** By identity: defaults are the same objects in all meshes. */
-const isSame = (a: Appearance, b: Appearance): boolean =>
+/** Two appearances of one part, by identity: defaults are the same objects in all meshes. */
+export const looksAlike = (a: Appearance, b: Appearance): boolean =>
   a.look === b.look &&
   a.shading === b.shading &&
   a.reflection === b.reflection &&

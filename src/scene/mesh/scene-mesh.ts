@@ -15,11 +15,11 @@ import { ContentLoad } from './content-load.js';
 import type { MeshState, MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   appearanceOf,
-  dress,
   EMPTY,
   followPose,
   freeShown,
   geometriesOf,
+  looksAlike,
   type Part,
   partsOf,
   rootOf,
@@ -30,32 +30,20 @@ import {
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName } from './shapes/shapes.js';
 
-/** The viewer of meshes. */
 export interface MeshHost {
-  /** The one that the meshes are in. */
   readonly picture: Picture;
   readonly crossOrigin: CrossOrigin;
-  /**
-   * Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was
-   * removed.
-   */
+  /** False while a lazy viewer has not been near the view, and after a viewer was removed. */
   readonly mayLoad: boolean;
   /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
   began(mesh: SceneMesh): void;
   progress(mesh: SceneMesh, loaded: number, total: number): void;
-  /**
-   * A load has ended, or what it brought, from `url`, cannot be shown as the values say; `error` is null on success.
-   * Not called for loads that a newer one replaced.
-   */
+  /** A load has ended, or what came from `url` cannot be shown. `error`: null on success. Not for replaced loads. */
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
   /** A load in progress was cancelled, or what failed is no longer wanted, or is shown now. */
   dropped(mesh: SceneMesh): void;
-  /**
-   * The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content
-   * before is kept.
-   */
+  /** It has content that was not drawn yet. True if it will be soon: the content before is kept until then. */
   shown(mesh: SceneMesh): boolean;
-  /** The mesh was removed from the scene. */
   removed(mesh: SceneMesh): void;
 }
 
@@ -77,10 +65,8 @@ export class SceneMesh {
   #shown = EMPTY;
   /** Shown before the present content, which has not been drawn yet. */
   #before: ShownContent | null = null;
-  /** There was no memory for flat normals. Until another shading is wanted, the mesh keeps the one it has. */
+  /** There was no memory for flat normals: the shading stays until another one is wanted. */
   #notFlat = false;
-  /** There was no memory for a material: one of the parts does not look as its values say. */
-  #notRestyled = false;
   /** Where the root was last put; null for not yet. */
   #placed: Readonly<Pick<MeshValues, 'position' | 'rotation' | 'scale'>> | null = null;
   /** What the geometries were made for; null for not known. */
@@ -151,23 +137,14 @@ export class SceneMesh {
     return this.#shown.level;
   }
 
-  /** Shows another level of {@link auto}. Where there is no memory for it the level stays. */
   set level(level: number) {
-    const { auto } = this;
-    if (auto === null) return;
-    try {
-      this.#shown = showLevel(this.#shown, auto, level, this.#effective === 'flat');
-    } catch (error) {
-      if (!isOutOfMemory(error)) throw error;
-    }
+    this.#shown = showLevel(this.#shown, level, this.#effective === 'flat');
   }
 
-  /** Its animation would play if motion were allowed. */
   get plays(): boolean {
     return this.#shown.animation?.plays ?? false;
   }
 
-  /** Plays on. */
   advance(seconds: number): void {
     this.#shown.animation?.advance(seconds);
     if (seconds > 0) followPose(this.parts);
@@ -187,21 +164,14 @@ export class SceneMesh {
 
   /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
   restyle(): void {
-    const { reflection = null } = this.#values;
     const shading = this.#reshade();
-    let failure: unknown = null;
-    let exchanged = false;
     for (const part of this.#shown.parts) {
-      const appearance = appearanceOf(this.#state, part.source, { shading, reflection });
-      try {
-        if (dress(part, appearance, this.#picture.materials)) exchanged = true;
-      } catch (error) {
-        failure = error;
-      }
+      const appearance = appearanceOf(this.#state, part.source, shading);
+      if (looksAlike(appearance, part.appearance)) continue;
+      part.material = this.#picture.materials.exchange(part.material, appearance);
+      part.mesh.material = part.material;
+      part.appearance = appearance;
     }
-    if (failure !== null) this.#host.ended(this, this.#shown.url, failure);
-    else if (exchanged && this.#notRestyled) this.#host.dropped(this);
-    if (failure !== null || exchanged) this.#notRestyled = failure !== null;
     this.#picture.invalidate();
   }
 
@@ -234,7 +204,6 @@ export class SceneMesh {
     this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable(error));
   }
 
-  /** Ends any load and frees everything. */
   dispose(): void {
     this.#load.drop();
     this.#letGo();
@@ -252,25 +221,20 @@ export class SceneMesh {
     return shapeNeeds(isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments), this.#wantsFlat);
   }
 
-  /**
-   * For its load, before {@link arrived}: makes the materials. Thousands take long, so each slice makes a few. They are
-   * held until the content has come.
-   */
+  /** For its load: makes the materials before {@link arrived}, in slices: thousands take long. */
   async prepare({ parts }: Content, signal: AbortSignal): Promise<void> {
     this.#letGo();
     if (parts.length < MANY_PARTS) return;
     const { Slices } = await modelCode();
-    const { shading = null, reflection = null } = this.#values;
     const slices = new Slices(signal);
     await slices.pause(); // the last task of the reader
     await slices.map(parts, (part) => {
-      const appearance = appearanceOf(this.#state, part, { shading, reflection });
-      this.#held.push(this.#picture.materials.acquire(appearance));
+      this.#held.push(this.#picture.materials.acquire(appearanceOf(this.#state, part)));
     });
     await slices.pause();
   }
 
-  /** For its load: there is new content; `late` unless it was there at once. `url` is null for a shape. */
+  /** For its load: there is new content, `late` unless at once. `url` is null for a shape. */
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
     let next: ShownContent;
     try {
@@ -312,16 +276,14 @@ export class SceneMesh {
   /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
   #prepared(content: Content, claim: Claim, url: URL | null): ShownContent {
     const { motion } = content;
-    const { shading = null, reflection = null, geometry, segments } = this.#values;
+    const { geometry, segments } = this.#values;
     const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
     const isAuto = url === null && geometry !== null && segments === 'auto';
     // Shapes are called as their geometry is. The values may already name another one.
     const auto = isAuto && content.parts[0]?.name === geometry ? geometry : null;
     const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
     const geometries = geometriesOf(content, this.#wantsFlat, auto === null ? claim : null);
-    const parts = partsOf(content, geometries, this.#picture.materials, (source) =>
-      appearanceOf(this.#state, source, { shading, reflection }),
-    );
+    const parts = partsOf(content, geometries, this.#picture.materials, this.#state);
     const root = rootOf(parts, motion !== null);
     return { content, auto, level, claim, parts, root, url, animation };
   }
@@ -346,8 +308,6 @@ export class SceneMesh {
     this.#shown = next;
     if (next.root !== null) this.#parent?.add(next.root);
     this.#placed = null; // the new root has no place yet
-    if (next.animation === null) this.#picture.animations.delete(this);
-    else this.#picture.animations.add(this);
   }
 
   /** Shows pose, place and style that the values say. */
@@ -382,10 +342,7 @@ export class SceneMesh {
     else this.#picture.reshaped();
   }
 
-  /**
-   * Gives the parts the geometries that their shading needs. Returns the shading for their materials; null for the
-   * picture's.
-   */
+  /** Gives the parts the geometries of their shading. Returns that of their materials; null: the picture's. */
   #reshade(): Shading | null {
     const { shading = null } = this.#values;
     const wanted = this.#wantedShading;
@@ -393,9 +350,7 @@ export class SceneMesh {
     if (wanted !== this.#effective) {
       try {
         this.#regroup(wanted === 'flat');
-        const was = this.#effective;
         this.#effective = wanted;
-        if (was !== null) this.#retryShape();
         this.#pose(); // a flat copy may be of an earlier pose
       } catch (error) {
         if (this.#effective !== 'flat') this.#shown.claim?.dropFlat();
@@ -415,20 +370,13 @@ export class SceneMesh {
     if (auto !== null && needs !== null) {
       claim?.add(needs);
       // Before a flat copy is made of a finer level.
-      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, auto, FIXED, false);
+      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, FIXED, false);
       this.#picture.reshaped(); // another level may be needed
     }
     const { content, parts } = this.#shown;
     setGeometries(parts, geometriesOf(content, flat, needs === null ? claim : null));
     if (needs !== null) claim?.keep(needs);
     else if (!flat) claim?.dropFlat();
-  }
-
-  /** A shape that was too large as it was shaded before may fit in now. */
-  #retryShape(): void {
-    if (!this.#load.failed || this.#values.src !== '') return;
-    this.#load.retry();
-    this.#load.request(this.#values);
   }
 
   #forgetNotFlat(): void {

@@ -59,9 +59,7 @@ export class SharedMaterials {
     return shared.material;
   }
 
-  /**
-   * The material for a user of `material` who looks otherwise now. One that has no other user is rewritten in place.
-   */
+  /** For a user of `material` who looks otherwise now. One without other users is rewritten in place. */
   exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
     const key = keyOf(appearance);
     const shared = this.#byMaterial.get(material);

@@ -1,7 +1,6 @@
 // The models that meshes show now. Equal sources are one download and one content for the whole page, as built-in
 // shapes are; users are counted. A model that moves gets matrices and moving vertices of its own for each mesh.
 import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
-import type { LoadOptions } from '../../model/model-content.js';
 import type { Content } from '../../model/model.js';
 import { type CrossOrigin, isDataUri, modelCode, requestModelFile } from '../../model/request-model.js';
 
@@ -23,10 +22,7 @@ interface ModelUser {
 
 const shared = new Map<string, SharedModel>();
 
-/**
- * The model for one more mesh, which disposes of it once. Rejects if the model cannot be read, or if the claim has no
- * room for it.
- */
+/** For one more mesh, which disposes of it once. Rejects if it is unreadable or too large for the claim. */
 export function acquireModel(name: ModelName, user: ModelUser): Promise<Content> {
   const key = keyOf(name);
   const model = shared.get(key) ?? new SharedModel(key, name);
@@ -60,7 +56,9 @@ class SharedModel {
     };
     const { signal } = this.#loading;
     const options = { signal, onProgress, onClaim: this.#claim, crossOrigin, type };
-    this.#content = requestModel(url, options, typeof src === 'string' ? null : src);
+    // Requested at once, beside the code that reads models.
+    const request = typeof src !== 'string' ? src : isDataUri(url.href) ? null : requestModelFile(url, options);
+    this.#content = modelCode().then((code) => code.modelContent(url, options, request));
     this.#content.catch(() => {
       this.#forget(); // the next request tries again
     });
@@ -133,12 +131,4 @@ class SharedModel {
   #forget(): void {
     if (shared.get(this.#key) === this) shared.delete(this.#key);
   }
-}
-
-/**
- * A model from its address or a file. A file is requested at once; the code that reads models comes with the first one.
- */
-async function requestModel(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
-  const request = file !== null || isDataUri(url.href) ? null : requestModelFile(url, options);
-  return (await modelCode()).modelContent(url, options, file ?? request);
 }

@@ -2,7 +2,7 @@
 // never wait longer for them. One batch is drawn after the other: a small one ends long before the next frame.
 import type { WebGLRenderer } from 'three';
 import { pixelOffset } from '../../math/pixel-offsets.js';
-import type { Region } from '../gpu/atlas.js';
+import type { Region, Size } from '../gpu/atlas.js';
 import type { Picture } from '../picture.js';
 import type { SampleSum } from './sample-sum.js';
 
@@ -19,7 +19,6 @@ export class Batches {
   readonly #gl: WebGL2RenderingContext;
   readonly #next: (() => void) | undefined;
   #size: number;
-  /** Samples of the last batch. */
   #sent = 0;
   #isFirst = true;
   #fence: WebGLSync | null = null;
@@ -36,7 +35,6 @@ export class Batches {
     this.#next = next;
   }
 
-  /** Samples of the next batch. */
   get size(): number {
     return this.#size;
   }
@@ -52,9 +50,7 @@ export class Batches {
     return true;
   }
 
-  /**
-   * Draws a batch, at most `left` samples, by `draw`. Fewer than {@link size} where the script alone takes too long.
-   */
+  /** Draws at most `left` samples by `draw`; fewer than {@link size} where the script alone takes too long. */
   send(left: number, draw: () => void): void {
     this.cancel();
     const gl = this.#gl;
@@ -75,7 +71,6 @@ export class Batches {
     this.#look();
   }
 
-  /** Forgets a batch that may not have ended. */
   cancel(): void {
     clearTimeout(this.#timer);
     if (this.#fence !== null) this.#gl.deleteSync(this.#fence);
@@ -116,10 +111,7 @@ export class Batches {
   }
 }
 
-/**
- * Browsers call timers of timers no sooner than after 4 ms: a message stands between them. An open port is never
- * collected. `Slices.pause` does the same; a file for both would be a request of its own.
- */
+/** Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a request. */
 function inNextTask(work: () => void): void {
   const { port1, port2 } = new MessageChannel();
   port1.onmessage = () => {
@@ -129,15 +121,17 @@ function inNextTask(work: () => void): void {
   port2.postMessage(null);
 }
 
-/** Adds a batch of the frame that `picture` has made to `sum`, which is that of `tile` and gets so many `samples`. */
+/** Adds a batch of a picture of this size to `sum`, which is that of `tile` and gets so many `samples`. */
 export function sendBatch(
   batches: Batches,
   sum: SampleSum,
   samples: number,
+  size: Size,
   tile: Region,
   renderer: WebGLRenderer,
   picture: Picture,
 ): void {
+  picture.make(size, samples); // another frame may have been drawn since
   batches.send(samples - sum.count, () => {
     const { x, y } = pixelOffset(sum.count);
     sum.add(() => picture.draw(renderer, { ...tile, x: tile.x + x, y: tile.y + y }));

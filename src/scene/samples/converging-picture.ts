@@ -1,23 +1,20 @@
 // The picture of one viewport while nothing changes: its samples are drawn batch by batch, and their mean replaces the
-// plain picture, until all are there. Fetched with the first use of `antialias="full"`.
+// plain picture, until all are there. And pictures for `toBlob({ samples })`. Fetched with the first use of either.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import { type Region, tilesOf } from '../gpu/atlas.js';
-import { stage } from '../gpu/stage.js';
+import { type Region, type Size, tilesOf } from '../gpu/atlas.js';
+import { SAFE_SIDE } from '../gpu/context.js';
+import { contextLost, stage } from '../gpu/stage.js';
+import type { Picture } from '../picture.js';
 import type { Viewport } from '../viewport.js';
 import { Batches, sendBatch } from './batches.js';
-import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
+import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
 import { queue, release, seize, sharedSum, take } from './turns.js';
 
-// In one chunk with it: two that share most of their code would leave that in the first file.
-export { captureSamples } from './sampled-capture.js';
-
-/**
- * Animation frames without a change before the first sample of a drag: a slow one has frames in which nothing moves.
- */
+/** Frames without a change before the first sample of a drag: slow ones have such frames. */
 const STILL_FRAMES = 3;
 
-/** A change is no part of a drag after a picture with all its samples, or so long after the last standstill began. */
+/** A change is no part of a drag after all samples, or so long after the last standstill began. */
 const LONE_MS = 200;
 
 /** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
@@ -60,7 +57,6 @@ export class ConvergingPicture {
     return !this.#failed && this.#samples < this.#wanted;
   }
 
-  /** All samples are there. */
   get converged(): boolean {
     return this.#samples >= this.#wanted;
   }
@@ -82,10 +78,7 @@ export class ConvergingPicture {
     return this.#run !== null;
   }
 
-  /**
-   * Call while it is pending. Draws what is missing now, without waiting for turns and frames, as far as `deadline`
-   * allows: a time as of `performance.now()`.
-   */
+  /** While it is pending: draws what is missing now, without turns and frames, up to a time of `performance.now()`. */
   finish(deadline: number): void {
     seize(this);
     const before = this.#samples;
@@ -94,7 +87,6 @@ export class ConvergingPicture {
     if (this.#samples > before) this.#subject.show(this.converged);
   }
 
-  /** The scene, the camera or the size has changed. */
   reset(): void {
     if (this.#stillFrames > 0) this.#dragged = !this.converged && performance.now() - this.#stood < LONE_MS;
     this.#stillFrames = 0;
@@ -151,28 +143,23 @@ export class ConvergingPicture {
   }
 
   readonly #draw = (renderer: WebGLRenderer): void => {
-    const run = (this.#run ??= this.#begin(renderer));
-    if (run === null) this.#fail();
-    else this.#advance(renderer, run, true);
+    const run = this.#run ?? this.#begin(renderer);
+    if (run !== null) this.#advance(renderer, run, true);
   };
 
   readonly #drawMore = (renderer: WebGLRenderer): void => this.#advance(renderer, this.#run!, false);
 
   readonly #drawNow = (renderer: WebGLRenderer): void => {
-    const run = (this.#run ??= this.#begin(renderer));
-    if (run === null) {
-      this.#fail();
-      return;
-    }
+    const run = this.#run ?? this.#begin(renderer);
+    if (run === null) return;
     // The deadline is the GPU's too: reading a pixel waits for it.
     if (run.sum.count % WAITS_AFTER === 0) run.sum.wait();
     run.batches.cancel();
     this.#advance(renderer, run, true);
   };
 
-  /** Null where the GPU cannot do it. */
+  /** Null where the GPU has no float targets, or no memory for them. */
   #begin(renderer: WebGLRenderer): Run | null {
-    if (!canSum(renderer)) return null;
     const { width, height } = this.#subject;
     if (this.#picture?.width !== width || this.#picture.height !== height) {
       this.#picture?.dispose();
@@ -181,23 +168,20 @@ export class ConvergingPicture {
     }
     const tiles = tilesOf({ width, height }, MOST_SUMMED);
     const sum = sharedSum(renderer);
-    if (!sum.begin(tiles[0]!)) return null;
+    if (!canSum(renderer) || !sum.begin(tiles[0]!)) {
+      this.#fail();
+      return null;
+    }
     const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, this.#pace, this.#goOn);
-    return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };
+    return (this.#run = { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN });
   }
 
-  /**
-   * Draws one batch where the last one has ended, and ends what is complete with it. `shown`: the page can show the
-   * mean now, and then waits for what is still being drawn.
-   */
+  /** Draws a batch if the last one has ended, and ends what is complete. `shown`: the page can show the mean now. */
   #advance(renderer: WebGLRenderer, run: Run, shown: boolean): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
-    const { picture } = this.#subject;
-    if (sum.count < this.#wanted && batches.ended) {
-      picture.make(this.#subject, this.#wanted); // a frame of another size may have been drawn since
-      sendBatch(batches, sum, this.#wanted, tile, renderer, picture);
-    }
+    if (sum.count < this.#wanted && batches.ended)
+      sendBatch(batches, sum, this.#wanted, this.#subject, tile, renderer, this.#subject.picture);
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = shown && (isLast || (tiles.length === 1 && sum.count >= run.nextShown));
@@ -229,4 +213,77 @@ interface Run {
   tile: number;
   /** The number of samples from which on the mean is shown again. */
   nextShown: number;
+}
+
+/** Milliseconds until the GPU is asked again whether it has finished a batch. */
+const PAUSE = 4;
+
+/** Times that a capture begins again because its scene has changed. The last time it is drawn in one task. */
+const RESTARTS = 4;
+
+/** The page's last capture. One is drawn after the other: only the first has float buffers. */
+let last: Promise<unknown> = Promise.resolve();
+
+/**
+ * The mean of the samples at any size, tile by tile, in batches that leave the page its frames; in hidden documents
+ * too, where no animation frames come. Rejects with RangeError if no canvas can hold it, and without a context.
+ */
+export function captureSamples(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
+  const picture = last.then(() => draw(subject, size, samples));
+  last = picture.catch(() => undefined);
+  return picture;
+}
+
+async function draw(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
+  for (let restarts = 0; ; restarts++) {
+    const { version } = subject.picture;
+    // Nothing keeps the context of a detached viewer open from one task to the next.
+    const atOnce = restarts === RESTARTS || !subject.attached;
+    const batches = drawBatches(subject.picture, size, samples, atOnce);
+    subject.releaseUnlessAttached();
+    try {
+      while (atOnce || subject.picture.version === version) {
+        const { done, value } = batches.next();
+        if (done === true) return value ?? subject.capture(size);
+        if (!atOnce) await new Promise((resolve) => setTimeout(resolve, PAUSE));
+      }
+    } finally {
+      batches.return(undefined as never); // frees the buffers
+    }
+  }
+}
+
+/** Stops after each batch, unless `atOnce`. Null where the GPU has no float targets, or no memory for them. */
+function* drawBatches(
+  picture: Picture,
+  size: Size,
+  samples: number,
+  atOnce: boolean,
+): Generator<void, HTMLCanvasElement | null> {
+  const target = stage.newTarget(size);
+  for (const tile of tilesOf(size, MOST_SUMMED, SAFE_SIDE)) {
+    const renderer = stage.open(tile);
+    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, 1);
+    const sum = new SampleSum(renderer);
+    const mean = pictureTarget(tile.width, tile.height);
+    try {
+      if (!canSum(renderer) || !sum.begin(tile)) return null;
+      while (sum.count < samples) {
+        if (atOnce || batches.ended) aside((r) => sendBatch(batches, sum, samples, size, tile, r, picture));
+        if (!atOnce) yield;
+      }
+      aside(() => sum.resolve(mean, { ...tile, x: 0, y: 0 }));
+      const piece = stage.capture(tile, (r, part) => copyPart(r, mean.texture, part, tile.height));
+      target.drawImage(piece, tile.x, tile.y);
+    } finally {
+      batches.cancel();
+      sum.dispose();
+      mean.dispose();
+    }
+  }
+  return target.canvas;
+}
+
+function aside(draw: (renderer: WebGLRenderer) => void): void {
+  if (!stage.drawAside(draw)) throw contextLost();
 }

@@ -12,19 +12,12 @@ import {
 import type { Region, Size } from '../gpu/atlas.js';
 import { ScreenPass } from './screen-pass.js';
 
-/**
- * Most pixels of one sum. Its buffers take 52 bytes a pixel: 218 MB, and 108 MB at 1080p. Larger pictures are summed in
- * tiles.
- */
+/** Most pixels of one sum, at 52 bytes each: 218 MB, and 108 MB at 1080p. Larger pictures have tiles. */
 export const MOST_SUMMED = 2 ** 22;
 
-/**
- * Samples that are added at once. One by one, adding takes 1.3 times as long as drawing (sphere, one light, 1080p,
- * H200), and blending 4.7 times.
- */
+/** Added at once. Adding single ones takes 1.3 times as long as drawing (sphere, 1080p, H200), blending 4.7 times. */
 const LAYERS = 4;
 
-/** Whether the GPU can draw into 32-bit floats. */
 export const canSum = (renderer: WebGLRenderer): boolean => renderer.extensions.has('EXT_color_buffer_float');
 
 export class SampleSum {
@@ -32,7 +25,7 @@ export class SampleSum {
   readonly #add = new ScreenPass(`color = texel;
   for (int i = 0; i < int(uCount); i++) color += floor(texelFetch(uLayers, ivec3(at, i), 0) * 255.0 + 0.5);`);
   readonly #mean = new ScreenPass('color = floor(texel / uCount + 0.5) / 255.0;');
-  #targets: Targets | null = null;
+  #targets: ReturnType<typeof targetsOf> | null = null;
   #count = 0;
   /** Samples that are drawn and not added yet. */
   #layers = 0;
@@ -41,7 +34,6 @@ export class SampleSum {
     this.#renderer = renderer;
   }
 
-  /** Samples so far. */
   get count(): number {
     return this.#count;
   }
@@ -117,19 +109,15 @@ export class SampleSum {
   }
 }
 
-interface Targets {
-  /** Each layer takes a sample. */
-  readonly samples: WebGLArrayRenderTarget;
-  readonly sum: WebGLRenderTarget;
-  /** Takes the next sum. */
-  readonly spare: WebGLRenderTarget;
-}
-
-function targetsOf(width: number, height: number): Targets {
-  const sum = (): WebGLRenderTarget =>
-    new WebGLRenderTarget(width, height, { ...NEAREST, type: FloatType, depthBuffer: false });
-  return { samples: sampleTarget(width, height), sum: sum(), spare: sum() };
-}
+/** Each layer of `samples` takes a sample, and `spare` the next sum. */
+const targetsOf = (width: number, height: number) => {
+  const options = { ...NEAREST, type: FloatType, depthBuffer: false };
+  return {
+    samples: sampleTarget(width, height),
+    sum: new WebGLRenderTarget(width, height, options),
+    spare: new WebGLRenderTarget(width, height, options),
+  };
+};
 
 /**
  * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials for the canvas, but for targets

@@ -27,18 +27,11 @@ void main() { gl_Position = vec4(position, 1.0); }`;
  */
 const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uLayers, ivec3(at, 0), 0);';
 
-export interface ScreenUniforms {
-  readonly uPixels: { value: Texture | null };
-  readonly uLayers: { value: DataArrayTexture | null };
-  /** Where the first texel is drawn, in pixels of the target. */
-  readonly uOrigin: { readonly value: Vector2 };
-  readonly uCount: { value: number };
-}
-
 export class ScreenPass {
-  readonly uniforms: ScreenUniforms = {
-    uPixels: { value: null },
-    uLayers: { value: null },
+  readonly uniforms = {
+    uPixels: { value: null as Texture | null },
+    uLayers: { value: null as DataArrayTexture | null },
+    /** Where the first texel is drawn, in pixels of the target. */
     uOrigin: { value: new Vector2() },
     uCount: { value: 1 },
   };
@@ -65,7 +58,7 @@ void main() {
   ${SECOND_TEXTURE}
   ${body}
 }`,
-      uniforms: this.uniforms as unknown as Record<string, { value: unknown }>,
+      uniforms: this.uniforms,
       depthTest: false,
       depthWrite: false,
       toneMapped: false,

@@ -41,7 +41,6 @@ function nextWaiting(): ConvergingPicture | undefined {
   return first;
 }
 
-/** Takes the turn from whoever has it. */
 export function seize(one: ConvergingPicture): void {
   if (active !== one) active?.pause();
   active = one;

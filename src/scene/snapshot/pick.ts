@@ -1,14 +1,6 @@
 // Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64,
 // from the orbit's own basis. Knows three.js and the Phong material, but neither lights nor elements.
-import {
-  type Intersection,
-  Matrix3,
-  type Mesh,
-  type Object3D,
-  type PerspectiveCamera,
-  Raycaster,
-  Vector3,
-} from 'three';
+import { type Intersection, Matrix3, type Object3D, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { normalMatrix } from '../../material/normal-matrix.js';
@@ -25,7 +17,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../../math/vector.js';
-import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
+import type { OwnDrawn, SceneSnapshot } from './scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
 import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
@@ -40,13 +32,6 @@ export interface Hit<Owner = unknown> extends TriangleHit {
   /** The picture averages a texture that is read at one point here. */
   readonly filtered: boolean;
 }
-
-/** An object that an element declares. */
-type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
-  readonly owner: Owner;
-  readonly phong: DrawnLook;
-  readonly geometry: NonNullable<Drawn['geometry']>;
-};
 
 /**
  * The point seen through the centre of a device pixel, counted from the top left corner; fractions are places beside
@@ -64,29 +49,26 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
   // Of what a mask cuts out here, and may not cut out in the picture.
   let cutOut = Infinity;
   for (const drawn of snapshot.objects) {
-    if (isOwn(drawn)) {
+    if (drawn.phong !== null) {
       for (const hit of phongHits(drawn, ray, camera, pixel)) {
         if (hit.base.discarded) cutOut = hit.filtered ? Math.min(cutOut, hit.depth) : cutOut;
         // As the depth test does: of two at the same depth the later one stays.
         else if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
       }
     } else {
-      const foreign = foreignDepth(drawn, camera, ray);
+      const foreign = foreignDepth(drawn.object, camera, ray);
       if (foreign < depth) [nearest, depth] = [null, foreign];
     }
   }
   return nearest === null || cutOut > depth ? nearest : { ...nearest, filtered: true };
 }
 
-/**
- * How far the nearest surface is from a place, along a unit vector in world space: a page author's own included, from
- * either side. Infinity if there is none.
- */
+/** Distance of the nearest surface of any mesh from a place along a unit vector in world space, or Infinity. */
 export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3): number {
   const ray = rayAlong(from, ORIGIN, along);
   let nearest = Infinity;
   for (const drawn of snapshot.objects) {
-    if (!isOwn(drawn)) nearest = Math.min(nearest, foreignDepth(drawn, snapshot.camera, ray));
+    if (drawn.phong === null) nearest = Math.min(nearest, foreignDepth(drawn.object, snapshot.camera, ray));
     else
       forEachSurface(drawn, ray, ({ depth }, { discarded }) => {
         if (!discarded) nearest = Math.min(nearest, depth);
@@ -95,10 +77,7 @@ export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3):
   return nearest;
 }
 
-/**
- * The surface at a point in world space, drawn or not: of all on the line through it from the eye, the nearest to it.
- * Null if none is within a share of the distance.
- */
+/** Of all surfaces on the line from the eye through a point, drawn or not, the nearest to it; null if none is near. */
 export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point: Vec3): Hit<Owner> | null {
   const place = subtract(point, frame.origin);
   const toPoint = subtract(place, frame.eye);
@@ -106,7 +85,7 @@ export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point:
   let nearest: Hit<Owner> | null = null;
   let distance = NEAR * length(toPoint);
   for (const drawn of objects)
-    if (isOwn(drawn))
+    if (drawn.phong !== null)
       forEachSurface(drawn, rayAlong(frame.origin, frame.eye, along), (hit, base) => {
         const p = add(frame.eye, scale(along, hit.depth));
         const away = length(subtract(p, place));
@@ -128,13 +107,8 @@ function rayAlong(origin: Vec3, eye: Vec3, along: Vec3): ViewRay {
 
 const ORIGIN: Vec3 = [0, 0, 0];
 
-/**
- * Relative. Faces in one plane, such as a flattened box's, differ in depth by a few roundings of float64, 1e-16 each.
- */
+/** Relative. Faces in one plane differ in depth by a few roundings of float64, 1e-16 each. */
 const COPLANAR = 1e-12;
-
-const isOwn = <Owner>(drawn: Drawn<Owner>): drawn is OwnDrawn<Owner> =>
-  drawn.phong !== null && drawn.geometry !== undefined;
 
 /** The ray through a place in the picture; `across` and `down` run from 0 to 1. */
 function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number): ViewRay {
@@ -143,7 +117,6 @@ function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number)
   return { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
 }
 
-/** Of half the camera's angle of view, top to bottom. */
 const tanOf = ({ fov }: PerspectiveCamera): number => Math.tan(radians(fov) / 2);
 
 function phongHits<Owner>(
@@ -184,8 +157,8 @@ const direction = ({ right, up, back }: ShadingFrame, slopeX: number, slopeY: nu
   subtract(add(scale(right, slopeX), scale(up, slopeY)), back);
 
 /** Depth of a page author's own mesh or sprite, by three.js's raycaster; Infinity where it is not hit. */
-function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): number {
-  const { isMesh, isSprite } = drawn.object as { isMesh?: boolean; isSprite?: boolean };
+function foreignDepth(object: Object3D, camera: PerspectiveCamera, ray: ViewRay): number {
+  const { isMesh, isSprite } = object as { isMesh?: boolean; isSprite?: boolean };
   if (isMesh !== true && isSprite !== true) return Infinity;
   const { frame } = ray;
   const caster = new Raycaster();
@@ -193,28 +166,13 @@ function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): nu
   caster.ray.origin.set(...add(frame.origin, frame.eye));
   caster.ray.direction.set(...direction(frame, ray.slopeX, ray.slopeY)).normalize();
   const hits: Intersection[] = [];
-  asItWas(drawn, (object) => object.raycast(caster, hits));
+  object.raycast(caster, hits);
   let nearest = Infinity;
   for (const { point } of hits) {
     const depth = depthOf(point, frame);
     if (depth >= ray.near && depth <= ray.far) nearest = Math.min(nearest, depth);
   }
   return nearest;
-}
-
-/**
- * Calls `use` while the object has the matrix, geometry and material of the snapshot; everything else is as it is now.
- */
-function asItWas({ object, ...then }: Drawn, use: (object: Object3D) => void): void {
-  const lent = object as Partial<Mesh>;
-  const { matrixWorld, geometry, material } = lent;
-  const write = (values: object): unknown => Object.assign(lent, values);
-  write({ matrixWorld: then.matrixWorld, geometry: then.geometry, material: then.material });
-  try {
-    use(object);
-  } finally {
-    write({ matrixWorld, geometry, material });
-  }
 }
 
 const depthOf = ({ x, y, z }: Vector3, { origin, eye, back }: ShadingFrame): number =>

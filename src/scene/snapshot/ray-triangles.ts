@@ -17,7 +17,6 @@ export interface ViewRay {
   readonly far: number;
 }
 
-/** Where the ray meets a triangle. */
 export interface TriangleHit {
   /** Index of the triangle in drawing order, from 0. */
   readonly triangle: number;
@@ -101,10 +100,7 @@ const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: n
   ax * by - ay * bx,
 ];
 
-/**
- * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is
- * subtracted first, so that accuracy does not depend on the distance from the world's origin.
- */
+/** Vertex to ray space: right of the ray, above it, depth. The eye is subtracted first: far scenes stay exact. */
 function rowsOf({ frame, slopeX, slopeY }: ViewRay, { elements }: Matrix4): readonly [MatrixRow, MatrixRow, MatrixRow] {
   const m = writeModelViewProjection({ frame, slopeX: 1, slopeY: 1 }, elements, new Float64Array(12));
   const row = (at: number, slope: number): MatrixRow => {

@@ -13,7 +13,6 @@ import type { Vec4 } from '../../math/vector.js';
 import { type TriangleHit, weightsBeside } from './ray-triangles.js';
 import { NoWebGL2Error } from '../gpu/stage.js';
 
-/** The settings of a texture that sampling depends on. */
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
 
 /** Channels, 0–1, at u, v after the texture's transform. */
@@ -55,7 +54,6 @@ export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: Triang
   return sampleTexture(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
 }
 
-/** Corners and weights of a triangle's point. */
 type TrianglePoint = Pick<TriangleHit, 'corners' | 'weights'>;
 
 /** u, v after the texture's transform. */
@@ -123,7 +121,6 @@ type Image = TexImageSource & { readonly width: number; readonly height: number 
 /** Each image is read once, because fragments are usually explained one after another. */
 const read = new WeakMap<object, Texels>();
 
-/** Throws if the image cannot be read. */
 function texelsOf(map: Texture): Texels {
   if ((map as { isCompressedTexture?: boolean }).isCompressedTexture === true)
     throw new Error('compressed textures cannot be read');
@@ -133,10 +130,7 @@ function texelsOf(map: Texture): Texels {
   return known;
 }
 
-/**
- * Uses a short-lived WebGL context of its own. A 2D canvas would premultiply alpha, and transparent texels would lose
- * the colour that filtering mixes into their neighbours.
- */
+/** By a context of its own: a 2D canvas would premultiply alpha, and lose the colour of transparent texels. */
 function readTexels(image: Image): Texels {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (gl === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context to read a texture with');

@@ -67,9 +67,7 @@ export function isFiltered(
   return textures.some((texture) => texture !== null && isMinified(texture, geometry, hit, pixel));
 }
 
-/**
- * N by the normal map where there is one; `N` and `tangent` are interpolated in shading space, for the visible side.
- */
+/** N by the normal map, if any; `N` and `tangent` are those of the visible side, in shading space. */
 export function mappedNormalAt(
   { look, style }: DrawnLook,
   geometry: BufferGeometry,
@@ -100,14 +98,10 @@ export interface BaseColor {
   readonly color: Vec3;
   /** 0–1; 1 where the look does not blend. */
   readonly opacity: number;
-  /** The alpha mask discards this fragment. */
   readonly discarded: boolean;
 }
 
-/**
- * The look's colour times its texture times its vertex colours. With `linear`, colours are decoded before they are
- * multiplied, and the product is encoded again.
- */
+/** Colour, texture and vertex colours multiplied: under `linear` decoded before and encoded after. */
 export function baseColorAt(look: BaseLook, geometry: BufferGeometry, hit: TriangleHit, linear: boolean): BaseColor {
   const factors: Vec4[] = [[...look.baseColor, look.opacity]];
   if (look.map !== null) factors.push(sampleAt(look.map, geometry, hit));

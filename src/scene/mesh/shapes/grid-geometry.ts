@@ -8,7 +8,6 @@ export interface Vertices {
   readonly uv: Float32Array;
 }
 
-/** Writes a vertex. */
 export function put(
   { position, normal, uv }: Vertices,
   vertex: number,
@@ -36,10 +35,7 @@ export function put(
 export interface Grid {
   readonly columns: number;
   readonly rows: number;
-  /**
-   * The corners of a quadrangle's two triangles, counter-clockwise from outside. 0 and 1 are in its first row, 2 and 3
-   * in its second one.
-   */
+  /** Corners of its two triangles, counter-clockwise from outside: 0 and 1 in its first row, 2 and 3 in the next. */
   readonly corners: readonly [number, number, number, number, number, number];
   /** All vertices of the first row, or of the last one, are in one place: they have one triangle for a quadrangle. */
   readonly closedFirst?: boolean;
@@ -53,7 +49,6 @@ const FEW = 2 ** 16;
 
 type Indices = Uint16Array | Uint32Array;
 
-/** One geometry of all these grids. */
 export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   let vertices = 0;
   let triangles = 0;
@@ -83,10 +78,7 @@ export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   return geometry;
 }
 
-/**
- * Writes the indices of the triangles between a row, whose first vertex is `first`, and the row before. Begins at
- * `corner`, and returns where the next row's begin.
- */
+/** Writes the triangles between a row, of first vertex `first`, and the one before. Returns the next corner. */
 function indexRow(index: Indices, corner: number, grid: Grid, row: number, first: number): number {
   const { columns, rows, corners, closedFirst, closedLast } = grid;
   const from = row === 1 && closedFirst === true ? 3 : 0;

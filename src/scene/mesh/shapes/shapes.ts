@@ -22,10 +22,7 @@ export const GEOMETRIES = [
 
 export type GeometryName = (typeof GEOMETRIES)[number];
 
-/**
- * Shapes without holes: each edge has exactly two triangles, so their inside cannot be seen from outside. Not the
- * teapot: its spout is open, and its parts end inside each other.
- */
+/** Each edge has exactly two triangles. Not the teapot: its spout is open, its parts end inside each other. */
 export const CLOSED: ReadonlySet<GeometryName> = new Set(
   GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),
 );
@@ -34,7 +31,6 @@ export const CLOSED: ReadonlySet<GeometryName> = new Set(
 export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
 
 interface Shape {
-  /** Default number of segments. */
   readonly segments: number;
   /** Fewest segments that still enclose the shape; smaller requests are raised to it. */
   readonly least: number;
@@ -113,35 +109,34 @@ const HALF: Vec3 = [0.5, 0.5, 0.5];
 /** Cylinder and cone: curved in one direction, so only half a sagitta is left once the vertices are moved. */
 const STRAIGHT = { gap: SAGITTA / 2, out: SAGITTA / 2, smooth: 48, most: 1024, half: HALF, radius: Math.SQRT1_2 };
 
+/** Curved shapes enclose space from 3 segments on. */
+const AROUND = { segments: 64, least: 3 };
+
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   box: { segments: 1, least: 1, create: (n) => new BoxGeometry(1, 1, 1, n, n, n), triangles: (n) => 12 * n * n },
   sphere: {
-    segments: 64,
-    least: 3,
+    ...AROUND,
     create: sphere,
     triangles: (n) => 2 * n * (rowsOf(n, 2) - 1),
     // In the middle of a quadrangle both of its curves are a sagitta away.
     round: { gap: SAGITTA, out: SAGITTA, smooth: 64, cover: 1, most: 360, half: HALF, radius: 0.5 },
   },
   cylinder: {
-    segments: 64,
-    least: 3,
+    ...AROUND,
     create: solid('cylinder'),
     triangles: (n) => 4 * n,
     round: { ...STRAIGHT, cover: 0.75 },
   },
   cone: {
-    segments: 64,
-    least: 3,
+    ...AROUND,
     create: solid('cone'),
     triangles: (n) => 2 * n,
     round: { ...STRAIGHT, cover: 0.4 },
   },
   pyramid: { segments: 1, least: 1, create: solid('pyramid'), triangles: (n) => 6 * n * n },
   torus: {
-    segments: 64,
-    least: 3,
+    ...AROUND,
     create: solid('torus'),
     triangles: (n) => 2 * n * rowsOf(n, 3),
     round: { gap: 3.21, out: 2.22, smooth: 96, cover: 0.62, most: 360, half: [0.5, 0.5, 0.15], radius: 0.5 },
@@ -191,7 +186,6 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
 /** Fewest segments of an `auto` level of most shapes. */
 const COARSEST = 16;
 
-/** Fewest segments of an `auto` level of a round shape. */
 export const coarsestOf = (name: GeometryName): number => effectiveSegments(name, COARSEST);
 
 /** The shape's values as a round shape; undefined for one with flat faces. */

@@ -22,10 +22,7 @@ export interface ShapeKey {
   readonly isLevel: boolean;
 }
 
-/**
- * What a shape is first shown as. Under `auto` round shapes begin with their coarsest level, others with their fixed
- * number of segments.
- */
+/** Under `auto`, what a shape is first shown as: its coarsest level, or without round faces its fixed segments. */
 export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKey =>
   segments !== 'auto'
     ? { name, segments, isLevel: false }
@@ -44,7 +41,6 @@ export const FIXED = 0;
 /** A level stays so long without users: the samples of a still picture use a finer one than the frame before. */
 const KEPT_MS = 1000;
 
-/** A built-in shape as the content of meshes. */
 export interface ShapeContent extends Content {
   /** What it and its flat copy hold: claimed before there is a geometry. */
   readonly needs: readonly Need[];

@@ -47,7 +47,6 @@ function side(n: number, top: number, bottom: number, exact = false): Grid {
   };
 }
 
-/** A flat end, whose normal points up or down. */
 function cap(n: number, radius: number, up: 1 | -1): Grid {
   const { cos, sin } = circle(n);
   const middle = up === 1 ? 0 : 1; // the row that is one point

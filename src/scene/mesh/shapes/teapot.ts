@@ -21,10 +21,7 @@ const NO_NORMAL = 1e-5;
 /** The patches of the spout's bend, whose rows lie across it. */
 const isBend = (patch: number): boolean => patch === 16 || patch === 17;
 
-/**
- * @param segments once round the body, at least 12; rounded to whole divisions of a patch.
- * @param isLevel with more rows in the spout's bend: else all of the teapot would need a quarter more segments.
- */
+/** `segments`: once round the body, at least 12. `isLevel`: with more rows in the spout's bend alone. */
 export function teapot(segments: number, isLevel: boolean): BufferGeometry {
   const divisions = Math.round(segments / PATCHES_AROUND);
   const inBend = isLevel ? Math.ceil(1.6 * divisions) : divisions;
@@ -72,10 +69,7 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
   };
 }
 
-/**
- * The sum of four values, `step` apart from `first` on. Both ends first: what two patches share is the same number,
- * whichever end of it a patch begins with.
- */
+/** Four values `step` apart, summed from both ends: what two patches share is the same number from either side. */
 function mix(weights: Weights, values: ArrayLike<number>, first: number, step: number): number {
   const ends = weights[0] * values[first]! + weights[3] * values[first + 3 * step]!;
   return ends + (weights[1] * values[first + step]! + weights[2] * values[first + 2 * step]!);
@@ -96,7 +90,6 @@ function samplesOf(patch: number): Float32Array {
 /** Equal points differ by roundings where patches meet, by up to 5e-7; others are 1e-2 apart. */
 const SAME_POINT = 1e-5;
 
-/** Moves each point to the first one in its place. */
 function welded(points: Float32Array): Float32Array {
   for (let i = 0; i < points.length; i += 3)
     for (let j = 0; j < i; j += 3) {
