@@ -122,18 +122,13 @@ export const expect = playwrightExpect.extend({
    * judged: a `filter` or an `opacity` gets a warning. Throws for a viewer that is empty or shows an error.
    */
   async toShowTheEquation(viewer: Locator, options: EquationOptions = {}) {
-    const { codes = 1, share = 0.25, pixels = PIXELS, seed = 1 } = options;
-    const { timeout = 20_000 } = options;
-    if (!Number.isInteger(codes) || codes < 0 || codes > 255)
-      throw new RangeError(`toShowTheEquation: codes must be a whole number from 0 to 255, got ${String(codes)}`);
-    if (!(share >= 0 && share <= 1))
-      throw new RangeError(`toShowTheEquation: share must be from 0 to 1, got ${String(share)}`);
-    if (pixels !== 'all' && !(Number.isInteger(pixels) && pixels >= 1))
-      throw new RangeError(
-        `toShowTheEquation: pixels must be a whole number from 1 on, or 'all', got ${String(pixels)}`,
-      );
-    if (!Number.isInteger(seed))
-      throw new RangeError(`toShowTheEquation: seed must be a whole number, got ${String(seed)}`);
+    const { codes = 1, share = 0.25, pixels = PIXELS, seed = 1, timeout = 20_000 } = options;
+    const isWhole = Number.isInteger;
+    requires(isWhole(codes) && codes >= 0 && codes <= 255, { codes }, 'a whole number from 0 to 255');
+    requires(share >= 0 && share <= 1, { share }, 'from 0 to 1');
+    const isCount = pixels === 'all' || (isWhole(pixels) && pixels >= 1);
+    requires(isCount, { pixels }, "a whole number from 1 on, or 'all'");
+    requires(isWhole(seed), { seed }, 'a whole number');
     await settled(viewer, { timeout });
     const fault = await viewer.evaluate(whyIncomplete);
     if (fault !== null) throw new Error(`toShowTheEquation: ${fault}`);
@@ -150,6 +145,11 @@ export const expect = playwrightExpect.extend({
     return { name: 'toShowTheEquation', pass, message: () => message };
   },
 });
+
+function requires(isRight: boolean, option: EquationOptions, expected: string): void {
+  const [[name, value] = []] = Object.entries(option);
+  if (!isRight) throw new RangeError(`toShowTheEquation: ${String(name)} must be ${expected}, got ${String(value)}`);
+}
 
 /** In the console, and in the test's report. */
 function warn(description: string): void {

@@ -80,6 +80,8 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
   } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),
 );
 
+const OWN_PROPS: readonly string[] = ['texts', 'maxTriangles'] satisfies (keyof ViewerOwnProps)[];
+
 type AllEvents = PhongViewerEventMap & PhongCompareEventMap;
 
 /** Props that are neither a value nor an event of the element are left to React. */
@@ -91,7 +93,7 @@ function component<P extends object>(tag: string, attributes: readonly string[])
     const handlers: [type: string, handler: EventListener][] = [];
     for (const [name, value] of Object.entries(props)) {
       const type = EVENTS.get(name);
-      if (name === 'texts' || name === 'maxTriangles') continue;
+      if (OWN_PROPS.includes(name)) continue;
       const attribute = attributeOf(name);
       const text = isValue.has(attribute) ? attributeText(value) : undefined;
       if (type !== undefined) {
@@ -102,13 +104,12 @@ function component<P extends object>(tag: string, attributes: readonly string[])
     }
     useImperativeHandle(ref, () => element.current, []);
     // A property without an attribute: React 18 would write one, and no version sets it when it hydrates.
-    const { texts, maxTriangles } = props as ViewerOwnProps;
-    useClientEffect(() => {
-      if (element.current !== null && 'texts' in element.current) element.current.texts = texts;
-    }, [texts]);
-    useClientEffect(() => {
-      if (element.current !== null && 'maxTriangles' in element.current) element.current.maxTriangles = maxTriangles;
-    }, [maxTriangles]);
+    for (const name of OWN_PROPS) {
+      const value: unknown = Reflect.get(props, name);
+      useClientEffect(() => {
+        if (element.current !== null && name in element.current) Reflect.set(element.current, name, value);
+      }, [value]);
+    }
     useClientEffect(() => {
       const target = element.current;
       for (const [type, handler] of handlers) target?.addEventListener(type, handler);

@@ -1,14 +1,7 @@
 // Which elements belong to which viewer. Each light and mesh registers with the nearest enclosing <phong-viewer>, at
 // any depth and across shadow roots, but not from the content of a slot (slot="error"). A viewer that is not upgraded
 // yet finds them when it is.
-
-/** A viewer's response to its children. Called synchronously. */
-export interface ChildListener {
-  added(child: HTMLElement): void;
-  removed(child: HTMLElement): void;
-  /** A child is still there, but may have another place. */
-  moved(): void;
-}
+import type { ViewerChildren } from './viewer/children.js';
 
 const registries = new WeakMap<Element, ChildRegistry>();
 
@@ -44,14 +37,14 @@ export class ChildRegistry {
   readonly #viewer: Element;
   readonly #children = new Set<HTMLElement>();
   #inOrder: readonly HTMLElement[] | null = null;
-  #listener: ChildListener | null = null;
+  #listener: ViewerChildren | null = null;
 
   constructor(viewer: Element) {
     this.#viewer = viewer;
   }
 
   /** The viewer listens from its upgrade on. Children that came before are added now. */
-  listen(listener: ChildListener): void {
+  listen(listener: ViewerChildren): void {
     this.#listener = listener;
     for (const child of this.inOrder) listener.added(child);
   }
@@ -72,8 +65,7 @@ export class ChildRegistry {
     this.#listener?.removed(child);
   }
 
-  /** In the order in which they came. */
-  get all(): Iterable<HTMLElement> {
+  get all(): ReadonlySet<HTMLElement> {
     return this.#children;
   }
 

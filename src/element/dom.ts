@@ -42,10 +42,7 @@ export function write(element: Element, text: string): void {
 /** Pixels of the page, as of pointer events, for each CSS pixel of an element: CSS zoom. Not all browsers say it. */
 export const zoomOf = (element: Element): number => (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
 
-/**
- * From now on templates of `element` are created in its own document, which may be that of an iframe or a popup, and
- * not the script's.
- */
+/** Templates of `element` are created in its own document, which may be that of an iframe, not in the script's. */
 export function renderWhereShown(element: LitElement): void {
   element.renderOptions.creationScope = {
     importNode: (node, deep) => element.ownerDocument.importNode(node, deep),

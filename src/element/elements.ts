@@ -4,14 +4,11 @@ import type { LitElement } from 'lit';
 import type { Scene } from 'three';
 import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
-import type {
-  CompareProperties,
-  ControlProperties,
-  LightProperties,
-  MeshProperties,
-  ViewerProperties,
-} from './fields/properties.js';
+import type { CompareProperties } from './fields/compare-fields.js';
+import type { ControlProperties } from './fields/control-fields.js';
+import type { LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
+import type { ViewerProperties } from './fields/viewer-fields.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import type { Vec3 } from '../math/vector.js';
 import type { ViewportStats } from '../scene/picture.js';
@@ -166,5 +163,7 @@ declare global {
     'phong-light': PhongLight;
     'phong-mesh': PhongMesh;
     'phong-viewer': PhongViewer;
+    'phong-compare': PhongCompare;
+    'phong-control': PhongControl;
   }
 }

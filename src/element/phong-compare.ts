@@ -6,9 +6,8 @@ import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Comparison } from './compare/comparison.js';
 import type { ElementClass, PhongCompare as PublicCompare, PhongViewer } from './elements.js';
 import type { Listen, PhongCompareEventMap } from './events.js';
-import { COMPARE_FIELDS, type CompareValues } from './fields/compare-fields.js';
+import { COMPARE_FIELDS, type CompareProperties, type CompareValues } from './fields/compare-fields.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
-import type { CompareProperties } from './fields/properties.js';
 import { renderWhereShown } from './dom.js';
 import { placed } from './internals.js';
 import { addStyles } from './page/style-sheets.js';
@@ -35,8 +34,7 @@ interface CompareElement extends CompareProperties {
  * @csspart line - the line of a divider
  */
 class CompareElement extends LitElement implements PublicCompare {
-  // Nothing is assigned to a slot, so nothing is displayed, until it is known where the viewers lie: they would be
-  // drawn twice.
+  // Nothing is displayed until it is known where the viewers lie: they would be drawn twice.
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', slotAssignment: 'manual' };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(COMPARE_FIELDS)];
@@ -105,9 +103,3 @@ defineProperties(CompareElement.prototype, COMPARE_FIELDS);
 
 export type PhongCompare = PublicCompare;
 export const PhongCompare: ElementClass<PhongCompare> = CompareElement;
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-compare': PhongCompare;
-  }
-}

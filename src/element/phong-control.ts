@@ -2,7 +2,7 @@
 // fetched when the first one is on the page; it also gives the class its properties.
 import type { PhongControl as PublicControl } from './elements.js';
 import { reportMissing } from '../model/lazy-code.js';
-import type { ControlProperties } from './fields/properties.js';
+import type { ControlProperties } from './fields/control-fields.js';
 import { Base } from './child-element.js';
 
 type Loader = () => Promise<{ readonly follow: (control: PublicControl) => void }>;
@@ -35,9 +35,3 @@ class ControlElement extends Base implements PublicControl {
 
 export type PhongControl = PublicControl;
 export const PhongControl: { new (): PhongControl; readonly prototype: PhongControl } = ControlElement;
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-control': PhongControl;
-  }
-}

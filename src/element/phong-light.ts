@@ -9,13 +9,14 @@ import type { LightProperties } from './fields/properties.js';
 import { phrase, type ViewerTexts } from './fields/texts.js';
 import { fieldsOf } from './internals.js';
 
-/** The values of a light that an element declares. */
 export class ElementLight extends LightState {
   /** Null only while the element is constructed. */
   element: PublicLight | null = null;
-  /** The last `light-change` that reports it: see EventQueue. */
-  batch = 0;
 }
+
+/** The element of a light; null for the head-light. */
+export const lightOf = (state: LightState): PublicLight | null =>
+  state instanceof ElementLight ? state.element : null;
 
 // The accessors come from the table of fields.
 interface LightElement extends LightProperties {
@@ -51,6 +52,10 @@ class LightElement extends ChildElement<LightValues> implements PublicLight {
 /** The name of a light without one; `index` counts the viewer's lights from 0. */
 export const numberedName = (index: number, texts: ViewerTexts | null = null): string =>
   phrase(texts, 'light {number}', { number: String(index + 1) });
+
+/** As the panel and explanations name a light; `index` counts the viewer's lights from 0. */
+export const lightName = (state: LightState, index: number, texts: ViewerTexts | null = null): string =>
+  lightOf(state) === null ? phrase(texts, 'head-light') : state.values.name || numberedName(index, texts);
 
 defineProperties(LightElement.prototype, LIGHT_FIELDS, childBinding);
 

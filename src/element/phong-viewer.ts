@@ -3,6 +3,7 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
+import { lazyCode } from '../model/lazy-code.js';
 import type {
   CameraState,
   PhongLight,
@@ -15,9 +16,8 @@ import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
-import type { ViewerProperties } from './fields/properties.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
-import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
+import { RETRY_KEYS, VIEWER_FIELDS, type ViewerProperties, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
@@ -36,7 +36,8 @@ import type { PictureOptions } from './viewer/picture-blob.js';
 import { NAMING } from './viewer/naming.js';
 import { Readiness } from './viewer/readiness.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { blobOf, lazy } from './viewer/viewer-snapshot.js';
+
+const explanationCode = /* @__PURE__ */ lazyCode(() => import('./viewer/shade-at.js'), 'shadeAt');
 
 // The accessors come from the table of fields.
 interface ViewerElement extends ViewerProperties {
@@ -94,11 +95,11 @@ class ViewerElement extends LitElement implements PublicViewer {
   readonly #panel = new ViewerPanel(this.#context);
   readonly #failure = new ViewerFailure(this.#context, this.#events);
   readonly #readiness = new Readiness(this.#context.signals, () => this.#settled());
-  readonly #loading = new ViewerLoading(this.#context, this.#events);
+  readonly #loading = new ViewerLoading(this.#context, this.#events, this.#failure);
   readonly #children = new ViewerChildren(this.#context, this.#loading);
   readonly #camera: ViewerCamera = new ViewerCamera(this.#context);
   readonly #visibility = new Visibility(this, this.#holder, this.#context.signals.viewChanged);
-  readonly #extras = new ViewerExtras(this.#context, this.#camera, this.#children, this.#visibility);
+  readonly #extras = new ViewerExtras(this.#context, this.#camera, this.#visibility);
   readonly #display = new ViewerDisplay(this.#context, this.#loading, this.#failure, this.#extras);
 
   constructor() {
@@ -177,19 +178,19 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
-    return blobOf(this.#context.viewport, this.#extras, options);
+    return this.#extras.toBlob(options);
   }
 
   async shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = this.#extras.snapshot();
-    return (await lazy.shadeAt()).shadeAt(snapshot, x, y, options);
+    return (await explanationCode()).shadeAt(snapshot, x, y, options);
   }
 
   async explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = this.#extras.snapshot();
-    return (await lazy.shadeAt()).explain(snapshot, point);
+    return (await explanationCode()).explain(snapshot, point);
   }
 
   toHTML(): string {
@@ -221,10 +222,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#readiness.check();
   }
 
-  /**
-   * After `moveBefore` everything is as it was: the browser would disconnect and connect the element without this. A
-   * comparison calls it when it has placed the viewer.
-   */
+  /** After `moveBefore`, instead of disconnecting and connecting; and when a comparison has placed the viewer. */
   connectedMoveCallback(): void {
     this.#visibility.look();
     this.#extras.apply();
@@ -254,7 +252,6 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#display.updated(changed.size > 0);
   }
 
-  /** Passes changed values on. */
   #apply(changed: { has(key: string): boolean }): void {
     const { values } = this.#store;
     const { viewport, picture } = this.#context;
@@ -279,7 +276,6 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#children.flush();
   }
 
-  /** Whether everything requested so far is there. */
   #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;

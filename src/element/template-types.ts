@@ -22,14 +22,7 @@ import type { Inputs } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 
-interface AnyElement {
-  readonly element: HTMLElement;
-  readonly values: object;
-  /** Those without an attribute. */
-  readonly properties: object;
-  readonly events: object;
-}
-
+/** `properties`: those without an attribute. */
 interface Elements {
   'phong-light': { element: PhongLight; values: LightValues; properties: object; events: object };
   'phong-mesh': { element: PhongMesh; values: MeshValues; properties: object; events: PhongMeshEventMap };
@@ -43,7 +36,8 @@ interface Elements {
   'phong-control': { element: PhongControl; values: ControlValues; properties: object; events: object };
 }
 
-/** Properties of a viewer without an attribute. */
+type AnyElement = Elements[keyof Elements];
+
 export interface ViewerOwnProps {
   readonly texts?: ViewerTexts | null | undefined;
   readonly maxTriangles?: number | null | undefined;

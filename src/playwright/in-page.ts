@@ -4,9 +4,7 @@ import type { PhongViewer } from '../index.js';
 
 export { judgeInPage } from './judge-in-page.js';
 
-/**
- * A specialised program is requested after 20 equal frames and compiles in the background; 10 more let it take over.
- */
+/** A specialised program is requested after 20 equal frames; 10 more let it compile and take over. */
 const QUIET_FRAMES = 30;
 
 /** Upper bound of the wait for a program that is being compiled, in frames: five seconds. A driver may refuse it. */
@@ -15,11 +13,7 @@ const COMPILING_FRAMES = 300;
 /** Rejects with the reason if the promise takes longer. */
 type Within = <T>(what: string, promise: Promise<T>) => Promise<T>;
 
-/**
- * Resolves once everything requested is drawn, the faster programs have taken over, and nothing moves. Rejects after
- * `timeout` milliseconds and says what still happens. A viewer that cannot be drawn, because it is hidden or off
- * screen, only has to be ready.
- */
+/** Rejects after `timeout` milliseconds and says what still happens. One that cannot be drawn only has to be ready. */
 export async function settleInPage(viewer: PhongViewer, timeout: number): Promise<void> {
   const within = deadline(timeout);
   const defined = customElements.whenDefined('phong-viewer');
@@ -65,9 +59,7 @@ function deadline(timeout: number): Within {
   };
 }
 
-/**
- * Whether a frame is drawn: on request, or by itself, which means motion. Requests reach only viewers that can be seen.
- */
+/** Whether a frame is drawn, on request or by itself. Requests reach only viewers that can be seen. */
 async function drawsFrame(viewer: PhongViewer, requested: boolean, what: string, within: Within): Promise<boolean> {
   const { frames } = viewer.stats;
   const frame = (): Promise<number> => within(what, new Promise(requestAnimationFrame));
@@ -86,7 +78,6 @@ const appearanceOf = (viewer: PhongViewer) => ({
   versions: materialVersions(viewer),
 });
 
-/** Number of times that materials have changed, programs included. */
 function materialVersions(viewer: PhongViewer): number {
   let sum = 0;
   viewer.scene.traverse((object) => {

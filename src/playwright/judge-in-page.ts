@@ -9,7 +9,6 @@ export interface Counts {
   readonly judged: number;
   /** Not judged: at an outline or a crease, beside another object, or at the picture's border. */
   readonly edges: number;
-  /** The colour changes too fast. */
   readonly steep: number;
   readonly translucent: number;
   /** A texture is averaged that shadeAt reads at one point. */
@@ -42,7 +41,6 @@ interface JudgeOptions {
   readonly codes: number;
   /** Pixels to judge at least, where the picture has them; null: all. */
   readonly pixels: number | null;
-  /** Chooses the pixels. */
   readonly seed: number;
   /** Wrong pixels returned at most. */
   readonly most: number;
@@ -120,7 +118,6 @@ function* spread(count: number, seed: number): Generator<number> {
   for (let i = 0; i < count; i++) yield (start + i * step) % count;
 }
 
-/** What shows at a pixel's centre and corners. */
 type Points = readonly [center: Explained, ...corners: (Explained | null)[]];
 
 async function pointsIn(explain: Explain, x: number, y: number): Promise<Points | null> {
@@ -172,14 +169,11 @@ function rangeOf(points: Points): Pick<WrongPixel, 'least' | 'greatest'> {
 }
 
 /** What shadeAt gives for a point of a surface. */
-type Explained = NonNullable<Awaited<ReturnType<PhongViewer['shadeAt']>>> & {
-  readonly filtered?: boolean;
-};
+type Explained = NonNullable<Awaited<ReturnType<PhongViewer['shadeAt']>>>;
 
 /** Explains the point at x, y; null where no Phong-lit surface is drawn. */
 type Explain = (x: number, y: number) => Promise<Explained | null>;
 
-/** The picture's pixels, without premultiplication or a colour conversion. */
 async function pictureOf(viewer: PhongViewer): Promise<ImageData> {
   const bitmap = await createImageBitmap(await viewer.toBlob(), {
     premultiplyAlpha: 'none',

@@ -1,14 +1,6 @@
 // Says in words what a judgement has found. Runs in Node.
 import type { Judgement, WrongPixel } from './judge-in-page.js';
 
-interface Verdict {
-  readonly pass: boolean;
-  /** What was judged. */
-  readonly summary: string;
-  /** The summary, what is wrong, and the first wrong pixels. */
-  readonly message: string;
-}
-
 export interface Limits {
   /** Largest difference of a channel. */
   readonly codes: number;
@@ -16,8 +8,15 @@ export interface Limits {
   readonly share: number;
 }
 
-/** `seed`: what the pixels were chosen by. */
-export function verdictOf(judgement: Judgement, { codes, share }: Limits, seed: number): Verdict {
+/**
+ * `summary`: what was judged. `message`: also what is wrong, and the first wrong pixels. `seed`: what the pixels were
+ * chosen by.
+ */
+export function verdictOf(
+  judgement: Judgement,
+  { codes, share }: Limits,
+  seed: number,
+): { readonly pass: boolean; readonly summary: string; readonly message: string } {
   const { counts, surface, wrong, wrongCount } = judgement;
   const enough = counts.judged > 0 && counts.judged >= share * surface;
   const summary = summaryOf(judgement, seed);

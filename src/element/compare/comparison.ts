@@ -25,7 +25,6 @@ export class Comparison implements ReactiveController {
   readonly #observer = new MutationObserver(() => this.#element.requestUpdate());
   readonly #textUser = { requestUpdate: () => this.#element.requestUpdate() };
   #listeners = new AbortController();
-  /** Those in the panes, in their order. */
   #viewers: readonly PhongViewer[] = [];
   #dividers: readonly Divider[] = [];
 
@@ -65,7 +64,6 @@ export class Comparison implements ReactiveController {
     this.#observe();
   }
 
-  /** The box of the comparison as it is now. */
   measure(): PictureBox {
     return pictureBox(this.#element.shadowRoot!.querySelector('.box')!);
   }
@@ -74,7 +72,6 @@ export class Comparison implements ReactiveController {
     return this.#values.direction === 'vertical';
   }
 
-  /** The start of the line is on the right. */
   isRtl(): boolean {
     return getComputedStyle(this.#element).direction === 'rtl';
   }
@@ -86,7 +83,6 @@ export class Comparison implements ReactiveController {
     return { place: places[index]!, range: rangeOf(places, index) };
   }
 
-  /** The user moves this divider there. */
   move(divider: Divider, place: number): void {
     const places = this.#places;
     const at = withMoved(places, this.#dividers.indexOf(divider), place);
@@ -95,7 +91,6 @@ export class Comparison implements ReactiveController {
     this.#reportMove();
   }
 
-  /** The user wants the dividers where they were declared. */
   reset(): void {
     const { at } = this.#element;
     fieldsOf(this.#element).attributeChanged('at', this.#element.getAttribute('at'));
@@ -149,8 +144,7 @@ export class Comparison implements ReactiveController {
       : '';
     // A viewer says its own name.
     const name = label === '' || this.#values.labels === null ? nothing : label;
-    // Read as the viewer's name, or as that of the group around it. Styles as properties: a strict CSP refuses style
-    // attributes.
+    // Styles as properties: a strict CSP refuses style attributes.
     return html`<div
       class=${isOpen ? 'pane open' : 'pane'}
       id=${paneId(index)}
@@ -224,7 +218,6 @@ export class Comparison implements ReactiveController {
 
 const panelPlace = (viewer: PhongViewer): Element | null => viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
 
-/** A closed rectangle as points of a polygon. */
 const corners = (left: string, top: string, right: string, bottom: string): string =>
   `${left} ${top}, ${right} ${top}, ${right} ${bottom}, ${left} ${bottom}, ${left} ${top}`;
 
@@ -248,7 +241,6 @@ function dividerLabel({ texts }: PhongViewer, first = '', second = ''): string {
  */
 function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
   const early = { signal, capture: true, passive: false };
-  /** Fingers on pictures, by pointer. */
   const fingers = new Set<number>();
   /** The picture under the first finger. */
   let first: Element | null = null;

@@ -13,9 +13,7 @@ export class Divider {
     this.#host = host;
   }
 
-  /**
-   * What the user takes, and its line, which lies exactly where the pictures meet. `panes`: ids of those on both sides.
-   */
+  /** The handle, and the line where the pictures meet. `panes`: ids of those on both sides. */
   template(label: string, panes: string): TemplateResult {
     const { place, range } = this.#host.placeOf(this);
     // As a property: a strict CSP refuses style attributes.
@@ -57,10 +55,7 @@ export class Divider {
 
   readonly #onDoubleClick = (): void => this.#host.reset();
 
-  /**
-   * Percent of the box that a pointer has moved along it, also on a rotated or scaled page. Null while the box is
-   * hidden.
-   */
+  /** Percent of the box that a pointer has moved along it, on transformed pages too. Null while the box is hidden. */
   #travel(x: number, y: number): number | null {
     const { vertical } = this.#host;
     const { width, height, axes } = this.#host.measure();
@@ -75,24 +70,18 @@ export class Divider {
   readonly #onKey = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = dividerStep(event, this.#host.vertical, this.#host.isRtl());
-    const { place, range } = this.#host.placeOf(this);
     if (event.key === 'Escape' && this.#drag !== null) {
       const { from, end } = this.#drag;
       end();
       this.#host.move(this, from);
-    } else if (step === 'min') this.#host.move(this, range[0]);
-    else if (step === 'max') this.#host.move(this, range[1]);
-    else if (step !== undefined) this.#host.move(this, place + step);
+    } else if (step !== undefined) this.#host.move(this, this.#host.placeOf(this).place + step);
     else return;
     event.preventDefault();
     event.stopPropagation();
   };
 }
 
-/**
- * The places of `count` − 1 dividers. Those that `at` leaves out divide the rest evenly; more than there are dividers
- * are ignored.
- */
+/** The places of `count` − 1 dividers. Those that `at` leaves out divide the rest evenly. */
 export function placesOf(at: readonly number[] | 'auto', count: number): readonly number[] {
   const dividers = Math.max(count - 1, 0);
   const given = at === 'auto' ? [] : at.slice(0, dividers);
@@ -102,7 +91,6 @@ export function placesOf(at: readonly number[] | 'auto', count: number): readonl
   return [...given, ...rest];
 }
 
-/** How far a divider can move: to its neighbours. */
 export const rangeOf = (places: readonly number[], index: number): readonly [min: number, max: number] => [
   places[index - 1] ?? 0,
   places[index + 1] ?? 100,
@@ -114,25 +102,25 @@ export function withMoved(places: readonly number[], index: number, place: numbe
   return places.map((each, i) => (i === index ? Math.min(Math.max(place, min), max) : each));
 }
 
-/** Percent that a key moves a divider by; `'min'` and `'max'`: all the way. Undefined for other keys. */
+/** Percent that a key moves a divider by; infinite: all the way. Undefined for other keys. */
 export function dividerStep(
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
   vertical: boolean,
   rtl: boolean,
-): number | 'min' | 'max' | undefined {
+): number | undefined {
   const [back, forth] = vertical
     ? ['ArrowUp', 'ArrowDown']
     : rtl
       ? ['ArrowRight', 'ArrowLeft']
       : ['ArrowLeft', 'ArrowRight'];
   const step = shiftKey ? LARGE_STEP : STEP;
-  const steps: Readonly<Record<string, number | 'min' | 'max'>> = {
+  const steps: Readonly<Record<string, number>> = {
     [back]: -step,
     [forth]: step,
     PageUp: -LARGE_STEP,
     PageDown: LARGE_STEP,
-    Home: 'min',
-    End: 'max',
+    Home: -Infinity,
+    End: Infinity,
   };
   return steps[key];
 }

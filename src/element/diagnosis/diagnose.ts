@@ -15,9 +15,12 @@ const ALL_TAGS = [...TAGS, 'phong-compare'] as const;
 const MOST = 100;
 const given = new Set<string>();
 
-/** Warns of the mistakes in these elements. */
 export function diagnose(elements: readonly Element[]): void {
-  const known = new Map(ALL_TAGS.map((tag) => [tag as string, attributesOf(tag)]));
+  const known = new Map<string, readonly string[]>();
+  for (const tag of ALL_TAGS) {
+    const definition = customElements.get(tag) as { readonly observedAttributes?: readonly string[] } | undefined;
+    known.set(tag, definition?.observedAttributes ?? []);
+  }
   for (const element of elements) {
     const tag = element.localName;
     for (const name of strayAttributes(element)) {
@@ -25,33 +28,25 @@ export function diagnose(elements: readonly Element[]): void {
       if (advice !== undefined) warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
     }
     if (!element.isConnected) continue;
-    if (tag === 'phong-compare') diagnoseWrapped(element);
-    else if (tag === 'phong-viewer') {
+    if (tag === 'phong-compare') {
+      const wrapper = wrappedViewer(element)?.parentElement?.localName;
+      if (wrapper !== undefined)
+        warn(
+          `A <phong-viewer> in a <${clip(wrapper)}> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.`,
+        );
+    } else if (tag === 'phong-viewer') {
       diagnoseContent(element);
       if (!isNamed(element as PhongViewer)) warn(UNNAMED);
     } else if (registryAround(element) === null) warn(lonely(element));
   }
 }
 
-function diagnoseWrapped(compare: Element): void {
-  const wrapper = wrappedViewer(compare)?.parentElement?.localName;
-  if (wrapper !== undefined)
-    warn(
-      `A <phong-viewer> in a <${clip(wrapper)}> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.`,
-    );
-}
-
 const UNNAMED =
   'A <phong-viewer> has no alt. Write alt="…", the picture in words for people who do not see it, or alt="" if it is decoration.';
 
-/** As the element was defined with. */
-function attributesOf(tag: string): readonly string[] {
-  const definition = customElements.get(tag) as { readonly observedAttributes?: readonly string[] } | undefined;
-  return definition?.observedAttributes ?? [];
-}
-
 function diagnoseContent(viewer: Element): void {
-  for (const tag of unknownTags(viewer)) {
+  for (const { localName: tag } of viewer.querySelectorAll(':not(:defined)')) {
+    if (!tag.startsWith('phong-')) continue;
     const meant = nearest(tag, TAGS) ?? 'phong-light> or <phong-mesh';
     warn(`<${clip(tag)}> inside a <phong-viewer>: there is no such element. Did you mean <${meant}>?`);
   }
@@ -73,20 +68,11 @@ const UNCLOSED = 'HTML has no self-closed tags: write </phong-viewer> after the 
 
 const EMPTY_LINE = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
 
-/**
- * What Markdown made of the content after an empty line: a paragraph, in which the parser ignores the viewer's end tag,
- * or code if the line was indented. Null if it was not Markdown.
- */
+/** What Markdown made of content after an empty line: a paragraph, or code if the line was indented. */
 function cutByMarkdown(viewer: Element): 'paragraph' | 'code' | null {
   for (const code of viewer.querySelectorAll('pre > code')) if (/<\/?phong-/.test(code.textContent)) return 'code';
   return viewer.querySelector('p > :is(phong-light, phong-mesh)') === null ? null : 'paragraph';
 }
-
-/** Tags inside a viewer that look like this package's, but are not defined. */
-const unknownTags = (viewer: Element): string[] =>
-  Array.from(viewer.querySelectorAll(':not(:defined)'), ({ localName }) => localName).filter((tag) =>
-    tag.startsWith('phong-'),
-  );
 
 function lonely(element: Element): string {
   const name = element.getAttribute('name') ?? '';
@@ -205,10 +191,7 @@ const GUESSES: Readonly<Record<string, Advice>> = {
   },
 };
 
-/**
- * HTML's global attributes without a `-`, and those of RDFa. They give no warning, even if they resemble a name of this
- * package.
- */
+/** HTML's global attributes without a `-`, and those of RDFa, even if they resemble a name of this package. */
 const GLOBAL = new Set(
   (
     'accesskey anchor autocapitalize autocorrect autofocus class contenteditable contextmenu dir draggable ' +
@@ -218,9 +201,7 @@ const GLOBAL = new Set(
   ).split(' '),
 );
 
-/**
- * What to write instead of `attribute` on `tag`; undefined if it is probably no mistake. `known`: attributes by tag.
- */
+/** What to write instead of `attribute` on `tag`; undefined if it is probably no mistake. `known`: by tag. */
 export function attributeAdvice(
   tag: string,
   attribute: string,

@@ -7,37 +7,15 @@ import { lookForTexts } from '../page/page-texts.js';
 import { isNamed } from '../viewer/naming.js';
 
 const waiting = new Set<Element>();
-const inspected = new WeakSet<Element>();
+const tested = new WeakSet<Element>();
 
-/** Tests `element` at the end of the task, or once the document is parsed. Does nothing if it was tested before. */
-export function inspect(element: Element): void {
-  if (inspected.has(element)) return;
-  inspected.add(element);
+/** Tests `element` once, after the task or the parsing; `again`: a viewer, for elements inside that are not defined. */
+export function inspect(element: Element, again = false): void {
+  if (tested.has(element) && !again) return;
   waiting.add(element);
   if (waiting.size > 1) return;
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', inspectSoon, { once: true });
   else inspectSoon();
-}
-
-/** Viewers whose content has changed in this task. */
-const changed = new Set<Element>();
-
-/**
- * Tests a viewer again after the task, if it contains an element that is not defined. Call it when its content changes.
- * Thousands of children may come one by one, and the search reads all of them: it runs once.
- */
-export function inspectAgain(viewer: Element): void {
-  if (changed.size === 0) setTimeout(inspectChanged);
-  changed.add(viewer);
-}
-
-function inspectChanged(): void {
-  for (const viewer of changed) {
-    if (viewer.querySelector(':not(:defined)') === null) continue;
-    inspected.delete(viewer);
-    inspect(viewer);
-  }
-  changed.clear();
 }
 
 /** Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name theirs. */
@@ -59,10 +37,10 @@ function inspectSoon(): void {
     const elements = [...waiting];
     waiting.clear();
     lookForTexts();
+    const nameless = elements.filter((element) => !tested.has(element) && isNameless(element));
     report(elements.filter(isSuspect));
-    const nameless = elements.filter(isNameless);
-    const [first] = nameless;
-    if (first !== undefined) afterFirstPicture(first as PhongViewer, () => report(nameless));
+    // A name changes no picture, so the report must not compete with the first one.
+    void (nameless[0] as PhongViewer | undefined)?.ready.then(() => report(nameless));
   });
 }
 
@@ -72,31 +50,13 @@ function report(suspects: readonly Element[]): void {
   void import('./diagnose.js').then(({ diagnose }) => diagnose(suspects)).catch(() => undefined);
 }
 
-/**
- * A name changes no picture, so its check must not compete with the first one. Longest wait where no picture comes, ms.
- */
-const LONGEST_WAIT = 2000;
-
-function afterFirstPicture(viewer: PhongViewer, action: () => void): void {
-  if (viewer.stats.frames > 0) {
-    action();
-    return;
-  }
-  const done = (): void => {
-    clearTimeout(timer);
-    viewer.removeEventListener('render', done);
-    action();
-  };
-  const timer = setTimeout(done, LONGEST_WAIT);
-  viewer.addEventListener('render', done);
-}
-
 const isNameless = (element: Element): boolean =>
   element.isConnected && element.localName === 'phong-viewer' && !isNamed(element as PhongViewer);
 
 function isSuspect(element: Element): boolean {
-  // It is tested when it comes back.
-  if (!element.isConnected) return !inspected.delete(element);
+  if (!element.isConnected) return false; // it is tested when it comes back
+  if (tested.has(element)) return element.querySelector(':not(:defined)') !== null;
+  tested.add(element);
   if (strayAttributes(element).length > 0) return true;
   if (element.localName === 'phong-compare') return wrappedViewer(element) !== null;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;

@@ -1,30 +1,38 @@
 // The values that a <phong-compare> declares: how its viewers lie beside or over each other.
 import { choiceField, type Field, numbersField, optional, orWord, textField } from '../../fields/field.js';
 import type { Fields } from '../../fields/field-store.js';
+import type { Inputs, ValuesOf } from './properties.js';
 
-export interface CompareValues {
+export interface CompareProperties {
   /**
    * `split`: the viewers lie over each other, with dividers that the user can move. `side`: they lie side by side.
    * Default split.
    */
-  layout: 'split' | 'side';
+  get layout(): 'split' | 'side';
+  set layout(value: Accepted['layout']);
   /**
    * Whether the viewers follow each other along a line of text (`horizontal`) or from top to bottom (`vertical`).
    * Default horizontal.
    */
-  direction: 'horizontal' | 'vertical';
+  get direction(): 'horizontal' | 'vertical';
+  set direction(value: Accepted['direction']);
   /**
    * Where the dividers of `split` are: percent of the width from the start of the line (of the height, from the top),
    * 0–100, in ascending order, one less than there are viewers. The dividers left out share the rest evenly. The
    * property follows the user's moves, the attribute does not. Default auto: equal parts.
    */
-  at: readonly number[] | 'auto';
+  get at(): readonly number[] | 'auto';
+  set at(value: Accepted['at']);
   /**
    * Labels of the viewers, separated by commas; the property also takes a list. Empty: no labels. Null, the default:
    * each viewer's `aria-label` or `alt`.
    */
-  labels: string | null;
+  get labels(): string | null;
+  set labels(value: Accepted['labels']);
 }
+
+export type CompareValues = ValuesOf<CompareProperties>;
+type Accepted = Inputs<CompareValues>;
 
 export const COMPARE_FIELDS: Fields<CompareValues> = {
   layout: choiceField<CompareValues['layout']>('split', ['split', 'side']),

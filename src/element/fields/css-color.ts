@@ -18,11 +18,7 @@ const DEEPEST = 4;
 /** Strings, escapes and comments could hide parentheses. No colour needs them. */
 const HIDING = /["'\\]|\/\*/;
 
-/**
- * Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else: text that is not a colour, a
- * colour outside the gamut, one that depends on the element (`currentColor`), and text of more than 200 characters,
- * with more than four nested parentheses, or with strings, escapes or comments.
- */
+/** Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else, `currentColor` included. */
 export function cssColor(text: string): Vec3 | null {
   // Before trimming: V8 keeps the whole of a text for the sake of a part.
   if (text.length > LONGEST) return null;

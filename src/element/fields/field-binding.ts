@@ -16,7 +16,6 @@ function keysOf(fields: object): ReadonlyMap<string, string> {
   return keys;
 }
 
-/** The attributes that belong to these fields. */
 export const attributesOf = (fields: object): string[] => [...keysOf(fields).keys()];
 
 /** Private to the package: users of an element see its properties only. */
@@ -75,10 +74,7 @@ export class FieldBinding<V extends object> {
     this.#assigned?.(key, this.store);
   }
 
-  /**
-   * Properties set before the element was upgraded are own properties and would hide the accessors. Moves them into the
-   * store and treats them like attributes.
-   */
+  /** Properties set before the upgrade would hide the accessors: moves them to the store, treated like attributes. */
   upgrade(): void {
     // Few elements have properties of their own at all.
     for (const name of Object.keys(this.#element)) {

@@ -39,10 +39,7 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
   return Object.freeze(Object.fromEntries(texts) as ViewerTexts);
 }
 
-/**
- * A value assigned before the upgrade is an own property, which hides the accessor. Wrong ones are warned of and
- * dropped.
- */
+/** A value assigned before the upgrade hides the accessor. Wrong ones are warned of and dropped. */
 export function upgradeProperty(element: object, key: 'texts' | 'maxTriangles'): void {
   if (!Object.hasOwn(element, key)) return;
   const value: unknown = Reflect.get(element, key);

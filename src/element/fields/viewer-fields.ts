@@ -17,8 +17,9 @@ import {
   vectorField,
 } from '../../fields/field.js';
 import type { Vec3 } from '../../math/vector.js';
-import { MESH_FIELDS, SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js';
+import { MESH_FIELDS, SHAPE_FIELDS } from '../../scene/mesh/mesh-fields.js';
 import { attributeOf } from './attribute-text.js';
+import type { Inputs, ShapeProperties, ValuesOf } from './properties.js';
 
 export type Loading = 'auto' | 'eager' | 'lazy';
 type ColorInterpolation = 'srgb' | 'linear';
@@ -28,100 +29,127 @@ type Antialias = 'edges' | 'full';
 export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
 export type Helper = (typeof HELPERS)[number];
 
-export interface CameraValues {
+export interface ViewerProperties extends ShapeProperties {
   /** Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z, 90 from +x. Default 30. */
-  theta: number;
+  get theta(): number;
+  set theta(value: Accepted['theta']);
   /** Polar angle of the eye from +y in degrees, 0–180. Default 70. */
-  phi: number;
+  get phi(): number;
+  set phi(value: Accepted['phi']);
   /** Distance of the eye from the target in scene units, > 0, or `auto`: the whole scene fits. Default auto. */
-  radius: number | 'auto';
+  get radius(): number | 'auto';
+  set radius(value: Accepted['radius']);
   /** What the eye looks at, or `auto`: the centre of the scene's box. Default auto. */
-  target: Vec3 | 'auto';
-}
-
-export interface ViewerValues extends ShapeValues, CameraValues {
+  get target(): Vec3 | 'auto';
+  set target(value: Accepted['target']);
   /**
    * The picture in words. Empty, the default: none. The attribute `alt=""` says that the picture is decoration. Without
    * it, and without `aria-label` or `aria-labelledby`, the console warns.
    */
-  alt: string;
+  get alt(): string;
+  set alt(value: Accepted['alt']);
   /**
    * Address of an image shown until the first picture is drawn. One that cannot be shown leaves nothing behind. Default
    * empty: none.
    */
-  poster: string;
+  get poster(): string;
+  set poster(value: Accepted['poster']);
   /**
    * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing; models are
    * fetched at once. `eager`: nothing, the picture is drawn off screen too, as screenshots of whole pages need. `lazy`:
    * drawing and fetching models. Default auto.
    */
-  loading: Loading;
+  get loading(): Loading;
+  set loading(value: Accepted['loading']);
   /** Files dropped on the viewer become its `src`. Default false. */
-  droppable: boolean;
+  get droppable(): boolean;
+  set droppable(value: Accepted['droppable']);
   /**
    * How files that a model names are fetched from other origins: without (`anonymous`) or with credentials. Null, the
    * default: not at all.
    */
-  crossOrigin: 'anonymous' | 'use-credentials' | null;
+  get crossOrigin(): 'anonymous' | 'use-credentials' | null;
+  set crossOrigin(value: Accepted['crossOrigin']);
   /** Vertical field of view in degrees, 1–170. Default 45. */
-  fov: number;
+  get fov(): number;
+  set fov(value: Accepted['fov']);
   /** Whether the user can rotate the scene and shift the target. Default true. */
-  orbit: boolean;
+  get orbit(): boolean;
+  set orbit(value: Accepted['orbit']);
   /** Whether the user can zoom by wheel, pinch and keys. Default true. */
-  zoom: boolean;
+  get zoom(): boolean;
+  set zoom(value: Accepted['zoom']);
   /** Degrees per second about y; 0 is off. Stopped for users who prefer reduced motion. Default 0. */
-  autoRotate: number;
+  get autoRotate(): number;
+  set autoRotate(value: Accepted['autoRotate']);
   /** `phong` per fragment, `gouraud` per vertex, `flat` per fragment with the triangle's normal. Default phong. */
-  shading: Shading;
+  get shading(): Shading;
+  set shading(value: Accepted['shading']);
   /** Specular lobe: R·V or N·H. Default phong. */
-  reflection: Reflection;
+  get reflection(): Reflection;
+  set reflection(value: Accepted['reflection']);
   /** Which terms are summed; an empty list sums none. Default all three. */
-  terms: readonly Term[];
+  get terms(): readonly Term[];
+  set terms(value: Accepted['terms']);
   /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
-  colorInterpolation: ColorInterpolation;
+  get colorInterpolation(): ColorInterpolation;
+  set colorInterpolation(value: Accepted['colorInterpolation']);
   /**
    * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that stands still converges
    * to the mean over each pixel; until then, and while anything moves, like `edges`. Default edges.
    */
-  antialias: Antialias;
+  get antialias(): Antialias;
+  set antialias(value: Accepted['antialias']);
   /** Samples per pixel of `antialias="full"`. Whole, 16–1,024. Default 64. */
-  samples: number;
+  get samples(): number;
+  set samples(value: Accepted['samples']);
   /**
    * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device has. Below 1 the
    * picture is blurred. Default auto.
    */
-  pixelRatio: number | 'auto';
+  get pixelRatio(): number | 'auto';
+  set pixelRatio(value: Accepted['pixelRatio']);
   /**
    * What is drawn over the picture: `lights` with handles that move them, `axes`, `grid`, `normals`, `bounds`. As an
    * attribute without a value: `lights`. Default none.
    */
-  helpers: readonly Helper[];
+  get helpers(): readonly Helper[];
+  set helpers(value: Accepted['helpers']);
   /** What the picture shows: the shaded colours, or one quantity of the equation with a legend. Default shaded. */
-  view: View;
+  get view(): View;
+  set view(value: Accepted['view']);
   /**
    * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and the picture is
    * black. Empty, the default: all lights, or the first active one where a view is of one.
    */
-  viewLight: string;
+  get viewLight(): string;
+  set viewLight(value: Accepted['viewLight']);
   /**
    * The user can point at the picture to see N, L, R and V there, and the sum light by light. `formula`: the equation
    * with the numbers of the point in place of the table. `ask`: the same as questions. Default false.
    */
-  probe: boolean | 'formula' | 'ask';
+  get probe(): boolean | 'formula' | 'ask';
+  set probe(value: Accepted['probe']);
   /**
    * World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default:
    * none.
    */
-  probeAt: Vec3 | null;
+  get probeAt(): Vec3 | null;
+  set probeAt(value: Accepted['probeAt']);
   /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
-  cameraGroup: string;
+  get cameraGroup(): string;
+  set cameraGroup(value: Accepted['cameraGroup']);
   /**
    * The control panel is shown: beside the picture from 640 px on, over it below. A list of folders (`lights camera
    * shading show meshes`) opens these; a list of attributes of lights, meshes and the viewer shows only their rows, in
    * this order and without folders. `gui="false"` is off. Default false.
    */
-  gui: boolean | readonly string[];
+  get gui(): boolean | readonly string[];
+  set gui(value: Accepted['gui']);
 }
+
+export type ViewerValues = ValuesOf<ViewerProperties>;
+type Accepted = Inputs<ViewerValues>;
 
 /** Folders of the panel that `gui` can open. */
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
@@ -130,13 +158,6 @@ export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as 
 const GUI_ROWS: string[] = [];
 
 const PROBE_VALUES = 'true, false, formula or ask';
-
-const CAMERA_FIELDS: Fields<CameraValues> = {
-  theta: numberField(30, {}),
-  phi: numberField(70, { min: 0, max: 180 }),
-  radius: orWord('auto', numberField(4, { above: 0, max: LIMITS.coordinate })),
-  target: orWord('auto', vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
-};
 
 export const VIEWER_FIELDS: Fields<ViewerValues> = {
   ...SHAPE_FIELDS,
@@ -148,7 +169,10 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
     ...optional(choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials'])),
     empty: 'anonymous',
   },
-  ...CAMERA_FIELDS,
+  theta: numberField(30, {}),
+  phi: numberField(70, { min: 0, max: 180 }),
+  radius: orWord('auto', numberField(4, { above: 0, max: LIMITS.coordinate })),
+  target: orWord('auto', vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   fov: numberField(45, { min: 1, max: 170 }),
   orbit: booleanField(true),
   zoom: booleanField(true),

@@ -8,12 +8,10 @@ import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
 
 const SCRIPT = '<script data-phong-viewer-texts>';
 
-/** Keys that a warning names. */
 const NAMED = 5;
 
 const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);
 
-/** What was read last. */
 let sources: readonly string[] = [];
 
 /** Reads all scripts, unless they are as they were. A key in a later script replaces that in an earlier one. */

@@ -1,32 +1,44 @@
 // Visibility, size, printing and pixel ratio, observed for all viewers of a document by one set of observers and
-// listeners. They belong to the document's own window, which may be that of an iframe or a popup. There are none while
-// no element is watched.
+// listeners. They belong to the document's own window, which may be that of an iframe or a popup, and observe nothing
+// while no element is watched.
 import { frameLoopOf } from '../../scene/frame-loop.js';
 import type { Visibility } from './visibility.js';
 
 /** The longest that a page's pictures make printing wait, once each is drawn. */
 const PRINT_MS = 3000;
 
-interface Observers {
-  /** Of the view, and of its surroundings. */
-  readonly intersection: readonly IntersectionObserver[];
-  readonly resize: ResizeObserver;
-  readonly listeners: AbortController;
-}
-
 export class PageObservers {
   readonly view: PageWindow;
   readonly #watched = new Map<Element, Visibility>();
-  #observers: Observers | null = null;
+  /** Of the view, and of its surroundings. */
+  readonly #intersection: readonly IntersectionObserver[];
+  readonly #resize: ResizeObserver;
+  #listeners = new AbortController();
 
   constructor(view: PageWindow) {
     this.view = view;
+    const intersection = (
+      report: (watcher: Visibility, entry: IntersectionObserverEntry) => void,
+      init: IntersectionObserverInit,
+    ): IntersectionObserver =>
+      new view.IntersectionObserver((entries) => {
+        for (const entry of entries) {
+          const watcher = this.#watched.get(entry.target);
+          if (watcher !== undefined) report(watcher, entry);
+        }
+      }, init);
+    this.#intersection = [
+      // The second threshold tells boxes that only touch, as the slides of a carousel do: their ratio is 0.
+      intersection((watcher, entry) => watcher.intersected(entry), { threshold: [0, 1e-6] }),
+      intersection((watcher, entry) => watcher.neared(entry), this.#surroundings),
+    ];
+    this.#resize = new view.ResizeObserver((entries) => {
+      for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
+      frameLoopOf(view).drawResized();
+    });
   }
 
-  /**
-   * How far from the view an element counts as near, CSS pixels: the screen's height. The window's height would be no
-   * measure in an iframe that is as high as its content.
-   */
+  /** How far from the view is near, CSS pixels. Not the window's height: an iframe may be as high as its content. */
   get margin(): number {
     return this.view.screen.height;
   }
@@ -44,65 +56,39 @@ export class PageObservers {
   }
 
   watch(element: Element, watcher: Visibility): void {
-    this.#observers ??= this.#open();
+    if (this.#watched.size === 0) this.#listen();
     this.#watched.set(element, watcher);
-    const { intersection, resize } = this.#observers;
-    for (const observer of intersection) observer.observe(element);
+    for (const observer of this.#intersection) observer.observe(element);
     try {
       // In whole device pixels, exactly.
-      resize.observe(element, { box: 'device-pixel-content-box' });
+      this.#resize.observe(element, { box: 'device-pixel-content-box' });
     } catch {
-      resize.observe(element);
+      this.#resize.observe(element);
     }
   }
 
   /** Reports where the element is after the next frame. */
   reportAgain(element: Element): void {
-    for (const observer of this.#observers?.intersection ?? []) {
+    for (const observer of this.#intersection) {
       observer.unobserve(element);
       observer.observe(element);
     }
   }
 
   unwatch(element: Element): void {
-    if (!this.#watched.delete(element) || this.#observers === null) return;
-    const { intersection, resize, listeners } = this.#observers;
-    for (const observer of [...intersection, resize]) observer.unobserve(element);
-    if (this.#watched.size > 0) return;
-    this.#observers = null;
-    for (const observer of [...intersection, resize]) observer.disconnect();
-    listeners.abort();
+    if (!this.#watched.delete(element)) return;
+    for (const observer of [...this.#intersection, this.#resize]) observer.unobserve(element);
+    if (this.#watched.size === 0) this.#listeners.abort();
   }
 
-  #open(): Observers {
+  #listen(): void {
     const { view } = this;
-    const listeners = new AbortController();
-    const { signal } = listeners;
-    view.document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
+    const { signal } = (this.#listeners = new AbortController());
+    view.document.addEventListener('visibilitychange', () => this.#each((watcher) => watcher.shown()), { signal });
     view.addEventListener('beforeprint', this.#printed, { signal });
     // Not for the window that runs this code: nothing is left to clean up when it closes.
-    if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
+    if (view !== window) view.addEventListener('pagehide', () => this.#each((watcher) => watcher.closed()), { signal });
     this.#watchRatio(signal);
-    return {
-      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold
-      // detects that.
-      intersection: [
-        new view.IntersectionObserver(
-          (entries) => {
-            for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
-          },
-          { threshold: [0, 1e-6] },
-        ),
-        new view.IntersectionObserver((entries) => {
-          for (const entry of entries) this.#watched.get(entry.target)?.neared(entry);
-        }, this.#surroundings),
-      ],
-      resize: new view.ResizeObserver((entries) => {
-        for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
-        frameLoopOf(view).drawResized();
-      }),
-      listeners,
-    };
   }
 
   /** Observers do not always report a new pixel ratio. A query matches one ratio, so each change needs a new query. */
@@ -110,7 +96,7 @@ export class PageObservers {
     const query = this.view.matchMedia(`(resolution: ${String(this.view.devicePixelRatio)}dppx)`);
     const changed = (): void => {
       this.#watchRatio(signal);
-      this.#notify('scaled');
+      this.#each((watcher) => watcher.scaled());
     };
     query.addEventListener('change', changed, { once: true, signal });
   }
@@ -119,10 +105,6 @@ export class PageObservers {
     const deadline = performance.now() + PRINT_MS;
     this.#each((watcher) => watcher.printed(deadline));
   };
-
-  #notify(what: 'shown' | 'scaled' | 'closed'): void {
-    this.#each((watcher) => watcher[what]());
-  }
 
   /** One broken viewer, as with objects of the page's own, must not stop the others. */
   #each(action: (watcher: Visibility) => void): void {

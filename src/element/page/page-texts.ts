@@ -7,7 +7,6 @@ export const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';
 
 const markup = /* @__PURE__ */ lazyCode(() => import('./markup-texts.js'), 'texts in the markup');
 
-/** An element on the page that shows texts. */
 interface TextUser {
   requestUpdate(name: 'texts'): void;
 }
@@ -27,7 +26,6 @@ export function assignTexts(value: unknown): void {
   combine();
 }
 
-/** Those of the markup. */
 export function declareTexts(found: ViewerTexts | null): void {
   declared = found;
   combine();
@@ -45,7 +43,6 @@ function combine(): void {
 /** The element is on the page: it is updated when the page's texts change. */
 export const useTexts = (user: TextUser): unknown => users.add(user);
 
-/** The element has left the page. */
 export const leaveTexts = (user: TextUser): unknown => users.delete(user);
 
 /** Reads the page's scripts of texts, if there are any. Call it when elements have come, and the page is parsed. */

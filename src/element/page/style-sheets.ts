@@ -1,7 +1,6 @@
 // Adds style sheets to a shadow root, in any document, as constructed ones, which a strict CSP allows. A constructed
 // sheet belongs to one document, and a root that comes into another document loses its sheets.
 
-/** The texts that each root uses. */
 const used = new WeakMap<ShadowRoot, Set<string>>();
 const parsed = new WeakMap<Document, Map<string, CSSStyleSheet>>();
 

@@ -10,12 +10,8 @@ export interface ElementView {
   readonly painted: boolean;
   /** Painted, and in view or less than a screen height away from it. */
   readonly near: boolean;
-  /** Painted, and in view. */
   readonly visible: boolean;
-  /**
-   * The page is about to be printed, and waits until this time, as of `performance.now()`: only the picture of this
-   * moment counts. Null: it is not.
-   */
+  /** The page is about to be printed, and waits until this time, as of `performance.now()`; null: it is not. */
   readonly printsAt: number | null;
   /** CSS pixels. */
   readonly width: number;
@@ -61,9 +57,7 @@ export class Visibility implements ReactiveController {
   set maxRatio(ratio: number) {
     if (ratio === this.#maxRatio) return;
     this.#maxRatio = ratio;
-    this.#measure(this.#size.width, this.#size.height);
-    if (this.#box !== undefined) this.#refine(this.#box);
-    this.shown();
+    this.scaled();
   }
 
   /** The host is connected to a document that is shown in a window. */
@@ -79,8 +73,7 @@ export class Visibility implements ReactiveController {
   hostConnected(): void {
     const { ownerDocument } = this.#host;
     this.#page = pageOf(ownerDocument);
-    // The first time, the element is not in the host's shadow tree yet, and still belongs to the document of the
-    // script.
+    // The first time it is outside the host's shadow tree, and belongs to the script's document.
     if (this.#element.ownerDocument !== ownerDocument) ownerDocument.adoptNode(this.#element);
     this.#page?.watch(this.#element, this);
     // No observer reports CSS `visibility`, which changes no box. A transition in the element's style sheet does.
@@ -104,10 +97,7 @@ export class Visibility implements ReactiveController {
     this.shown();
   }
 
-  /**
-   * The page is about to be printed, and waits for its pictures until `deadline`, a time as of `performance.now()`. On
-   * paper everything is seen, wherever it is on the page.
-   */
+  /** Before printing, which waits until `deadline`. On paper everything is seen, wherever it is on the page. */
   printed(deadline: number): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     const visible = this.#inView === true;
@@ -131,14 +121,13 @@ export class Visibility implements ReactiveController {
     const { width, height } = entry.contentRect;
     // The other observers report an element that is shown again only after this frame.
     if (this.#near === false && this.#page !== null) this.#locate(this.#page);
-    this.#measure(width, height);
     // Missing in browsers without this box, whatever the types say.
     this.#box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
-    if (this.#box !== undefined) this.#refine(this.#box);
+    this.#measure(width, height);
     this.shown();
   }
 
-  /** The device's pixels per CSS pixel have changed. */
+  /** The pixels per CSS pixel have changed, or their limit. */
   scaled(): void {
     this.#measure(this.#size.width, this.#size.height);
     this.shown();
@@ -158,10 +147,7 @@ export class Visibility implements ReactiveController {
     this.#host.disconnectedCallback();
   }
 
-  /**
-   * Reports come after their frame: meanwhile an element may have been shown. Browsers round both times, so equal
-   * ones may be that late too.
-   */
+  /** A report comes after its frame: the element may be shown since. Times are rounded, so equal ones count. */
   #reported({ time }: IntersectionObserverEntry): void {
     if (time <= this.#located && this.#page !== null) {
       this.#locate(this.#page);
@@ -185,20 +171,6 @@ export class Visibility implements ReactiveController {
     if (propertyName === 'visibility') this.shown();
   };
 
-  /**
-   * Uses the browser's own whole pixels if they round what was measured: an emulated pixel ratio does not reach the
-   * box.
-   */
-  #refine(box: ResizeObserverSize): void {
-    const style = this.#page?.view.getComputedStyle(this.#element);
-    const upright = style?.writingMode.startsWith('horizontal') ?? true;
-    const width = upright ? box.inlineSize : box.blockSize;
-    const height = upright ? box.blockSize : box.inlineSize;
-    if (Math.abs(width - this.#size.pixelWidth) > 1 || Math.abs(height - this.#size.pixelHeight) > 1) return;
-    this.#size.pixelWidth = width;
-    this.#size.pixelHeight = height;
-  }
-
   #measure(width: number, height: number): void {
     // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS pixel.
     const zoom = zoomOf(this.#element);
@@ -206,6 +178,19 @@ export class Visibility implements ReactiveController {
     // A low limit leaves one pixel at least.
     const pixels = (length: number): number => Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
     this.#size = { width, height, pixelWidth: pixels(width), pixelHeight: pixels(height) };
+    this.#refine();
+  }
+
+  /** Uses the browser's pixels if they round what was measured: an emulated pixel ratio does not reach the box. */
+  #refine(): void {
+    if (this.#box === undefined) return;
+    const { inlineSize, blockSize } = this.#box;
+    const style = this.#page?.view.getComputedStyle(this.#element);
+    const upright = style?.writingMode.startsWith('horizontal') ?? true;
+    const [width, height] = upright ? [inlineSize, blockSize] : [blockSize, inlineSize];
+    const { pixelWidth, pixelHeight } = this.#size;
+    if (Math.abs(width - pixelWidth) > 1 || Math.abs(height - pixelHeight) > 1) return;
+    this.#size = { ...this.#size, pixelWidth: width, pixelHeight: height };
   }
 }
 
@@ -219,10 +204,7 @@ function isPainted(element: Element): boolean {
   return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
 }
 
-/**
- * How far an element is out of view: of the scroll containers and windows around it, the largest gap counts. CSS
- * pixels; negative in view, Infinity without a size.
- */
+/** CSS pixels out of the scroll containers and windows around it; negative in view, Infinity without a size. */
 function distanceFromView(element: Element): number {
   const view = element.ownerDocument.defaultView;
   const place = element.getBoundingClientRect();
@@ -247,10 +229,7 @@ type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
 const gap = (a: Edges, b: Edges): number =>
   Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
 
-/**
- * In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. A margin around it
- * would.
- */
+/** In a closed box, such as an accordion's: without width or height, and nothing shows outside it. */
 function isCollapsed(element: Element): boolean {
   const view = element.ownerDocument.defaultView;
   for (let box: Element | null = element; box !== null; box = parentOf(box)) {

@@ -1,23 +1,18 @@
 // What a screen reader finds beside the picture, and what is announced: a description of keys, camera and lights, and
 // a live region. Follows drawn frames, at most once a second; announces only what the user changed.
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
-import { sameValue } from '../../fields/field-store.js';
 import type { ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
 import type { PhongLight, PhongViewer } from '../elements.js';
-import { numberedName } from '../phong-light.js';
+import { lightName } from '../phong-light.js';
 import type { CameraMove, ViewerContext } from './viewer-context.js';
 import { cameraText, lightCountText, lightNameText, lightsText, lightText, NAMED } from './description.js';
 import { keysText } from './naming.js';
 import type { ViewerTree } from './display.js';
 
-/**
- * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart.
- * Also the time between two updates of the description while the picture moves.
- */
+/** Milliseconds without a change after which the user has stopped; also the time between two descriptions. */
 const PAUSE = 1000;
 
-/** Lights in one announcement. */
 const ANNOUNCED = 3;
 
 /** Events in which the panel, and what lies over the picture, write to lights. */
@@ -30,13 +25,11 @@ export class ViewerAnnouncements implements ReactiveController {
   #timer = 0;
   /** Camera and lights in words; null before the first picture. */
   #scene: string | null = null;
-  /** The texts that it is written in. */
   #language: ViewerTexts | null = null;
   #cameraMoved = false;
   /** Lights were added, removed or moved. */
   #counted = false;
   readonly #lights = new Set<PhongLight>();
-  /** The last event in the panel or over the picture. */
   #panelEvent: Event | null = null;
 
   constructor({ viewer, signals }: ViewerContext) {
@@ -52,12 +45,10 @@ export class ViewerAnnouncements implements ReactiveController {
         part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
   }
 
-  /** What is beside the picture: the live region. */
   template(): TemplateResult | typeof nothing {
     return this.#spoken === null ? nothing : html`<p aria-live="polite">${this.#spoken}</p>`;
   }
 
-  /** Keys, camera and lights in words. */
   get description(): string {
     return `${keysText(this.#viewer, this.#texts)} ${this.#scene ?? ''}`.trim();
   }
@@ -72,7 +63,6 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#scene !== null && this.#language !== this.#texts) this.#describeSoon();
   }
 
-  /** Describes the scene soon. */
   #describeSoon(): void {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
@@ -107,10 +97,9 @@ export class ViewerAnnouncements implements ReactiveController {
   #wait(ms: number): void {
     this.#timer = window.setTimeout(() => {
       this.#timer = 0;
-      const before = [this.#spoken, this.#scene, this.#language];
       this.#announce();
       this.#describe();
-      if (!sameValue([this.#spoken, this.#scene, this.#language], before)) this.#viewer.requestUpdate();
+      this.#viewer.requestUpdate();
     }, ms);
   }
 
@@ -121,8 +110,9 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#counted) texts.push(lightCountText(this.#texts, lights.length));
     const changed = [...this.#lights].filter((light) => lights.includes(light)).slice(-ANNOUNCED);
     for (const light of changed) {
-      const name = this.#nameOf(light, lights.indexOf(light));
-      texts.push(`${lightText(this.#texts, name, fieldsOf(light).store.values)}.`);
+      const { store } = fieldsOf(light);
+      const name = lightName(store, lights.indexOf(light), this.#texts);
+      texts.push(`${lightText(this.#texts, name, store.values)}.`);
     }
     this.#forget();
     if (texts.length > 0) this.#spoken = texts.join(' ');
@@ -137,13 +127,11 @@ export class ViewerAnnouncements implements ReactiveController {
   #describe(): void {
     const texts = (this.#language = this.#texts);
     const { camera, lights } = this.#viewer;
-    const names = lights.slice(0, NAMED + 1).map((light, i) => lightNameText(texts, this.#nameOf(light, i), light));
+    const names = lights.slice(0, NAMED + 1).map((light, i) => {
+      const name = lightName(fieldsOf(light).store, i, texts);
+      return lightNameText(texts, name, light);
+    });
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
-  }
-
-  /** Not the element's `name`: its default takes a search through all lights. */
-  #nameOf(light: PhongLight, index: number): string {
-    return fieldsOf(light).store.values.name || numberedName(index, this.#texts);
   }
 
   get #texts(): ViewerTexts | null {

@@ -4,7 +4,7 @@
 import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
 import type { SharedLevels } from '../../scene/mesh/levels.js';
 import type { CameraSource } from '../elements.js';
-import type { CameraLink, ViewerCamera } from './camera.js';
+import type { ViewerCamera } from './camera.js';
 import type { Extra, ExtraHost } from './extras.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
@@ -39,7 +39,7 @@ function groupOf({ viewer, values: { cameraGroup: name } }: Member): CameraGroup
   return group;
 }
 
-class CameraGroup implements CameraLink, SharedFit, SharedLevels {
+export class CameraGroup implements SharedFit, SharedLevels {
   /** In the order in which they joined, which is document order for a page's markup. */
   readonly #members = new Map<ViewerCamera, Member>();
   /** For the framing that all members share; null after a change. */
@@ -48,7 +48,6 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
   #wasFixed = false;
   readonly #emptied: () => void;
 
-  /** `emptied` is called when the last member has left. */
   constructor(emptied: () => void) {
     this.#emptied = emptied;
   }
@@ -75,6 +74,7 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
     else this.changed();
   }
 
+  /** A member's camera was moved or framed in another way, and not by the group. */
   moved(camera: ViewerCamera, source: CameraSource): void {
     const mover = this.#members.get(camera);
     if (mover === undefined) return;
@@ -119,10 +119,7 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
     return false;
   }
 
-  /**
-   * Moves all cameras to the fit, on behalf of the member that it comes from. All draw again where {@link isFixed} has
-   * changed.
-   */
+  /** Moves all cameras to the fit, on behalf of its member. All draw again where {@link isFixed} has changed. */
   #settle(): void {
     const { isFixed } = this;
     if (isFixed !== this.#wasFixed) for (const { viewport } of this.#members.values()) viewport.picture.invalidate();

@@ -9,7 +9,8 @@ import { wrapDegrees } from '../../math/angle.js';
 import type { Framing } from '../../scene/auto-fit.js';
 import type { CameraSource, CameraState } from '../elements.js';
 import { pictureBox } from '../page/picture-box.js';
-import type { CameraValues } from '../fields/viewer-fields.js';
+import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { CameraGroup } from './camera-group.js';
 import type { ViewerContext } from './viewer-context.js';
 
 /** Where the camera is and whether it fits the scene, apart from what is declared. */
@@ -19,16 +20,8 @@ export interface CameraPlacement {
   readonly framing: Framing | null;
 }
 
-/** What moves several cameras together. */
-export interface CameraLink {
-  /** A camera was moved or framed in another way, and not by this link. */
-  moved(camera: ViewerCamera, source: CameraSource): void;
-  /** Whether this camera's turntable is the one that turns. */
-  turns(camera: ViewerCamera): boolean;
-}
-
 /** Values that act when they are assigned: the viewer needs no update for them. */
-export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
+export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof ViewerValues>(['theta', 'phi', 'radius', 'target']);
 
 export class ViewerCamera implements ReactiveController {
   readonly #context: ViewerContext;
@@ -37,7 +30,7 @@ export class ViewerCamera implements ReactiveController {
   #inView = false;
   #input: OrbitInput | null = null;
   /** Null, the default: this camera moves alone. */
-  link: CameraLink | null = null;
+  link: CameraGroup | null = null;
 
   constructor(context: ViewerContext) {
     const { signals } = (this.#context = context);
@@ -52,7 +45,6 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  /** Takes input from `surface`: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
     this.#input = new OrbitInput(surface, this.#inputHost(surface));
     this.#input.connect();
@@ -71,7 +63,6 @@ export class ViewerCamera implements ReactiveController {
     this.#reducedMotion?.removeEventListener('change', this.#startMotion);
   }
 
-  /** Where the camera is now; fits it first. */
   state(): CameraState {
     const { picture } = this.#context;
     picture.settle();
@@ -94,10 +85,7 @@ export class ViewerCamera implements ReactiveController {
     return { pose: picture.orbit.pose, framing: picture.fit.framing };
   }
 
-  /**
-   * Moves the camera there. The declared values stay, as when the user drags it. `linked`: the camera follows another
-   * one, and the link need not be notified.
-   */
+  /** Moves the camera as the user does: the declared values stay. `linked`: by another camera of its group. */
   place({ pose, framing }: CameraPlacement, source: CameraSource, linked = false): void {
     const { orbit, fit } = this.#context.picture;
     const write = (): void => {
@@ -131,7 +119,6 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  /** Back to the declared camera. */
   reset(source: CameraSource = 'script'): void {
     const { values, picture } = this.#context;
     const { theta, phi, radius, target } = values;
@@ -182,7 +169,6 @@ export class ViewerCamera implements ReactiveController {
     return this.#input?.dragging === true;
   }
 
-  /** Something moves by itself. */
   get moving(): boolean {
     return this.turning || (this.mayMove && this.#context.picture.animations.playing);
   }
@@ -201,7 +187,6 @@ export class ViewerCamera implements ReactiveController {
     if (!linked) this.link?.moved(this, source);
   }
 
-  /** The user or the turntable has moved the camera. */
   #moved(source: CameraSource): void {
     this.#changed(source, false);
     this.link?.moved(this, source);

@@ -4,23 +4,22 @@ import { sameValue } from '../../fields/field-store.js';
 import { LightState } from '../../light/light-state.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import { register } from '../child-element.js';
-import { type ChildListener, type ChildRegistry, registryOf } from '../child-registry.js';
-import { inspect, inspectAgain } from '../diagnosis/inspect.js';
+import { type ChildRegistry, registryOf } from '../child-registry.js';
+import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf, sceneMeshes } from '../internals.js';
 import type { PhongLight, PhongMesh } from '../elements.js';
 import type { ViewerContext } from './viewer-context.js';
 
-export class ViewerChildren implements ChildListener {
+export class ViewerChildren {
   readonly #viewer: HTMLElement;
   readonly #context: ViewerContext;
   readonly #meshHost: MeshHost;
   readonly #registry: ChildRegistry;
   /** Lights a viewer that declares no light. */
   readonly #headLight = new LightState({ space: 'camera', position: [0, 0, 1, 0] });
-  readonly #lightElements = new Map<LightState, PhongLight>();
   readonly #shown = new Map<PhongMesh, ElementMesh>();
-  readonly #written = new Set<ElementMesh>();
-  readonly #removed = new Set<PhongMesh>();
+  /** Written to, added or removed in this task. */
+  readonly #changed = new Set<PhongMesh>();
   #inOrder: readonly HTMLElement[] = [];
   #lights: readonly PhongLight[] = Object.freeze([]);
   #meshes: readonly PhongMesh[] = Object.freeze([]);
@@ -46,21 +45,17 @@ export class ViewerChildren implements ChildListener {
     return this.#meshes;
   }
 
-  /** The element of a light; null for the head-light. */
-  lightOf(state: LightState): PhongLight | null {
-    return this.#lightElements.get(state) ?? null;
-  }
-
   added(child: HTMLElement): void {
-    if (isLight(child)) this.#addLight(child);
+    if (isLight(child)) this.#addLight(stateOf(child));
     else if (isMesh(child)) this.#addMesh(child);
   }
 
   removed(child: HTMLElement): void {
-    if (isLight(child)) this.#removeLight(child);
-    else if (isMesh(child)) this.#removeMesh(child);
+    if (isLight(child)) this.#removeLight(stateOf(child));
+    else if (isMesh(child)) this.#flushLater(child);
   }
 
+  /** A child is still there, but may have another place. */
   moved(): void {
     this.#context.picture.invalidate();
   }
@@ -73,7 +68,7 @@ export class ViewerChildren implements ChildListener {
     this.#viewer.shadowRoot?.addEventListener('slotchange', this.#slotted);
   }
 
-  readonly #slotted = (): void => inspectAgain(this.#viewer);
+  readonly #slotted = (): void => inspect(this.#viewer, true);
 
   /** Custom elements get no callback for changes outside a document: looks for children that came or went there. */
   refresh(): void {
@@ -92,30 +87,26 @@ export class ViewerChildren implements ChildListener {
   }
 
   /** Acts now on what was written to meshes, and on their removal, rather than at the end of the task. */
-  readonly flush = (): void => {
-    if (this.#written.size === 0 && this.#removed.size === 0) return;
-    const written = [...this.#written];
-    const removed = [...this.#removed];
-    this.#written.clear();
-    this.#removed.clear();
-    for (const element of removed) this.#dropMesh(element);
-    for (const mesh of written) if (this.#shown.get(mesh.element) === mesh) mesh.update();
+  flush(): void {
+    if (this.#changed.size === 0) return;
+    const changed = [...this.#changed];
+    this.#changed.clear();
+    const isHere = (element: PhongMesh): boolean => this.#registry.all.has(element);
+    // Those that have gone make room for those that load.
+    for (const element of changed) if (!isHere(element)) this.#dropMesh(element);
+    for (const element of changed) if (isHere(element)) this.#shown.get(element)?.update();
     this.#context.signals.meshesChanged.emit();
-  };
+  }
 
-  #addLight(light: PhongLight): void {
+  #addLight(state: LightState): void {
     const { lightSet } = this.#context;
-    const state = stateOf(light);
-    this.#lightElements.set(state, light);
-    if (this.#lightElements.size === 1) lightSet.assign([state]);
+    if (lightSet.lights[0] === this.#headLight) lightSet.assign([state]);
     else lightSet.add(state);
   }
 
-  #removeLight(light: PhongLight): void {
+  #removeLight(state: LightState): void {
     const { lightSet } = this.#context;
-    const state = stateOf(light);
-    this.#lightElements.delete(state);
-    if (this.#lightElements.size === 0) lightSet.assign([this.#headLight]);
+    if (lightSet.lights.length === 1) lightSet.assign([this.#headLight]);
     else lightSet.remove(state);
   }
 
@@ -126,21 +117,15 @@ export class ViewerChildren implements ChildListener {
   }
 
   #addMesh(element: PhongMesh): void {
-    // Removed and inserted again in one task: it keeps its model.
-    this.#removed.delete(element);
+    // Removed and inserted again in one task, it keeps its model.
     let mesh = this.#shown.get(element);
     if (mesh === undefined) {
-      mesh = new ElementMesh(element, this.#meshHost, this.#update);
+      mesh = new ElementMesh(element, this.#meshHost, () => this.#flushLater(element));
       this.#shown.set(element, mesh);
       this.#context.picture.add(mesh);
     }
     fieldsOf(element).store.listen(mesh.written);
     mesh.written();
-  }
-
-  #removeMesh(element: PhongMesh): void {
-    this.#flushLater();
-    this.#removed.add(element);
   }
 
   #dropMesh(element: PhongMesh): void {
@@ -160,13 +145,9 @@ export class ViewerChildren implements ChildListener {
   }
 
   /** Several values written in one task make one update. */
-  readonly #update = (mesh: ElementMesh): void => {
-    this.#flushLater();
-    this.#written.add(mesh);
-  };
-
-  #flushLater(): void {
-    if (this.#written.size === 0 && this.#removed.size === 0) queueMicrotask(this.flush);
+  #flushLater(element: PhongMesh): void {
+    if (this.#changed.size === 0) queueMicrotask(() => this.flush());
+    this.#changed.add(element);
   }
 }
 
@@ -176,19 +157,17 @@ const stateOf = (light: PhongLight): LightState => fieldsOf(light).store;
 const isLight = (child: HTMLElement): child is PhongLight => child.localName === 'phong-light';
 const isMesh = (child: HTMLElement): child is PhongMesh => child.localName === 'phong-mesh';
 
-/** The mesh that an element shows. */
 class ElementMesh extends SceneMesh {
   readonly element: PhongMesh;
-  /** Listens to the element's values. */
   readonly written: (key?: string) => void;
 
-  constructor(element: PhongMesh, host: MeshHost, update: (mesh: ElementMesh) => void) {
+  constructor(element: PhongMesh, host: MeshHost, changed: () => void) {
     super(fieldsOf(element).store, host);
     this.element = element;
     sceneMeshes.set(element, this);
     this.written = (key) => {
       if (key === 'src' || key === 'geometry') this.retry();
-      update(this);
+      changed();
     };
   }
 }

@@ -35,7 +35,6 @@ export const lightsText = (texts: ViewerTexts | null, names: readonly string[]):
 export const lightCountText = (texts: ViewerTexts | null, count: number): string =>
   phrase(texts, LIGHTS, { lights: String(count) });
 
-/** A light's name, and whether it is off. */
 export const lightNameText = (
   texts: ViewerTexts | null,
   name: string,
@@ -66,10 +65,7 @@ const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?
 /** Not as a literal: browsers would keep the whole first file at two bytes for each character instead of one. */
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
-/**
- * In the language of the texts. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign
- * is used.
- */
+/** Three digits are enough for the ear. A minus sign, because some screen readers skip a hyphen. */
 const numbers = (values: readonly number[], texts: ViewerTexts | null): string =>
   values
     .map((value) => localNumber(String(Number(value.toPrecision(3))), texts))

@@ -6,9 +6,9 @@ import type { PhongViewer } from '../elements.js';
 import { pageTexts, textsOver } from '../page/page-texts.js';
 import { CORNER_MARKS } from '../page/picture-box.js';
 import { ViewerAnnouncements } from './announcements.js';
-import type { Failure, ViewerContext } from './viewer-context.js';
+import type { ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
-import type { ViewerFailure } from './failure.js';
+import type { Failure, ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { surfaceName } from './naming.js';
 
@@ -22,7 +22,6 @@ export interface ViewerTree {
   readonly room: HTMLElement;
   /** In the room: what a notice leaves of it. The place of legends and boxes. */
   readonly free: HTMLElement;
-  /** The control panel's place. */
   readonly panel: HTMLElement;
 }
 
@@ -40,9 +39,7 @@ export class ViewerDisplay {
   #texts: ViewerTexts | null = null;
   /** Those over the page's; null if they have to be put together again. */
   #used: { readonly page: ViewerTexts | null; readonly texts: ViewerTexts | null } | null = null;
-  /** The poster that could not be shown. */
   #badPoster = '';
-  /** The poster has been replaced by a picture. */
   #revealed = false;
   #empty = false;
 
@@ -55,7 +52,6 @@ export class ViewerDisplay {
     this.#states = customStates(viewer);
     this.#announcements = new ViewerAnnouncements(context);
     for (const part of [this.#announcements, extras]) viewer.addController(part);
-    signals.loadingChanged.listen(() => viewer.requestUpdate());
     signals.meshesChanged.listen(() => this.#checkEmpty());
     signals.drawn.listen(() => {
       this.#checkEmpty();
@@ -65,7 +61,6 @@ export class ViewerDisplay {
     signals.shown.listen(() => viewer.dispatchEvent(new CustomEvent('render')));
   }
 
-  /** The whole tree, as it is now. */
   template(): TemplateResult {
     const viewer = this.#viewer;
     const { texts } = this;
@@ -189,7 +184,6 @@ export class ViewerDisplay {
       this.#tree?.surface.focus({ preventScroll: true });
   }
 
-  /** The control panel's place. */
   get panel(): HTMLElement | null {
     return this.#tree?.panel ?? null;
   }
@@ -246,11 +240,7 @@ function pageText(viewer: HTMLElement): string {
   return `--phong-page: ${around === undefined ? '' : getComputedStyle(around).fontSize}`;
 }
 
-/**
- * Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`. Undefined in browsers
- * without them, and where they are refused: Chrome before 125 accepts only names that begin with two dashes, and a tag
- * with an attribute `is` has none.
- */
+/** Undefined in browsers without custom states or with dashed ones only (Chrome before 125), and for tags with `is`. */
 function customStates(element: HTMLElement): Set<string> | undefined {
   try {
     const { states } = element.attachInternals() as { readonly states?: Set<string> };
@@ -262,10 +252,7 @@ function customStates(element: HTMLElement): Set<string> | undefined {
   }
 }
 
-/**
- * Whether a key has done something inside the viewer: by a handler, or in a field or button. Such keys do not reach the
- * page, where they would turn a slide.
- */
+/** Whether a key has done something inside the viewer. Such keys do not reach the page: they would turn a slide. */
 function isUsed(event: KeyboardEvent): boolean {
   if (event.defaultPrevented) return true;
   if (event.ctrlKey || event.altKey || event.metaKey || event.key === 'Tab' || event.key === 'Escape') return false;

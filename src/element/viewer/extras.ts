@@ -1,25 +1,26 @@
-// The parts that most viewers do without: helpers, a legend, the probe, linked cameras. Each is a chunk that is fetched
-// with its first use, and removed again.
+// The parts that most viewers do without: helpers, a legend, the probe, linked cameras, explanations and files. Each is
+// a chunk that is fetched with its first use. What needs the scene of the call copies it before: it changes meanwhile.
 import type { ReactiveController } from 'lit';
 import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { Size } from '../../scene/gpu/atlas.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { zoomOf } from '../dom.js';
 import type { CameraSource, PhongViewer } from '../elements.js';
 import type { Visibility } from '../page/visibility.js';
+import { lightName, lightOf } from '../phong-light.js';
 import type { ViewerCamera } from './camera.js';
-import type { ViewerChildren } from './children.js';
+import { elementOf } from './children.js';
 import type { ViewerContext } from './viewer-context.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerTree } from './display.js';
-import { type ViewerSnapshot, viewerSnapshot } from './viewer-snapshot.js';
+import type { ViewerSnapshot } from './shade-at.js';
 
-/** What an extra sees of its viewer. */
 export interface ExtraHost {
   readonly viewer: PhongViewer;
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
   readonly camera: ViewerCamera;
-  readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
   /** The names that helpers have placed over the picture. The probe's keep clear of them. */
@@ -30,7 +31,7 @@ export interface ExtraHost {
 }
 
 /** CSS pixels of the layer, or of the file that is being drawn. */
-export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number> & { text: string }>;
+export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number>>;
 
 export interface Extra {
   /** A frame was drawn, or the viewer's own values have changed. */
@@ -73,10 +74,13 @@ const KINDS: readonly Kind[] = [
   LINKED,
 ];
 
+const MOST_SAMPLES = 1024;
+
+const pictureCode = lazyCode(() => import('./picture-blob.js'), 'toBlob');
+
 export class ViewerExtras implements ReactiveController {
   readonly #context: ViewerContext;
   readonly #camera: ViewerCamera;
-  readonly #children: ViewerChildren;
   readonly #visibility: Visibility;
   readonly #names: ExtraHost['names'] = { placed: [] };
   /** Null while its code is being fetched. */
@@ -84,10 +88,9 @@ export class ViewerExtras implements ReactiveController {
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
-  constructor(context: ViewerContext, camera: ViewerCamera, children: ViewerChildren, visibility: Visibility) {
+  constructor(context: ViewerContext, camera: ViewerCamera, visibility: Visibility) {
     const { signals } = (this.#context = context);
     this.#camera = camera;
-    this.#children = children;
     this.#visibility = visibility;
     const { awaited } = signals;
     signals.awaited = () => awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
@@ -99,10 +102,41 @@ export class ViewerExtras implements ReactiveController {
     });
   }
 
-  /** The scene as it is now, for what explains it. */
   snapshot(): ViewerSnapshot {
     const { viewer, viewport } = this.#context;
-    return viewerSnapshot(viewer, viewport, this.#children, this.#visibility.size);
+    const { holder, picture, still } = viewport;
+    const { width, height } = this.#visibility.size;
+    // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own.
+    const zoom = zoomOf(holder);
+    return {
+      // The triangles of the picture that is shown.
+      scene:
+        holder.getClientRects().length > 0
+          ? picture.snapshot(viewport, Math.max(still.samples, 1), (mesh) => elementOf(mesh) ?? viewer)
+          : null,
+      width: width * zoom,
+      height: height * zoom,
+      lights: picture.lighting.lights.lights.map((state, index) => ({
+        light: lightOf(state),
+        name: lightName(state, index, viewer.texts),
+        values: { ...state.values },
+      })),
+    };
+  }
+
+  /** The picture as a file, with what the extras draw over it. Waits for their code. */
+  async toBlob(options: PictureOptions): Promise<Blob> {
+    const { pending } = this;
+    if (pending !== null) await pending;
+    const { viewport } = this.#context;
+    const width = options.width ?? Math.max(viewport.width, 1);
+    const height = options.height ?? Math.max(viewport.height, 1);
+    const { samples = 1 } = options;
+    const isCount = (value: number): boolean => Number.isInteger(value) && value >= 1;
+    const isValid = [width, height, samples].every(isCount) && samples <= MOST_SAMPLES;
+    const picture = isValid ? await this.#capture({ width, height }, options) : null;
+    const { pictureBlob } = await pictureCode();
+    return pictureBlob(picture, options);
   }
 
   connect(tree: ViewerTree): void {
@@ -117,7 +151,6 @@ export class ViewerExtras implements ReactiveController {
     for (const kind of this.#extras.keys()) this.#drop(kind);
   }
 
-  /** The viewer's values have changed. */
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
@@ -132,15 +165,18 @@ export class ViewerExtras implements ReactiveController {
     return this.#fetching.size === 0 ? null : Promise.all(this.#fetching);
   }
 
-  /** What the extras show belongs to this picture, which was captured in this task. */
-  async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
+  /** The picture with what the extras show in the task in which it was captured. */
+  async #capture(size: Size, options: PictureOptions): Promise<HTMLCanvasElement> {
+    const { viewport } = this.#context;
+    const { samples } = options;
+    const picture = samples === undefined ? viewport.capture(size) : await viewport.still.capture(size, samples);
     const extras = KINDS.flatMap((kind) => this.#extras.get(kind) ?? []);
-    if (extras.length === 0) return;
-    const { width, height } = picture;
+    if (extras.length === 0) return picture;
     // Apart from the picture: the scene can change while some code is fetched.
-    const over = Object.assign(document.createElement('canvas'), { width, height });
+    const over = Object.assign(document.createElement('canvas'), size);
     await Promise.all(extras.map(async (extra) => extra.drawOver?.(over, options)));
     picture.getContext('2d')?.drawImage(over, 0, 0);
+    return picture;
   }
 
   #wait(fetched: Promise<void>): void {
@@ -174,7 +210,6 @@ export class ViewerExtras implements ReactiveController {
       tree,
       names: this.#names,
       camera: this.#camera,
-      children: this.#children,
       size: () => this.#visibility.size,
       snapshot: () => this.snapshot(),
     });

@@ -4,12 +4,24 @@ import { isOutOfMemory } from '../../model/limits.js';
 import { ModelError } from '../../model/model.js';
 import { nameOf } from '../../model/request-model.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
+import type { SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { ViewerErrorDetail } from '../events.js';
 import type { ViewerErrorCode } from '../fields/texts.js';
-import type { Failure, FailureSubject, ViewerContext } from './viewer-context.js';
 import type { EventQueue } from './event-queue.js';
+import type { ViewerContext } from './viewer-context.js';
 
-/** The subject of failures of the graphics context; a model's subject is its mesh. */
+/** What can fail and work again: a mesh, or the graphics context. */
+interface FailureSubject {
+  readonly isOwnFile?: boolean;
+}
+
+export interface Failure {
+  readonly subject: FailureSubject;
+  readonly detail: ViewerErrorDetail;
+  /** What visitors read: the file and what is wrong, without advice that only the author can follow. */
+  readonly fact: string;
+}
+
 const CONTEXT: FailureSubject = {};
 
 const LOST: ViewerErrorDetail = {
@@ -22,15 +34,15 @@ export class ViewerFailure {
   readonly #viewer: ViewerContext['viewer'];
   readonly #events: EventQueue;
   readonly #present = new Map<FailureSubject, Failure>();
+  /** Advice that the console has. */
+  readonly #given = new Set<string>();
 
   constructor({ viewer, signals }: ViewerContext, events: EventQueue) {
     this.#viewer = viewer;
     this.#events = events;
-    signals.failed.listen((failure) => this.#report(failure));
-    signals.cleared.listen((subject) => this.#clear(subject));
-    signals.contextMissing.listen((error) => this.#reportContext(errorDetail(error, null)));
+    signals.contextMissing.listen((error) => this.#reportContext(detailOf(error, null)));
     signals.contextLost.listen(() => this.#reportContext(LOST));
-    signals.contextRestored.listen(() => this.#clear(CONTEXT));
+    signals.contextRestored.listen(() => this.clear(CONTEXT));
   }
 
   /** The newest failure that is not cleared; null for none. */
@@ -38,10 +50,7 @@ export class ViewerFailure {
     return [...this.#present.values()].at(-1) ?? null;
   }
 
-  /**
-   * Something has failed that a retry may fix. A lost context needs no retry, and a file of the user's own is not
-   * requested.
-   */
+  /** Something has failed that a retry may fix: no lost context, and no file of the user's own. */
   get retryable(): boolean {
     return [...this.#present.values()].some(
       ({ subject, detail }) => subject.isOwnFile !== true && detail.code !== 'context-lost',
@@ -53,14 +62,31 @@ export class ViewerFailure {
     return this.newest?.subject.isOwnFile === true;
   }
 
-  /** Removes the message of {@link newest}. False unless it is {@link dismissible}. */
   dismiss(): boolean {
     const { newest, dismissible } = this;
-    if (newest !== null && dismissible) this.#clear(newest.subject);
+    if (newest !== null && dismissible) this.clear(newest.subject);
     return dismissible;
   }
 
-  #report(failure: Failure): void {
+  /** A mesh cannot be shown; `url` is that of its file. Returns the detail of its event. */
+  report(mesh: SceneMesh, error: unknown, url: URL | null): ViewerErrorDetail {
+    const detail = detailOf(error, url);
+    this.#add({ subject: mesh, detail, fact: this.#factOf(error, detail, mesh.isOwnFile, url) });
+    return detail;
+  }
+
+  /** `subject` works, or is gone. */
+  clear(subject: FailureSubject): void {
+    if (this.#present.delete(subject)) this.#viewer.requestUpdate();
+  }
+
+  /** Once, however often the context is lost again or refused before it works. */
+  #reportContext(detail: ViewerErrorDetail): void {
+    const known = this.#present.get(CONTEXT)?.detail.code;
+    if (known !== detail.code) this.#add({ subject: CONTEXT, detail, fact: detail.message });
+  }
+
+  #add(failure: Failure): void {
     const { subject, detail } = failure;
     this.#present.delete(subject);
     this.#present.set(subject, failure);
@@ -68,48 +94,28 @@ export class ViewerFailure {
     this.#events.append('error', detail);
   }
 
-  /** `subject` works, or is gone. */
-  #clear(subject: FailureSubject): void {
-    if (this.#present.delete(subject)) this.#viewer.requestUpdate();
-  }
-
-  /** Once, however often the context is lost again or refused before it works. */
-  #reportContext(detail: ViewerErrorDetail): void {
-    const known = this.#present.get(CONTEXT)?.detail.code;
-    if (known !== detail.code) this.#report({ subject: CONTEXT, detail, fact: detail.message });
+  /** Everything about their own file. Otherwise the console has the advice, the same one once. */
+  #factOf(error: unknown, { message }: ViewerErrorDetail, isOwn: boolean, url: URL | null): string {
+    const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
+    if (hides && !error.logged) {
+      const advice = error.message.slice(error.fact.length);
+      // Of files, each; of shapes, which have no address, the advice alone counts.
+      const key = `${url?.href ?? ''}${advice}`;
+      if (!this.#given.has(key)) console.warn(message);
+      this.#given.add(key);
+    }
+    const fact = hides ? clipMessage(error.fact) : message;
+    const name = url === null ? '' : nameOf(url);
+    // Its end may have been clipped.
+    return fact.includes(name.slice(0, 60)) ? fact : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
   }
 }
 
-export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
+function detailOf(error: unknown, url: URL | null): ViewerErrorDetail {
   const code = codeOf(error);
   let message = error instanceof Error ? error.message : String(error);
   if (code === 'too-large' && !(error instanceof ModelError)) message = 'There is not enough memory to show this.';
   return { code, message: clipMessage(message), url: url?.href ?? null };
-}
-
-/**
- * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the console has the advice, the
- * same one once for a viewer: `given`.
- */
-export function factOf(
-  error: unknown,
-  { message }: ViewerErrorDetail,
-  isOwn: boolean,
-  url: URL | null,
-  given: Set<string>,
-): string {
-  const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
-  if (hides && !error.logged) {
-    const advice = error.message.slice(error.fact.length);
-    // Of files, each; of shapes, which have no address, the advice alone counts.
-    const key = `${url?.href ?? ''}${advice}`;
-    if (!given.has(key)) console.warn(message);
-    given.add(key);
-  }
-  const fact = hides ? clipMessage(error.fact) : message;
-  const name = url === null ? '' : nameOf(url);
-  // Its end may have been clipped.
-  return fact.includes(name.slice(0, 60)) ? fact : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
 }
 
 function codeOf(error: unknown): ViewerErrorCode {

@@ -6,7 +6,6 @@ import { fieldsOf, viewerCameras } from '../internals.js';
 import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 import type { CameraPlacement } from './camera.js';
 
-/** Something whose state can be read and put back. */
 export interface Undoable<S> {
   read(): S;
   same(a: S, b: S): boolean;
@@ -38,10 +37,7 @@ export class History {
     return this.#undone.length > 0;
   }
 
-  /**
-   * Runs `write` and records what it changes as one step. Edits with the same `gesture`, such as those of one drag, are
-   * one step until {@link seal}.
-   */
+  /** Records what `write` changes as one step. Edits with the same `gesture` are one step until {@link seal}. */
   edit<S>(subject: Undoable<S>, write: () => void, gesture: object | null = null): void {
     const before = subject.read();
     try {
@@ -62,12 +58,10 @@ export class History {
     this.#open = false;
   }
 
-  /** Takes the last step back. False if there is none. */
   undo(): boolean {
     return this.#shift(this.#done, this.#undone, ({ subject, before, after }) => subject.restore(after, before));
   }
 
-  /** Repeats the step taken back last. False if there is none. */
   redo(): boolean {
     return this.#shift(this.#undone, this.#done, ({ subject, before, after }) => subject.restore(before, after));
   }
@@ -113,7 +107,6 @@ export function undoKey({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEve
 
 const histories = new WeakMap<PhongViewer, History>();
 
-/** The one history of a viewer. */
 export function historyOf(viewer: PhongViewer): History {
   const history = histories.get(viewer) ?? new History();
   histories.set(viewer, history);
@@ -123,7 +116,6 @@ export function historyOf(viewer: PhongViewer): History {
 /** Given values by key; a key without one has its default. */
 type Given = ReadonlyMap<string, unknown>;
 
-/** The declared values of a light, mesh or viewer. */
 export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoable<Given> {
   const binding = fieldsOf(element as PhongViewer);
   const { store } = binding;
@@ -143,15 +135,10 @@ export function cameraOf(viewer: PhongViewer): Undoable<CameraPlacement> {
   const camera = viewerCameras.get(viewer)!;
   return {
     read: () => camera.placement(),
-    same: (a, b) => sameParts(a.pose, b.pose) && sameParts(a.framing ?? {}, b.framing ?? {}),
+    same: (a, b) => JSON.stringify(a) === JSON.stringify(b),
     restore: (_, to) => camera.place(to, 'panel'),
   };
 }
-
-const sameParts = (a: object, b: object): boolean => {
-  const [left, right] = [Object.entries(a), Object.entries(b)];
-  return left.length === right.length && left.every(([, value], i) => sameValue(value, right[i]?.[1]));
-};
 
 interface TreePlace {
   readonly parent: Node | null;
@@ -165,10 +152,7 @@ function holds(element: HTMLElement, node: Node | null): boolean {
   return false;
 }
 
-/**
- * Which children the viewer has, and where they are in the document. A step back that would move one into itself does
- * nothing.
- */
+/** Which children the viewer has, and where. A step back that would move one into itself does nothing. */
 export function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
   const stays = (a: TreePlace | undefined, b: TreePlace | undefined): boolean =>
     a?.parent === b?.parent && a?.next === b?.next;

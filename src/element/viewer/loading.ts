@@ -11,7 +11,7 @@ import { sceneMeshes } from '../internals.js';
 import type { ViewerContext } from './viewer-context.js';
 import { elementOf } from './children.js';
 import type { EventQueue } from './event-queue.js';
-import { errorDetail, factOf } from './failure.js';
+import type { ViewerFailure } from './failure.js';
 
 /** Loads that take less show no progress bar, ms: it would only flicker. */
 const BAR_DELAY = 300;
@@ -19,10 +19,10 @@ const BAR_DELAY = 300;
 export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #context: ViewerContext;
   readonly #events: EventQueue;
-  readonly #progress = new LoadProgress();
-  /** Advice that the console has. */
-  readonly #given = new Set<string>();
-  /** The viewer's own `src` or `geometry`. */
+  readonly #failure: ViewerFailure;
+  /** What has arrived of each load, 0 to 1; null: not known. Those that have ended stay, or the share would fall. */
+  readonly #shares = new Map<SceneMesh, number | null>();
+  readonly #active = new Set<SceneMesh>();
   readonly ownMesh: SceneMesh;
   #near = false;
   #suspended = false;
@@ -33,15 +33,16 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   /** Meshes whose content has not been drawn yet. */
   readonly #undrawn = new Set<SceneMesh>();
 
-  constructor(context: ViewerContext, events: EventQueue) {
+  constructor(context: ViewerContext, events: EventQueue, failure: ViewerFailure) {
     const { viewer, store, viewport, signals } = (this.#context = context);
     this.#events = events;
+    this.#failure = failure;
     this.ownMesh = new SceneMesh(store, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
     signals.awaited = () => !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
     signals.recover = (error, draw) => this.#recover(error, draw);
-    signals.painted.listen(() => this.#drawn());
+    signals.drawn.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
       if (near) this.#neared();
     });
@@ -65,7 +66,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return this.#context.viewport.drawable;
   }
 
-  /** All content has been drawn. */
   #drawn(): void {
     this.#hasDrawn = true;
     for (const mesh of this.#undrawn) mesh.drawn();
@@ -98,19 +98,22 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   began(mesh: SceneMesh): void {
     if (!this.pending) this.#barTimer = setTimeout(this.#showBar, BAR_DELAY);
-    this.#progress.begin(mesh);
-    this.#context.signals.loadingChanged.emit();
+    this.#active.add(mesh);
+    this.#shares.set(mesh, null);
+    this.#context.viewer.requestUpdate();
   }
 
+  /** In bytes. A `total` of 0 is not known. */
   progress(mesh: SceneMesh, loaded: number, total: number): void {
-    this.#progress.update(mesh, loaded, total);
+    this.#shares.set(mesh, total > 0 ? Math.min(loaded / total, 1) : null);
     this.#enqueueProgress();
-    if (this.#isSlow) this.#context.signals.loadingChanged.emit();
+    if (this.#isSlow) this.#context.viewer.requestUpdate();
   }
 
   dropped(mesh: SceneMesh): void {
     this.#end(mesh);
-    this.#context.signals.cleared.emit(mesh);
+    this.#failure.clear(mesh);
+    queueMicrotask(() => this.#context.signals.ended.emit()); // meshes are being updated now
   }
 
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
@@ -118,13 +121,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     const { signals } = this.#context;
     const child = elementOf(mesh);
     if (error !== null) {
-      const detail = errorDetail(error, url);
+      const detail = this.#failure.report(mesh, error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
-      signals.failed.emit({
-        subject: mesh,
-        detail,
-        fact: factOf(error, detail, mesh.isOwnFile, url, this.#given),
-      });
     } else if (url !== null) {
       const detail: LoadDetail = { url: url.href, missing: mesh.missing };
       this.#enqueueProgress();
@@ -134,16 +132,13 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     signals.ended.emit();
   }
 
-  /** Something requested has not arrived yet. */
   get pending(): boolean {
-    return this.#progress.active;
+    return this.#active.size > 0;
   }
 
-  /**
-   * What a progress bar shows: the share that has arrived, 0 to 1, or null if that is not known. Undefined for no bar.
-   */
+  /** What a progress bar shows: the share that has arrived, null if it is not known. Undefined for no bar. */
   get bar(): number | null | undefined {
-    return this.#isSlow ? this.#progress.share : undefined;
+    return this.#isSlow ? this.#share : undefined;
   }
 
   /** Something to show is declared. */
@@ -186,7 +181,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     });
   }
 
-  /** The viewer is in view or near it: lazy loading begins. */
   #neared(): void {
     if (this.#near) return;
     this.#near = true;
@@ -212,19 +206,29 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   readonly #showBar = (): void => {
     this.#isSlow = true;
-    this.#context.signals.loadingChanged.emit();
+    this.#context.viewer.requestUpdate();
   };
 
   #end(mesh: SceneMesh): void {
     this.#context.viewport.animate(); // the first picture may have waited for it
-    if (!this.#progress.end(mesh)) return;
+    if (!this.#active.delete(mesh)) return;
+    this.#shares.set(mesh, 1);
+    if (this.pending) return;
+    this.#shares.clear();
     clearTimeout(this.#barTimer);
     this.#isSlow = false;
-    this.#context.signals.loadingChanged.emit();
+    this.#context.viewer.requestUpdate();
+  }
+
+  /** Mean of the loads, those not known counting as 0. Null if none is known. */
+  get #share(): number | null {
+    const shares = [...this.#shares.values()];
+    if (shares.every((share) => share === null)) return null;
+    return shares.reduce<number>((sum, share) => sum + (share ?? 0), 0) / shares.length;
   }
 
   #enqueueProgress(): void {
-    const totalProgress = this.pending ? (this.#progress.share ?? 0) : 1;
+    const totalProgress = this.pending ? (this.#share ?? 0) : 1;
     this.#events.enqueue('progress', { totalProgress });
   }
 
@@ -233,50 +237,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 }
 
-/** Progress of all loads together. A load is identified by any object. */
-class LoadProgress {
-  /**
-   * What has arrived of each load, 0 to 1; null for not known. Loads that have ended stay as long as another is in
-   * progress: otherwise the share would fall.
-   */
-  readonly #shares = new Map<object, number | null>();
-  readonly #active = new Set<object>();
-
-  get active(): boolean {
-    return this.#active.size > 0;
-  }
-
-  begin(load: object): void {
-    this.#active.add(load);
-    this.#shares.set(load, null);
-  }
-
-  /** In bytes. A `total` of 0 is not known. */
-  update(load: object, loaded: number, total: number): void {
-    this.#shares.set(load, total > 0 ? Math.min(loaded / total, 1) : null);
-  }
-
-  /** True if this was the last load in progress. */
-  end(load: object): boolean {
-    if (!this.#active.delete(load)) return false;
-    this.#shares.set(load, 1);
-    if (this.active) return false;
-    this.#shares.clear();
-    return true;
-  }
-
-  /** Mean of the loads' shares, those not known counting as 0. Null if none is known. */
-  get share(): number | null {
-    const shares = [...this.#shares.values()];
-    if (shares.every((share) => share === null)) return null;
-    return shares.reduce<number>((sum, share) => sum + (share ?? 0), 0) / shares.length;
-  }
-}
-
-/**
- * From now on files that are dropped on the viewer become its model, while it is `droppable`. What the browser offers
- * only during the event is taken here; which of them is the model is decided by the code that reads models.
- */
+/** Files dropped on a `droppable` viewer become its model. The browser offers them only during the event. */
 function takeDrops(viewer: PhongViewer): void {
   let drops = 0;
   /** A page's own handler comes first, and may have taken the files. */

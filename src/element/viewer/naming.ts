@@ -7,18 +7,8 @@ import type { PhongViewer } from '../elements.js';
 /** Attributes, besides `alt`, that name the picture or say what it is. */
 export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
 
-/** How the picture is named to assistive technology. */
-export interface SurfaceName {
-  /** What a screen reader must leave to the picture, which is an application then; empty for an image without keys. */
-  readonly keys: string;
-  readonly label: string;
-  readonly labelledBy: readonly Element[] | null;
-  /** Nothing of the viewer is to be read. */
-  readonly hidden: boolean;
-}
-
-/** An application gets the keys that a screen reader would keep for itself on an image. */
-export function surfaceName(viewer: PhongViewer, texts: ViewerTexts | null): SurfaceName {
+/** An application gets the keys that a screen reader would keep for itself on an image; `keys` is empty for an image. */
+export function surfaceName(viewer: PhongViewer, texts: ViewerTexts | null) {
   const label = viewer.getAttribute('aria-label') || viewer.alt;
   // Missing in browsers without element reflection, whatever the types say.
   const labelledBy = (viewer as Partial<Element>).ariaLabelledByElements ?? null;

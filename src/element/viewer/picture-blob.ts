@@ -23,15 +23,14 @@ export interface PictureOptions {
   readonly samples?: number;
 }
 
-/**
- * `picture` as a file; null stands for an invalid size. Rejects with RangeError or TypeError for options outside their
- * domain, and if the browser cannot encode that many pixels.
- */
+/** Null stands for an invalid size or number of samples. Rejects where options are wrong or the file cannot be made. */
 export async function pictureBlob(
   picture: HTMLCanvasElement | null,
-  { width, height, type = 'image/png', quality }: PictureOptions,
+  { width, height, type = 'image/png', quality, samples }: PictureOptions,
 ): Promise<Blob> {
   if (picture === null) {
+    if (samples !== undefined && !(Number.isInteger(samples) && samples >= 1 && samples <= 1024))
+      throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
     const asked = `${String(width ?? 'default')} × ${String(height ?? 'default')}`;
     throw new RangeError(`toBlob: width and height must be whole numbers of pixels from 1, got ${asked}`);
   }

@@ -7,12 +7,10 @@ export class Readiness {
   #promise: Promise<void> = Promise.resolve();
   #resolve: (() => void) | null = null;
 
-  /** `settled` says whether everything requested so far is there. */
   constructor(signals: ViewerSignals, settled: () => boolean) {
     this.#settled = settled;
     const check = (): void => this.check();
     for (const signal of [signals.ended, signals.frameEnded, signals.viewChanged]) signal.listen(check);
-    signals.cleared.listen(() => queueMicrotask(check));
   }
 
   /** The current promise; a new one if something was requested since the last one resolved. */

@@ -8,10 +8,25 @@ import type * as Reference from '../../reference/index.js';
 import type { LightShare, Shaded } from '../../reference/index.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import { cornersOf, type Hit, pick, pickNear } from '../../scene/snapshot/pick.js';
+import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
-import type { PhongMesh, PhongViewer } from '../elements.js';
+import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 import type { FragmentExplanation, ShadeOptions } from '../explanation.js';
-import type { ViewerSnapshot } from './viewer-snapshot.js';
+
+/** What is explained, copied at the call: this code may have to be fetched, and the scene changes meanwhile. */
+export interface ViewerSnapshot {
+  /** Null while the picture has no box on the page. */
+  readonly scene: SceneSnapshot<PhongMesh | PhongViewer> | null;
+  /** Size of the picture, in the CSS pixels of pointer events. */
+  readonly width: number;
+  readonly height: number;
+  readonly lights: readonly {
+    /** Null for the head-light. */
+    readonly light: PhongLight | null;
+    readonly name: string;
+    readonly values: LightValues;
+  }[];
+}
 
 const referenceCode = lazyCode(() => import('../../reference/index.js'), 'shadeAt');
 

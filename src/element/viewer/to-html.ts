@@ -9,10 +9,7 @@ import type { PhongCompare, PhongViewer } from '../elements.js';
 /** The page's own attributes that are kept. */
 const KEPT = ['id', 'class', 'style'];
 
-/**
- * Wrappers that are written as they are; others, such as custom elements, which may bring lights of their own, become
- * `div`.
- */
+/** Wrappers that are kept. Others, such as custom elements with lights of their own, become `div`. */
 const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
 
 /** A comparison with its viewers. */
@@ -24,10 +21,7 @@ export function compareMarkup(compare: PhongCompare): string {
   return `<phong-compare${kept(compare)}${values}>\n${inner}</phong-compare>`;
 }
 
-/**
- * The viewer with its meshes and lights in document order, in their wrappers. The camera and a pinned point are those
- * shown now.
- */
+/** The viewer and its children in their wrappers. The camera and a pinned point are those shown now. */
 export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
   const { theta, phi, radius, target } = viewer.camera;
   const pin = viewerPins.get(viewer);

@@ -7,7 +7,6 @@ import type { LightState } from '../../light/light-state.js';
 import type { Picture } from '../../scene/picture.js';
 import { Viewport, ViewportSignals } from '../../scene/viewport.js';
 import type { CameraSource, PhongLight, PhongViewer } from '../elements.js';
-import type { ViewerErrorDetail } from '../events.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { ElementView } from '../page/visibility.js';
 
@@ -15,20 +14,6 @@ export interface CameraMove {
   readonly source: CameraSource;
   /** Another viewer's camera has moved this one. */
   readonly linked: boolean;
-}
-
-/** What can fail: a mesh, or the graphics context. */
-export interface FailureSubject {
-  /** It shows a file of the user's own. */
-  readonly isOwnFile?: boolean;
-}
-
-export interface Failure {
-  /** What can work again. */
-  readonly subject: FailureSubject;
-  readonly detail: ViewerErrorDetail;
-  /** What visitors read: the file and what is wrong, without advice that only the author can follow. */
-  readonly fact: string;
 }
 
 /** Given at once, in the task in which it happens. */
@@ -44,12 +29,6 @@ export class ViewerSignals extends ViewportSignals {
   readonly cameraMoved = new Signal<CameraMove>();
   /** Place on the page, visibility or size have changed. */
   readonly viewChanged = new Signal<ElementView>();
-  /** What is pending, or how much of it has arrived, has changed. */
-  readonly loadingChanged = new Signal();
-  /** Something failed. */
-  readonly failed = new Signal<Failure>();
-  /** It works, or is gone. */
-  readonly cleared = new Signal<FailureSubject>();
   /** Something that `ready` waits for has ended, in whichever way. */
   readonly ended = new Signal();
 }
