@@ -7,7 +7,8 @@ export const modelChunks = [
     name: 'model-shared',
     test: /\/src\/model\/(slices|model-budget|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
-  // What helpers have in common with the panel. Before the panel's rows, which would take it with them.
+  // What helpers and comparison have in common with the panel. Before its rows, which would take it with them.
+  { name: 'followed-drag', test: /\/src\/element\/page\/followed-drag\.ts$/ },
   { name: 'round-number', test: /\/src\/(element\/viewer\/history|math\/round-number)\.ts$/ },
   // What <phong-control> has in common with the panel.
   {

@@ -1,39 +1,24 @@
 // Rows of numbers: one number by slider and field, or a vector by a field for each component.
-import { Controller, type GUI } from 'lil-gui';
+import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/texts.js';
+import { followDrag } from '../element/page/followed-drag.js';
 import type { Vec3 } from '../math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
-import { label, nameRow } from './label.js';
-import { TextField } from './text-control.js';
+import { label } from './label.js';
+import { InputRow, nameInput, type RowInput, TextField } from './input-row.js';
 import { tidy } from '../math/round-number.js';
 import { numberText, type SliderScale } from './travel.js';
 
-/** A slider over the usual range, and a field that accepts every value that the element accepts. */
-export class NumberControl extends Controller {
-  readonly #slider: Slider;
-  readonly #field: NumberField;
-
-  /** `travel`: the slider's scale while the value lies within it, as it is now. */
-  constructor(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => SliderScale) {
-    super(folder, bound, 'value', 'lil-number');
-    nameRow(this, name);
-    this.#slider = new Slider(bound, travel);
-    this.#field = new NumberField(bound, () => this.#slider.scale);
-    for (const { input } of [this.#slider, this.#field]) {
-      input.setAttribute('aria-labelledby', this.$name.id);
-      this.$widget.append(input);
-    }
-    this.$disable = this.#field.input;
-    // The field does everything by keyboard that the slider does, so one tab stop per row is enough.
-    this.#slider.input.tabIndex = -1;
-    this.updateDisplay();
-  }
-
-  override updateDisplay(): this {
-    this.#slider.update();
-    this.#field.update();
-    return this;
-  }
+/**
+ * A slider over the usual range, and a field that accepts every value that the element accepts. `travel`: the slider's
+ * scale while the value lies within it, as it is now.
+ */
+export function addNumber(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => SliderScale): InputRow {
+  const slider = new Slider(bound, travel);
+  // The field does everything by keyboard that the slider does, so one tab stop per row is enough.
+  slider.input.tabIndex = -1;
+  const field = new NumberField(bound, () => slider.scale);
+  return new InputRow(folder, bound, 'lil-number', name, [slider, field]);
 }
 
 export type Axis = 0 | 1 | 2;
@@ -61,40 +46,21 @@ export const nameComponent = (
   components: ComponentNames = AXES,
 ): void => label(name, (say) => (name.textContent = say(components[axis], { row: say(row) })));
 
-export class VectorControl extends Controller {
-  readonly #fields: readonly NumberField[];
-
-  /** `travel`: the scale of a component's steps, as it is now. */
-  constructor(
-    folder: GUI,
-    value: Bound<Vec3>,
-    name: ViewerText,
-    travel: (axis: Axis) => SliderScale,
-    components: ComponentNames = AXES,
-  ) {
-    super(folder, value, 'value', 'vector');
-    nameRow(this, name);
-    this.#fields = ([0, 1, 2] as const).map((axis) => {
-      const field = new NumberField(componentOf(value, axis), () => travel(axis));
-      const { input } = field;
-      this.$widget.append(input);
-      label(input, (say) => {
-        input.title = say(components[axis], { row: say(name) });
-        input.setAttribute('aria-label', input.title);
-      });
-      return field;
-    });
-    this.updateDisplay();
-  }
-
-  override updateDisplay(): this {
-    for (const field of this.#fields) field.update();
-    return this;
-  }
+/** A field for each component. `travel`: the scale of a component's steps, as it is now. */
+export function addVector(
+  folder: GUI,
+  value: Bound<Vec3>,
+  name: ViewerText,
+  travel: (axis: Axis) => SliderScale,
+  components: ComponentNames = AXES,
+): void {
+  const fields = ([0, 1, 2] as const).map((axis) => new NumberField(componentOf(value, axis), () => travel(axis)));
+  new InputRow(folder, value, 'vector', name, fields);
+  fields.forEach(({ input }, axis) => nameInput(input, (say) => say(components[axis]!, { row: say(name) })));
 }
 
 /** Its range grows to include the value, but not while it is dragged. */
-export class Slider {
+export class Slider implements RowInput {
   readonly input = document.createElement('input');
   /** The scale in use. */
   scale: SliderScale;
@@ -147,13 +113,12 @@ export class Slider {
 /** A press that moves less than this is a click. Pixels. */
 const SLACK = 3;
 
-/** Edits by typing, by arrow keys, and by dragging across the field. Listens to nothing outside the field. */
-class NumberField {
+/** Edits by typing, by arrow keys, and by dragging across the field. */
+class NumberField implements RowInput {
   readonly input: HTMLInputElement;
   readonly #travel: () => SliderScale;
   readonly #field: TextField;
   readonly #bound: Bound<number>;
-  #drag: { readonly x: number; readonly value: number; moved: boolean } | null = null;
 
   /** `travel` gives the steps and the resolution. */
   constructor(bound: Bound<number>, travel: () => SliderScale) {
@@ -196,28 +161,17 @@ class NumberField {
     const { input } = this;
     input.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || input.matches(':focus')) return;
-      this.#drag = { x: event.clientX, value: this.#bound.value, moved: false };
+      const { value } = this.#bound;
+      const moved = (dx: number, _: number, now: PointerEvent): void =>
+        this.#step(value, Math.round(dx) * factorOf(now));
+      followDrag(input, event, SLACK, { moved, ended: () => undefined });
     });
     // Without this the press would give the field the focus before it is known to be a click.
     input.addEventListener('mousedown', (event) => {
-      if (this.#drag !== null) event.preventDefault();
+      if (!input.matches(':focus')) event.preventDefault();
     });
-    input.addEventListener('pointermove', (event) => {
-      const drag = this.#drag;
-      if (drag === null) return;
-      const travelled = event.clientX - drag.x;
-      if (!drag.moved && Math.abs(travelled) < SLACK) return;
-      if (!drag.moved) input.setPointerCapture(event.pointerId);
-      drag.moved = true;
-      this.#step(drag.value, Math.round(travelled) * factorOf(event));
-    });
-    for (const type of ['pointerup', 'pointercancel'] as const) {
-      input.addEventListener(type, () => {
-        const drag = this.#drag;
-        this.#drag = null;
-        if (type === 'pointerup' && drag?.moved === false) input.focus();
-      });
-    }
+    // A drag ends without one.
+    input.addEventListener('click', () => input.focus());
   }
 
   #step(from: number, steps: number): void {

@@ -2,7 +2,6 @@
 // only and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import { GUI_FOLDERS } from '../element/fields/viewer-fields.js';
-import type { ViewerTexts } from '../element/fields/texts.js';
 import {
   type CreatePanel,
   OPEN_PANEL,
@@ -10,7 +9,6 @@ import {
   type PanelChange,
   WIDE_PANEL,
 } from '../element/viewer/viewer-panel.js';
-import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { addStyles, removeStyles } from '../element/page/style-sheets.js';
@@ -38,8 +36,6 @@ const WIDE = { text: 40, column: WIDE_PANEL } as const;
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelColumn + panelStyles + controls;
 
-export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
-
 /** What a panel shows below its title. */
 interface Content {
   update(change: PanelChange): void;
@@ -48,142 +44,109 @@ interface Content {
   dispose(): void;
 }
 
-class ControlPanel implements Panel {
-  readonly #viewer: PhongViewer;
-  readonly #gui: GUI;
-  readonly #range: SceneRange;
-  readonly #content: Content;
-  readonly #root: ShadowRoot;
-  readonly #stopWaiting: () => void;
-  /** Those that the panel is written in. */
-  #texts: ViewerTexts | null;
-
-  constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
-    this.#viewer = viewer;
-    this.#texts = viewer.texts;
-    this.#root = root;
-    addStyles(root, STYLES);
-    const gui = newRoot(place);
-    this.#gui = gui;
-    this.#range = new SceneRange(viewer);
-    this.#content = contentOf(viewer, gui, this.#range);
-    gui.onOpenClose(() => {
-      // lil-gui calls before it has marked the folder as open.
-      queueMicrotask(() => {
-        this.#content.refreshVisible();
-        markOpen(place, gui);
-      });
-    });
-    viewer.addEventListener('load', this.#loaded);
-    this.#stopWaiting = openIfWide(gui, viewer);
-    for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.#content.update(change);
-    markOpen(place, gui);
-  }
-
-  update(change: PanelChange): void {
-    if (change === 'viewer' && this.#texts !== this.#viewer.texts) {
-      this.#texts = this.#viewer.texts;
-      relabel(this.#gui.domElement);
-      this.#content.update('lights');
-      this.#content.update('meshes');
-    }
-    this.#content.update(change);
-  }
-
-  dispose(): void {
-    this.#viewer.removeEventListener('load', this.#loaded);
-    this.#stopWaiting();
-    this.#content.dispose();
-    this.#gui.destroy();
-    removeStyles(this.#root, STYLES);
-  }
-
-  readonly #loaded = (): void => {
-    this.#range.expire();
-    for (const change of ['lights', 'camera', 'meshes'] as const) this.#content.update(change);
+export const createPanel: CreatePanel = (viewer, place, root): Panel => {
+  addStyles(root, STYLES);
+  const gui = newRoot(place);
+  const range = new SceneRange(viewer);
+  const content = contentOf(viewer, gui, range);
+  let { texts } = viewer;
+  const loaded = (): void => {
+    range.expire();
+    for (const change of ['lights', 'camera', 'meshes'] as const) content.update(change);
   };
-}
+  gui.onOpenClose(() => {
+    // lil-gui calls before it has marked the folder as open.
+    queueMicrotask(() => {
+      content.refreshVisible();
+      markOpen(place, gui);
+    });
+  });
+  viewer.addEventListener('load', loaded);
+  const stopWaiting = openIfWide(gui, viewer);
+  for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) content.update(change);
+  markOpen(place, gui);
+  return {
+    update(change) {
+      if (texts !== viewer.texts) {
+        ({ texts } = viewer);
+        relabel(gui.domElement);
+        content.update('lights');
+        content.update('meshes');
+      }
+      content.update(change);
+    },
+    dispose() {
+      viewer.removeEventListener('load', loaded);
+      stopWaiting();
+      content.dispose();
+      gui.destroy();
+      removeStyles(root, STYLES);
+    },
+  };
+};
 
 /** All folders, or only the rows that `gui` lists. */
 function contentOf(viewer: PhongViewer, gui: GUI, range: SceneRange): Content {
   const { gui: listed } = viewer;
-  if (typeof listed === 'boolean') return new Folders(viewer, gui, range, ['lights', 'camera']);
+  if (typeof listed === 'boolean') return addFolders(viewer, gui, range, ['lights', 'camera']);
   const folders = GUI_FOLDERS.filter((name) => listed.includes(name));
-  if (folders.length === listed.length) return new Folders(viewer, gui, range, folders);
+  if (folders.length === listed.length) return addFolders(viewer, gui, range, folders);
   const update = addFlatRows(gui, viewer, range, listed);
   return { update, refreshVisible: update, dispose: () => undefined };
 }
 
 type GuiFolder = (typeof GUI_FOLDERS)[number];
 
-/** The whole panel. */
-class Folders implements Content {
-  readonly #viewer: PhongViewer;
-  readonly #range: SceneRange;
-  readonly #lights: ChildFolders<PhongLight>;
-  readonly #meshes: ChildFolders<PhongMesh>;
-  readonly #camera: Folder<PhongViewer>;
-  readonly #shading: Folder<PhongViewer>;
-  readonly #show: Folder<PhongViewer>;
+/** `open`: the folders that are open at first. */
+function addFolders(viewer: PhongViewer, gui: GUI, range: SceneRange, open: readonly GuiFolder[]): Content {
+  const stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
+  const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> =>
+    new Folder(gui, title, { element: viewer, viewer, range, title: () => title }, rowsIn(title, VIEWER_ROWS));
+  const lights = new ChildFolders(gui, 'Lights', viewer, range, LIGHTS);
+  addButton(lights.group, 'add light', () => {
+    const light = document.createElement('phong-light');
+    Object.assign(light, newLight(viewer.lights.length, range.center, range.reach));
+    lights.add(light, () => viewer.append(light));
+  });
+  const camera = folderOf('Camera');
+  const shading = folderOf('Shading');
+  const show = folderOf('Show');
   /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
-  readonly #surface: Folder<PhongViewer>;
-  readonly #updateFiles: () => void;
-  readonly #stops: readonly (() => void)[];
-  #meshList: readonly PhongMesh[] = [];
-
-  constructor(viewer: PhongViewer, gui: GUI, range: SceneRange, open: readonly GuiFolder[]) {
-    this.#viewer = viewer;
-    this.#range = range;
-    this.#stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
-    const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> =>
-      new Folder(gui, title, { element: viewer, viewer, range, title: () => title }, rowsIn(title, VIEWER_ROWS));
-    this.#lights = new ChildFolders(gui, 'Lights', viewer, range, LIGHTS);
-    addButton(this.#lights.group, 'add light', () => {
-      const light = document.createElement('phong-light');
-      Object.assign(light, newLight(viewer.lights.length, range.center, range.reach));
-      this.#lights.add(light, () => viewer.append(light));
-    });
-    this.#camera = folderOf('Camera');
-    this.#shading = folderOf('Shading');
-    this.#show = folderOf('Show');
-    this.#surface = folderOf('Material');
-    this.#meshes = new ChildFolders(gui, 'Meshes', viewer, range, MESHES);
-    this.#updateFiles = addFiles(gui, viewer);
-    const groups = {
-      lights: this.#lights.group,
-      camera: this.#camera.gui,
-      shading: this.#shading.gui,
-      show: this.#show.gui,
-      meshes: this.#meshes.group,
-    } satisfies Record<GuiFolder, GUI>;
-    for (const name of GUI_FOLDERS) groups[name].open(open.includes(name));
-  }
-
-  update(change: PanelChange): void {
-    const { geometry, src, meshes } = this.#viewer;
-    if (change === 'lights') this.#lights.update();
-    else if (change === 'meshes') {
-      if (meshes !== this.#meshList) this.#range.expire();
-      this.#meshList = meshes;
-      this.#meshes.group.show(meshes.length > 0);
-      this.#meshes.update();
-    } else this.#camera.update();
-    if (change !== 'camera') this.#show.update();
-    if (change !== 'viewer') return;
-    this.#updateFiles();
-    this.#shading.update();
-    this.#surface.gui.show(geometry !== null || src !== '');
-    this.#surface.update();
-  }
-
-  refreshVisible(): void {
-    for (const each of [this.#lights, this.#meshes, this.#camera, this.#shading, this.#show, this.#surface])
-      each.refreshVisible();
-  }
-
-  dispose(): void {
-    for (const stop of this.#stops) stop();
-  }
+  const surface = folderOf('Material');
+  const meshes = new ChildFolders(gui, 'Meshes', viewer, range, MESHES);
+  const updateFiles = addFiles(gui, viewer);
+  const groups = {
+    lights: lights.group,
+    camera: camera.gui,
+    shading: shading.gui,
+    show: show.gui,
+    meshes: meshes.group,
+  } satisfies Record<GuiFolder, GUI>;
+  for (const name of GUI_FOLDERS) groups[name].open(open.includes(name));
+  let meshList: readonly PhongMesh[] = [];
+  return {
+    update(change) {
+      if (change === 'lights') lights.update();
+      else if (change === 'meshes') {
+        if (viewer.meshes !== meshList) range.expire();
+        meshList = viewer.meshes;
+        meshes.group.show(meshList.length > 0);
+        meshes.update();
+      } else camera.update();
+      if (change !== 'camera') show.update();
+      if (change !== 'viewer') return;
+      updateFiles();
+      shading.update();
+      surface.gui.show(viewer.geometry !== null || viewer.src !== '');
+      surface.update();
+    },
+    refreshVisible() {
+      for (const each of [lights, meshes, camera, shading, show, surface]) each.refreshVisible();
+    },
+    dispose() {
+      for (const stop of stops) stop();
+    },
+  };
 }
 
 function newRoot(place: HTMLElement): GUI {

@@ -10,19 +10,11 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import { historyOf, type Undoable, valuesOf } from '../element/viewer/history.js';
 import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
-import { ColorControl } from './color-control.js';
+import { addColor } from './color-control.js';
 import { explain, nameAttribute, nameRow, type Say } from './label.js';
-import {
-  type Axis,
-  type ComponentNames,
-  componentOf,
-  nameComponent,
-  NumberControl,
-  VectorControl,
-} from './number-controls.js';
+import { addNumber, addVector, type Axis, type ComponentNames, componentOf, nameComponent } from './number-controls.js';
 import type { SceneRange } from './travel.js';
-import { SelectControl } from './select-control.js';
-import { Readout, TextControl } from './text-control.js';
+import { addSelect, addText, Readout } from './input-row.js';
 import type { SliderScale } from './travel.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
@@ -154,7 +146,7 @@ export const number = <E>(
   hint?: ViewerText,
 ): Row<number, E> => ({
   add: (gui, place, value) => {
-    const control = new NumberControl(gui, value, label, () =>
+    const control = addNumber(gui, value, label, () =>
       scaled(place, typeof travel === 'function' ? travel(place) : travel),
     );
     if (hint !== undefined) explain(control.domElement, hint);
@@ -171,9 +163,9 @@ export const vector = <E>(
     const travelOf = (axis: Axis): SliderScale =>
       scaled(place, typeof travel === 'function' ? travel(place, axis) : travel);
     const { axis = null } = place;
-    if (axis === null) new VectorControl(gui, value, label, travelOf, components);
+    if (axis === null) addVector(gui, value, label, travelOf, components);
     else {
-      const control = new NumberControl(gui, componentOf(value, axis), label, () => travelOf(axis));
+      const control = addNumber(gui, componentOf(value, axis), label, () => travelOf(axis));
       nameComponent(control.$name, label, axis, components);
     }
   },
@@ -181,9 +173,7 @@ export const vector = <E>(
 
 /** `usual`: the end of the brightness slider; 1 is 255. */
 export const color = (label: ViewerText, usual: number): Row<Vec3, unknown> => ({
-  add: (gui, _, value) => {
-    new ColorControl(gui, value, label, usual);
-  },
+  add: (gui, _, value) => addColor(gui, value, label, usual),
 });
 
 export const flag = (label: ViewerText): Row<boolean, unknown> => ({
@@ -209,9 +199,7 @@ export const flags = <T extends string>(
 
 /** A line of text; empty, it shows the folder's title. */
 export const text = (label: ViewerText): Row<string, unknown> => ({
-  add: (gui, place, value) => {
-    new TextControl(gui, value, label, () => place.title());
-  },
+  add: (gui, place, value) => addText(gui, value, label, () => place.title()),
 });
 
 /** One of several words; null is the viewer's own value. `hint`: the tooltip. */
@@ -222,7 +210,7 @@ export const oneOf = <T extends ViewerText | null>(
 ): Row<T, unknown> => ({
   add: (gui, _, value) => {
     const textOf = (word: T, say: Say): string => say(word ?? 'as viewer');
-    const control = new SelectControl(gui, value, label, () => words, textOf);
+    const control = addSelect(gui, value, label, () => words, textOf);
     if (hint !== undefined) explain(control.domElement, hint);
   },
 });
@@ -235,7 +223,7 @@ export const oneName = <E>(
 ): Row<string, E> => ({
   add: (gui, { element }, value) => {
     const valuesNow = (): readonly string[] => values(element);
-    new SelectControl(gui, value, label, valuesNow, (name, say) => textOf(name, element, say));
+    addSelect(gui, value, label, valuesNow, (name, say) => textOf(name, element, say));
   },
 });
 

@@ -143,9 +143,9 @@ export class SceneRange {
     if (this.#measured !== null) return this.#measured;
     const { scene } = this.#viewer;
     scene.updateMatrixWorld();
-    const extent = measure(scene);
-    const radius = extent.empty ? 0 : extent.radiusAbout(extent.center);
-    const reach = radius > 0 ? niceCeil(REACH * radius) : EMPTY_REACH;
-    return (this.#measured = { center: extent.center, reach });
+    const { center = ORIGIN, radius = 0 } = measure(scene).bounds ?? {};
+    return (this.#measured = { center, reach: radius > 0 ? niceCeil(REACH * radius) : EMPTY_REACH });
   }
 }
+
+const ORIGIN: Vec3 = [0, 0, 0];

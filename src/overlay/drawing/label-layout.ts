@@ -42,17 +42,17 @@ export function listOf(
   room: Rect,
   fontSize: number,
   boxes: readonly Rect[] = [],
-): { readonly list: readonly DrawnItem[]; readonly placed: readonly (Rect & { readonly text: string })[] } {
+): { readonly list: readonly DrawnItem[]; readonly placed: readonly Rect[] } {
   const covered = drawings.flatMap((each) => each.covered);
   const taken = [...boxes];
-  const placed: (Rect & { readonly text: string })[] = [];
+  const placed: Rect[] = [];
   const labels: Label[] = [];
   for (const name of [...drawings].reverse().flatMap(({ names }) => names)) {
     const text = shortened(name.text);
     const box = bestBox(name, textWidth(text, fontSize), room, taken, covered, fontSize);
     if (box === null) continue;
     taken.push(box);
-    placed.push({ text, ...box });
+    placed.push(box);
     const { color = '#fff', opacity = 1, part } = name;
     const at = { x: box.left, y: box.bottom - LINE.descent * fontSize };
     labels.push({ kind: 'label', at, text, color, opacity, part });
@@ -148,34 +148,22 @@ export function boxesAlong(points: readonly Point[], half: number): Rect[] {
   });
 }
 
-/** Names are few; a page that writes new ones every frame must not keep them all. */
-const MOST_WIDTHS = 1000;
-
-/** Pixels at which texts are measured. Widths at other sizes are in proportion. */
-const MEASURED = 12;
-
-const widths = new Map<string, number>();
 let context: CanvasRenderingContext2D | null = null;
 
 /** Measured by a canvas, which costs no layout. CSS pixels. */
 function textWidth(text: string, fontSize: number): number {
-  let width = widths.get(text);
-  if (width === undefined) {
-    if (widths.size >= MOST_WIDTHS) widths.clear();
-    context ??= document.createElement('canvas').getContext('2d');
-    if (context !== null) context.font = labelFont(`${String(MEASURED)}px`);
-    // Without a canvas: seven pixels a letter is wider than most text.
-    width = context?.measureText(text).width ?? 7 * text.length;
-    widths.set(text, width);
-  }
-  return (width * fontSize) / MEASURED;
+  context ??= document.createElement('canvas').getContext('2d');
+  // Without a canvas: wider than most text.
+  if (context === null) return 0.6 * fontSize * text.length;
+  context.font = labelFont(`${String(fontSize)}px`);
+  return context.measureText(text).width;
 }
 
 /** Characters of the longest name. */
 const LONGEST = 24;
 
 /** The first characters of a text, with an ellipsis in place of the rest. */
-export function shortened(text: string): string {
+function shortened(text: string): string {
   const characters = Array.from(text);
   return characters.length <= LONGEST ? text : `${characters.slice(0, LONGEST - 1).join('')}…`;
 }

@@ -181,15 +181,8 @@ export class Projection {
     };
   }
 
-  /** Not so far outside the layer that lines are cut. */
-  #isNear({ x, y }: Point): boolean {
-    const { width, height } = this;
-    return x >= -OUTSIDE * width && x <= (1 + OUTSIDE) * width && y >= -OUTSIDE * height && y <= (1 + OUTSIDE) * height;
-  }
-
   /** Liang and Barsky's clipping. */
   #clipped(a: Point, b: Point): readonly [Point, Point] | null {
-    if (this.#isNear(a) && this.#isNear(b)) return [a, b];
     const [dx, dy] = [b.x - a.x, b.y - a.y];
     let [from, to] = [0, 1];
     const sides = [
@@ -210,11 +203,11 @@ export class Projection {
       x: clamp(a.x + share * dx, -OUTSIDE * this.width, (1 + OUTSIDE) * this.width),
       y: clamp(a.y + share * dy, -OUTSIDE * this.height, (1 + OUTSIDE) * this.height),
     });
-    return [this.#isNear(a) ? a : at(from), this.#isNear(b) ? b : at(to)];
+    return [from === 0 ? a : at(from), to === 1 ? b : at(to)];
   }
 }
 
-const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
+export const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 
 /** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
 export function inside({ x, y }: Point, { width, height }: { width: number; height: number }, margin: number): Point {

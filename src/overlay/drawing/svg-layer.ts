@@ -34,14 +34,11 @@ export class SvgLayer {
     set(this.element, { viewBox: `0 0 ${String(width)} ${String(height)}` });
   }
 
-  /**
-   * Shows exactly this. A shape that is the same object as before at its place in the list, or an equal label, costs
-   * nothing.
-   */
+  /** Shows exactly this. What is the same object as before at its place in the list costs nothing. */
   show(list: readonly DrawnItem[]): void {
     list.forEach((item, i) => {
       const shown = this.#shown[i];
-      if (shown !== undefined && isSame(shown.item, item)) return;
+      if (shown?.item === item) return;
       const elements = shown?.item.kind === item.kind ? shown.elements : this.#add(item.kind, shown?.elements);
       this.#shown[i] = { item, elements };
       draw(elements, item);
@@ -58,10 +55,6 @@ export class SvgLayer {
     return elements;
   }
 }
-
-/** Labels are placed again for each list, but few of them move. */
-const isSame = (a: DrawnItem, b: DrawnItem): boolean =>
-  a === b || (a.kind === 'label' && JSON.stringify(a) === JSON.stringify(b));
 
 function draw([halo, core]: readonly SVGElement[], item: DrawnItem): void {
   const opacity = String(item.opacity ?? 1);

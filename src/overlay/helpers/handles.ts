@@ -11,10 +11,9 @@ import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
-import { ARROWS, inside, type Projection } from '../drawing/projection.js';
-import { EDGE, type Handle, type LightMarks, type HandlePart } from './light-marks.js';
+import { ARROWS, clamp, inside, type Projection } from '../drawing/projection.js';
+import { EDGE, type Handle, type LightMarks, type HandlePart, type SceneBall } from './light-marks.js';
 import { LightMove } from './light-move.js';
-import type { SceneBall } from './placed-light.js';
 
 interface HandleEntry {
   readonly element: HTMLElement;
@@ -43,6 +42,7 @@ export class Handles {
     aperture: new Map<PhongLight, HandleEntry>(),
   } satisfies Record<HandlePart, unknown>;
   readonly #move: LightMove;
+  #drag: { readonly element: HTMLElement; readonly end: () => void } | null = null;
   /** The handle that Tab reaches. */
   #current: HandleEntry | null = null;
 
@@ -56,7 +56,7 @@ export class Handles {
     this.#list.addEventListener('focusout', () => this.#endKeys());
     // The picture below zooms, if it may.
     this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
-    this.#listenToPointers();
+    this.#list.addEventListener('pointerdown', (event) => this.#press(event));
   }
 
   /** Updates the elements to what is drawn. */
@@ -88,30 +88,23 @@ export class Handles {
   }
 
   /** Travel is along the axes of the picture's surface, which CSS transforms may turn. One pointer at a time. */
-  #listenToPointers(): void {
-    let drag: { readonly id: number; readonly element: HTMLElement; readonly end: () => void } | null = null;
-    this.#list.addEventListener('pointerdown', (event) => {
-      const { target, pointerId: id } = event;
-      // An element that was removed gets no event at the end of its drag.
-      if (drag?.element.isConnected === true && drag.id !== id) return;
-      const shown = this.#shown.get(target!);
-      if (event.button !== 0 || shown === undefined) return;
-      event.preventDefault(); // no selection, no focus elsewhere
-      drag?.end();
-      this.#endKeys();
-      const { element } = shown;
-      element.focus({ preventScroll: true });
-      if (!this.#start(shown, false)) return;
-      const { axes } = pictureBox(this.#host.tree.surface);
-      const end = followDrag(element, event, SLOP, {
-        moved: (dx, dy, { shiftKey }) => this.#move.to(...alongAxes(axes, dx, dy), shiftKey),
-        ended: () => {
-          drag = null;
-          this.#end();
-        },
-      });
-      drag = { id, element, end };
+  #press(event: PointerEvent): void {
+    const shown = this.#shown.get(event.target!);
+    if (this.#drag !== null || event.button !== 0 || shown === undefined) return;
+    event.preventDefault(); // no selection, no focus elsewhere
+    this.#endKeys();
+    const { element } = shown;
+    element.focus({ preventScroll: true });
+    if (!this.#start(shown, false)) return;
+    const { axes } = pictureBox(this.#host.tree.surface);
+    const end = followDrag(element, event, SLOP, {
+      moved: (dx, dy, { shiftKey }) => this.#move.to(...alongAxes(axes, dx, dy), shiftKey),
+      ended: () => {
+        this.#drag = null;
+        this.#end();
+      },
     });
+    this.#drag = { element, end };
   }
 
   #add(light: PhongLight, part: HandlePart): HandleEntry {
@@ -132,7 +125,9 @@ export class Handles {
     const hadFocus = element.matches(':focus');
     this.#shown.delete(element);
     this.#byLight[part].delete(light);
-    if (this.#move.moves(light)) this.#end();
+    // Removed, it gets no event at the end of its drag.
+    if (this.#drag?.element === element) this.#drag.end();
+    else if (element.classList.contains('moving')) this.#end();
     const next = element.nextElementSibling ?? element.previousElementSibling;
     element.remove();
     if (this.#current === shown) {
@@ -211,7 +206,7 @@ export class Handles {
   #focus(by: number): boolean {
     const all = [...this.#list.children];
     const from = this.#current === null ? 0 : all.indexOf(this.#current.element);
-    const to = Math.min(Math.max(from + by, 0), all.length - 1);
+    const to = clamp(from + by, 0, all.length - 1);
     (all[to] as HTMLElement | undefined)?.focus({ preventScroll: true });
     return true;
   }

@@ -12,14 +12,11 @@ import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import styles from './helpers.css?inline';
 import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
-import type { SceneBall } from './placed-light.js';
+import type { SceneBall } from './light-marks.js';
 import { SceneHelpers } from './scene-helpers.js';
 
 const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
 export { createHelpers as create };
-
-/** The ball of a scene that shows nothing, as its camera assumes. */
-const EMPTY: SceneBall = { center: [0, 0, 0], radius: 1 };
 
 class Helpers implements Extra {
   readonly #host: ExtraHost;
@@ -30,12 +27,13 @@ class Helpers implements Extra {
   readonly #objects: SceneHelpers;
   readonly #room: Room;
   #view: Projection | null = null;
-  /** What {@link #view} and the scene's ball depend on. */
+  /** What the view and the scene's ball depend on. */
   #seen: readonly unknown[] = [];
-  #scene = EMPTY;
+  #scene: SceneBall;
 
   constructor(host: ExtraHost) {
     this.#host = host;
+    this.#scene = ballOf(host);
     this.#root = host.tree.layer.getRootNode() as ShadowRoot;
     addStyles(this.#root, styles);
     this.#element.append(this.#svg.element);
@@ -52,17 +50,13 @@ class Helpers implements Extra {
 
   #show(isFrame: boolean): void {
     const view = this.#look();
-    const { helpers } = this.#host.values;
-    const hasLights = view !== null && helpers.includes('lights');
+    const helpers = view === null ? [] : this.#host.values.helpers;
+    const hasLights = helpers.includes('lights');
+    const hasObjects = helpers.some((name) => name !== 'lights');
     if (!hasLights) this.#lights.hide();
-    if (view === null) {
-      this.#objects.hide();
-      this.#host.names.placed = [];
-      this.#svg.show([]);
-      return;
-    }
-    const objects = this.#objects.show(view, this.#scene, helpers);
-    const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
+    if (!hasObjects) this.#objects.hide();
+    const objects = hasObjects ? this.#objects.show(view!, this.#scene, helpers) : NO_DRAWING;
+    const lights = hasLights ? this.#lights.show(view!, this.#scene, isFrame) : NO_DRAWING;
     const { box, fontSize, boxes } = this.#room;
     const { list, placed } = listOf([objects, lights], box, fontSize, boxes);
     this.#host.names.placed = placed;
@@ -116,8 +110,8 @@ class Helpers implements Extra {
   }
 }
 
+/** Of a scene that shows nothing: as its camera assumes. */
 function ballOf({ viewport }: ExtraHost): SceneBall {
-  const bounds = viewport.picture.measure();
-  if (bounds === null) return EMPTY;
-  return { center: bounds.center, radius: bounds.radius > 0 ? bounds.radius : EMPTY.radius };
+  const { center = [0, 0, 0], radius = 0 } = viewport.picture.measure() ?? {};
+  return { center, radius: radius || 1 };
 }

@@ -1,30 +1,17 @@
 // The helpers of a viewer's lights: their marks and names, and their handles. Marks of a light are computed again only
 // where the light, the view or what hides it has changed.
 import { sameValue } from '../../fields/field-store.js';
-import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightNameText } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
-import type { Vec3 } from '../../math/vector.js';
 import { distanceAlong } from '../../scene/snapshot/pick.js';
-import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import { boxAround, type Drawing } from '../drawing/label-layout.js';
-import type { Projection, Ray } from '../drawing/projection.js';
+import type { Projection } from '../drawing/projection.js';
 import { Handles } from './handles.js';
-import { type LightMarks, lightMarks } from './light-marks.js';
-import { isBehind, RayTests } from './occlusion.js';
-import type { SceneBall } from './placed-light.js';
-
-/** What a light's marks were computed from. */
-interface KnownLight {
-  readonly values: LightValues;
-  readonly view: Projection;
-  readonly hidden: boolean;
-  readonly surface: number;
-  readonly marks: LightMarks;
-}
+import { type LightMarks, lightMarks, type SceneBall } from './light-marks.js';
+import { isBehind, type RayTest, RayTests } from './occlusion.js';
 
 /** Between a light's place and its name, CSS pixels. */
 const GAP = 12;
@@ -38,74 +25,65 @@ const DIMMED = 0.75;
 export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
-  readonly #hidden: RayTests<PhongLight, Vec3, boolean>;
-  /** Where the axes of spots meet a surface. */
-  readonly #surfaces: RayTests<PhongLight, Ray, number>;
-  readonly #known = new Map<PhongLight, KnownLight>();
+  readonly #hidden: RayTests<PhongLight, boolean>;
+  /** Distances along the axes of spots to the first surface. */
+  readonly #surfaces: RayTests<PhongLight, number>;
+  /** With what they were computed from. */
+  readonly #marks = new WeakMap<PhongLight, { readonly seen: readonly unknown[]; readonly marks: LightMarks }>();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
     this.#host = host;
     this.#handles = new Handles(host, place, this.#surfaceOf);
-    this.#hidden = new RayTests(host, isBehind, changed);
-    const distance = ({ origin, direction }: Ray, _: Projection, shapes: SceneSnapshot): number =>
-      distanceAlong(shapes, origin, direction);
-    this.#surfaces = new RayTests(host, distance, changed);
+    this.#hidden = new RayTests(host, changed);
+    this.#surfaces = new RayTests(host, changed);
   }
 
-  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn. */
+  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn, in which a mesh may have moved. */
   show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
-    const { lights } = this.#host.children;
-    const changed: PhongLight[] = [];
-    const present = new Set(lights);
-    for (const light of this.#known.keys()) if (!present.has(light)) this.#known.delete(light);
-    for (const light of lights) {
-      const { values } = fieldsOf(light).store;
-      const hidden = this.#isHidden(light);
-      const surface = this.#surfaceOf(light);
-      const known = this.#known.get(light);
-      const isSame = known?.view === view && sameValues(known.values, values);
-      if (isSame && known.hidden === hidden && known.surface === surface) continue;
-      if (!isSame) changed.push(light);
-      const marks = lightMarks(values, view, scene, hidden, surface);
-      this.#known.set(light, { values: { ...values }, view, hidden, surface, marks });
-    }
-    const marks = lights.map((light) => this.#known.get(light)!.marks);
+    const { lights } = this.#host.viewer;
+    const marks = this.#marksOf(lights, view, scene);
     this.#handles.show(lights, marks, view, scene);
-    const places = new Map(lights.map((light, i) => [light, marks[i]!.placed.place]));
-    // A frame for another reason than a light: a mesh may have moved.
-    const asked = isFrame && changed.length === 0 ? lights : changed;
-    this.#hidden.follow(view, places, asked);
-    const axes = new Map<PhongLight, Ray>();
-    lights.forEach((light, i) => {
-      const { spot, place } = marks[i]!.placed;
-      if (spot !== null) axes.set(light, { origin: place, direction: spot.axis });
-    });
-    this.#surfaces.follow(view, axes, asked);
+    if (isFrame) {
+      const places = new Map<PhongLight, RayTest<boolean>>();
+      const axes = new Map<PhongLight, RayTest<number>>();
+      lights.forEach((light, i) => {
+        const { spot, place } = marks[i]!.placed;
+        places.set(light, isBehind(place, view));
+        if (spot !== null) axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
+      });
+      this.#hidden.follow(places);
+      this.#surfaces.follow(axes);
+    }
     return this.#drawing(lights, marks);
   }
 
   /** The same for another size, without handles. */
   drawingAt(view: Projection, scene: SceneBall): Drawing {
-    const { lights } = this.#host.children;
-    const marks = lights.map((light) =>
-      lightMarks(fieldsOf(light).store.values, view, scene, this.#isHidden(light), this.#surfaceOf(light)),
-    );
-    return this.#drawing(lights, marks);
+    const { lights } = this.#host.viewer;
+    return this.#drawing(lights, this.#marksOf(lights, view, scene));
   }
 
   hide(): void {
     this.#handles.hide();
     this.#hidden.stop();
     this.#surfaces.stop();
-    this.#known.clear();
   }
 
   /** Distance along a spot's axis, as last known; Infinity before that. */
   readonly #surfaceOf = (light: PhongLight): number => this.#surfaces.answer(light) ?? Infinity;
 
-  #isHidden(light: PhongLight): boolean {
-    return this.#hidden.answer(light) === true;
+  #marksOf(lights: readonly PhongLight[], view: Projection, scene: SceneBall): LightMarks[] {
+    return lights.map((light) => {
+      const { values } = fieldsOf(light).store;
+      const [isHidden, surface] = [this.#hidden.answer(light) === true, this.#surfaceOf(light)];
+      const seen = [view, isHidden, surface, ...Object.values(values)];
+      const before = this.#marks.get(light);
+      if (before !== undefined && sameValue(before.seen, seen)) return before.marks;
+      const marks = lightMarks(values, view, scene, isHidden, surface);
+      this.#marks.set(light, { seen, marks });
+      return marks;
+    });
   }
 
   #drawing(lights: readonly PhongLight[], marks: readonly LightMarks[]): Drawing {
@@ -125,9 +103,4 @@ export class LightHelpers {
       covered: marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
     };
   }
-}
-
-function sameValues(a: Readonly<LightValues>, b: Readonly<LightValues>): boolean {
-  for (const key in a) if (!sameValue(a[key as keyof LightValues], b[key as keyof LightValues])) return false;
-  return true;
 }

@@ -15,26 +15,21 @@ const SLICE = 4;
 /** Relative. A place on a surface, such as a lamp's on its shade, is not behind it. */
 const TOLERANCE = 1e-3;
 
-/** Questions that a ray answers, by key. */
-export class RayTests<Key, Question, Answer> {
+/** A question that a ray answers. */
+export type RayTest<Answer> = (scene: SceneSnapshot) => Answer;
+
+/** Answers to such questions, by key. */
+export class RayTests<Key, Answer> {
   readonly #host: ExtraHost;
-  readonly #test: (question: Question, view: Projection, scene: SceneSnapshot) => Answer;
   readonly #changed: () => void;
   readonly #answers = new Map<Key, Answer>();
-  #view: Projection | null = null;
-  #questions: ReadonlyMap<Key, Question> = new Map();
+  /** Null once their series of rays has begun. */
+  #waiting: ReadonlyMap<Key, RayTest<Answer>> | null = null;
   #timer = 0;
-  /** Keys whose answers may have changed since the last series of rays began. */
-  readonly #stale = new Set<Key>();
 
   /** `changed` is called when an answer differs from the one before. */
-  constructor(
-    host: ExtraHost,
-    test: (question: Question, view: Projection, scene: SceneSnapshot) => Answer,
-    changed: () => void,
-  ) {
+  constructor(host: ExtraHost, changed: () => void) {
     this.#host = host;
-    this.#test = test;
     this.#changed = changed;
   }
 
@@ -43,64 +38,55 @@ export class RayTests<Key, Question, Answer> {
     return this.#answers.get(key);
   }
 
-  /** Finds the answers. `changed`: the keys whose answers may have changed. */
-  follow(view: Projection, questions: ReadonlyMap<Key, Question>, changed: Iterable<Key>): void {
-    this.#view = view;
-    this.#questions = questions;
-    for (const key of changed) this.#stale.add(key);
-    this.#wait();
+  /** Finds the answers to all these. */
+  follow(tests: ReadonlyMap<Key, RayTest<Answer>>): void {
+    this.#waiting = tests;
+    if (this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
   }
 
   stop(): void {
     clearTimeout(this.#timer);
     this.#timer = 0;
-    this.#stale.clear();
+    this.#waiting = null;
     this.#answers.clear();
-  }
-
-  #wait(): void {
-    if (this.#stale.size > 0 && this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
   }
 
   readonly #start = (): void => {
     this.#timer = 0;
-    const keys = [...this.#stale];
-    this.#stale.clear();
-    const view = this.#view;
+    const tests = this.#waiting;
+    this.#waiting = null;
     const { scene } = this.#host.snapshot();
-    if (view === null || scene === null) return;
-    for (const key of this.#answers.keys()) if (!this.#questions.has(key)) this.#answers.delete(key);
-    this.#slice(view, scene, keys, false);
+    if (tests === null || scene === null) return;
+    for (const key of this.#answers.keys()) if (!tests.has(key)) this.#answers.delete(key);
+    this.#slice(scene, [...tests], false);
   };
 
-  /** Tests one slice of the keys that are left; `differs`: some before were found to differ. */
-  #slice(view: Projection, scene: SceneSnapshot, left: Key[], differs: boolean): void {
+  /** Answers a slice of the questions that are left; `differs`: some answers before were found to differ. */
+  #slice(scene: SceneSnapshot, left: (readonly [Key, RayTest<Answer>])[], differs: boolean): void {
+    this.#timer = 0;
     const end = performance.now() + SLICE;
     let differ = differs;
-    for (let key = left.pop(); key !== undefined; key = performance.now() < end ? left.pop() : undefined) {
-      const question = this.#questions.get(key);
-      if (question === undefined) continue;
-      const answer = this.#test(question, view, scene);
+    for (let next = left.pop(); next !== undefined; next = performance.now() < end ? left.pop() : undefined) {
+      const [key, test] = next;
+      const answer = test(scene);
       if (answer !== this.#answers.get(key)) differ = true;
       this.#answers.set(key, answer);
     }
-    if (left.length > 0)
-      this.#timer = window.setTimeout(() => {
-        this.#timer = 0;
-        this.#slice(view, scene, left, differ);
-      });
+    if (left.length > 0) this.#timer = window.setTimeout(() => this.#slice(scene, left, differ));
     else {
+      if (this.#waiting !== null) this.follow(this.#waiting);
       if (differ) this.#changed();
-      this.#wait();
     }
   }
 }
 
-/** A shape is in front of the place. */
-export function isBehind(place: Vec3, view: Projection, scene: SceneSnapshot): boolean {
-  const point = view.point(place);
-  if (point === null) return false;
-  const { width, height } = scene;
-  const hit = pick(scene, (point.x / view.width) * width - 0.5, (point.y / view.height) * height - 0.5);
-  return hit !== null && hit.depth < view.depthOf(place) * (1 - TOLERANCE);
-}
+/** Whether a shape is in front of the place. */
+export const isBehind =
+  (place: Vec3, view: Projection): RayTest<boolean> =>
+  (scene) => {
+    const point = view.point(place);
+    if (point === null) return false;
+    const { width, height } = scene;
+    const hit = pick(scene, (point.x / view.width) * width - 0.5, (point.y / view.height) * height - 0.5);
+    return hit !== null && hit.depth < view.depthOf(place) * (1 - TOLERANCE);
+  };

@@ -7,7 +7,7 @@ import { create as createElement } from '../../element/dom.js';
 import { localNumber, phrase, type ViewerText, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
-import { lightName } from '../../element/viewer/viewer-snapshot.js';
+import { lightName } from '../../element/phong-light.js';
 import type { LightState } from '../../light/light-state.js';
 import { pictureView } from '../../material/view/picture-view.js';
 import { VIEW_TABLE, type ViewEntry, viewEntry } from '../../material/view/view-table.js';
@@ -96,11 +96,11 @@ const lightsOf = ({ viewport }: ExtraHost): readonly LightState[] => viewport.pi
 
 /** Index of the light that `view-light` names; -1 if it is empty or no light has this name. */
 function namedIndex(host: ExtraHost): number {
-  const { values, children, viewer } = host;
-  const { viewLight } = values;
+  const { viewer } = host;
+  const { viewLight } = host.values;
   // Lights without a name have an English one, and one by the page's texts.
   const isNamed = (state: LightState, i: number): boolean =>
-    [null, viewer.texts].some((texts) => lightName(children.lightOf(state), state, i, texts) === viewLight);
+    [null, viewer.texts].some((texts) => lightName(state, i, texts) === viewLight);
   return viewLight === '' ? -1 : lightsOf(host).findIndex(isNamed);
 }
 
@@ -129,7 +129,7 @@ function lightsText(host: ExtraHost): string {
       ? phrase(texts, 'no light is active')
       : phrase(texts, 'no light has the name {name}', { name: viewLight });
   const state = lightsOf(host)[index]!;
-  const light = lightName(host.children.lightOf(state), state, index, texts);
+  const light = lightName(state, index, texts);
   return state.values.active ? light : phrase(texts, '{light} (not active)', { light });
 }
 
@@ -137,7 +137,7 @@ function lightsText(host: ExtraHost): string {
 function unknownLightText(host: ExtraHost): string | null {
   const { viewLight } = host.values;
   if (viewLight === '' || namedIndex(host) >= 0) return null;
-  const names = lightsOf(host).map((state, i) => JSON.stringify(lightName(host.children.lightOf(state), state, i)));
+  const names = lightsOf(host).map((state, i) => JSON.stringify(lightName(state, i)));
   const value = JSON.stringify(viewLight);
   return clipMessage(
     `<phong-viewer view-light=${value}>: no light has this name, so none is shown. Names of lights: ${listed(names)}.`,

@@ -9,8 +9,7 @@ import { radians } from '../../math/angle.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import { add, dot, map, normalize, scale, subtract } from '../../math/vector.js';
 import type { Term } from '../../light/light-state.js';
-import { degreesOf, degreesText, shortNumber } from './sum.js';
-import { decimals, exponentOf, rounded } from './words.js';
+import { degreesOf, degreesText, shortNumber, decimals, exponentOf, rounded } from './sum.js';
 
 /** What somebody who makes a usual mistake gets. `text` states only where the number comes from, so it is true. */
 export interface Wrong {

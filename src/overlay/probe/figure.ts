@@ -6,10 +6,9 @@ import type { ViewerTexts } from '../../element/fields/texts.js';
 import { radians } from '../../math/angle.js';
 import { add, dot, length, map, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
 import { arrow, coreColor, cssRgb, type DrawnItem } from '../drawing/display-list.js';
-import { boxAround, boxesAlong, listOf, type Name, type Rect, shortened } from '../drawing/label-layout.js';
+import { boxAround, boxesAlong, listOf, type Name, type Rect } from '../drawing/label-layout.js';
 import type { Point, Projection } from '../drawing/projection.js';
-import { byShare, degreesOf, type Sum, type SumRow } from './sum.js';
-import { lobeWords, normalWords } from './words.js';
+import { byShare, degreesOf, type Sum, type SumRow, lobeWords, normalWords } from './sum.js';
 
 /** Most lights with arrows. More arrows would be unreadable. */
 export const MOST_LIGHTS = 6;
@@ -20,14 +19,14 @@ const ARC_STEPS = 24;
 /** Shares of an arrow's length at which the arcs from N to L and to H are drawn. */
 const ARC_RADIUS = { L: 0.5, H: 0.7 };
 
+const WHITE: Vec3 = [1, 1, 1];
+
 export interface Vector {
   readonly name: string;
-  /** The name of its light. */
-  readonly of?: string;
   /** Unit length. */
   readonly direction: Vec3;
-  /** Channels 0–1, 1 or the light's own; null for white. */
-  readonly color: Vec3 | null;
+  /** Channels 0–1; more for bright lights. */
+  readonly color: Vec3;
   /** The light adds neither a diffuse nor a specular term. */
   readonly dashed: boolean;
 }
@@ -60,7 +59,7 @@ export function figureOf(
   for (const row of rows) {
     if (row.absence === 'no direction') continue;
     const name = sum.rows.length === 1 ? 'L' : `L ${row.name}`;
-    vectors.push({ name, of: row.name, direction: row.L, color: colorOf(row), dashed: row.absence !== null });
+    vectors.push({ name, direction: row.L, color: colorOf(row), dashed: row.absence !== null });
   }
   if (chosen === null || !hasNormal || chosen.absence === 'no direction') return { vectors, arcs };
   const { L, NoL } = chosen;
@@ -79,13 +78,13 @@ export function figureOf(
   return { vectors, arcs };
 }
 
-const plain = (name: string, direction: Vec3): Vector => ({ name, direction, color: null, dashed: false });
+const plain = (name: string, direction: Vec3): Vector => ({ name, direction, color: WHITE, dashed: false });
 
 /** The colour of the light's brightest term; white for one whose terms are all black. */
-function colorOf({ light }: SumRow): Vec3 | null {
-  if (light === null) return null;
-  const brightest = [light.diffuse, light.specular, light.ambient].find((color) => color.some((x) => x > 0));
-  return brightest === undefined ? null : map(brightest, (x) => x / 255);
+function colorOf({ light }: SumRow): Vec3 {
+  const colors = light === null ? [] : [light.diffuse, light.specular, light.ambient];
+  const brightest = colors.find((color) => color.some((x) => x > 0));
+  return brightest === undefined ? WHITE : map(brightest, (x) => x / 255);
 }
 
 /** From one unit vector to another, at a distance from their common foot. Of opposite ones: a straight line. */
@@ -125,9 +124,6 @@ const MARK = 6;
 /** Half the width that labels keep clear of an arrow, CSS pixels. */
 const LINE_HALF = 3;
 
-/** Distance from an arrow's tip to its light's name, in font sizes. */
-const BESIDE = 6;
-
 /** Layers smaller than this have room for arrows but not for their names. CSS pixels. */
 const NAMED = { width: 140, height: 110 };
 
@@ -141,9 +137,8 @@ export interface Surroundings {
   readonly outline: readonly Vec3[];
   /** Labels stay inside. */
   readonly room: Rect;
-  /** By the box, and by the names of lights and axes. */
+  /** Of the probe's box, and of the names of lights and axes. */
   readonly boxes: readonly Rect[];
-  readonly names: readonly (Rect & { readonly text: string })[];
   readonly fontSize: number;
 }
 
@@ -153,7 +148,7 @@ export function drawingOf(
   p: Vec3,
   at: Point,
   { vectors, arcs }: Figure,
-  { outline, room, boxes, names, fontSize }: Surroundings,
+  { outline, room, boxes, fontSize }: Surroundings,
 ): readonly DrawnItem[] {
   const { width, height } = projection;
   const pixels = Math.min(Math.max(ARROW.share * Math.min(width, height), ARROW.least), ARROW.most);
@@ -173,25 +168,18 @@ export function drawingOf(
     covered.push(...boxesAlong(line, 1));
     labels.push({ text: label, center: line[Math.floor(line.length / 2)]!, gap: 8 });
   }
-  for (const { name, of = '', direction, color, dashed } of vectors) {
+  for (const { name, direction, color, dashed } of vectors) {
     const tip = placeOf(direction);
     if (tip === null) continue;
-    const css = cssRgb(coreColor(color ?? WHITE));
+    const css = cssRgb(coreColor(color));
     covered.push(...boxesAlong([at, tip], LINE_HALF));
     if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK) list.push(...arrow(at, tip, { color: css, width: 2.5, dashed }));
-    const isNamed = names.some((each) => each.text === shortened(of) && isBeside(tip, each, fontSize));
-    labels.push({ text: isNamed ? 'L' : name, center: tip, gap: 7, color: css });
+    labels.push({ text: name, center: tip, gap: 7, color: css });
   }
   // The ring, and in it the tip of V, which points at the eye.
   list.push(...markOf(at, false), { kind: 'disc', center: at, radius: 1, fill: '#fff', color: '#fff', width: 1 });
   // The names of vectors come before those of angles.
   labels.sort((a, b) => Number(a.text.endsWith('°')) - Number(b.text.endsWith('°')));
   const hasRoom = width >= NAMED.width && height >= NAMED.height;
-  return listOf([{ list, names: hasRoom ? labels : [], covered }], room, fontSize, [...boxes, ...names]).list;
+  return listOf([{ list, names: hasRoom ? labels : [], covered }], room, fontSize, boxes).list;
 }
-
-const WHITE: Vec3 = [1, 1, 1];
-
-/** An arrow's name here would be read together with the other one. */
-const isBeside = ({ x, y }: Point, { left, right, top, bottom }: Rect, fontSize: number): boolean =>
-  Math.hypot(Math.max(left - x, x - right, 0), Math.max(top - y, y - bottom, 0)) < BESIDE * fontSize;

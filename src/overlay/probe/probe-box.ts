@@ -10,10 +10,9 @@ import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
 import type { AnswerDetail } from '../../element/events.js';
 import type { Equation } from './equations.js';
-import { type Sum, type SumRow, tripleText } from './sum.js';
+import { type Sum, type SumRow, tripleText, FILTERED, GOURAUD, stepsText, UNLIT } from './sum.js';
 import { type Chosen, columnsOf, MOST_LEFT, NO_AMBIENT, STEPS, SumTable, type TableShape } from './sum-table.js';
 import { Tutor } from './tutor.js';
-import { FILTERED, GOURAUD, stepsText, UNLIT } from './words.js';
 
 /** A fragment with its sum. */
 export interface BoxContent {
@@ -44,7 +43,6 @@ export interface BoxState {
 
 /** One way to show it. */
 interface Form {
-  readonly isColumn: boolean;
   /** Null: there is only room for the colour. */
   readonly shape: TableShape | null;
   /** Lights with a row of their own; without a table, those that are named as a number. */
@@ -53,11 +51,19 @@ interface Form {
   readonly steps: boolean;
 }
 
+/**
+ * What is left out where the table has no room, in this order. `least`: lights with a row of their own; the others share
+ * one.
+ */
+const LEVELS = [
+  { note: true, steps: true, least: Infinity },
+  { note: false, steps: true, least: Infinity },
+  { note: false, steps: true, least: 3 },
+  { note: false, steps: false, least: 0 },
+] as const;
+
 /** Width of the picture's free part from which on the box is a column, CSS pixels. */
 const WIDE = 560;
-
-/** Lights that are not left out before the steps are. */
-const LEAST_LIGHTS = 3;
 
 /** Pixels by which the point has to cross the middle before the box changes sides: it does not jump back and forth. */
 const GAIN = 4;
@@ -69,6 +75,7 @@ export class ProbeBox {
   readonly #tutor: Tutor;
   readonly #room: Room;
   readonly #release: () => void;
+  #isColumn = false;
   /** The point is in the half where text begins, and in the upper half. */
   #isAtStart = false;
   #isAbove = true;
@@ -87,8 +94,16 @@ export class ProbeBox {
 
   /** Shows this, and gives what the box covers of the layer. Forces a layout, of this box alone. */
   show(state: BoxState): Rect {
-    this.#keepAwayFrom(state.at);
-    this.#fit(state);
+    const { left, right, top, bottom } = this.#room.box;
+    const across = (state.at.x - (left + right) / 2) * (this.place.matches(':dir(rtl)') ? -1 : 1);
+    const down = state.at.y - (top + bottom) / 2;
+    if (Math.abs(across) > GAIN) this.#isAtStart = across < 0;
+    if (Math.abs(down) > GAIN) this.#isAbove = down < 0;
+    this.#isColumn = right - left >= WIDE;
+    const { content } = state;
+    const hasSum = content !== null && typeof content !== 'string' && content.equations === null;
+    if (!hasSum || !this.#fits(state, content))
+      this.#render(state, { shape: null, lights: 0, note: true, steps: true });
     return this.#room.rectOf(this.#element);
   }
 
@@ -96,37 +111,20 @@ export class ProbeBox {
     return this.place.firstElementChild as HTMLElement;
   }
 
-  #keepAwayFrom({ x, y }: Point): void {
-    const { left, right, top, bottom } = this.#room.box;
-    const across = (x - (left + right) / 2) * (this.place.matches(':dir(rtl)') ? -1 : 1);
-    const down = y - (top + bottom) / 2;
-    if (Math.abs(across) > GAIN) this.#isAtStart = across < 0;
-    if (Math.abs(down) > GAIN) this.#isAbove = down < 0;
-  }
-
-  /** The first form that fits. Without a sum there is one. */
-  #fit(state: BoxState): void {
-    const { box } = this.#room;
-    const isWide = box.right - box.left >= WIDE;
-    const { content } = state;
-    const bare: Form = { isColumn: isWide, shape: null, lights: 0, note: true, steps: true };
-    if (content === null || typeof content === 'string' || content.equations !== null) {
-      this.#render(state, bare);
-      return;
-    }
-    const { sum, gouraud } = content;
+  /** Shows the first form that fits. False if none does. */
+  #fits(state: BoxState, { sum, gouraud }: BoxContent): boolean {
+    const all = sum.rows.length;
     const shape = (left: number, digits: number, stacked = false): TableShape => ({
       columns: columnsOf(sum, left, !gouraud),
       digits,
       stacked,
     });
-    const all = sum.rows.length;
     const fits = (form: Form, isAcross = false): boolean => {
       this.#render(state, form);
       const { scrollWidth, clientWidth, scrollHeight, clientHeight } = this.#element;
       return scrollWidth <= clientWidth && (isAcross || scrollHeight <= clientHeight);
     };
-    /** With as many lights as fit, at least `least` and never all but one: its row is as high as that of the others. */
+    /** With as many lights as fit, never all but one: its row is as high as that of the others. */
     const fitsWithFewer = (form: Form, least: number): boolean => {
       let [low, high] = [least, all - 2];
       if (low > high || !fits({ ...form, lights: low })) return false;
@@ -135,32 +133,19 @@ export class ProbeBox {
         if (fits({ ...form, lights: middle })) low = middle;
         else high = middle - 1;
       }
-      this.#render(state, { ...form, lights: low });
-      return true;
+      return fits({ ...form, lights: low });
     };
-    const fitsSomehow = (isColumn: boolean, shapes: readonly TableShape[], last: readonly TableShape[]): boolean => {
-      const full: Form = { ...bare, isColumn, lights: all };
-      return (
-        [true, false].some((note) => shapes.some((each) => fits({ ...full, note, shape: each }))) ||
-        [true, false].some((steps) =>
-          last.some((each) => {
-            const form: Form = { ...full, note: false, steps, shape: each };
-            return fits(form) || fitsWithFewer(form, steps ? LEAST_LIGHTS : 0);
-          }),
-        )
-      );
-    };
-    const column = [shape(0, 1), shape(0, 0), shape(0, 1, true), shape(0, 0, true)];
-    if (isWide && fitsSomehow(true, column, [shape(NO_AMBIENT, 0), shape(NO_AMBIENT, 0, true)])) return;
-    const strips = [shape(0, 1), ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0))];
-    const strip = strips
-      .filter((each) => fits({ ...bare, isColumn: false, lights: all, shape: each }, true))
-      .slice(0, 1);
-    const last = [...strip, shape(NO_AMBIENT, 0, true)];
-    // The colour alone, with the number of lights behind it where that fits.
-    const alone: Form = { ...bare, isColumn: false };
-    if (fitsSomehow(false, strip, last) || fits({ ...alone, lights: all })) return;
-    this.#render(state, alone);
+    const rows = [shape(0, 1), ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0))];
+    const full = { ...LEVELS[0], lights: all };
+    const widest = this.#isColumn ? shape(NO_AMBIENT, 0) : rows.find((each) => fits({ ...full, shape: each }, true));
+    const fewest = [...(widest === undefined ? [] : [widest]), shape(NO_AMBIENT, 0, true)];
+    const most = this.#isColumn ? [...rows.slice(0, 2), shape(0, 1, true), shape(0, 0, true)] : fewest.slice(0, -1);
+    const fitsAt = ({ least, ...level }: (typeof LEVELS)[number]): boolean =>
+      (least === Infinity ? most : fewest).some((each) => {
+        const form = { ...level, lights: all, shape: each };
+        return fits(form) || fitsWithFewer(form, least);
+      });
+    return LEVELS.some(fitsAt) || fits({ ...full, shape: null });
   }
 
   #render(state: BoxState, form: Form): void {
@@ -169,10 +154,10 @@ export class ProbeBox {
 
   #template({ content, pinned, releasable, texts }: BoxState, form: Form): TemplateResult {
     const isEmpty = content === null || typeof content === 'string';
-    const { isColumn, shape, note, steps } = form;
+    const { shape, lights, note, steps } = form;
     const kinds = {
       pinned,
-      ...(isColumn
+      ...(this.#isColumn
         ? { column: true, end: this.#isAtStart }
         : { strip: true, low: this.#isAbove, high: !this.#isAbove }),
       tutor: !isEmpty && content.equations !== null,
@@ -194,11 +179,7 @@ export class ProbeBox {
     >
       <p class="head">
         ${isEmpty ? noChange : colorTemplate(content, texts, shape?.digits ?? 0)}
-        ${
-          shape === null && form.lights > 0
-            ? phrase(texts, '+ {number} lights', { number: String(form.lights) })
-            : nothing
-        }
+        ${shape === null && lights > 0 ? phrase(texts, '+ {number} lights', { number: String(lights) }) : nothing}
         <button
           class="release"
           type="button"
@@ -214,7 +195,7 @@ export class ProbeBox {
           ? this.#tutor.template(content.equations, content.asks, texts)
           : isEmpty || shape === null
             ? noChange
-            : this.#sumTemplate(content, texts, shape, form.lights)
+            : this.#sumTemplate(content, texts, shape, lights)
       }
     </div>`;
   }

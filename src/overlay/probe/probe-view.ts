@@ -16,8 +16,7 @@ import { equationsOf } from './equations.js';
 import { drawingOf, figureOf, markOf, type Surroundings, trianglePlaces } from './figure.js';
 import { type BoxContent, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
-import { byShare, type Sum, type SumRow, probeSum } from './sum.js';
-import { fragmentText } from './words.js';
+import { byShare, type Sum, type SumRow, probeSum, fragmentText } from './sum.js';
 
 /** What the probe shows. */
 export interface ProbedPoint {
@@ -30,6 +29,9 @@ export interface ProbedPoint {
   readonly pinned: boolean;
 }
 
+/** Milliseconds between two announcements. */
+const PAUSE = 1000;
+
 const KEYS = 'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export class ProbeView {
@@ -40,17 +42,13 @@ export class ProbeView {
   shown: ProbedPoint | null = null;
   readonly #host: ExtraHost;
   readonly #drawing = new SvgLayer();
-  readonly #announcer = new Announcer();
+  readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
   readonly #room: Room;
   readonly #box: ProbeBox;
   #releasable = false;
-  #showing = false;
-  /** {@link #show} was called while it ran. */
-  #again = false;
-  /** The texts that it is shown in. */
-  #language: ViewerTexts | null = null;
-  /** Where the cross-hair is, for CSS. */
-  #place = '';
+  /** Runs after an announcement. */
+  #pause: number | undefined;
+  #unsaid = false;
 
   /** `release` is called by the button that removes the pin. */
   constructor(host: ExtraHost, release: () => void) {
@@ -103,7 +101,7 @@ export class ProbeView {
       const at = projection.point(fragment.p);
       const context = picture.getContext('2d');
       if (at === null || context === null) return;
-      const list = this.#drawingOf(fragment, at, projection, { room: whole(size), boxes: [], names });
+      const list = this.#drawingOf(fragment, at, projection, { room: whole(size), boxes: names });
       drawList(context, list, scale, this.#room.fontSize);
     };
   }
@@ -119,21 +117,14 @@ export class ProbeView {
     if (focused && gone) this.cursor.focus({ preventScroll: true });
   }
 
+  /** Says what is shown to screen readers: the first change at once, then the newest at most once a second. */
   announce(): void {
-    if (this.shown === null) return;
-    const { fragment, message } = this.shown;
-    // It would tell the answers.
-    if (fragment !== null && this.#host.values.probe === 'ask') return;
-    this.#announcer.say(fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)));
-  }
-
-  /** Writes what is shown in other words, if the page's texts have changed. */
-  rename(): void {
-    if (this.#texts !== this.#language) this.#show();
+    this.#unsaid = true;
+    if (this.#pause === undefined) this.#say();
   }
 
   dispose(): void {
-    this.#announcer.dispose();
+    clearTimeout(this.#pause);
     this.#room.dispose();
     this.root.remove();
     this.place.remove();
@@ -152,21 +143,21 @@ export class ProbeView {
     return probeSum(fragment, this.#host.values.colorInterpolation === 'linear');
   }
 
-  #show(): void {
-    // Removing a row that has the focus ends the choice of its light, which shows another one: after this.
-    this.#again = this.#showing;
-    if (this.#showing) return;
-    this.#showing = true;
-    this.#render();
-    this.#showing = false;
-    if (this.#again) this.#show();
-  }
+  readonly #say = (): void => {
+    this.#pause = undefined;
+    if (!this.#unsaid) return;
+    this.#unsaid = false;
+    this.#pause = window.setTimeout(this.#say, PAUSE);
+    const { fragment = null, message = '' } = this.shown ?? {};
+    // It would tell the answers.
+    if (fragment !== null && this.#host.values.probe === 'ask') return;
+    write(this.#region, fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)));
+  };
 
-  #render(): void {
+  #show(): void {
     const { at, fragment, message } = this.shown ?? { at: null, fragment: null, message: null };
-    const texts = (this.#language = this.#texts);
+    const texts = this.#texts;
     const { x, y } = at ?? this.middle;
-    if (this.shown !== null) this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
     const covered = this.#box.show({
       content: fragment === null ? message : this.#contentOf(fragment),
       at: { x, y },
@@ -178,7 +169,7 @@ export class ProbeView {
     if (at === null) this.#drawing.show([]);
     else if (fragment === null) this.#drawing.show(markOf(at, true));
     else {
-      const space = { room: this.#room.box, boxes: [covered], names: this.#host.names.placed };
+      const space = { room: this.#room.box, boxes: [covered, ...this.#host.names.placed] };
       this.#drawing.show(this.#drawingOf(fragment, at, this.projection, space));
     }
     const probe = html`
@@ -190,9 +181,9 @@ export class ProbeView {
         aria-label=${phrase(texts, 'Probe')}
         aria-roledescription=${phrase(texts, 'cross-hair')}
         aria-description=${phrase(texts, KEYS)}
-        .style=${this.#place}
+        .style=${`translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`}
       ></div>
-      ${this.#announcer.element}
+      ${this.#region}
     `;
     render(probe, this.root);
   }
@@ -215,7 +206,7 @@ export class ProbeView {
     fragment: FragmentExplanation,
     at: Point,
     projection: Projection,
-    space: Pick<Surroundings, 'room' | 'boxes' | 'names'>,
+    space: Pick<Surroundings, 'room' | 'boxes'>,
   ): readonly DrawnItem[] {
     const sum = this.#sumOf(fragment);
     const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
@@ -238,37 +229,4 @@ export class ProbeView {
   #isGouraud({ mesh }: FragmentExplanation): boolean {
     return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
   }
-}
-
-/** Milliseconds between two announcements. */
-const PAUSE = 1000;
-
-/**
- * Announces what the probe shows to screen readers: politely, the first change at once, then at most once a second the
- * newest. No timer runs while nothing changes.
- */
-class Announcer {
-  /** The live region. */
-  readonly element = create('p', { class: 'reader', 'aria-live': 'polite' });
-  #timer: number | undefined;
-  #waiting: string | null = null;
-
-  say(text: string): void {
-    if (text === (this.#waiting ?? this.element.textContent)) return;
-    this.#waiting = text;
-    if (this.#timer === undefined) this.#speak();
-  }
-
-  dispose(): void {
-    clearTimeout(this.#timer);
-    this.element.remove();
-  }
-
-  readonly #speak = (): void => {
-    this.#timer = undefined;
-    if (this.#waiting === null) return;
-    write(this.element, this.#waiting);
-    this.#waiting = null;
-    this.#timer = window.setTimeout(this.#speak, PAUSE);
-  };
 }

@@ -1,6 +1,6 @@
 // The probe: the point that a viewer explains. It is the place under the mouse or the cross-hair, or a pinned point in
 // the scene. A mouse hovers, a click or tap without a drag pins, arrow keys move the cross-hair; the camera takes the
-// same events. At most one explanation runs at a time, one a frame, and none while nothing changes.
+// same events. At most one explanation runs at a time, and none while nothing changes.
 import { SLOP } from '../../camera/kept-drag.js';
 import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
@@ -12,7 +12,7 @@ import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
 import { ARROWS, inside, type Point } from '../drawing/projection.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
-import { HIDDEN, NO_SURFACE, OUTSIDE } from './words.js';
+import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
 
 /**
  * Another surface hides a pinned point if it is nearer to the eye by more than this share of the distance. Nearer by
@@ -40,9 +40,6 @@ class Probe implements Extra {
   #acted = false;
   #busy = false;
   #again = false;
-  /** The time of the frame in which the last explanation began. */
-  #frame: CSSNumberish | null = null;
-  #request = 0;
 
   constructor(host: ExtraHost) {
     this.#host = host;
@@ -59,8 +56,7 @@ class Probe implements Extra {
       this.#declared = probeAt;
       this.#pin = this.#free = null;
     }
-    this.#view.rename();
-    this.#explainOncePerFrame();
+    this.#explain();
   }
 
   /** Explains the point again, because the picture may have changed. */
@@ -73,7 +69,6 @@ class Probe implements Extra {
 
   dispose(): void {
     this.#listening.abort();
-    this.#cancel();
     // Like the camera, the pin stays with a viewer that leaves the page.
     if (this.#host.values.probe === false) viewerPins.delete(this.#host.viewer);
     this.#view.dispose();
@@ -188,29 +183,13 @@ class Probe implements Extra {
   /** The user chose another point. */
   #follow(): void {
     this.#acted = true;
-    this.#explainOncePerFrame();
-  }
-
-  /** In this frame, or in the next one if this one has had its explanation. */
-  #explainOncePerFrame(): void {
-    const { ownerDocument } = this.#view.root;
-    if (ownerDocument.timeline.currentTime !== this.#frame) this.#explain();
-    else if (this.#request === 0)
-      this.#request = ownerDocument.defaultView?.requestAnimationFrame(() => this.#explain()) ?? 0;
-  }
-
-  #cancel(): void {
-    if (this.#request !== 0) this.#view.root.ownerDocument.defaultView?.cancelAnimationFrame(this.#request);
-    this.#request = 0;
+    this.#explain();
   }
 
   #explain(): void {
-    this.#cancel();
-    this.#again = true;
+    this.#again = this.#busy;
     if (this.#busy) return;
     this.#busy = true;
-    this.#again = false;
-    this.#frame = this.#view.root.ownerDocument.timeline.currentTime;
     void this.#explained().then((shown) => {
       this.#busy = false;
       if (this.#listening.signal.aborted) return;
@@ -219,7 +198,7 @@ class Probe implements Extra {
       if (this.#acted) this.#view.announce();
       this.#acted = false;
       if (shown !== before) this.#notify(shown);
-      if (this.#again) this.#explainOncePerFrame();
+      if (this.#again) this.#explain();
     });
   }
 

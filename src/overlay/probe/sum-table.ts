@@ -162,7 +162,8 @@ export class SumTable {
   #look(light: Chosen): void {
     if (light === this.#pointed) return;
     this.#pointed = light;
-    this.#choose();
+    // Not at once: a row that is being removed loses the focus in the middle of a template.
+    queueMicrotask(this.#choose);
   }
 
   readonly #press = ({ target }: Event): void => {

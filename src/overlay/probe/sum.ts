@@ -1,9 +1,10 @@
-// The rows of the sum at a fragment, and the light that it is about. Plain values from an explanation of shadeAt.
-// Colours in codes: 255 is full.
+// The sum at a fragment, from an explanation of shadeAt: its rows, with colours in codes (255 is full), its numbers as
+// text, and the words for screen readers, which see neither arrows nor table, and for the line below the table.
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
-import { localNumber, type ViewerTexts } from '../../element/fields/texts.js';
+import { localNumber, phrase, type ViewerTexts } from '../../element/fields/texts.js';
+import { LEAST_EXPONENT } from '../../light/precision.js';
+import { cosDegrees, radians } from '../../math/angle.js';
 import { isBlack, srgbDecode } from '../../math/color.js';
-import { radians } from '../../math/angle.js';
 import { add, length, map, type Vec3 } from '../../math/vector.js';
 
 /** Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular terms. */
@@ -96,3 +97,120 @@ export const degreesOf = (cosine: number): number => Math.acos(Math.min(Math.max
 
 export const degreesText = (cosine: number, digits: number, texts: ViewerTexts | null): string =>
   `${shortNumber(degreesOf(cosine), digits, texts)}°`;
+
+/** Lights that an announcement names. It is heard in one go; the table has all of them. */
+const NAMED = 3;
+
+/** The point, its colour, and the sum of the lights that add most. */
+export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplanation, sum: Sum): string {
+  const [red = '', green = '', blue = ''] = sum.color.map((x) => shortNumber(x, 0, texts));
+  const parts = [
+    phrase(texts, 'Point {point}.', { point: placeText(texts, fragment) }),
+    phrase(texts, 'Colour: red {red}, green {green}, blue {blue}.', { red, green, blue }),
+  ];
+  if (fragment.unlit) parts.push(phrase(texts, UNLIT));
+  if (fragment.filtered) parts.push(phrase(texts, FILTERED));
+  const shown = byShare(sum.rows).slice(0, NAMED);
+  for (const row of shown) parts.push(rowText(texts, row));
+  const more = sum.rows.length - shown.length;
+  if (more > 0) parts.push(`${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`);
+  return parts.join(' ');
+}
+
+export const UNLIT = 'Unlit: the colour is the base colour, whatever the lights.';
+export const GOURAUD = 'Gouraud: the terms are those of the triangle’s corners, interpolated.';
+export const FILTERED =
+  'The picture averages the texture here; these numbers read it at one point, so they can differ.';
+export const HIDDEN = 'Another surface hides the point.';
+export const OUTSIDE = 'The point is outside the picture.';
+export const NO_SURFACE = 'No surface there.';
+
+function rowText(texts: ViewerTexts | null, row: SumRow): string {
+  const values = {
+    name: row.name,
+    ambient: tripleText(row.ambient, 0, texts),
+    diffuse: tripleText(row.diffuse, 0, texts),
+    specular: tripleText(row.specular, 0, texts),
+  };
+  const text = phrase(texts, '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}', values);
+  const absence = shownAbsence(row);
+  return absence === null ? `${text}.` : `${text}, ${phrase(texts, absence)}.`;
+}
+
+const placeText = (texts: ViewerTexts | null, { p }: FragmentExplanation): string =>
+  p.map((x) => localNumber(String(Number(x.toPrecision(3))), texts).replace('-', '−')).join(' ');
+
+/** The steps from a light's vectors through its cosines to its terms, at the point itself. */
+export function stepsText(
+  texts: ViewerTexts | null,
+  row: SumRow,
+  { shininess }: FragmentExplanation,
+  halfway: boolean,
+): string {
+  const { light, name, absence, c } = row;
+  if (absence === 'outside its cone') {
+    const isOutside = (digits: number): boolean => light === null || rounded(degreesOf(c), digits) > light.aperture;
+    return phrase(texts, '{name}: {angle} from its axis, outside its cone, so it adds nothing.', {
+      name,
+      angle: degreesText(c, decimals(0, isOutside), texts),
+    });
+  }
+  if (absence === 'no direction') return phrase(texts, '{name}: no direction, so only ambient.', { name });
+  if (absence === 'no normal') return phrase(texts, '{name}: no normal here, so only ambient.', { name });
+  const normal = { name, ...normalWords(texts, row) };
+  if (absence !== null)
+    return phrase(texts, '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.', normal);
+  return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, row.RoV, shininess, halfway)}`;
+}
+
+function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, halfway: boolean): string {
+  const cosines = halfway ? 'N·H' : 'R·V';
+  const exponent = exponentOf(shininess);
+  if (exponent > 0 && cosine <= 0)
+    return phrase(texts, '{cosines} = {cosine} is not above 0: no highlight.', {
+      cosines,
+      cosine: shortNumber(cosine, 3, texts),
+    });
+  return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
+    cosines,
+    ...lobeWords(texts, cosine, shininess),
+    exponent: localNumber(String(Number(exponent.toPrecision(3))), texts),
+    power: shortNumber(cosine ** exponent, 3, texts),
+  });
+}
+
+/** As the equation's table of limits has it: x^0 is 1 for every x. */
+export const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
+
+/** N·L and its angle. */
+export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>
+  cosineWords(texts, NoL, 3);
+
+/** R·V or N·H, and its angle. A large exponent magnifies what the cosine is rounded by. */
+export function lobeWords(texts: ViewerTexts | null, cosine: number, shininess: number): CosineWords {
+  const exponent = exponentOf(shininess);
+  const isNear = (n: number): boolean => Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
+  return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
+}
+
+type CosineWords = Readonly<Record<'angle' | 'cosine', string>>;
+
+/** A cosine with this many decimals, and its angle with as many as it takes to have that cosine. */
+function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number): CosineWords {
+  const text = shortNumber(cosine, digits, null);
+  const hasCosine = (n: number): boolean =>
+    shortNumber(cosDegrees(rounded(degreesOf(cosine), n)), digits, null) === text;
+  return {
+    angle: degreesText(cosine, decimals(0, hasCosine), texts),
+    cosine: shortNumber(cosine, digits, texts),
+  };
+}
+
+/** The fewest decimals, from `least` to nine, that make a statement of rounded numbers true. */
+export function decimals(least: number, isTrue: (digits: number) => boolean): number {
+  let digits = least;
+  while (digits < 9 && !isTrue(digits)) digits += 1;
+  return digits;
+}
+
+export const rounded = (x: number, digits: number): number => Number(x.toFixed(digits));

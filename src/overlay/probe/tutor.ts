@@ -2,7 +2,7 @@
 // for the clipboard.
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { AnswerDetail } from '../../element/events.js';
-import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
+import { phrase, type ViewerText, type ViewerTexts } from '../../element/fields/texts.js';
 import { type Equation, judge, type Verdict } from './equations.js';
 
 interface Attempt {
@@ -40,6 +40,7 @@ export class Tutor {
         ${asks && !attempt.shown ? this.#question(equation, attempt, texts) : nothing}
       </li>`;
     });
+    const written = equations.map(({ symbols, numbers, result }) => `${symbols} = ${numbers} = ${result}`).join('\n');
     return html`<ul class="equations">
         ${lines}
       </ul>
@@ -47,8 +48,7 @@ export class Tutor {
         asks
           ? nothing
           : html`<p>
-              ${this.#copyButton('Copy as text', equations, plainOf, texts)}
-              ${this.#copyButton('Copy as LaTeX', equations, (text) => latexOf(plainOf(text)), texts)}
+              ${copyButton('Copy as text', written, texts)} ${copyButton('Copy as LaTeX', latexOf(written), texts)}
             </p>`
       }`;
   }
@@ -80,24 +80,16 @@ export class Tutor {
       <output dir="auto">${verdict?.text}</output>
     </form>`;
   }
-
-  #copyButton(
-    label: 'Copy as text' | 'Copy as LaTeX',
-    equations: readonly Equation[],
-    write: (equation: string) => string,
-    texts: ViewerTexts | null,
-  ): TemplateResult {
-    const copy = (): void => {
-      const lines = equations.map(({ symbols, numbers, result }) => write(`${symbols} = ${numbers} = ${result}`));
-      // Pages without TLS have no clipboard; a frame without the permission rejects.
-      const { clipboard } = navigator as { readonly clipboard?: Clipboard };
-      void clipboard?.writeText(lines.join('\n')).catch(() => undefined);
-    };
-    return html`<button type="button" @click=${copy}>${phrase(texts, label)}</button>`;
-  }
 }
 
-const plainOf = (equation: string): string => equation;
+function copyButton(label: ViewerText, text: string, texts: ViewerTexts | null): TemplateResult {
+  const copy = (): void => {
+    // Pages without TLS have no clipboard; a frame without the permission rejects.
+    const { clipboard } = navigator as { readonly clipboard?: Clipboard };
+    void clipboard?.writeText(text).catch(() => undefined);
+  };
+  return html`<button type="button" @click=${copy}>${phrase(texts, label)}</button>`;
+}
 
 const equationTitle = ({ name, term, channel }: Equation, texts: ViewerTexts | null): string =>
   [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)].filter((part) => part !== '').join(' · ');
