@@ -22,8 +22,7 @@ for (const media of [
       css: ':root { color-scheme: light dark; forced-color-adjust: none } phong-viewer { background: var(--picture) }',
     });
     await page.keyboard.press('Tab');
-    const pictures = '#000 #fff #767676 #959595 #f00 #00f #0f0 #ff0 #123 #4a90d9';
-    for (const picture of pictures.split(' ')) {
+    for (const picture of ['#000', '#fff', '#767676', '#f00', '#00f', '#4a90d9']) {
       await page.evaluate((color) => document.documentElement.style.setProperty('--picture', color), picture);
       await nextFrame(page);
       const at = await screenshot(viewer);

@@ -1,6 +1,6 @@
 // @ts-check
-// The chart of whole pictures: error over time, both logarithmic, one panel for each picture. The report has all panels in one file;
-// the site lets each one have the width that there is.
+// The chart of whole pictures: error over time, both logarithmic, one panel for each picture. The report has all panels in one SVG file
+// for each stack, with text of fixed size and colour, on white; the site lets each panel have the width that there is.
 
 import * as Plot from '@observablehq/plot';
 import { parseHTML } from 'linkedom';
@@ -24,7 +24,7 @@ export function panelPoints(result) {
 }
 
 /** The lines of panels. @param {readonly PanelPoint[]} points @param {{ fx?: string, fy?: string }} facets */
-export function panelMarks(points, facets) {
+function panelMarks(points, facets) {
   const place = { x: 'time', y: 'error', stroke: 'series', ...facets };
   const kinds = [false, true].map((codes) => points.filter((point) => point.codes === codes));
   const [shipped = [], averaged = []] = kinds;
@@ -37,11 +37,54 @@ export function panelMarks(points, facets) {
 }
 
 /** Scales that all panels share. @param {readonly PanelPoint[]} points @param {readonly string[]} colors */
-export const panelScales = (points, colors) => ({
+const panelScales = (points, colors) => ({
   x: scaleOf(points, 'time'),
   y: scaleOf(points, 'error'),
   color: { domain: SERIES.map(({ series }) => series), range: [...colors] },
 });
+
+/** Distinguishable to colour-blind readers (Okabe and Ito). */
+const COLORS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#e69f00'];
+const WIDTH = 680;
+const TITLE = 'RMSE in codes over time, plain picture = 1 (dashed: average of codes)';
+
+/** The chart of a result's whole pictures; undefined without any. @param {import('./results.mjs').BenchResult} result */
+export function picturesChart(result) {
+  const points = panelPoints(result);
+  if (points.length === 0) return undefined;
+  const titles = [...new Map(points.map((point) => [point.picture, point])).values()];
+  const { x, y, color } = panelScales(points, COLORS);
+  const { document } = parseHTML('<!doctype html><html><body></body></html>');
+  const svg = Plot.plot({
+    ...{ document, width: WIDTH, height: 530, marginTop: 80, marginLeft: 60, marginRight: 30, marginBottom: 45 },
+    ariaLabel: TITLE,
+    style: { fontSize: '13px', fontFamily: 'sans-serif', color: '#222', background: 'white' },
+    fx: { axis: null, padding: 0.06 },
+    fy: { axis: null, padding: 0.16 },
+    ...{ x: { ...x, inset: 4 }, y, color },
+    marks: [
+      Plot.frame({ stroke: '#ccc' }),
+      ...panelMarks(points, { fx: 'column', fy: 'row' }),
+      Plot.text(titles, {
+        ...{ fx: 'column', fy: 'row', text: 'picture', frameAnchor: 'top', dy: -14, fontWeight: 'bold' },
+      }),
+    ],
+  });
+  /** @param {string} text @param {number} x @param {number} y @param {string} fill */
+  const write = (text, x, y, fill) => {
+    const element = document.createElementNS('http://www.w3.org/2000/svg', 'text');
+    const attributes = { x, y, fill, 'font-size': 15, 'font-weight': 'bold', 'text-anchor': 'start' };
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+    element.textContent = text;
+    svg.append(element);
+  };
+  write(TITLE, 10, 20, '#222');
+  // Below the title: lines that meet leave no room beside their ends.
+  const step = Math.min(170, (WIDTH - 20) / SERIES.length);
+  SERIES.forEach(({ series }, i) => write(series, 10 + step * i, 42, COLORS[i] ?? '#222'));
+  svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  return svg.outerHTML;
+}
 
 /** One panel for the site, whose colours are the page's. @param {readonly PanelPoint[]} points of all panels @param {string} picture @param {readonly string[]} colors */
 export function panelSvg(points, picture, colors) {

@@ -7,8 +7,8 @@ import { fileURLToPath } from 'node:url';
 import { readCommandLine } from '../support/command-line.mjs';
 import { escaped, table, writePart } from '../support/markdown.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
-import { picturesChart } from './charts.mjs';
 import { MODELS } from './models.mjs';
+import { picturesChart } from './picture-chart.mjs';
 import {
   PLAIN,
   FULL,

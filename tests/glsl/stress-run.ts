@@ -1,7 +1,6 @@
 // A stress run in this browser: every category in every form of program, so many cases each, from one seed, on one
 // driver.
-import type { Category } from '../stress/category.js';
-import { CATEGORIES } from '../stress/categories.js';
+import { CATEGORIES, type Category } from '../stress/categories.js';
 import { type Judged, judged, type Measured, measureBatch, nothingMeasured } from '../stress/measure.js';
 import type { Variant } from '../stress/case.js';
 import { partSeed, Random } from '../stress/random.js';

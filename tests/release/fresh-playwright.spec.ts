@@ -2,7 +2,7 @@
 // Playwright makes by default? The page has a copy of dist/ anywhere on a server, under the strict policy, and fetches
 // lazy parts from there. Installs from the registry, so it is slow: @release.
 import { join } from 'node:path';
-import { findBrowser, softwareGl } from '../../.ci/browser.mjs';
+import { launchOptions } from '../support/built-pages.mjs';
 import { startSite } from '../support/site.js';
 import { expect, test } from '../support/test.js';
 import { freshProject } from './fresh-project.js';
@@ -30,11 +30,8 @@ test('phong-viewer/playwright judges a page in fresh projects of both module kin
     const address = site.page('<phong-viewer geometry="box"></phong-viewer>', {
       head: '<script type="module" src="/some/where/phong-viewer.standalone.js"></script>',
     });
-    const launchOptions = { executablePath: await findBrowser(), args: softwareGl };
-    project.write(
-      'playwright.config.ts',
-      `export default ${JSON.stringify({ timeout: 120_000, use: { launchOptions } })};`,
-    );
+    const use = { launchOptions: await launchOptions('', []) };
+    project.write('playwright.config.ts', `export default ${JSON.stringify({ timeout: 120_000, use })};`);
     project.write('lamp.spec.ts', spec(address));
     for (const type of ['module', 'commonjs']) {
       project.run(`npm pkg set type=${type}`);

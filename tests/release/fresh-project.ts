@@ -6,11 +6,10 @@ import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, write
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
-import type { PhongViewer } from '../../src/index.js';
 import { startSite, strictPolicy } from '../support/site.js';
-import { allReady, expect, test } from '../support/test.js';
+import { allReady, test } from '../support/test.js';
 
 export const repository = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -41,15 +40,6 @@ export function useFreshProject(
 
 /** Installing a framework and building a page with it takes minutes. */
 const TIMEOUT = 400_000;
-
-/** Turns a viewer until the page, which may still be hydrated, writes that it heard the event. */
-export async function expectHeard(page: Page, viewer: Locator): Promise<void> {
-  let theta = 40;
-  await expect(async () => {
-    await viewer.evaluate((element: PhongViewer, to) => (element.theta = to), ++theta);
-    await expect(page.locator('output')).toHaveText(`script to ${String(theta)}`, { timeout: 500 });
-  }).toPass();
-}
 
 /** @param packages names of this repository's devDependencies, or `name@range`. */
 export function freshProject(packages: readonly string[]) {

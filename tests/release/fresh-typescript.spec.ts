@@ -1,5 +1,5 @@
 // Does the packed tarball work in a fresh TypeScript project with Vite and three.js? Elements, `core` and types; React
-// is absent. Installs from the registry, so it is slow: @release.
+// is absent. arethetypeswrong and publint judge it too. Installs from the registry, so it is slow: @release.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -108,7 +108,13 @@ export function refused(light: PhongLight, mesh: PhongMesh, viewer: PhongViewer)
 `;
 
 test.describe('the packed tarball in a fresh TypeScript project @release', () => {
-  const project = useFreshProject(['three', '@types/three', 'typescript', 'vite']);
+  const judges = ['@arethetypeswrong/cli@^0.18', 'publint@^0.3'];
+  const project = useFreshProject(['three', '@types/three', 'typescript', 'vite', ...judges]);
+
+  test('has no wrong types, except that require() gets ES modules, and a manifest without fault', () => {
+    project().run('npx attw phong-viewer-*.tgz --ignore-rules cjs-resolves-to-esm');
+    project().run('npx publint run phong-viewer-*.tgz --strict');
+  });
 
   test('has types that a strict project accepts, also in the scripts of the README', () => {
     project().write('entries.ts', ENTRIES);

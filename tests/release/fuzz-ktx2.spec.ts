@@ -1,9 +1,9 @@
 // Can a damaged KTX2 texture hang a page or exhaust its memory? Damaged copies of valid files, unpacked in the worker.
 
 import { readFileSync } from 'node:fs';
-import { findBrowser, softwareGl } from '../../.ci/browser.mjs';
 import { GROWTH_LIMIT_MB, load, MemoryWatch } from '../fuzz/model-run.js';
 import { Random } from '../stress/random.js';
+import { launchOptions } from '../support/built-pages.mjs';
 import { startSite, testMounts, wasmPolicy } from '../support/site.js';
 import { expect, test } from '../support/test.js';
 
@@ -26,10 +26,7 @@ function damaged(random: Random): Buffer {
 }
 
 // Chromium's headless shell crashes where WebAssembly reads out of bounds, which the transcoder does in damaged files.
-const executablePath = await findBrowser();
-test.use({
-  launchOptions: { ...(executablePath === undefined ? {} : { executablePath }), args: softwareGl },
-});
+test.use({ launchOptions: await launchOptions('', []) });
 
 test(`@release ${COUNT} damaged textures each end in an event within bounded memory (seed ${FIRST})`, async ({
   browser,

@@ -2,7 +2,7 @@
 // along.
 
 import { chromium } from '@playwright/test';
-import { findBrowser, softwareGl } from '../../.ci/browser.mjs';
+import { launchOptions } from '../support/built-pages.mjs';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
 import type { PhongViewer } from '../element/support/viewer.js';
 
@@ -16,11 +16,7 @@ for (const count of [1, 2]) {
     site,
   }) => {
     test.setTimeout(120_000);
-    const executablePath = await findBrowser();
-    const browser = await chromium.launch({
-      ...(executablePath === undefined ? {} : { executablePath }),
-      args: softwareGl,
-    });
+    const browser = await chromium.launch(await launchOptions('', []));
     try {
       const page = await browser.newPage();
       const errors: string[] = [];

@@ -7,6 +7,7 @@ import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { TYPES } from './built-pages.mjs';
 
 /** The strict policy: no inline code or style, no eval, no `blob:` worker. */
 export const strictPolicy =
@@ -56,22 +57,6 @@ export const testMounts: Readonly<Record<string, string>> = {
   '/fixtures/': join(repository, 'tests/fixtures'),
   '/assets/': join(repository, 'demo/assets'),
   '/node_modules/': join(repository, 'node_modules'),
-};
-
-const types: Readonly<Record<string, string>> = {
-  '.html': 'text/html; charset=utf-8',
-  '.js': 'text/javascript; charset=utf-8',
-  '.mjs': 'text/javascript; charset=utf-8',
-  '.css': 'text/css; charset=utf-8',
-  '.json': 'application/json',
-  '.map': 'application/json',
-  '.svg': 'image/svg+xml',
-  '.png': 'image/png',
-  '.jpg': 'image/jpeg',
-  '.webp': 'image/webp',
-  '.glb': 'model/gltf-binary',
-  '.gltf': 'model/gltf+json',
-  '.wasm': 'application/wasm',
 };
 
 /** @param policy the Content-Security-Policy of files; pages from memory have their own. */
@@ -149,7 +134,7 @@ function sendFile(response: ServerResponse, file: string | undefined, policy: st
 
 function headers(type: string, csp: string): Record<string, string> {
   return {
-    'content-type': types[type] ?? 'application/octet-stream',
+    'content-type': TYPES[type] ?? 'application/octet-stream',
     'cache-control': 'no-store',
     ...(csp === '' ? {} : { 'content-security-policy': csp }),
   };

@@ -12,27 +12,11 @@ const degrees = fc.oneof(
 
 it('turns 180 degrees into pi', () => {
   expect(radians(180)).toBe(Math.PI);
-  expect(radians(-90)).toBe(-Math.PI / 2);
-  expect(radians(0)).toBe(0);
 });
 
 describe('wrapping degrees', () => {
-  it.each([
-    [0, 0],
-    [179.5, 179.5],
-    [180, -180],
-    [-180, -180],
-    [-180.5, 179.5],
-    [190, -170],
-    [540, -180],
-    [-540, -180],
-    [720, 0],
-    [3601, 1],
-  ])('turns %d into %d', (from, to) => {
-    expect(wrapDegrees(from)).toBe(to);
-  });
-
   it('lands in [-180, 180), and leaves what is inside bit for bit', () => {
+    expect([wrapDegrees(-180), wrapDegrees(180)]).toStrictEqual([-180, -180]);
     fc.assert(
       fc.property(degrees, fc.double({ min: -180, max: 180, maxExcluded: true, noNaN: true }), (d, inside) => {
         const wrapped = wrapDegrees(d);
@@ -54,12 +38,7 @@ describe('wrapping degrees', () => {
 describe('sine and cosine of degrees', () => {
   it.each([
     [0, 0, 1],
-    [90, 1, 0],
-    [180, 0, -1],
-    [270, -1, 0],
     [-90, -1, 0],
-    [-180, 0, -1],
-    [360, 0, 1],
     [1e6 * 360 + 90, 1, 0],
   ])('are exact at %d', (d, sine, cosine) => {
     expect(sinDegrees(d) + 0).toBe(sine);
@@ -88,7 +67,8 @@ describe('sine and cosine of degrees', () => {
     );
   });
 
-  it('keep the precision of small angles', () => {
+  it('keep the precision of small angles, and the same one on both sides of 0', () => {
+    expect(sinDegrees(-45)).toBe(-sinDegrees(45));
     expect(sinDegrees(1e-300)).toBe(radians(1e-300));
     expect(cosDegrees(90 - 2 ** -40)).toBeCloseTo(radians(2 ** -40), 25);
   });

@@ -82,7 +82,7 @@ describe('near and far', () => {
         if (front < pose.radius && back > pose.radius) expect(near).toBeLessThan(pose.radius);
         if (front < 0) expect(near).toBeLessThanOrEqual(pose.radius / 10);
       }),
-      { numRuns: 3000 },
+      { numRuns: 1000 },
     );
   });
 
@@ -98,7 +98,7 @@ describe('near and far', () => {
         expect(far).toBeLessThan(Infinity);
         expect(Math.fround(far)).toBeGreaterThan(Math.fround(near));
       }),
-      { numRuns: 3000 },
+      { numRuns: 1000 },
     );
   });
 

@@ -1,5 +1,5 @@
-// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known shapes, means of
-// ramps. On smaller pictures than in a release run.
+// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known shapes. On smaller
+// pictures than in a release run.
 import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { LightState, type Vec3 } from '../../src/reference/index.js';
@@ -21,18 +21,6 @@ const sceneOf = (distance: number, ...objects: readonly CastObject[]): CastScene
 });
 const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({ shape: { kind }, material });
 
-/** A quadrangle in the plane of x and y, with u and v along them from 0 to 1. */
-const quad = (corners: readonly (readonly [number, number])[], material: CastMaterial): CastObject => ({
-  shape: {
-    kind: 'triangles',
-    positions: corners.flatMap(([x, y]) => [x, y, 0]),
-    normals: corners.flatMap(() => [0, 0, 1]),
-    uvs: [0, 0, 1, 0, 1, 1, 0, 1],
-    index: [0, 1, 2, 0, 2, 3],
-  },
-  material,
-});
-
 async function torusOfTriangles(): Promise<CastObject> {
   const geometry = await createGeometry('torus', 16);
   const [positions, normals] = [geometry.getAttribute('position').array, geometry.getAttribute('normal').array];
@@ -47,31 +35,6 @@ const areaOf = (picture: Float64Array): number =>
 const pixelsOf = (height: number): number => height / (2 * Math.tan((FOV * Math.PI) / 360));
 
 describe('a picture by the ray caster', () => {
-  it('covers each pixel as far as a half plane does', () => {
-    const [width, height] = [fullOr(12, 6), fullOr(10, 6)];
-    // Left of the line that leans by a third, in pixels from the picture's middle.
-    const line = (y: number): number => 0.3 + y / 3;
-    const unit = 10 / pixelsOf(height);
-    const far = 40;
-    const corners = [[-far, -far], [line(-far), -far], [line(far), far], [-far, far]] as const; // prettier-ignore
-    const inUnits = corners.map(([x, y]) => [x * unit, y * unit] as const);
-    const object = quad(inUnits, UNLIT);
-    const picture = castHere(sceneOf(10, object), { width, height });
-    for (let row = 0; row < height; row++) {
-      for (let column = 0; column < width; column++) {
-        let share = 0;
-        const steps = 1000;
-        for (let k = 0; k < steps; k++) {
-          const y = height / 2 - row - (k + 0.5) / steps;
-          share += Math.min(1, Math.max(0, line(y) - (column - width / 2))) / steps;
-        }
-        // Ten standard errors of 32 squares that the edge passes.
-        const found = picture[4 * (row * width + column) + 3]! / 255;
-        expect(Math.abs(found - share), `${String(column)}, ${String(row)}`).toBeLessThan(0.025);
-      }
-    }
-  });
-
   it('covers the area of a sphere’s outline, and of a torus’s with its hole', () => {
     const size = fullOr(60, 20);
     // Its standard error falls with the size to the power of 3/2.

@@ -21,13 +21,6 @@ describe('the sRGB curve', () => {
     expect(srgbEncode(SRGB.linearKnee)).toBe(SRGB.linearKnee * SRGB.slope);
   });
 
-  it('has no visible step at the knee', () => {
-    const step = (curve: (x: number) => number, knee: number): number =>
-      Math.abs(curve(knee * (1 + 1e-15)) - curve(knee));
-    expect(step(srgbDecode, SRGB.encodedKnee)).toBeLessThan(3e-9);
-    expect(step(srgbEncode, SRGB.linearKnee)).toBeLessThan(3e-8);
-  });
-
   it.each([0, -0, -1, -Infinity, NaN])('makes 0 of %d', (x) => {
     expect(srgbDecode(x)).toBe(0);
     expect(srgbEncode(x)).toBe(0);

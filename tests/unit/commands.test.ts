@@ -67,13 +67,10 @@ describe('a command', () => {
   const NOWHERE = '/no/such/folder';
   it.each<[string, RegExp, readonly string[]]>([
     ['bench', /^--launches takes a number of at least 1, not '0'/, ['--launches', '0']],
-    ['bench', /^--size takes pixels such as 480x360, not 'large'/, ['--size', 'large']],
     ['bench', /^No subject contains 'a teapot'/, ['--only', 'a teapot']],
     ['bench', /^There are no built pages in \/no\/such\/folder/, ['--built', NOWHERE]],
-    ['bench:report', /^There are no results in \/no\/such\/folder\/results/, ['--folder', NOWHERE]],
     ['bench:report', /software\.json is no JSON that can be read/, ['--folder', folder]],
     ['stress', /^Unknown driver 'left'/, ['--drivers', 'left']],
-    ['stress', /^There is no built harness in \/no\/such\/folder/, ['--harness', NOWHERE]],
     // Before hours of measuring.
     ['stress', /software\.json is no JSON that can be read/, ['--out', broken]],
     ['mutation', /^Unknown folder 'attic'/, ['--folder', 'attic']],
@@ -84,7 +81,7 @@ describe('a command', () => {
     expect(said).toMatch(message);
   });
 
-  it.each(['readme:picture', 'site:picture', 'site:models'])(
+  it.each(firstOf(['site:picture', 'readme:picture', 'site:models'], 1))(
     'npm run %s says in one line that there is no build',
     async (name) => {
       const { code, said } = await run(name, [], { PHONG_VIEWER_OUT: folder });

@@ -84,13 +84,6 @@ describe('the documents', () => {
     }
   });
 
-  it.each(documents.filter((path) => !/^\.github\/PULL|^CHANGELOG|^README|decisions\/[a-z]|assets/.test(path)))(
-    '%s says in its first line whom it is for',
-    (path) => {
-      expect(read(path).replace(/^#.*\n+/, '')).toMatch(/^For (people|authors|scripts) /);
-    },
-  );
-
   it.each(documents)('%s links to files and headings that exist', (path) => {
     expect(linksOf(path).filter(isBroken)).toEqual([]);
   });

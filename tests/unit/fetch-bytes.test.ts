@@ -100,7 +100,7 @@ describe('a download', () => {
       });
       const headers = announced === '' ? {} : { 'content-length': announced };
       vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { headers }));
-      expect(await download('/x').ended).toEqual(new Uint8Array([1, 2, 3, 4, 5, 6, 7]));
+      expect(await download('/x').ended).toEqual({ bytes: new Uint8Array([1, 2, 3, 4, 5, 6, 7]), type: '' });
     }
   });
 

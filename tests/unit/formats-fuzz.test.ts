@@ -3,11 +3,13 @@
 import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { ModelError, type Content } from '../../src/model/model.js';
-import { repeats } from '../support/repeats.js';
+import { fullOr } from '../support/repeats.js';
 import { heardWarnings, loadFiles, png, standInImages } from './model-files.js';
 
 /** Others: PHONG_VIEWER_SEED=1000. */
 const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+const RUNS = fullOr(20_000, 400);
 
 const encoder = new TextEncoder();
 
@@ -126,7 +128,7 @@ describe('every file is a model or a ModelError', () => {
       fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 6 }), async (changes) => {
         await requireOutcome({ ...files, [damaged]: changed(files[damaged]!, changes) });
       }),
-      { seed, numRuns: repeats(damaged === 'a.mtl' ? 10_000 : 20_000) },
+      { seed, numRuns: RUNS },
     );
   });
 
@@ -136,7 +138,7 @@ describe('every file is a model or a ModelError', () => {
       fc.asyncProperty(fc.array(fc.constantFrom(...words), { maxLength: 80 }), async (list) => {
         await requireOutcome({ 'a.obj': encoder.encode(`v 0 0 0\nv 1 0 0\nv 0 1 0\n${list.join(' ')}`) });
       }),
-      { seed, numRuns: repeats(20_000) },
+      { seed, numRuns: RUNS },
     );
   });
 
@@ -153,7 +155,7 @@ describe('every file is a model or a ModelError', () => {
           await requireOutcome({ 'a.ply': new Uint8Array([...head, ...body]) });
         },
       ),
-      { seed, numRuns: repeats(20_000) },
+      { seed, numRuns: RUNS },
     );
   });
 });

@@ -30,12 +30,10 @@ const animated = (x: number): Buffer =>
   chunk('ANMF', x, 0, 0, 0, 0, 0, 0x7f, 2, 0, 0xdf, 1, 0, ...Array<number>(4).fill(0));
 const png = pngOf(640, 480, 1);
 const [signature, header, rest] = [png.subarray(0, 8), png.subarray(8, 33), png.subarray(33)];
-const texture = readFileSync(new URL('../fixtures/models/beside/textures/four colours.png', import.meta.url));
 
 describe('the size of an image', () => {
   it.each<[string, Buffer, [number, number]]>([
     ['PNG', pngOf(33, 2, 32), [33, 2]],
-    ['PNG of a fixture', texture, [2, 2]],
     ['PNG within a larger buffer', Buffer.concat([Buffer.alloc(7), pngOf(5, 6, 1)]).subarray(7), [5, 6]],
     ['baseline JPEG', jpeg(exif, segment(0xc4, Buffer.alloc(9)), frame(0xc0)), [640, 480]],
     ['progressive JPEG after fill bytes', jpeg(Buffer.from([0xff]), exif, frame(0xc2)), [640, 480]],
@@ -62,9 +60,7 @@ describe('the size of an image', () => {
     ['animated WebP without a canvas', webp(animated(0))],
     ['WebP cut short', text('RIFF')],
     ['GIF: its frames have sizes of their own', text('GIF89a\x80\x02\xe0\x01')],
-    ['AVIF', text('\0\0\0\x0cftypavif')],
     ['BMP', Buffer.concat([text('BM'), Buffer.alloc(16), Buffer.from([1, 0, 0, 0, 1, 0, 0, 0])])],
-    ['SVG', text('<svg/>')],
     ['file without bytes', Buffer.alloc(0)],
   ])('is null for a %s', (_, file) => {
     expect(imageSize(file)).toBeNull();

@@ -84,7 +84,7 @@ it.each([
 
 const PIXELS = fullOr(8000, 1500);
 
-const CASES = NAMES.flatMap((name) =>
+const CASES = firstOf(NAMES, 4).flatMap((name) =>
   firstOf(name in MANY ? [800, 60, 200, 400] : [200, 60, 400, 800], 1).map((size) => [name, size] as const),
 );
 

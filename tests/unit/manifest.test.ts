@@ -9,17 +9,10 @@ import { attributesPage } from '../../.ci/manifest/attributes-page.mjs';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
-import type { CompareValues } from '../../src/element/fields/compare-fields.js';
-import type { ControlValues } from '../../src/element/fields/control-fields.js';
-import type {
-  CompareProperties,
-  ControlProperties,
-  LightProperties,
-  MeshProperties,
-  SingleNumber,
-  ViewerProperties,
-} from '../../src/element/fields/properties.js';
-import type { ViewerValues } from '../../src/element/fields/viewer-fields.js';
+import type { CompareProperties, CompareValues } from '../../src/element/fields/compare-fields.js';
+import type { ControlProperties, ControlValues } from '../../src/element/fields/control-fields.js';
+import type { LightProperties, MeshProperties, SingleNumber } from '../../src/element/fields/properties.js';
+import type { ViewerProperties, ViewerValues } from '../../src/element/fields/viewer-fields.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { PhongLight } from '../../src/element/phong-light.js';

@@ -42,15 +42,13 @@ describe('the normal matrix', () => {
       }),
     );
   });
-});
 
-describe('the normal matrix of a flattened mesh', () => {
   it.each([
     [0, [0, 2, 3]],
     [1, [2, 0, 3]],
     [2, [2, 3, 0]],
     [2, [-2, 3, 0]],
-  ] as const)('leaves the normals along axis %i, which the scale %j flattens, alone', (flat, scale) => {
+  ] as const)('leaves the normals along axis %i alone where the scale %j flattens a mesh', (flat, scale) => {
     fc.assert(
       fc.property(angles, plainVector, (rotation, normal) => {
         const along = normal[flat];
@@ -67,14 +65,17 @@ describe('the normal matrix of a flattened mesh', () => {
     );
   });
 
-  it.each([[[1, 0, 0]], [[0, 0, 1]], [[0, 0, 0]]])('to a line or a point by %j is zero, never NaN', (scale) => {
-    fc.assert(
-      fc.property(angles, (rotation) => {
-        expect(normals(place(rotation, scale)).elements.every((x) => x === 0)).toBe(true);
-      }),
-      { numRuns: 50 },
-    );
-  });
+  it.each([[[1, 0, 0]], [[0, 0, 1]], [[0, 0, 0]]])(
+    'is zero, never NaN, where the scale %j makes a mesh a line or a point',
+    (scale) => {
+      fc.assert(
+        fc.property(angles, (rotation) => {
+          expect(normals(place(rotation, scale)).elements.every((x) => x === 0)).toBe(true);
+        }),
+        { numRuns: 50 },
+      );
+    },
+  );
 
   it('is finite for entries of any size and sign, mixed at will', () => {
     const size = fc.double({ min: 5e-324, max: 1e27, noNaN: true });

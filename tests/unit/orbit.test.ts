@@ -1,24 +1,35 @@
-// Do the orbit's state and its basis match the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ)?
+// Do the orbit's state and its basis match the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ)? At poles and
+// quarter turns too, and at doubles beside them, down to the smallest.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { LARGEST_LENGTH, Orbit } from '../../src/camera/orbit.js';
+import { basisOf, LARGEST_LENGTH, Orbit } from '../../src/camera/orbit.js';
+import { cross, dot, length, subtract } from '../../src/math/vector.js';
+import { repeats } from '../support/repeats.js';
 
+/** These angles, and what lies beside them by any power of ten. */
+const beside = (...angles: readonly number[]): fc.Arbitrary<number> =>
+  fc
+    .tuple(fc.constantFrom(...angles), fc.integer({ min: -324, max: 0 }), fc.constantFrom(-1, 1))
+    .map(([angle, power, sign]) => angle + sign * 10 ** power);
+const anyTheta = fc.oneof(
+  fc.double({ min: -720, max: 720, noNaN: true }),
+  beside(-180, -90, -45, 0, 30, 90, 180, 270, 3600),
+  fc.constantFrom(1e15, -1e300),
+);
 const anyPhi = fc.oneof(
   fc.double({ min: 0, max: 180, noNaN: true }),
-  fc.constantFrom(0, 180, 90, 1e-12, 180 - 1e-12, 45),
+  beside(0, 45, 90, 135, 180).map((phi) => Math.min(Math.max(phi, 0), 180)),
 );
 
 describe('the basis', () => {
   it.each([
     [0, 90, [1, 0, 0], [0, 1, 0], [0, 0, 1]],
-    [90, 90, [0, 0, -1], [0, 1, 0], [1, 0, 0]],
-    [180, 90, [-1, 0, 0], [0, 1, 0], [0, 0, -1]],
     [-90, 90, [0, 0, 1], [0, 1, 0], [-1, 0, 0]],
     [0, 0, [1, 0, 0], [0, 0, -1], [0, 1, 0]],
-    [0, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
     [90, 0, [0, 0, -1], [-1, 0, 0], [0, 1, 0]],
-    [3600, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
+    [180, 0, [-1, 0, 0], [0, 0, 1], [0, 1, 0]],
+    [-3600, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
   ])('consists of 0 and ±1, without -0, at θ = %d, φ = %d', (theta, phi, right, up, back) => {
     const basis = new Orbit({ theta, phi }).basis();
     expect(basis).toStrictEqual({ right, up, back });
@@ -31,19 +42,42 @@ describe('the basis', () => {
         const there = new Orbit({ theta: theta + 90, phi }).basis();
         for (const axis of ['right', 'up', 'back'] as const) {
           const [x, y, z] = here[axis];
-          const off = [z, y, 0 - x].map((value, i) => Math.abs(there[axis][i]! - value));
-          expect(Math.max(...off)).toBeLessThanOrEqual(2.3e-16);
+          expect(length(subtract(there[axis], [z, y, -x]))).toBeLessThanOrEqual(4e-16);
         }
       }),
     );
+  });
+
+  it('is orthonormal and right-handed to two roundings, and changes no more than φ does', () => {
+    fc.assert(
+      fc.property(anyTheta, anyPhi, anyPhi, (theta, phi, other) => {
+        const { right, up, back } = basisOf({ theta, phi });
+        const there = basisOf({ theta, phi: other });
+        const off = [
+          ...[dot(right, right) - 1, dot(up, up) - 1, dot(back, back) - 1, dot(back, right)],
+          length(subtract(cross(back, right), up)),
+        ];
+        expect(Math.max(...off.map(Math.abs))).toBeLessThanOrEqual(1e-15);
+        const travel = [subtract(there.right, right), subtract(there.up, up), subtract(there.back, back)].map(length);
+        // Rounding of both.
+        const most = (Math.PI / 180) * Math.abs(phi - other) + 4 * Number.EPSILON;
+        expect(Math.max(...travel)).toBeLessThanOrEqual(most);
+      }),
+      { numRuns: repeats(1e5) },
+    );
+  });
+
+  it('keeps the eye off the axis near a pole, however small the polar angle is', () => {
+    for (let phi = 1e-9; phi > 0; phi /= 10)
+      expect(basisOf({ theta: 90, phi }).back.slice(0, 2)).toStrictEqual([phi * (Math.PI / 180), 1]);
   });
 });
 
 describe('the eye', () => {
   it('lies at its definition', () => {
-    const anyTheta = fc.double({ min: -360, max: 360, noNaN: true });
+    const theta = fc.double({ min: -360, max: 360, noNaN: true });
     fc.assert(
-      fc.property(anyTheta, anyPhi, fc.double({ min: 1e-3, max: 1e3, noNaN: true }), (theta, phi, radius) => {
+      fc.property(theta, anyPhi, fc.double({ min: 1e-3, max: 1e3, noNaN: true }), (theta, phi, radius) => {
         const [t, p] = [(theta * Math.PI) / 180, (phi * Math.PI) / 180];
         const back = [Math.sin(p) * Math.sin(t), Math.cos(p), Math.sin(p) * Math.cos(t)];
         const eye = new Orbit({ theta, phi, radius, target: [1, 2, 3] }).eye();

@@ -5,9 +5,8 @@ import { describe, expect, it } from 'vitest';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
-import { lightMarks, type HandlePart } from '../../src/overlay/helpers/light-marks.js';
-import { moved, type Anchor } from '../../src/overlay/helpers/moves.js';
-import { placedLight } from '../../src/overlay/helpers/placed-light.js';
+import { lightMarks, placedLight, type HandlePart } from '../../src/overlay/helpers/light-marks.js';
+import { moved, type Anchor } from '../../src/overlay/helpers/light-move.js';
 
 const scene = { center: [0, 0, 0], radius: 1 } as const;
 const sight = {
@@ -20,7 +19,7 @@ const values = (given: Partial<LightValues>): LightValues => new LightState(give
 
 function anchorOf(light: LightValues, view: Projection, part: HandlePart = 'place'): Anchor {
   const { placed, handles } = lightMarks(light, view, scene, false, Infinity);
-  return { part, values: light, placed, handle: handles.find((each) => each.part === part)!, view, scene };
+  return { values: light, placed, handle: handles.find((each) => each.part === part)!, view, scene };
 }
 
 const angle = fc.double({ min: -180, max: 180, noNaN: true });

@@ -4,9 +4,6 @@
 import {
   BackSide,
   BoxGeometry,
-  type BufferAttribute,
-  type BufferGeometry,
-  DynamicDrawUsage,
   Group,
   Line,
   Mesh,
@@ -149,11 +146,8 @@ describe('the pick', () => {
     expect(look()!.drawn.object).toBe(box);
   });
 
-  it('does not change when camera, own and foreign meshes change afterwards', () => {
+  it('does not change when camera and own meshes change afterwards', () => {
     const mesh = wall();
-    const foreign = new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial());
-    foreign.position.set(0.5, 0, 1);
-    scene.add(foreign);
     const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
     const view = aimed(orbit);
     const snapshot = snapshotThrough(view);
@@ -165,9 +159,7 @@ describe('the pick', () => {
     mesh.position.z = 1;
     mesh.geometry = new PlaneGeometry(5, 5);
     material.setSurface({ shininess: 7 });
-    foreign.position.x = 0;
-    scene.updateMatrixWorld();
-    expect(look(snapshotThrough(view))).toBeNull();
+    expect(look(snapshotThrough(view))?.depth).toBeCloseTo(depth - 1, 12);
     orbit.set({ theta: 90, radius: 7 });
     view.look(45, { width: SIZE, height: SIZE });
     view.aim(scene, null);
@@ -197,17 +189,6 @@ describe('the corners of what was picked', () => {
     wall().geometry.deleteAttribute('normal');
     expect(normalsOf()).toEqual(Array(3).fill([0, 0, 0]));
   });
-});
-
-it('shares the geometry of an animated mesh that stands still with the next snapshot, which copies nothing', () => {
-  const { geometry } = wall();
-  (geometry.getAttribute('position') as BufferAttribute).setUsage(DynamicDrawUsage);
-  const taken = (): BufferGeometry | undefined =>
-    snapshotThrough().objects.find(({ object }) => object === own[0])?.geometry;
-  const before = taken();
-  expect(taken()).toBe(before);
-  geometry.setAttribute('normal', (geometry.getAttribute('normal') as BufferAttribute).clone());
-  expect(taken()).not.toBe(before);
 });
 
 it("measures a distance along a ray to a page author's own mesh too", () => {

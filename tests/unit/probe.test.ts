@@ -8,9 +8,16 @@ import { srgbDecode } from '../../src/math/color.js';
 import { length, normalize } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
 import { drawingOf, type Figure, figureOf, MOST_LIGHTS } from '../../src/overlay/probe/figure.js';
-import { byShare, shortNumber, shownAbsence, probeSum, tripleText } from '../../src/overlay/probe/sum.js';
+import {
+  byShare,
+  fragmentText,
+  shortNumber,
+  shownAbsence,
+  probeSum,
+  stepsText,
+  tripleText,
+} from '../../src/overlay/probe/sum.js';
 import { cellText, columnsOf } from '../../src/overlay/probe/sum-table.js';
-import { fragmentText, stepsText } from '../../src/overlay/probe/words.js';
 import { triple } from './arbitraries.js';
 import { explained } from './explained.js';
 
@@ -140,21 +147,6 @@ describe('the figure', () => {
     expect([arcs[0]!.label, vectors.at(-1)!.name]).toEqual([said[0], `R ∠V ${said[1]!}`]);
   });
 
-  it('calls an arrow L where its light\u2019s own name stands beside it', () => {
-    const fragment = explained({ lights: TWO });
-    const projection = new Projection({ pose, fov: 45, width: 600, height: 400 });
-    const at = { x: 300, y: 200 };
-    const texts = (left: number): string[] => {
-      const names = [{ text: 'light 1', left, top: 90, right: left + 40, bottom: 106 }];
-      const room = { left: 0, top: 0, right: 600, bottom: 400 };
-      const space = { outline: [], room, boxes: [], names, fontSize: 12 };
-      const list = drawingOf(projection, [0, 0, 0], at, figure(fragment), space);
-      return list.flatMap((each) => (each.kind === 'label' ? [each.text] : [])).filter((text) => text.startsWith('L'));
-    };
-    expect(texts(310).sort()).toEqual(['L', 'L light 3']);
-    expect(texts(10).sort()).toEqual(['L light 1', 'L light 3']);
-  });
-
   it('has arrows for the lights that add most if there are many, and always for the chosen one', () => {
     const fragment = under(...Array.from({ length: 50 }, (_, i) => ({ ...FIRST, diffuse: [i, i, i] as const })));
     const strongest = byShare(probeSum(fragment, false).rows).slice(0, MOST_LIGHTS);
@@ -182,7 +174,7 @@ describe('the figure', () => {
           halfway,
         });
         const room = { left: 0, top: 0, right: width, bottom: height };
-        const space = { outline: [], room, boxes: [], names: [], fontSize: 12 };
+        const space = { outline: [], room, boxes: [], fontSize: 12 };
         const projection = new Projection({ pose, fov: 45, width, height });
         const list = drawingOf(projection, [0, 0, 0], { x: width / 2, y: height / 2 }, drawn, space);
         // JSON writes null for what is not finite.

@@ -51,7 +51,7 @@ it.each([1, 2])('without memory for material %i of its content, keeps what it sh
   expect(first.dispose).not.toHaveBeenCalled();
 });
 
-it('makes the materials of 2,000 looks before the model arrives, in more than one task', async () => {
+it('makes the materials of 400 looks before the model arrives, in more than one task', async () => {
   const host = meshHost();
   const { materials } = host.picture;
   const { mesh } = meshOf(host, new Scene());
@@ -61,20 +61,20 @@ it('makes the materials of 2,000 looks before the model arrives, in more than on
   const acquire = materials.acquire.bind(materials);
   vi.spyOn(materials, 'acquire').mockImplementation((appearance) => {
     // As slow as on a phone.
-    for (const end = performance.now() + 0.05; performance.now() < end;);
+    for (const end = performance.now() + 0.25; performance.now() < end;);
     made += 1;
     return acquire(appearance);
   });
-  const model = content(2000);
+  const model = content(400);
   await mesh.prepare(model, new AbortController().signal);
   clearInterval(counting);
-  expect(made).toBe(2000);
+  expect(made).toBe(400);
   expect(tasks).toBeGreaterThan(2);
   const release = vi.spyOn(materials, 'release');
   mesh.arrived(model, host.picture.budget.claim(mesh), url, true);
-  expect(release).toHaveBeenCalledTimes(2000);
+  expect(release).toHaveBeenCalledTimes(400);
   mesh.dispose();
-  expect(release).toHaveBeenCalledTimes(4000);
+  expect(release).toHaveBeenCalledTimes(800);
 });
 
 /** A sphere of 64 segments, and its flat copy. */
@@ -158,15 +158,6 @@ describe('a mesh', () => {
     b.mesh.retry();
     b.mesh.update();
     expect(b.geometry()!.index).toBeNull();
-    expect(failed.size).toBe(0);
-  });
-
-  it('that was refused as flat is shown once another shading is wanted', () => {
-    const { failed, add } = setUp(10_000);
-    const { mesh, set } = add(64, 'flat');
-    expect(mesh.root).toBeNull();
-    set({ shading: 'phong' });
-    expect(mesh.root).not.toBeNull();
     expect(failed.size).toBe(0);
   });
 });

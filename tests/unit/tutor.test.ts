@@ -6,6 +6,7 @@ import { type Equation, equationsOf, judge } from '../../src/overlay/probe/equat
 import { TERMS } from '../../src/light/light-state.js';
 import { latexOf } from '../../src/overlay/probe/tutor.js';
 import type { LightValues, Surface } from '../../src/reference/index.js';
+import { repeats } from '../support/repeats.js';
 import { light } from './arbitraries.js';
 import { explained } from './explained.js';
 
@@ -145,6 +146,6 @@ it('calls every right answer right, and each wrong value a mistake that its text
         }
       }
     }),
-    { seed: 39, numRuns: 300 },
+    { seed: 39, numRuns: repeats(1600) },
   );
 });

@@ -39,35 +39,15 @@ it('takes places and directions through a matrix', () => {
   expect(transformed(matrix, 4, 2, 3, 0)).toStrictEqual([8 + 14 + 51, 12 + 22 + 57, 20 + 26 + 69]);
 });
 
+// prettier-ignore
 it.each<[Vec3, Vec3]>([
-  [
-    [1, 2, 3],
-    [0, 3, -2],
-  ],
-  [
-    [-2, 1, 3],
-    [-3, 0, -2],
-  ],
-  [
-    [3, 2, -1],
-    [2, -3, 0],
-  ],
-  [
-    [2, 3, 1],
-    [3, -2, 0],
-  ],
-  [
-    [1, 2, 1],
-    [0, 1, -2],
-  ],
-  [
-    [2, 1, 1],
-    [-1, 0, 2],
-  ],
-  [
-    [0, 0, 5],
-    [0, 5, 0],
-  ],
+  [[1, 2, 3], [0, 3, -2]],
+  [[-2, 1, 3], [-3, 0, -2]],
+  [[3, 2, -1], [2, -3, 0]],
+  [[2, 3, 1], [3, -2, 0]],
+  [[1, 2, 1], [0, 1, -2]],
+  [[2, 1, 1], [-1, 0, 2]],
+  [[0, 0, 5], [0, 5, 0]],
 ])('the vector across %j is turned from the axis that it is farthest from: %j', (v, across) => {
   perpendicular(v).forEach((x, i) => expect(x).toBeCloseTo(normalize(across)[i]!, 15));
 });

@@ -1,20 +1,22 @@
-// How far is a picture from its own triangles in float64? In 8-bit codes.
-import type { Picture } from '../support/picture.js';
-import type { Vec3 } from '../../src/math/vector.js';
-import { around, CONE_EDGE, type Errors, outside } from './against-reference.js';
-import type { DeclaredScene } from './ray-cast.js';
-import { remembered } from './remembered.js';
-import { castTriangles } from './triangle-cast.js';
+// How far is a picture from its own triangles in float64? In 8-bit codes. Under Gouraud shading the colours of their
+// vertices are interpolated.
+import { BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
+import { flatGeometry } from '../../src/material/flat-geometry.js';
+import { srgbEncode } from '../../src/math/color.js';
+import { add, map, scale, type Vec3 } from '../../src/math/vector.js';
+import { shade } from '../../src/reference/equation.js';
+import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
+import { coneMargin } from '../stress/contract.js';
+import { Tracer } from '../support/caster/tracer.js';
+import type { Picture } from '../support/test.js';
+import { around, CONE_EDGE, type Errors, outside, remembered } from './against-reference.js';
+import { type CastMesh, castSceneOf, type DeclaredScene, matrixOf, trianglesOf } from './ray-cast.js';
 
 /**
- * Farther than this from every edge of its triangle, in pixels, a pixel is of one sample: its corners lie within, also
- * where the edges are snapped to the coarsest grid that OpenGL ES allows, 1/16 of a pixel.
+ * Whose square of this half side lies in one triangle, in pixels, a pixel is of one sample: also where edges are snapped
+ * to the coarsest grid that OpenGL ES allows, 1/16 of a pixel.
  */
-const WHOLE = Math.SQRT1_2 + 1 / 16;
-
-const hitsOf = remembered((scene, width: number, height: number, shading: string) =>
-  castTriangles(scene, width, height, shading),
-);
+const WHOLE = 1 / 2 + 1 / 16;
 
 /** Of channels inside triangles. `snapped`: those more than a code off, which snapped vertices may explain. */
 interface TriangleErrors extends Errors {
@@ -27,38 +29,112 @@ interface TriangleErrors extends Errors {
  * is.
  */
 export function compareWithTriangles(
-  picture: Picture,
+  { width, height, data }: Picture,
   scene: DeclaredScene,
   shading: string,
   subpixelBits: number,
 ): TriangleErrors {
-  const { width, height, data } = picture;
-  const hits = hitsOf(scene, width, height, shading);
+  const { inside, colorAt } = seenOf(scene, width, height, shading);
   const errors: TriangleErrors = { max: 0, at: '', compared: 0, exact: 0, snapped: 0 };
   const reach = 2 ** -subpixelBits / 2;
-  hits.forEach((hit, i) => {
-    const [x, y] = [i % width, Math.floor(i / width)];
-    const isBorder = x === 0 || y === 0 || x === width - 1 || y === height - 1;
-    if (isBorder || hit === null || hit.edge < WHOLE || hit.coneMargin < CONE_EDGE) return;
+  for (const { x, y, color, margin } of inside) {
+    if (margin < CONE_EDGE) continue;
     for (let channel = 0; channel < 3; channel++) {
-      const actual = data[4 * i + channel]!;
-      let error = Math.abs(actual - code(hit.color, channel));
+      const actual = data[4 * (y * width + x) + channel]!;
+      let error = Math.abs(actual - code(color, channel));
       errors.compared += 1;
       if (error === 0) errors.exact += 1;
       if (error > 1) {
-        const near = around(reach, (dx, dy) => hit.beside(dx, dy));
+        const near = around(reach, (dx, dy) => colorAt(x + dx, y + dy).color);
         error = outside(
           actual,
-          [...near, hit.color].map((color) => code(color, channel)),
+          [...near, color].map((one) => code(one, channel)),
         );
         errors.snapped += 1;
       }
       if (error > errors.max)
-        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * hit.color[channel]!}`;
+        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * color[channel]!}`;
       errors.max = Math.max(errors.max, error);
     }
-  });
+  }
   return errors;
 }
 
 const code = (color: Vec3, channel: number): number => Math.round(color[channel]! * 255);
+
+/** A colour, 0–1, and the angle to the nearest cone's edge: the least of the vertices' under Gouraud. */
+interface Seen {
+  readonly color: Vec3;
+  readonly margin: number;
+}
+
+/** The pixels inside triangles, but those at the picture's border, and the colour anywhere. */
+const seenOf = remembered((scene: DeclaredScene, width: number, height: number, shading: string) => {
+  const geometry = cornersOf(scene.meshes[0]!, shading);
+  const tracer = new Tracer(
+    castSceneOf(scene, () => trianglesOf(geometry)),
+    width,
+    height,
+  );
+  const triangleAt = (x: number, y: number): number => tracer.hitAt(x + 0.5, y + 0.5).triangle;
+  const colorAt = shading === 'gouraud' ? perVertex(scene, tracer, geometry) : perFragment(scene, tracer);
+  const inside: (Seen & { readonly x: number; readonly y: number })[] = [];
+  for (let y = 1; y < height - 1; y++) {
+    for (let x = 1; x < width - 1; x++) {
+      const triangle = triangleAt(x, y);
+      const isWhole = around(WHOLE, (dx, dy) => triangleAt(x + dx, y + dy)).every((other) => other === triangle);
+      if (triangle >= 0 && isWhole) inside.push({ x, y, ...colorAt(x, y) });
+    }
+  }
+  return { inside, colorAt };
+});
+
+/** The mesh's own triangles. Corners share nothing, and u and v are the shares of a triangle's first two corners. */
+function cornersOf({ geometry, segments }: CastMesh, shading: string): BufferGeometry {
+  const made = createGeometry(geometry, segments) as BufferGeometry;
+  const split = shading === 'flat' ? flatGeometry(made) : made;
+  const corners = split.index === null ? split : split.toNonIndexed();
+  const shares = Array.from({ length: corners.getAttribute('position').count / 3 }, () => [1, 0, 0, 1, 0, 0]);
+  return corners.setAttribute('uv', new BufferAttribute(Float32Array.from(shares.flat()), 2));
+}
+
+type ColorAt = (x: number, y: number) => Seen;
+
+const perFragment =
+  (scene: DeclaredScene, tracer: Tracer): ColorAt =>
+  (x, y) => {
+    const shaded = tracer.shadedAt(x + 0.5, y + 0.5)!;
+    return { color: shaded.color, margin: Math.abs(coneMargin(scene.lights, shaded)) };
+  };
+
+/** Gouraud: the vertices' colours are interpolated before they are clamped and, for linear light, encoded. */
+function perVertex(scene: DeclaredScene, tracer: Tracer, geometry: BufferGeometry): ColorAt {
+  const [mesh] = scene.meshes as [CastMesh];
+  const matrix = matrixOf(mesh);
+  const normalMatrix = new Matrix3().getNormalMatrix(matrix);
+  const { camera } = tracer.screen;
+  // One picture of a sphere never shows both sides of a vertex.
+  const known = new Map<number, { readonly sum: Vec3; readonly margin: number }>();
+  const shadeCorner = (corner: number, front: boolean) => {
+    const present = known.get(corner);
+    if (present) return present;
+    const at = (name: string): Vector3 => new Vector3().fromBufferAttribute(geometry.getAttribute(name), corner);
+    const p = at('position').applyMatrix4(matrix).toArray();
+    const normal = scale(at('normal').applyNormalMatrix(normalMatrix).toArray(), front ? 1 : -1);
+    const shaded = shade({ p, normal, eye: camera.eye }, mesh, scene.lights, { ...scene.options, camera });
+    const terms = shaded.shares.flatMap((s) => (s === null ? [] : [s.ambient, s.diffuse, s.specular]));
+    const made = { sum: terms.reduce(add, [0, 0, 0]), margin: Math.abs(coneMargin(scene.lights, shaded)) };
+    known.set(corner, made);
+    return made;
+  };
+  return (x, y) => {
+    const { triangle, front, u, v } = tracer.hitAt(x + 0.5, y + 0.5);
+    const corners = [0, 1, 2].map((k) => shadeCorner(3 * triangle + k, front));
+    const sum = [u, v, 1 - u - v].map((share, k) => scale(corners[k]!.sum, share)).reduce(add);
+    const encoded = scene.options.linear === true ? map(sum, srgbEncode) : sum;
+    return {
+      color: map(encoded, (one) => Math.min(Math.max(one, 0), 1)),
+      margin: Math.min(...corners.map(({ margin }) => margin)),
+    };
+  };
+}

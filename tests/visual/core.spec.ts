@@ -16,7 +16,7 @@ import {
   SIZE,
   tellingChannels,
 } from './core-page.js';
-import { type DeclaredScene, lens } from './ray-cast.js';
+import { cameraOf, type DeclaredScene } from './ray-cast.js';
 
 const view: Step = { eye: [1.2, 0.9, 1.4], fov: 45 };
 
@@ -88,25 +88,6 @@ test('a floor under many narrow spots looks the same with and without a grid', a
   }
 });
 
-test('toggling, moving, recolouring, adding and removing lights of a declared kind adds no general program', async ({
-  page,
-}) => {
-  for (const device of ['software', 'gpu'] as const) {
-    await openCore(page, device);
-    const lamp: Partial<LightValues> = { position: [1, 2, 3, 1] };
-    const changes = [
-      [lamp, {}],
-      [{ ...lamp, active: false }, {}],
-      [{ position: [3, 2, 1, 1] }, {}],
-      [{ ...lamp, diffuse: [9, 90, 200] }, {}],
-      [lamp, lamp, {}, {}, {}],
-      [lamp],
-    ] as const;
-    const drawn = await drawCore(page, ...changes.map((lights): Step => ({ ...view, lights, frames: 5 })));
-    for (const { programs } of drawn) expect(programs, device).toBe(1);
-  }
-});
-
 test('a hundred equal meshes share one specialised program', async ({ page }) => {
   await openCore(page);
   const lights = mixedLights(4);
@@ -145,7 +126,7 @@ test('a three.js camera draws what the equation says, as the element does', asyn
     options: {},
   };
   const { width, height } = SIZE;
-  const eye = lens(scene, width, height).eyeOffset;
+  const { eye } = cameraOf(scene);
   await openCore(page);
   const [core] = await drawCore(page, { eye, fov: 45, target: [0, 0, 0], surface, lights });
   const data = new Uint8Array(4 * width * height);

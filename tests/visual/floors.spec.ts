@@ -25,7 +25,7 @@ test('shades floors and walls up to 1,000 times as large as the eye is near', as
   for (const [i, scene] of scenes.entries()) {
     await viewer.evaluate((element, text) => (element.outerHTML = text), sceneMarkup(scene));
     const { data, width, height } = await pixels(viewer, SIZE);
-    for (const { x, y, hit } of innerPixels(scene, width, height)) {
+    for (const { x, y, hit } of innerPixels(scene, width, height, 1)) {
       const at = 4 * (y * width + x);
       if (data[at + 3] !== 255) holes.push(`seed ${FIRST + i}: ${x}, ${y}`);
       hit.shaded.color.forEach((value, channel) => {

@@ -7,10 +7,9 @@ import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
 import { assign, type PhongViewer, settled, statsOf } from '../element/support/viewer.js';
-import { CONE_EDGE, type InnerPixel } from './against-reference.js';
+import { innerPixels } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
-import { caster, type DeclaredScene } from './ray-cast.js';
-import { remembered } from './remembered.js';
+import type { DeclaredScene } from './ray-cast.js';
 import { Dice, dimmed, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 
 const SIZE = { width: 60, height: 42 };
@@ -18,28 +17,14 @@ const SIZE = { width: 60, height: 42 };
 /** WebGL 2's guaranteed minimum of uniforms and of a uniform block. */
 const PROMISED = { vectors: 224, blockBytes: 16_384 } as const;
 
-/** Number of evenly spread pixels, away from the picture's border, that are computed in float64. */
-const SAMPLES = 96;
-
-/** The sampled pixels that are of one sample and one face, away from every cone's edge. */
-const samplesOf = remembered((scene: DeclaredScene, width: number, height: number): InnerPixel[] => {
-  const cast = caster(scene, width, height);
-  const inner = (width - 4) * (height - 4);
-  return Array.from({ length: SAMPLES }, (_, i) => {
-    const at = Math.floor((i * inner) / SAMPLES);
-    const [x, y] = [2 + (at % (width - 4)), 2 + Math.floor(at / (width - 4))];
-    const hit = cast(x, y);
-    if (hit === null) return [];
-    const isInside = [-2, 2].every((by) => cast(x + by, y)?.face === hit.face && cast(x, y + by)?.face === hit.face); // prettier-ignore
-    return isInside && hit.coneMargin >= CONE_EDGE ? [{ x, y, hit }] : [];
-  }).flat();
-});
+/** One pixel of so many is computed in float64. */
+const EVERY = 23;
 
 /**
  * The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared.
  */
 function sampled({ width, height, data }: Picture, scene: DeclaredScene) {
-  const samples = samplesOf(scene, width, height);
+  const samples = innerPixels(scene, width, height, EVERY);
   let max = 0;
   for (const { x, y, hit } of samples) {
     for (const channel of [0, 1, 2] as const) {

@@ -2,18 +2,17 @@
 // without lights that reach nothing, and all of them with float64.
 
 import { fullOr } from '../support/repeats.js';
-import { expect, pixels, test } from '../support/test.js';
-import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
-import { glSpent, logGl } from '../element/support/gl-log.js';
-import { assign, type PhongViewer } from '../element/support/viewer.js';
-import { compareWithReference } from './against-reference.js';
+import { expect, test } from '../support/test.js';
+import { drawUntilSpecialised } from '../element/frames/driving.js';
+import { logGl } from '../element/support/gl-log.js';
 import { compareWithTriangles } from './against-triangles.js';
-import { betweenPrograms, bothPictures, DifferenceSum, expectDrawnBy, picturesBy, showAll } from './between-programs.js'; // prettier-ignore
+import { betweenPrograms, bothPictures, DifferenceSum, picturesBy, showAll } from './between-programs.js'; // prettier-ignore
 import { compareRandomScenes, look, LOOKS, SIZE, subpixelBitsOf } from './program-scenes.js';
 import { sceneMarkup } from './random-scene.js';
 
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
-const SCENES = fullOr(300, 6);
+/** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(400, 12));
 
 test(`random scenes differ by a code on few channels between the two programs, and no more from float64 (seeds from ${FIRST})`, async ({
   page,
@@ -106,37 +105,4 @@ test('lights that reach nothing change no bit in the same program', async ({ pag
       }
     }
   }
-});
-
-test('the same program gives the same bits after terms and lights were switched off and on', async ({
-  page,
-  mount,
-}) => {
-  await logGl(page);
-  const { scene, shading } = look('blinn-phong');
-  const viewer = await mount(sceneMarkup(scene, shading), SIZE);
-  const first = await pixels(viewer, SIZE);
-  const expectSame = async (what: string): Promise<void> => {
-    await glSpent(page);
-    expect(betweenPrograms(first, await pixels(viewer, SIZE)).max, what).toBe(0);
-    await expectDrawnBy(page, 'general');
-  };
-  for (const terms of ['', 'ambient', 'diffuse specular', null]) await assign(viewer, { terms });
-  await expectSame('terms');
-  await drawUntilSpecialised(page);
-  const specialised = await pixels(viewer, SIZE);
-  for (const off of [true, false]) {
-    await viewer.evaluate(async (element: PhongViewer, active) => {
-      element.lights[0]!.active = active;
-      await element.ready;
-    }, !off);
-    if (!off) await expectSame('a light out and on');
-  }
-  await drawUntilSpecialised(page);
-  expect(betweenPrograms(specialised, await pixels(viewer, SIZE)).max, 'specialised again').toBe(0);
-  await assign(viewer, { terms: 'diffuse' });
-  await drawFrames(page, 1);
-  const diffuse: typeof scene = { ...scene, options: { ...scene.options, terms: ['diffuse'] } };
-  const errors = compareWithReference(await pixels(viewer, SIZE), diffuse);
-  expect(errors.max, errors.at).toBeLessThanOrEqual(1);
 });

@@ -15,8 +15,8 @@ export interface Row {
   readonly refused: Readonly<Partial<Record<'TypeError' | 'RangeError', readonly unknown[]>>>;
 }
 
-/** Texts that are no number for any attribute. */
-const noNumbers = ['', 'abc', '1px', '0x10', '1e', '--1', 'NaN', 'Infinity', '1 2 3 4 5', '1e999', '-1e999'];
+/** Texts that are no number for any attribute. unit/attribute-text.test.ts has more. */
+const noNumbers = ['', 'abc', 'NaN', '1 2 3 4 5', '1e999', '-1e999'];
 
 const number = (attribute: string, fallback: number | string, low: number, high: number): Row => ({
   attribute,
@@ -24,7 +24,7 @@ const number = (attribute: string, fallback: number | string, low: number, high:
   valid: {
     [String(high)]: high,
     [` ${low} `]: low,
-    ...{ '+7': 7, '7.': 7, '70e-1': 7 },
+    '70e-1': 7,
     ...(low <= 0 && { '-0': 0, '1e-320': 1e-320, '.5': 0.5 }),
   },
   bad: [...noNumbers, String(high * 1.1), '-1e9'],
@@ -37,12 +37,11 @@ const vector = (attribute: string, fallback: unknown, limit: number, low = -limi
   valid: {
     '1 2 3': [1, 2, 3],
     ' 1,2 , 3 ': [1, 2, 3],
-    '1\n2\t3': [1, 2, 3],
     '-0 1e-320 .5': [0, 1e-320, 0.5],
     [`${limit} ${low} 0`]: [limit, low, 0],
   },
   bad: [
-    ...['', '1 2', '1 2 3 4 5', '1 2 x', '1,,2 3', '1;2;3', '(1,2,3)', 'NaN 1 2', '1e999 0 0'],
+    ...['', '1 2', '1 2 3 4 5', '1 2 x', 'NaN 1 2', '1e999 0 0'],
     `0 ${limit * 1.1} 0`,
     `0 0 ${low === 0 ? -1 : low * 1.1}`,
   ],

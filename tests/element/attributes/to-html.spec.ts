@@ -69,17 +69,13 @@ test('toHTML keeps id, class, style, wrappers and the order of the children', as
   await page.evaluate(() => document.querySelector('my-ball')!.remove());
 });
 
-test('toHTML writes auto until the camera is moved', async ({ page, mount }) => {
+test('toHTML writes auto until the camera moves, and as many digits as the picture needs', async ({ page, mount }) => {
   const viewer = await mount(box, size);
   expect(await html(viewer)).toContain('theta="30" phi="70" radius="auto" target="auto"');
   await assign(viewer, { target: [0, 0.5, 0] });
   expect(await html(viewer)).toContain('radius="auto" target="0 0.5 0"');
   await drag(page, [60, 40], [37, 11]);
   expect(await html(viewer)).not.toContain('auto');
-});
-
-test('toHTML writes numbers with as many digits as the picture needs', async ({ page, mount }) => {
-  const viewer = await mount(box, size);
   const light = viewer.locator('phong-light');
   await assign(light, { position: [0.1 + 0.2, 1 / 3, 1e-7 / 3, 1], cutoff: 100 / 3 });
   expect(await html(viewer)).toContain('position="0.3 0.33333333 3.3333333e-8 1"');

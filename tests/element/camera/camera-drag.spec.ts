@@ -6,10 +6,7 @@ import { assign, cameraOf, drag, Fingers, type PhongViewer } from '../support/vi
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70"></phong-viewer>';
 
-test('a drag shows the picture of the new angles, and leaves the declared ones and the markup alone', async ({
-  page,
-  mount,
-}) => {
+test('a drag shows the picture of new angles, and leaves declared ones and markup alone', async ({ page, mount }) => {
   const viewer = await mount(box);
   await drag(page, [300, 200], [60, 40]);
   const dragged = await pixels(viewer);
@@ -24,10 +21,7 @@ test('a drag shows the picture of the new angles, and leaves the declared ones a
   expect(compare(dragged, await pixels(same)).max).toBe(0);
 });
 
-test('a drag continues outside the page and from a property that is written, until the viewer is removed', async ({
-  page,
-  mount,
-}) => {
+test('a drag continues outside the page and from a property, until the viewer is removed', async ({ page, mount }) => {
   const viewer = await mount(box, { width: 200, height: 200 });
   const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
   await drag(page, [100, 100], [300, 0], { release: false });
@@ -51,10 +45,7 @@ test('a drag continues outside the page and from a property that is written, unt
   expect(await theta(), 'released').toBe(28);
 });
 
-test('in transformed parents, a drag follows the element’s own axes, and back to its start', async ({
-  page,
-  mount,
-}) => {
+test('in transformed parents a drag follows the element’s own axes, and back to its start', async ({ page, mount }) => {
   const viewer = await mount(`<main><section>${box}</section></main>`, {
     css: `main { position: absolute; left: 200px; top: 150px; width: 600px; height: 400px }
       section { rotate: 10deg; zoom: 0.5 }`,
@@ -74,10 +65,7 @@ test('in transformed parents, a drag follows the element’s own axes, and back 
     );
   for (const transform of [
     'rotate(90deg)',
-    'rotate(30deg)',
-    'rotate(180deg)',
     'scale(-1, 1)',
-    'scale(0.5)',
     'rotate(-50deg) scale(0.5, 0.75)',
     'skewX(30deg) skewY(-10deg)',
     'rotateY(50deg) rotateZ(20deg)',
@@ -96,10 +84,7 @@ test('in transformed parents, a drag follows the element’s own axes, and back 
   }
 });
 
-test('turns in a link, a draggable card, a label and a summary, which take plain clicks only', async ({
-  page,
-  mount,
-}) => {
+test('turns in a link, a draggable card, a label and a summary, which take clicks only', async ({ page, mount }) => {
   await mount(
     `<a href="#went">${box}</a><div draggable="true">${box}</div><label>${box}<input type="checkbox"></label>
     <details><summary>${box}</summary>text</details>`,
@@ -136,10 +121,7 @@ test('turns in a link, a draggable card, a label and a summary, which take plain
 test.describe('fingers', () => {
   test.use({ hasTouch: true });
 
-  test('one finger turns as the mouse does, but a stroke down the picture scrolls the page', async ({
-    page,
-    mount,
-  }) => {
+  test('one finger turns as the mouse does; a stroke down the picture scrolls the page', async ({ page, mount }) => {
     const viewer = await mount(`${box}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
     const fingers = await Fingers.on(page);
     await fingers.down([300, 200]);

@@ -27,10 +27,7 @@ async function onePose(page: Page): Promise<{ theta: number; phi: number; radius
   return poses[0]!;
 }
 
-test('the first picture has the first viewer’s camera, however late the group’s code comes, and is drawn once', async ({
-  page,
-  mount,
-}) => {
+test('the first picture, drawn once, has the first viewer’s camera, however late the code', async ({ page, mount }) => {
   let send = (): void => undefined;
   const sent = new Promise<void>((resolve) => (send = resolve));
   await page.route(/\/camera-group-/, async (route) => {
@@ -48,10 +45,7 @@ test('the first picture has the first viewer’s camera, however late the group�
   expect(await onePose(page)).toMatchObject({ theta: 10, phi: 70, radius: 5 });
 });
 
-test('a drag, a wheel turn, keys and a property move all viewers, with one event and one frame each', async ({
-  page,
-  mount,
-}) => {
+test('drag, wheel, keys and properties move all viewers, with one event and frame each', async ({ page, mount }) => {
   const first = await mount(pair('', ''), size);
   const second = page.locator('phong-viewer').nth(1);
   const heard = [await record(first, 'camera-change'), await record(second, 'camera-change')] as const;
@@ -79,10 +73,7 @@ test('a drag, a wheel turn, keys and a property move all viewers, with one event
   }
 });
 
-test('auto fits the largest scene of the group, and again when members come, go and change', async ({
-  page,
-  mount,
-}) => {
+test('auto fits the largest scene of the group, also when members come, go and change', async ({ page, mount }) => {
   const small = await mount(
     `${pair('', '')}<phong-viewer camera-group="a"><phong-mesh geometry="box" scale="3" position="1 0 0"></phong-mesh></phong-viewer>`,
     size,
@@ -116,10 +107,7 @@ test('auto fits the largest scene of the group, and again when members come, go 
   expect((await onePose(page)).radius).toBe(narrow);
 });
 
-test('a viewer that leaves its group moves alone, and takes the camera of the next group it joins', async ({
-  page,
-  mount,
-}) => {
+test('a viewer that leaves its group moves alone, and takes the camera of the next one', async ({ page, mount }) => {
   const first = await mount(pair('theta="10"', ''), size);
   const second = page.locator('phong-viewer').nth(1);
   await assign(second, { cameraGroup: null });
@@ -160,10 +148,7 @@ test('groups include viewers in shadow trees, but not in other documents', async
   expect((await cameraOf(other)).theta).toBe(1);
 });
 
-test('one auto-rotate turns the whole group, pauses while any viewer is dragged, and passes to the next in view', async ({
-  page,
-  mount,
-}) => {
+test('auto-rotate turns the group, pauses during drags, and passes to the next in view', async ({ page, mount }) => {
   await countEverything(page);
   const first = await mount(pair('auto-rotate="30"', 'auto-rotate="-700"'), size);
   const second = page.locator('phong-viewer').nth(1);

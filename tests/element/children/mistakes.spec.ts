@@ -77,11 +77,7 @@ test('each mistake in the markup is named once a page, with its cure', async ({ 
   }
 });
 
-test('later mistakes are named too: tags of this family at any depth, but no attribute a second time', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('later mistakes are named too, at any depth, but no attribute twice', async ({ page, mount, consoleGuard }) => {
   const warnings = claim(consoleGuard, 4);
   const viewer = await mount(
     scene(`<phong-lite></phong-lite><x-foo></x-foo><div><phong-mehs></phong-mehs></div>${light('difuse="1"')}`),
@@ -100,11 +96,7 @@ test('later mistakes are named too: tags of this family at any depth, but no att
   expect(await reported(page, warnings, 4)).toContain(LITE.replace('lite', 'group'));
 });
 
-test('correct markup gives no warning, and its page does not fetch the code that knows mistakes', async ({
-  page,
-  site,
-  mount,
-}) => {
+test('correct markup gives no warning, and does not fetch the code for mistakes', async ({ page, site, mount }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
   const own = 'class="a" id="b" data-c aria-hidden="true" title="A box" role="img" tabindex="0"';
@@ -141,12 +133,7 @@ test('correct markup gives no warning, and its page does not fetch the code that
 
 const chunkOf = (site: Site): RegExp => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);
 
-test('the code that knows mistakes may fail to load without consequences', async ({
-  page,
-  site,
-  mount,
-  consoleGuard,
-}) => {
+test('the code that knows mistakes may fail without consequences', async ({ page, site, mount, consoleGuard }) => {
   consoleGuard.allow(/error: Failed to load resource/, 1);
   await page.route(chunkOf(site), (route) => route.abort());
   const failed = page.waitForEvent('requestfailed');
@@ -167,11 +154,7 @@ test('an unknown word is named with the nearest one', async ({ mount, consoleGua
   expect(others.map((text) => /Did you mean "(.*)"\?$/.exec(text)?.[1])).toEqual(['torus-knot', 'sphere', 'gouraud']);
 });
 
-test('a viewer that swallowed another one is named, also by a classic script that runs during parsing', async ({
-  page,
-  site,
-  consoleGuard,
-}) => {
+test('a viewer that swallowed another one is named, also during parsing', async ({ page, site, consoleGuard }) => {
   const warnings = claim(consoleGuard, 1);
   const head = '<script type="module" async src="/dist/phong-viewer.standalone.js"></script>';
   await page.goto(site.page('<phong-viewer geometry="box" /><p>Text</p><phong-viewer geometry="box" />', { head }));

@@ -56,10 +56,7 @@ test('a file has the segments of its own size, and the picture keeps its own', a
   expect(await triangles(viewer)).toBe(sphereOf(64));
 });
 
-test('Gouraud and flat pictures keep the fixed number, and so does a Phong one beside them', async ({
-  mount,
-  page,
-}) => {
+test('Gouraud and flat pictures keep the fixed number; so does a Phong one beside them', async ({ mount, page }) => {
   await mount(
     `<phong-compare layout="side" labels=""><phong-viewer geometry="sphere" radius="12" target="0 0 0"></phong-viewer><phong-viewer
       geometry="sphere" radius="12" target="0 0 0"></phong-viewer></phong-compare>`,
@@ -82,7 +79,7 @@ test('a zoom from a dot to the inside of a shape shows no jump and no blank fram
     expectSmooth(await filmZoom(page, mount, geometry, 24, { width: 60, height: 60 }), geometry);
 });
 
-test('beyond the limit of triangles a mesh is reported, and shown on request once there is room', async ({
+test('a mesh beyond the limit of triangles is reported, and shown on request later', async ({
   mount,
   consoleGuard,
 }) => {

@@ -5,11 +5,7 @@ import { test } from '../../support/test.js';
 import { expectRecovery } from './fault-history.js';
 import { seedsFrom } from '../histories/history.js';
 
-test('a page shows the same as a new one once its faults have ended (seeds 1 and 2)', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('a page shows what a new one does after its faults (seeds 1 and 2)', async ({ page, mount, consoleGuard }) => {
   test.slow();
   await expectRecovery({ page, mount, consoleGuard }, seedsFrom(1, 2), { tasks: 12, withLargest: false });
 });

@@ -1,10 +1,9 @@
 // How many programs are there, and does each hold the code that its scene needs and no other? Programs are compared
-// with each other: how long the code is that `main` reaches, and whether two scenes have the same one.
+// with each other: how long the code is that the driver keeps, and whether two scenes have the same one.
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { drawFrames, drawUntilSpecialised } from './driving.js';
-import { reachedCode } from './glsl-reading.js';
 import { drawnWith, glPrograms, glSpent, isSpecialised, isLit, logGl, type GlProgram } from '../support/gl-log.js'; // prettier-ignore
 import { settled, statsOf } from '../support/viewer.js';
 
@@ -14,7 +13,22 @@ async function litPrograms(page: Page): Promise<GlProgram[]> {
   return (await drawnWith(page)).filter(isLit);
 }
 
-/** Needs for which `main` reaches more code. The compiler decides the others by constants. */
+/** Lengths of the programs' code after the preprocessor and without functions that `main` does not reach. */
+const codeLengths = (page: Page, programs: readonly GlProgram[]): Promise<number[]> =>
+  page.evaluate((texts) => {
+    const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
+    const lengthOf = (kind: number, text: string): number => {
+      const shader = gl.createShader(kind)!;
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      return gl.getExtension('WEBGL_debug_shaders')!.getTranslatedShaderSource(shader).length;
+    };
+    return texts.map(
+      ({ vertex, fragment }) => lengthOf(gl.VERTEX_SHADER, vertex) + lengthOf(gl.FRAGMENT_SHADER, fragment),
+    );
+  }, programs);
+
+/** Needs that add code. The compiler decides the others by constants. */
 const ADDED = ['spot', 'texture', 'colours', 'linear'];
 /** Other code in place of the usual, which may be longer or shorter. */
 const VARIANTS = ['gouraud', 'blinn-phong'];
@@ -54,19 +68,22 @@ function declaresMore(more: string, less: string): boolean {
 test('scenes with the same needs have the same program, and only further needs add code', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
-  const drawn: { which: string; needs: string; text: string; length: number }[] = [];
-  for (const [which, [markup, needs]] of Object.entries(SCENES)) {
+  const programs: GlProgram[] = [];
+  for (const [which, [markup]] of Object.entries(SCENES)) {
     await glSpent(page);
     const html = `<phong-viewer ${markup}</phong-viewer>`;
     await viewer.evaluate((element, text) => (element.outerHTML = text), html);
     await settled(viewer);
     const [lit, ...others] = await litPrograms(page);
     expect(others, which).toEqual([]);
-    const { vertex, fragment } = lit!;
-    expect(fragment, which).toMatch(/precision highp float/);
-    const { length } = reachedCode(vertex) + reachedCode(fragment);
-    drawn.push({ which, needs, text: vertex + fragment, length });
+    expect(lit!.fragment, which).toMatch(/precision highp float/);
+    programs.push(lit!);
   }
+  const lengths = await codeLengths(page, programs);
+  const drawn = Object.entries(SCENES).map(([which, [, needs]], i) => {
+    const { vertex, fragment } = programs[i]!;
+    return { which, needs, text: vertex + fragment, length: lengths[i]! };
+  });
   for (const a of drawn) {
     for (const b of drawn) {
       expect.soft(a.text === b.text, `${a.which}, ${b.which}: one program`).toBe(a.needs === b.needs);

@@ -67,14 +67,12 @@ const markup = (lights: number): string =>
 /** Beside or between moves of lights. */
 const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
   'a surface': (element) => (element.kd = [90, 200, 90]),
-  'an exponent': (element) => (element.shininess = 7.5),
   'the eye': (element) => (element.theta += 20),
   'the field': (element) => (element.fov = 50),
   'the terms': (element) => (element.terms = ['diffuse', 'specular']),
   'the shading': (element) => (element.shading = 'flat'),
   'the colour space': (element) => (element.colorInterpolation = 'linear'),
   'one light less': (element) => (element.lights[1]!.active = false),
-  'one light fewer': (element) => element.lights[0]!.remove(),
   'one light more': (element) => element.append(element.lights[0]!.cloneNode()),
   'another kind of light': (element) => (element.lights[0]!.position = [1, 1, 0.5, 1]),
   'a mesh': (element) => (element.innerHTML += '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>'), // prettier-ignore

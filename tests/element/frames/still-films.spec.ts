@@ -2,7 +2,7 @@
 // so that each frame can be read.
 
 import { allReady, expect, test } from '../../support/test.js';
-import { countEverything, countsOf, NOTHING, spentIn } from '../support/counting.js';
+import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { film, keepPixels, viewerOf } from '../support/film.js';
 import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../support/viewer.js';
 
@@ -129,33 +129,6 @@ test('samples trigger nothing but themselves: no frame, program, description, ov
   expect(edges.changed.length).toBeGreaterThan(0);
   const full = await seen('full');
   expect(full).toEqual({ ...edges, samples: 64, renders: edges.renders + 1 });
-});
-
-test('six viewers converge in one context, and leave no buffers and nothing running', async ({ page, mount }) => {
-  await countEverything(page);
-  const kinds = ['box', 'sphere', 'cone', 'cylinder', 'plane', 'pyramid'];
-  await mount(kinds.map((kind) => viewerOf(16, `geometry="${kind}"`)).join(''), size);
-  const samples = await page.evaluate(() =>
-    [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.samples),
-  );
-  expect(samples).toEqual(kinds.map(() => 16));
-  await nextFrame(page);
-  expect(await spentIn(page, 200)).toEqual(NOTHING);
-  const held = await countsOf(page);
-  expect(held.contexts).toBe(1);
-  for (const theta of [40, 50]) {
-    await page.evaluate((angle) => {
-      for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) viewer.theta = angle;
-    }, theta);
-    await allReady(page);
-  }
-  await nextFrame(page);
-  const { textures, framebuffers, renderbuffers } = await countsOf(page);
-  expect({ textures, framebuffers, renderbuffers }).toEqual({
-    textures: held.textures,
-    framebuffers: held.framebuffers,
-    renderbuffers: held.renderbuffers,
-  });
 });
 
 test('on a slow machine each input shows the plain picture in its next frame, and samples resume once afterwards', async ({

@@ -118,6 +118,7 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
     element.requestRender();
     await element.ready;
   });
+  const { programs } = await statsOf(viewer);
   for (const opaque of [false, true]) {
     await viewer.evaluate(async (element: PhongViewer, isOpaque) => {
       const three = await import('three');
@@ -140,6 +141,7 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
       expect(inside, which).toBeLessThan(40);
     }
   }
+  expect((await statsOf(viewer)).programs - programs, 'sum, mean and copy').toBe(3);
 });
 
 test('pictures in view converge first, from the top, and those far from it wait', async ({ page, mount }) => {

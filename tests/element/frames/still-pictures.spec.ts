@@ -3,7 +3,6 @@
 import type { Locator, Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import { usages } from '../../package/requests.js';
 import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
@@ -173,43 +172,6 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   await assign(viewer, { autoRotate: 0 });
   for (let i = 0; i < 3; i++) await nextFrame(page); // it finds out once it has stood still for a few
   expect(await spentIn(page, 200)).toEqual(NOTHING);
-});
-
-test('objects of a page keep their colours, whichever way their materials encode them', async ({ page, site }) => {
-  await page.goto(site.page(viewerOf('antialias="edges" samples="16"'), usages.modules));
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
-  const viewer = page.locator('phong-viewer');
-  await viewer.evaluate(async (element: PhongViewer) => {
-    element.style.cssText = 'width: 60px; height: 40px';
-    const three = await import('three');
-    const fragmentShader = `void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 1.0);
-      #include <tonemapping_fragment>
-      #include <colorspace_fragment>
-    }`;
-    const own = [
-      new three.ShaderMaterial({ fragmentShader }),
-      new three.MeshBasicMaterial({ color: 0x336699, transparent: true, opacity: 0.5 }),
-    ];
-    own.forEach((material, i) => {
-      const mesh = new three.Mesh(new three.PlaneGeometry(4, 4), material);
-      mesh.position.set(2 * i - 1, 0, 0);
-      element.scene.add(mesh);
-    });
-    element.refit();
-    element.theta = 0;
-    element.phi = 90;
-    element.radius = 1;
-    await element.ready;
-  });
-  const { programs } = await statsOf(viewer);
-  const plain = await pixels(viewer);
-  await assign(viewer, { antialias: 'full' });
-  await converged(viewer);
-  // All but the seam in the middle is flat.
-  expect(compare(await pixels(viewer), plain, 1).share).toBeLessThan(0.1);
-  expect(compare(await pixels(viewer), plain).rmse).toBeLessThan(20);
-  expect((await statsOf(viewer)).programs - programs, 'sum, mean and copy').toBe(3);
-  await nextFrame(page);
 });
 
 test('toBlob({ samples }) is the picture that a viewer of that size converges to', async ({ mount }) => {

@@ -52,7 +52,7 @@ async function showsTheMean(viewer: Locator, what: string): Promise<void> {
   expect(rmse(shown, mean), what).toBeLessThan(2);
 }
 
-test('every view and every term converges to its mean', async ({ mount }) => {
+test('every view converges to its mean', async ({ mount }) => {
   const viewer = await mount(
     `<phong-viewer ${full} geometry="torus" segments="24" phi="60">${light}${spot}
       <phong-mesh geometry="plane" position="0 -0.4 0" scale="2"></phong-mesh></phong-viewer>`,
@@ -61,11 +61,6 @@ test('every view and every term converges to its mean', async ({ mount }) => {
   for (const view of VIEWS) {
     await assign(viewer, { view });
     await showsTheMean(viewer, view);
-  }
-  await assign(viewer, { view: 'shaded' });
-  for (const terms of [[], ['ambient'], ['diffuse', 'specular']]) {
-    await assign(viewer, { terms });
-    await showsTheMean(viewer, `terms ${terms.join(' ')}`);
   }
 });
 

@@ -93,8 +93,7 @@ export function installDeeds(): void {
       if (!(error instanceof TypeError || error instanceof RangeError)) throw error; // bad values throw these two
     }
   }
-  /** The coordinate, limited to its domain. */
-  /** In digits that `toHTML()` keeps. */
+  /** The coordinate, limited to its domain, in digits that `toHTML()` keeps. */
   const inside = (x: number): number => Number(Math.min(Math.max(x, -1e15), 1e15).toPrecision(8));
   type Deed = (viewer: PhongViewer, step: Step) => void | Promise<void>;
   const DEEDS: Readonly<Record<string, Deed>> = {

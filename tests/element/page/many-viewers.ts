@@ -116,7 +116,10 @@ const PROTOTYPES = {
   ports: 'MessagePort.prototype',
 } as const;
 
-/** Adds `count` viewers of these kinds after the first, lets them draw, uses them and removes them. */
+/**
+ * Adds `count` viewers of these kinds after the first, lets them draw, uses them and removes them. One is asked for a
+ * picture afterwards too.
+ */
 export async function comeAndGo(page: Page, kinds: readonly string[], count: number): Promise<void> {
   await page.evaluate(
     ({ kinds, count }) => {
@@ -135,6 +138,8 @@ export async function comeAndGo(page: Page, kinds: readonly string[], count: num
     await Promise.all(come.map((viewer) => viewer.ready));
     await come[0]?.toBlob();
     for (const viewer of come) viewer.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    await come[0]?.toBlob({ width: 40, height: 30 });
   });
   await nextFrame(page);
 }

@@ -32,36 +32,27 @@ async function inkOn(page: Page, viewer: Locator): Promise<number> {
   return ink;
 }
 
-for (const others of [0, 1]) {
-  test(`a viewer ${others === 0 ? 'alone' : 'among others'} shows its picture in an iframe, and again when it returns`, async ({
-    page,
-    mount,
-  }) => {
-    const viewer = await mount(`${scene}<iframe></iframe>${scene.repeat(others)}`, { ...SIZE, css });
-    await nextFrame(page);
-    const before = await pixels(viewer);
-    const ink = await inkOn(page, viewer);
-    expect(ink).toBeGreaterThan(500);
-    for (let time = 0; time < 2; time++) {
-      await intoFrame(page);
-      const inside = page.frameLocator('iframe').locator('phong-viewer');
-      expect(compare(await pixels(inside), before).max).toBe(0);
-      await expect.poll(() => inkOn(page, inside)).toBe(ink);
-      await page.evaluate(async () => {
-        const moved = document.querySelector('iframe')!.contentDocument!.querySelector('phong-viewer')!;
-        document.body.prepend(moved);
-        await moved.ready;
-      });
-      expect(compare(await pixels(viewer), before).max).toBe(0);
-      await expect.poll(() => inkOn(page, viewer)).toBe(ink);
-    }
-  });
-}
-
-test('lights and meshes move with the viewer, new ones can be added, and media queries are those of the iframe', async ({
-  page,
-  mount,
-}) => {
+test('a viewer among others shows its picture in an iframe, and again when it returns', async ({ page, mount }) => {
+  const viewer = await mount(`${scene}<iframe></iframe>${scene}`, { ...SIZE, css });
+  await nextFrame(page);
+  const before = await pixels(viewer);
+  const ink = await inkOn(page, viewer);
+  expect(ink).toBeGreaterThan(500);
+  for (let time = 0; time < 2; time++) {
+    await intoFrame(page);
+    const inside = page.frameLocator('iframe').locator('phong-viewer');
+    expect(compare(await pixels(inside), before).max).toBe(0);
+    await expect.poll(() => inkOn(page, inside)).toBe(ink);
+    await page.evaluate(async () => {
+      const moved = document.querySelector('iframe')!.contentDocument!.querySelector('phong-viewer')!;
+      document.body.prepend(moved);
+      await moved.ready;
+    });
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+    await expect.poll(() => inkOn(page, viewer)).toBe(ink);
+  }
+});
+test('lights and meshes move with the viewer into an iframe, whose media queries hold', async ({ page, mount }) => {
   await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
   await intoFrame(page);
   const inside = page.frameLocator('iframe').locator('phong-viewer');
@@ -136,11 +127,7 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
   expect(await look(inside)).toEqual(styled);
 });
 
-test('a viewer that is first connected in an iframe with a strict policy of its own works there', async ({
-  page,
-  mount,
-  site,
-}) => {
+test('a viewer first connected in an iframe with a strict policy of its own works', async ({ page, mount, site }) => {
   await mount(`<phong-viewer></phong-viewer><iframe src="${site.page('')}"></iframe>`, framing);
   await expect(page.frameLocator('iframe').locator('body')).toHaveCount(1);
   const facts = await page.evaluate(async () => {

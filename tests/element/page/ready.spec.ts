@@ -57,6 +57,7 @@ test('resolves in every situation', async ({ page, mount, consoleGuard }) => {
     ['removed while it loads', { src }, 'remove', either, either],
     ['moved while it loads', { src }, 'move', either, either],
     ['cleared while it loads', { src }, 'clear', either, either],
+    ['cleared while it loads, not displayed', { src, class: 'gone' }, 'clear', false, false],
   ] as const) {
     const ready = { outcome: 'ready', again: 'ready' };
     expect(await readiness(page, attributes, deed), what).toEqual({ ...ready, drawn, loaded });
@@ -68,6 +69,8 @@ test('is a new promise for a newer src, which resolves the old one, and for late
   const facts = await page.evaluate(async (address) => {
     const viewer = document.createElement('phong-viewer');
     document.querySelector('main')?.append(viewer);
+    const shown: string[] = [];
+    viewer.addEventListener('load', ({ detail }) => shown.push(new URL(detail.url).pathname));
     viewer.src = address;
     const first = viewer.ready;
     const same = viewer.ready === first;
@@ -81,9 +84,10 @@ test('is a new promise for a newer src, which resolves the old one, and for late
     const before = viewer.stats.frames;
     viewer.theta = 77;
     await viewer.ready;
-    return { same, renewed: first !== second, firstOutcome, loaded, drawn: viewer.stats.frames - before };
+    return { same, renewed: first !== second, firstOutcome, loaded, shown, drawn: viewer.stats.frames - before };
   }, bunny);
-  expect(facts).toEqual({ same: true, renewed: true, firstOutcome: undefined, loaded: true, drawn: 1 });
+  const shown = ['/fixtures/models/no-normals.glb'];
+  expect(facts).toEqual({ same: true, renewed: true, firstOutcome: undefined, loaded: true, shown, drawn: 1 });
 });
 
 test('waits for a comparison to place its viewers, and for one that was just shown', async ({ mount, page }) => {

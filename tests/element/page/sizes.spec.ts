@@ -19,6 +19,7 @@ test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ p
     ['width: 211px; height: 97px', 211, 97],
     ['width: 50%; height: 40vh; position: absolute', 500, 280],
     ['width: 100px; height: 60px; padding: 10px; border: 5px solid red', 120, 80],
+    ['width: 90px; height: 60px; zoom: 2', 180, 120],
   ] as const) {
     await style(viewer, css);
     await expect.poll(() => canvasSize(viewer), { message: css }).toEqual([width, height]);
@@ -26,7 +27,7 @@ test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ p
 });
 
 for (const count of [1, 2]) {
-  test(`has the screen's own pixels, or as many as pixel-ratio allows, live, with ${count} on the page`, async ({
+  test(`has the screen's own pixels, or as pixel-ratio allows, live (${count} on the page)`, async ({
     page,
     mount,
   }) => {
@@ -56,10 +57,7 @@ for (const count of [1, 2]) {
   });
 }
 
-test('pixel-ratio gives the picture of a screen with that ratio, and shadeAt keeps to CSS pixels', async ({
-  page,
-  mount,
-}) => {
+test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixels', async ({ page, mount }) => {
   const size = { width: 90, height: 60 };
   const plain = await mount(box, size);
   const expected = await pixels(plain);
@@ -71,23 +69,17 @@ test('pixel-ratio gives the picture of a screen with that ratio, and shadeAt kee
   expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain('pixel-ratio="1"');
 });
 
-for (const [what, hidden] of [
-  ['0 × 0', 'width: 0; height: 0'],
-  ['not displayed', 'display: none'],
-  ['of no height', 'height: 0'],
-] as const) {
-  test(`is right when it is shown after it was ${what}, at the start or later`, async ({ page, mount }) => {
-    const size = { width: 90, height: 60 };
-    const expected = await (await mount(box, size)).screenshot();
-    const viewer = await mount(box.replace(' ', ' class="gone" '), {
-      ...size,
-      css: `phong-viewer.gone { ${hidden} }`,
-    });
+test('is right when shown after it was 0 × 0 or not displayed, at the start or later', async ({ page, mount }) => {
+  const size = { width: 90, height: 60 };
+  const expected = await (await mount(box, size)).screenshot();
+  for (const hidden of ['width: 0; height: 0', 'height: 0', 'display: none']) {
+    const css = `phong-viewer.gone { ${hidden} }`;
+    const viewer = await mount(box.replace(' ', ' class="gone" '), { ...size, css });
     const shown = async (): Promise<void> => {
       await viewer.evaluate((element) => element.removeAttribute('class'));
       await expect.poll(() => canvasSize(viewer)).toEqual([90, 60]);
       await nextFrame(page);
-      expect(Buffer.compare(await viewer.screenshot(), expected)).toBe(0);
+      expect(Buffer.compare(await viewer.screenshot(), expected), hidden).toBe(0);
     };
     await shown();
     const renders = await record(viewer, 'render');
@@ -95,16 +87,12 @@ for (const [what, hidden] of [
     await nextFrame(page);
     for (const theta of [99, 30]) await assign(viewer, { theta });
     await nextFrame(page);
-    expect(await renders.take()).toEqual([]);
+    expect(await renders.take(), hidden).toEqual([]);
     await shown();
-  });
-}
-
+  }
+});
 for (const viewers of [1, 3]) {
-  test(`draws a resized picture before the browser paints, once, with ${viewers} on the page`, async ({
-    page,
-    mount,
-  }) => {
+  test(`draws a resized picture before the browser paints, once (${viewers} on the page)`, async ({ page, mount }) => {
     await mount(`<main>${box.repeat(viewers)}</main>`, {
       ...{ width: 0, height: 60 },
       css: 'main { display: flex; width: 300px } phong-viewer { flex: 1 1 0 } .tall { height: 90px !important }',

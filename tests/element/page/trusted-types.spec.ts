@@ -9,12 +9,7 @@ import type { PhongViewer } from '../support/viewer.js';
 
 const trusted = (policies: string): string => `require-trusted-types-for 'script'; trusted-types ${policies}`;
 
-test('panel, models, Draco, messages and copied HTML work under a strict policy with trusted-types lit-html', async ({
-  page,
-  site,
-  mount,
-  consoleGuard,
-}) => {
+test('a viewer works under a strict policy and trusted-types lit-html', async ({ page, site, mount, consoleGuard }) => {
   expect(strictPolicy).toBe(
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'",
   );
@@ -61,27 +56,6 @@ test('panel, models, Draco, messages and copied HTML work under a strict policy 
   expect(requests.filter((url) => !url.startsWith(site.origin) && !url.startsWith('data:'))).toEqual([]);
 });
 
-test('markup cannot make the element run script', async ({ page, mount }) => {
-  await mount('<main></main>');
-  const run = await page.evaluate(async () => {
-    const text = '"><img src=x onerror="window.ran = true"><script>window.ran = true</script>';
-    const viewer = document.createElement('phong-viewer');
-    viewer.alt = text;
-    viewer.setAttribute('aria-label', text);
-    const light = Object.assign(document.createElement('phong-light'), { name: text });
-    viewer.append(light);
-    document.querySelector('main')?.append(viewer);
-    await viewer.ready;
-    const place = document.createElement('div');
-    place.innerHTML = viewer.toHTML();
-    document.body.append(place);
-    await viewer.ready;
-    const copied = place.querySelector('phong-light')?.name === text && place.children.length === 1;
-    return { ran: 'ran' in window, copied };
-  });
-  expect(run).toEqual({ ran: false, copied: true });
-});
-
 const box = '<phong-viewer geometry="box" alt="A box"></phong-viewer>';
 
 /** What a page with this head says on its console, and whether it has the elements. */
@@ -125,15 +99,10 @@ test("where Lit's policy is refused, one sentence says what to allow", async ({ 
   }
 });
 
-test("two copies of Lit need 'allow-duplicates', in whichever order they come", async ({
-  page,
-  site,
-  consoleGuard,
-}) => {
+test("two copies of Lit need 'allow-duplicates', in either order", async ({ page, site, consoleGuard }) => {
   consoleGuard.allow(REFUSED);
   const copies = [
     ['standalone', 'classic'],
-    ['classic', 'standalone'],
     ['ownLit', 'standalone'],
     ['standalone', 'ownLit'],
   ] as const;

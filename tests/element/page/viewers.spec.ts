@@ -41,10 +41,7 @@ test('viewers share one context and one frame; only those that changed draw', as
   expect(await countsOf(page)).toMatchObject({ contexts: 1, listeners: 0, observers: 0 });
 });
 
-test('render comes once for each frame, when a listener can read the new picture from the canvas', async ({
-  page,
-  mount,
-}) => {
+test('render comes once a frame, when a listener can read the new picture from the canvas', async ({ page, mount }) => {
   const viewer = await mount(reddening(2), small);
   const turn = (theta: number): Promise<boolean[]> =>
     page.evaluate(async (angle) => {
@@ -120,10 +117,7 @@ test('pictures of any sizes side by side look the same as alone', async ({ page,
   }
 });
 
-test('viewers that were scrolled past free their pixels, and get them back; all are printed', async ({
-  page,
-  mount,
-}) => {
+test('viewers scrolled past free their pixels, and get them back; all are printed', async ({ page, mount }) => {
   test.slow();
   const count = 56;
   await scrollThrough(page, mount, count);

@@ -112,8 +112,8 @@ test('never rotates or zooms the camera by input on the panel', async ({ page, m
   const moves = await record(viewer, 'camera-change');
   const panel = (await panelOf(viewer).boundingBox())!;
   // On a title, a label, a slider, a field, and beside everything.
-  for (const y of [15, 50, 150, 200, 260, 300]) {
-    for (const x of [20, 60, 150, 240]) {
+  for (const y of [15, 50, 150, 260]) {
+    for (const x of [20, 150, 240]) {
       await page.mouse.move(panel.x + x, panel.y + y);
       await page.mouse.down();
       await page.mouse.move(panel.x - 150, panel.y + y + 60, { steps: 3 });

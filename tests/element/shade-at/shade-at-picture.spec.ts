@@ -36,9 +36,7 @@ class Tally {
 }
 
 test.describe('shadeAt explains the picture', () => {
-  test('within one code on random scenes of every shape and shading, at the origin and far from it', async ({
-    mount,
-  }) => {
+  test('within one code on random scenes of every shape and shading, at the origin and far away', async ({ mount }) => {
     test.setTimeout(1_800_000);
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const tally = new Tally();
@@ -72,7 +70,7 @@ test.describe('shadeAt explains the picture', () => {
     await equationExpect(viewer).toShowTheEquation({ share: 0.1, pixels: fullOr(1e4, 1000) });
   });
 
-  test('within one code on flattened and stretched shapes, from inside, behind others, at two device pixels per CSS pixel', async ({
+  test('within one code on flattened and stretched shapes, inside, behind others, on dense screens', async ({
     mount,
   }) => {
     const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
@@ -93,9 +91,7 @@ test.describe('shadeAt explains the picture', () => {
     }
   });
 
-  test('within one code on textures, filtered, wrapped and moved as their file says, and on vertex colours', async ({
-    mount,
-  }) => {
+  test('within one code on textures, filtered, wrapped and moved, and on vertex colours', async ({ mount }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const tally = new Tally();
     let blended = 0;

@@ -88,9 +88,7 @@ async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
 }
 
 test.describe('the page of one fragment', () => {
-  test('shows the values of shadeAt and of the picture at the mark, under the mouse and where a click puts the mark', async ({
-    page,
-  }) => {
+  test('shows the values of shadeAt and of the picture at the mark, under the mouse, at a click', async ({ page }) => {
     await open(page);
     const start = await markAt(page);
     await expectFragment(page, start);

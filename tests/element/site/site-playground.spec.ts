@@ -40,10 +40,7 @@ async function htmlAt(page: Page, address: string): Promise<string> {
   return html;
 }
 
-test('a link shows its scene; typed markup is shown, removed values are the default, and the button copies the new link', async ({
-  page,
-  context,
-}) => {
+test('a link shows its scene, typed markup is shown too, and a button copies its link', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const first = SCENE.replace('geometry="sphere"', 'geometry="sphere" kd="9"');
   const viewer = await open(page, first);
@@ -119,17 +116,19 @@ test('a comparison is shown, a drag of its divider is written, and one viewer ca
   await expect(page.locator('phong-viewer')).toHaveCount(1);
 });
 
-test('the picture waits while the markup is incomplete', async ({ page }) => {
-  const viewer = await open(page);
-  await rewrite(page, '<phong-vie');
-  await expect(page.locator('#messages')).toHaveText('Write a <phong-viewer> to see a picture.');
-  await expect(viewer.locator('phong-mesh')).toHaveCount(1);
+test('the picture waits for complete markup; words are completed; lines break between attributes', async ({ page }) => {
+  const values = Array.from({ length: 12 }, (_, i) => `data${String(i)}="${'1 2 3 '.repeat(4)}"`);
+  const viewer = await open(page, `<phong-viewer ${values.join(' ')}></phong-viewer>`);
+  const heights = await page
+    .locator('.cm-attribute')
+    .evaluateAll((all) => all.map((one) => one.getClientRects().length * one.getBoundingClientRect().height));
+  expect(heights.length).toBe(12);
+  expect(Math.max(...heights)).toBeLessThan(30);
   await rewrite(page, '<phong-viewer geometry="box"><phong-light position="1 1 ');
   await expect(viewer).toHaveAttribute('geometry', 'box');
-});
-
-test('tags, attributes and words are completed', async ({ page }) => {
-  await open(page);
+  await rewrite(page, '<phong-vie');
+  await expect(page.locator('#messages')).toHaveText('Write a <phong-viewer> to see a picture.');
+  await expect(viewer).toHaveAttribute('geometry', 'box');
   await rewrite(page, '<phong-viewer>\n');
   await page.keyboard.type('<phong-me');
   await page.getByRole('option', { name: 'phong-mesh' }).click();
@@ -154,7 +153,7 @@ test('examples are opened by the list and by their address', async ({ page }) =>
   await expect(page.locator('phong-viewer')).toHaveAttribute('view', 'n-dot-l');
 });
 
-test('a frame and one HTML file show the scene with its model elsewhere, the file from disk too', async ({
+test('a frame and one HTML file show the scene with its model, the file from disk too', async ({
   page,
   context,
 }, info) => {
@@ -185,14 +184,4 @@ test('the editor is there with the first picture, long before all samples of a s
   await page.goto(`/demo/${linkTo(SCENE.replace('gui', 'gui antialias="full" samples="1024"'))}`);
   await expect(page.locator('.cm-content')).toBeVisible();
   expect(await page.evaluate(() => document.querySelector('phong-viewer')!.stats.samples)).toBeLessThan(1024);
-});
-
-test('a line of the editor breaks between attributes, not in a value', async ({ page }) => {
-  const values = Array.from({ length: 12 }, (_, i) => `data${String(i)}="${'1 2 3 '.repeat(4)}"`);
-  await open(page, `<phong-viewer ${values.join(' ')}></phong-viewer>`);
-  const heights = await page
-    .locator('.cm-attribute')
-    .evaluateAll((all) => all.map((one) => one.getClientRects().length * one.getBoundingClientRect().height));
-  expect(heights.length).toBe(12);
-  expect(Math.max(...heights)).toBeLessThan(30);
 });

@@ -21,7 +21,7 @@ const PICTURED: ReadonlySet<string> = new Set([
 
 /** Pages whose tests run in every run. The others are made of the same parts. */
 const OFTEN: ReadonlySet<string> = new Set([
-  ...['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'lesson/de/', 'playground/'],
+  ...['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'playground/'],
 ]);
 
 /** Pages that are looked at in dark colours too in every run: together they have all that is coloured. */

@@ -15,11 +15,13 @@ export interface Hit {
   v: number;
   /** Index of the object in its scene. */
   object: number;
+  /** Of the object's triangles; -1 on a true shape. */
+  triangle: number;
 }
 
 export const newHit = (): Hit => ({
   ...{ t: Infinity, nx: 0, ny: 0, nz: 0 },
-  ...{ front: true, u: 0, v: 0, object: -1 },
+  ...{ front: true, u: 0, v: 0, object: -1, triangle: -1 },
 });
 
 /** Finds the first hit nearer than `hit.t` of a ray from `o` along `d`, and writes it there. */

@@ -1,5 +1,5 @@
 // What a ray from the eye sees of a scene: the nearest surface, and its colour by the reference equation.
-import { type LightShare, shade, type Surface } from '../../../src/reference/index.js';
+import { type LightShare, shade, type Shaded, type Surface } from '../../../src/reference/index.js';
 import { add, cross, dot, length, multiply, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
 import { type Hit, type Intersect, newHit } from './hit.js';
 import type { CastScene } from './scene.js';
@@ -71,6 +71,7 @@ export class Tracer {
     const { width, height } = this.screen;
     const hit = this.#hit;
     hit.t = Infinity;
+    hit.triangle = -1;
     const column = Math.min(Math.max(Math.floor(x), 0), width - 1);
     const row = Math.min(Math.max(Math.floor(y), 0), height - 1);
     const direction = this.screen.direction(x, y);
@@ -79,33 +80,34 @@ export class Tracer {
       if (!intersect(eye, times(toShape, direction), hit)) continue;
       [hit.nx, hit.ny, hit.nz] = times(toWorld, [hit.nx, hit.ny, hit.nz]);
       hit.object = object;
+      hit.triangle = -1;
     }
     return hit;
   }
 
-  /** What is drawn at a place in the picture. */
-  sampleAt(x: number, y: number, sample: Sample): void {
-    const { color } = sample;
+  /** The equation at a place in the picture; null where nothing is met. */
+  shadedAt(x: number, y: number): Shaded | null {
     const hit = this.hitAt(x, y);
-    if (hit.t === Infinity) {
-      color[0] = color[1] = color[2] = color[3] = 0;
-      sample.piece = NOTHING;
-      return;
-    }
+    if (hit.t === Infinity) return null;
     const { camera, lights, objects } = this.#scene;
     const { material } = objects[hit.object]!;
-    const direction = this.screen.direction(x, y);
-    const p = add(camera.eye, scale(direction, hit.t));
+    const p = add(camera.eye, scale(this.screen.direction(x, y), hit.t));
     const normal = scale([hit.nx, hit.ny, hit.nz], hit.front ? 1 : -1);
     let surface: Surface = material;
     if (material.texture !== undefined) {
       const texel = colorOf(material.texture, hit.u, hit.v);
       surface = { ...material, baseColor: multiply(material.baseColor ?? WHITE, texel) };
     }
-    const shaded = shade({ p, normal, eye: camera.eye }, surface, lights, this.#scene);
-    for (let i = 0; i < 3; i++) color[i as 0] = 255 * shaded.color[i as 0];
-    color[3] = 255;
-    sample.piece = pieceOf(hit, shaded.shares);
+    return shade({ p, normal, eye: camera.eye }, surface, lights, this.#scene);
+  }
+
+  /** What is drawn at a place in the picture. */
+  sampleAt(x: number, y: number, sample: Sample): void {
+    const { color } = sample;
+    const shaded = this.shadedAt(x, y);
+    for (let i = 0; i < 3; i++) color[i as 0] = shaded === null ? 0 : 255 * shaded.color[i as 0];
+    color[3] = shaded === null ? 0 : 255;
+    sample.piece = shaded === null ? NOTHING : pieceOf(this.#hit, shaded.shares);
   }
 }
 

@@ -19,6 +19,8 @@ export class Triangles {
   readonly #corners: number[] = [];
   /** Index of the object. */
   readonly #objects: number[] = [];
+  /** Index in the object: what cannot be seen is left out here. */
+  readonly #indices: number[] = [];
   readonly #mirrored: boolean[] = [];
   /** Left, right, top and bottom pixel of each triangle. */
   readonly #boxes: number[] = [];
@@ -59,6 +61,7 @@ export class Triangles {
       for (const vertex of [i, j, k])
         this.#corners.push(...turned[vertex]!, uvs?.[2 * vertex] ?? 0, uvs?.[2 * vertex + 1] ?? 0);
       this.#objects.push(at);
+      this.#indices.push(triangle);
       this.#mirrored.push(mirrored);
       this.#boxes.push(...box);
     }
@@ -119,6 +122,7 @@ export class Triangles {
     hit.u = mixed(3);
     hit.v = mixed(4);
     hit.object = this.#objects[nearest]!;
+    hit.triangle = this.#indices[nearest]!;
   }
 
   /** The pixels whose rays may meet the triangle; null if none do. Behind the eye nothing is sure: all of them. */
