@@ -1,5 +1,4 @@
-// What the files and shapes of one viewer claim, before anything is allocated or read. Geometries and files that
-// several meshes show count once. Past a limit the result is `too-large`.
+// What the files and shapes of one viewer claim, before anything is allocated. What meshes share counts once.
 import * as limits from './limits.js';
 import { TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } from './limits.js';
 import { ModelError } from './model.js';
@@ -87,10 +86,7 @@ export interface Need {
   readonly flat: boolean;
 }
 
-/**
- * What the content of one mesh holds. Content that replaces other content of its mesh may take the room of it: until
- * the new one is drawn both are in memory, as before, so a model of any allowed size can be replaced by another.
- */
+/** What the content of one mesh holds. What replaces it may take its room, though both are in memory for a while. */
 export class Claim {
   readonly budget: Budget;
   readonly owner: object;
@@ -210,7 +206,4 @@ export class Budget {
 const SUBJECT = 'With this the viewer would hold';
 
 /** What a number of triangles holds, weighed by memory. */
-export const claimsOf = (triangles: number, parts = 0): Claims => ({
-  values: triangles * VALUES_PER_TRIANGLE,
-  parts,
-});
+export const claimsOf = (triangles: number, parts = 0): Claims => ({ values: triangles * VALUES_PER_TRIANGLE, parts });

@@ -1,5 +1,4 @@
-// Bytes out of base64, data: URIs and UTF-16. In slices and mostly in place: files of hundreds of megabytes are never
-// strings.
+// Bytes out of base64, data: URIs and UTF-16, in slices and mostly in place: large files are never strings.
 import { ModelError } from './model.js';
 import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';
@@ -98,11 +97,7 @@ const broken = (): ModelError => new ModelError('bad-model', 'A data: URI holds 
 /** Bytes of UTF-16 that are decoded at once. */
 const PIECE = 2 ** 18;
 
-/**
- * The same text in UTF-8, which every reader expects, if the bytes begin with the byte order mark of UTF-16, as some
- * editors and exporters on Windows write it; otherwise the bytes themselves.
- * @throws ModelError `too-large`: UTF-16 counts as text whatever its format.
- */
+/** Bytes with the byte order mark of UTF-16 become UTF-8. @throws ModelError `too-large`: they count as text. */
 export async function asUtf8(
   bytes: Uint8Array<ArrayBuffer>,
   budget: ModelBudget,

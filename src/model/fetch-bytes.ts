@@ -1,5 +1,4 @@
-// Downloads a model's files with progress, abort, limits of size and silence, and errors that a page's author
-// understands.
+// Downloads a model's files with progress, abort, limits of size and silence, and errors for the page's author.
 import { decodeDataUri } from './encodings.js';
 import type { FileBytes } from './model-reader.js';
 import { nameOf, isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-model.js';
@@ -7,10 +6,7 @@ import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
 import { Slices } from './slices.js';
 
-/**
- * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough
- * for a server that has to wake up first; a page that stays open for hours should not hold its connections for good.
- */
+/** How long a server may send nothing, before its answer or within a file: it may have to wake up first. */
 export const SILENCE_LIMIT_MS = 60_000;
 
 interface Transfer {
@@ -105,17 +101,16 @@ const ignored = (): void => undefined;
 
 /** Fetching an address gave no answer: why that may be, and what can be done. */
 function unanswered(url: URL, cause: unknown): ModelError {
-  const [fact, advice] =
-    url.protocol === 'file:'
-      ? [
-          `A page opened from disk may not read files, such as ${nameOf(url)}.`,
-          'Serve the folder, with `npx serve` or `python3 -m http.server`.',
-        ]
-      : [
-          `No answer came for ${nameOf(url)}.`,
-          `Is the server ${url.host} reachable, and does it send CORS headers if it is another origin than the page?`,
-        ];
-  return new ModelError('load-failed', fact, { cause, advice, logged: url.protocol !== 'file:' });
+  if (url.protocol === 'file:') {
+    const fact = `A page opened from disk may not read files, such as ${nameOf(url)}.`;
+    const advice = 'Serve the folder, with `npx serve` or `python3 -m http.server`.';
+    return new ModelError('load-failed', fact, { cause, advice });
+  }
+  return new ModelError('load-failed', `No answer came for ${nameOf(url)}.`, {
+    cause,
+    advice: `Is the server ${url.host} reachable, and does it send CORS headers if it is another origin than the page?`,
+    logged: true,
+  });
 }
 
 // The event of a refusal is queued and can arrive after the fetch has rejected.
@@ -149,11 +144,9 @@ async function read(
 /** What the server sends next. Rejects if that takes longer than {@link SILENCE_LIMIT_MS}. */
 async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  const fact = `No data came for ${String(SILENCE_LIMIT_MS / 1000)} seconds, so ${nameOf(url)} was given up.`;
   const silence = new Promise<never>((_, reject) => {
-    timer = setTimeout(() => {
-      const seconds = String(SILENCE_LIMIT_MS / 1000);
-      reject(new ModelError('load-failed', `No data came for ${seconds} seconds, so ${nameOf(url)} was given up.`));
-    }, SILENCE_LIMIT_MS);
+    timer = setTimeout(() => reject(new ModelError('load-failed', fact)), SILENCE_LIMIT_MS);
   });
   try {
     return await Promise.race([next, silence]);

@@ -24,11 +24,7 @@ interface FormatHints {
   readonly address?: string;
 }
 
-/**
- * The format of a file.
- * @param name for messages.
- * @throws ModelError `bad-model` that says what the file seems to be.
- */
+/** @param name for messages. @throws ModelError `bad-model` that says what the file seems to be. */
 export function formatOf(
   name: string,
   bytes: Uint8Array,

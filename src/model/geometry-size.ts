@@ -1,5 +1,4 @@
-// How large a geometry is: the box around its vertices, and the sphere around the box's centre. Turned meshes are
-// measured by all vertices.
+// How large a geometry is: the box around its vertices, and the sphere around the box's centre.
 import {
   Box3,
   BufferAttribute,
@@ -18,13 +17,12 @@ export type Vertices = Float32Array | Float64Array;
 type Box = readonly [minX: number, minY: number, minZ: number, maxX: number, maxY: number, maxZ: number];
 
 export interface GeometrySize {
-  /** The box around all vertices. */
   readonly box: Box;
-  /** Centre of the box. */
+  /** Of the box. */
   readonly center: Vec3;
   /** Reaches the vertex farthest from `center`. */
   readonly radius: number;
-  /** Only those that are numbers. */
+  /** Only those that are numbers: turned meshes are measured by all of them. */
   readonly vertices: () => Vertices;
 }
 
@@ -45,7 +43,6 @@ export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
   }
 }
 
-/** Measures the geometry in slices. */
 export async function measureInSlices(geometry: BufferGeometry, slices: Slices): Promise<void> {
   const search = measuring(geometry);
   while (search.next().done === false) if (slices.due) await slices.pause();
@@ -89,8 +86,7 @@ function* measured(geometry: BufferGeometry): Search<GeometrySize | null> {
   const position = geometry.getAttribute('position');
   const plain =
     position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
-  // Most geometries have only finite numbers, and are read without a copy. Animations write to theirs, and are framed
-  // by the first pose.
+  // Most have only finite numbers, and are read without a copy. Animated ones are framed by the first pose.
   const isStill = plain && position.usage === StaticDrawUsage;
   const found = isStill ? yield* sizeAround(position.array as Float32Array) : null;
   if (found === null || !Number.isFinite(found.radius)) return yield* sizeAround(finiteVertices(position));
@@ -126,7 +122,6 @@ function* sizeAround(vertices: Vertices): Search<GeometrySize | null> {
   return { box, center, radius: Math.sqrt(farthest), vertices: () => vertices };
 }
 
-/** The vertices that are numbers. */
 function finiteVertices(position: BufferAttribute | InterleavedBufferAttribute): Vertices {
   const vertices = new Float64Array(3 * position.count);
   let end = 0;

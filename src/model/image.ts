@@ -38,11 +38,7 @@ export class ImageTextures {
     this.#source = source;
   }
 
-  /**
-   * Null for an image that is missing or broken, which is reported.
-   * @param key equal for equal images.
-   * @param name of the image, for reports.
-   */
+  /** Null for an image that is missing or broken, which is reported by `name`. @param key equal for equal images. */
   of(
     key: unknown,
     name: string,
@@ -174,30 +170,20 @@ interface ImageSize {
  */
 export function imageSize(file: Uint8Array): ImageSize | null {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
-  const reader = READERS.find(({ at, magic }) => hasText(view, at, magic));
+  const [, , read] = READERS.find(([at, magic]) => hasText(view, at, magic)) ?? [];
   try {
-    const size = reader?.read(view) ?? null;
+    const size = read?.(view) ?? null;
     return size && size.width > 0 && size.height > 0 ? size : null;
   } catch {
     return null; // a header beyond the end of the file
   }
 }
 
-interface Reader {
-  readonly at: number;
-  readonly magic: string;
-  readonly read: (view: DataView) => ImageSize | null;
-}
-
-const READERS: readonly Reader[] = [
-  { at: 0, magic: '\x89PNG\r\n\x1a\n', read: pngSize },
-  { at: 0, magic: '\xff\xd8\xff', read: jpegSize },
-  {
-    at: 1,
-    magic: 'KTX 20',
-    read: (view) => ({ width: view.getUint32(20, true), height: view.getUint32(24, true) }),
-  },
-  { at: 8, magic: 'WEBP', read: webpSize },
+const READERS: readonly (readonly [at: number, magic: string, read: (view: DataView) => ImageSize | null])[] = [
+  [0, '\x89PNG\r\n\x1a\n', pngSize],
+  [0, '\xff\xd8\xff', jpegSize],
+  [1, 'KTX 20', (view) => ({ width: view.getUint32(20, true), height: view.getUint32(24, true) })],
+  [8, 'WEBP', webpSize],
 ];
 
 /** Before the pixels. No encoder writes as many. */

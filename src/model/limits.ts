@@ -1,5 +1,4 @@
-// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB; how
-// memory is freed, and how a lack of it is recognised.
+// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB.
 
 /** Most bytes of one model's files, unpacked: 256 MiB. They are held besides their copies as vertices. */
 export const BYTE_LIMIT = 2 ** 28;
@@ -16,16 +15,10 @@ export const WORK_LIMIT = 2 ** 28;
 /** Most triangle corners in all draws of a model, repeated meshes counted each time: 5.6 million triangles. */
 export const CORNER_LIMIT = 2 ** 24;
 
-/**
- * Most corners, and most vertices, of one Draco mesh: a million triangles. Its heap and result take 500 MB for them,
- * and 1.1 GB for two million.
- */
+/** Most corners and vertices of one Draco mesh: a million triangles, which take 500 MB; two million take 1.1 GB. */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 
-/**
- * Most 4-byte values in vertices and indices, each geometry once: 400 MB in the page, and as much on the GPU. Enough
- * for 5 million triangles with a position and a normal per corner.
- */
+/** Most 4-byte values in vertices and indices: 400 MB in the page, and as much on the GPU; 5 million STL triangles. */
 export const VALUE_LIMIT = 100_000_000;
 
 /** Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few frames per second. */

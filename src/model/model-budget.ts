@@ -1,5 +1,4 @@
-// What one model claims. Every format claims what a file says before it allocates or reads it; past a limit the result
-// is `too-large`. Apart from the viewer's budget because no first frame needs it.
+// What one model claims. Apart from the viewer's budget because no first frame needs it.
 import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from './budget.js';
 
 export { requireAtMost } from './budget.js';

@@ -34,8 +34,7 @@ export interface LoadOptions {
 
 /**
  * Loads a model and the files it refers to. `data:` addresses are decoded, not fetched.
- * @param from the request of the file at `url`, if it was requested already; or a file, whose `url` is for messages
- *   only.
+ * @param from the request of the file at `url`, if there is one already; or a file, whose `url` is for messages.
  * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
  */
 export async function modelContent(
@@ -51,14 +50,17 @@ export async function modelContent(
   const optional = optionalReader(signal, missing);
   try {
     const file = await read();
-    const bytes = await asUtf8(file.bytes, budget, new Slices(signal));
+    const slices = new Slices(signal);
+    const bytes = await asUtf8(file.bytes, budget, slices);
     const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
     const reader = await neededCode(format.code(), `The code that reads ${format.name} files`);
     signal.throwIfAborted();
     const model = await reader.read({ url, bytes, signal, linked, optional, budget });
     free(bytes);
     try {
-      await measureModel(model, signal);
+      // All bounds that framing and culling will need: the first frame would find them in one task.
+      const geometries = new Set(model.parts.map(({ geometry }) => geometry));
+      for (const geometry of geometries) await measureInSlices(geometry, slices);
     } catch (error) {
       model.dispose();
       throw error;
@@ -70,10 +72,8 @@ export async function modelContent(
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
-    if (isOutOfMemory(cause)) {
-      const message = `There is not enough memory to read ${name}.`;
-      throw new ModelError('too-large', message, { cause });
-    }
+    if (isOutOfMemory(cause))
+      throw new ModelError('too-large', `There is not enough memory to read ${name}.`, { cause });
     const reason = cause instanceof Error ? cause.message : String(cause);
     throw new ModelError('bad-model', `The model cannot be read: ${reason} (${name}).`, { cause });
   }
@@ -156,11 +156,8 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
     url.pathname.startsWith(folder) &&
     !ESCAPED_SLASH.test(url.pathname.slice(folder.length));
   if (below) return url;
-  throw new ModelError(
-    'load-failed',
-    `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`,
-    { advice: 'Put it beside the model, or set crossorigin to allow it.' },
-  );
+  const fact = `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`;
+  throw new ModelError('load-failed', fact, { advice: 'Put it beside the model, or set crossorigin to allow it.' });
 }
 
 function parsed(uri: string, base: URL): URL | null {
@@ -169,10 +166,4 @@ function parsed(uri: string, base: URL): URL | null {
   } catch {
     return null;
   }
-}
-
-/** Finds all bounds that framing and culling will need, in slices: the first frame would do it in one task. */
-async function measureModel({ parts }: Content, signal: AbortSignal): Promise<void> {
-  const slices = new Slices(signal);
-  for (const geometry of new Set(parts.map((part) => part.geometry))) await measureInSlices(geometry, slices);
 }

@@ -46,10 +46,7 @@ export const neededCode = <Code>(code: Promise<Code>, what: string): Promise<Cod
 /** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
 export type ModelReader = (source: ModelSource) => Promise<Content>;
 
-/**
- * A model without motion that owns its geometries, textures and images.
- * @param closeImages frees what the textures' images hold.
- */
+/** A model without motion that owns its geometries and textures. @param closeImages frees what their images hold. */
 export function ownedModel(parts: Content['parts'], closeImages: () => void = () => undefined): Content {
   const owned = new Set(parts.flatMap(({ geometry, look }) => [geometry, ...mapsOfLook(look)]));
   let disposed = false;

@@ -35,10 +35,7 @@ export function requestEarly(url: URL, crossOrigin: CrossOrigin): void {
 }
 
 /** The request of a model's first file: the early one, if there is one. */
-export function requestModelFile(
-  url: URL,
-  options: { readonly signal: AbortSignal; readonly crossOrigin: CrossOrigin },
-): FileRequest {
+export function requestModelFile(url: URL, options: RequestOptions): FileRequest {
   requestCode(url);
   const key = earlyKey(url, options.crossOrigin);
   const found = early.get(key);
@@ -60,6 +57,11 @@ export function endEarly(): void {
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
 
+interface RequestOptions {
+  readonly signal: AbortSignal;
+  readonly crossOrigin: CrossOrigin;
+}
+
 export interface FileRequest {
   readonly response: Promise<Response>;
   /** The directive of the page's Content-Security-Policy that refused the request. Stays pending otherwise. */
@@ -71,11 +73,7 @@ export interface FileRequest {
 /** Not requested: a strict policy forbids fetching it, and what it holds is there already. */
 export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
 
-export function requestFile(
-  url: URL,
-  redirect: RequestRedirect,
-  { signal, crossOrigin }: { readonly signal: AbortSignal; readonly crossOrigin: CrossOrigin },
-): FileRequest {
+export function requestFile(url: URL, redirect: RequestRedirect, { signal, crossOrigin }: RequestOptions): FileRequest {
   const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
   const watch = new AbortController();
   const refusal = refusalOf(url, watch.signal);

@@ -1,5 +1,4 @@
-// Keeps the page responsive during long work. Loops over vertices run in slices and let the browser handle input and
-// frames between them.
+// Keeps the page responsive: long loops run in slices and let the browser handle input and frames between them.
 import type { ModelBudget } from './model-budget.js';
 
 /** Half a frame at 60 Hz. */
@@ -55,7 +54,6 @@ export class Slices {
     return results;
   }
 
-  /** The pieces, one after the other. */
   async joined(pieces: readonly Uint8Array[]): Promise<Uint8Array<ArrayBuffer>> {
     const bytes = new Uint8Array(pieces.reduce((sum, { byteLength }) => sum + byteLength, 0));
     let at = 0;

@@ -42,10 +42,8 @@ export async function droppedModel(entries: readonly FileSystemEntry[], files: r
   );
   const [path, model] = models[0] ?? [...found][0] ?? [];
   if (path === undefined || model === undefined) return null;
-  const problem = problemOf(
-    found.size,
-    models.map(([name]) => name),
-  );
+  const names = models.map(([name]) => name);
+  const problem = problemOf(found.size, names);
   groups.set(model, { files: found, path, problem });
   return model;
 }

@@ -1,5 +1,4 @@
-// Fits the camera to the scene for `auto`, and measures how deep the scene is. Measures the scene when its meshes have
-// changed, and moves the orbit when scene, field of view or the picture's aspect have.
+// Fits the camera to the scene for `auto`, and measures how deep the scene is: again when its meshes have changed.
 import type { Mesh } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Vec3 } from '../math/vector.js';
@@ -123,10 +122,7 @@ export class AutoFit {
     const { radius } = this.#framing;
     const { orbit } = this.#picture;
     const before = orbit.version;
-    orbit.set({
-      target: this.#fitted.target,
-      radius: radius === 'auto' ? this.#fitted.radius : radius,
-    });
+    orbit.set({ target: this.#fitted.target, radius: radius === 'auto' ? this.#fitted.radius : radius });
     return orbit.version !== before;
   }
 

@@ -1,7 +1,7 @@
-// The size of a scene: the centre of its box and its farthest vertex, in world space and float64. A mesh that is not
-// turned is measured by its geometry's box.
+// The size of a scene: the centre of its box and its farthest vertex, in world space and float64.
 import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
 import type { Bounds } from '../camera/fit.js';
+import type { MutableVec3 } from '../camera/orbit.js';
 import { transformed, type Vec3 } from '../math/vector.js';
 import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
 
@@ -21,17 +21,11 @@ interface Placed {
   readonly matrix: readonly number[];
 }
 
-interface WorldSphere {
-  readonly center: Vec3;
-  readonly radius: number;
-}
-
-const sphereOf = ({ size: { center, radius }, matrix }: Placed): WorldSphere => ({
+const sphereOf = ({ size: { center, radius }, matrix }: Placed): Bounds => ({
   center: transformed(matrix, ...center),
   radius: radius * stretch(matrix),
 });
 
-type Triple = [number, number, number];
 const AXES = [0, 1, 2] as const;
 
 /** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
@@ -41,10 +35,10 @@ const SAME = 1e-9;
 export function measure(root: Object3D): Extent {
   const meshes = placedMeshes(root);
   if (meshes.length === 0) return NO_EXTENT;
-  const low: Triple = [Infinity, Infinity, Infinity];
-  const high: Triple = [-Infinity, -Infinity, -Infinity];
+  const low: MutableVec3 = [Infinity, Infinity, Infinity];
+  const high: MutableVec3 = [-Infinity, -Infinity, -Infinity];
   /** `share` of a sphere is inside the box. */
-  const inside = ({ center, radius }: WorldSphere, share: number): boolean => {
+  const inside = ({ center, radius }: Bounds, share: number): boolean => {
     const r = share * radius;
     for (const i of AXES) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
     return true;
@@ -158,7 +152,7 @@ const measuredOf = (geometry: BufferGeometry): GeometrySize | null =>
   'position' in geometry.attributes ? sizeOf(geometry) : null;
 
 /** Makes a box as large as to hold places, given as x, y, z one after the other, under a matrix. */
-function extend(low: Triple, high: Triple, places: ArrayLike<number>, m: readonly number[]): void {
+function extend(low: MutableVec3, high: MutableVec3, places: ArrayLike<number>, m: readonly number[]): void {
   for (const axis of AXES) {
     const [a, b, c, d] = [m[axis]!, m[axis + 4]!, m[axis + 8]!, m[axis + 12]!];
     let [least, most] = [low[axis], high[axis]];

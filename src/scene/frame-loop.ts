@@ -1,6 +1,5 @@
 // Decides when pictures are drawn. At most one animation frame is pending for each window, and none while nothing
 // changes. A frame has three phases, and every picture finishes one before any picture starts the next.
-
 import type { Viewport } from './viewport.js';
 
 export class FrameLoop {
@@ -20,7 +19,6 @@ export class FrameLoop {
     if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
   }
 
-  /** Withdraws a request. Without any request left the animation frame is cancelled too. */
   cancel(picture: Viewport): void {
     this.#waiting.delete(picture);
     if (this.#waiting.size > 0 || this.#pending === 0) return;

@@ -15,9 +15,8 @@ export interface Frustum {
 }
 
 /**
- * A share of the orbit's radius: about 4 roundings of a float32 of its size. The GPU places vertices relative to the
- * target, so a face whose plane passes nearer to the eye than this cannot be told from one seen edge-on, which covers
- * no pixel.
+ * A share of the orbit's radius: about 4 roundings of a float32 of its size. A face whose plane passes nearer to the
+ * eye cannot be told from one seen edge-on, which covers no pixel: the GPU places vertices relative to the target.
  */
 const EDGE_ON = 2 ** -22;
 

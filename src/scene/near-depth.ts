@@ -1,9 +1,10 @@
-// The depth of the nearest surface in view: faces are cut by the sides of the view, so that nothing outside it
-// counts. World space and float64, relative to the eye; depth is measured along the view.
+// The depth of the nearest surface in view, along the view: faces are cut by its sides. Float64, relative to the eye.
 import {
   type BufferAttribute,
   type BufferGeometry,
   type InstancedMesh,
+  type LineLoop,
+  type LineSegments,
   type Material,
   Matrix4,
   type Mesh,
@@ -25,10 +26,9 @@ import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle
 const UNKNOWN_NEAREST = 1e-5;
 
 /**
- * The least depth of what is visible below `root` and in view, or `limit` where nothing is nearer. Exact for
- * triangles, lines and points as they are stored. Objects whose vertices only the GPU knows (skinned, displaced,
- * drawn by a shader of the page's own) count by their spheres, but never as nearer than 1e-5 of the orbit's radius.
- * World matrices must be up to date.
+ * The least depth of what is visible below `root` and in view, at most `limit`. Exact for triangles, lines and points.
+ * Objects whose vertices only the GPU knows (skinned, displaced, drawn by a shader of the page's own) count by their
+ * spheres, down to {@link UNKNOWN_NEAREST}. World matrices must be up to date.
  */
 export function nearestDepth(root: Object3D, view: Frustum, limit: number): number {
   search.view = view;
@@ -82,14 +82,11 @@ class NearestSearch implements BvhQuery {
     this.#index = geometry.index;
     this.#position = geometry.getAttribute('position');
     const { count } = this.#index ?? this.#position;
-    const { isMesh, isLineSegments, isLine } = object as Partial<Mesh> & {
-      isLineSegments?: boolean;
-      isLine?: boolean;
-    };
+    const { isMesh, isLine, isLineSegments, isLineLoop } = object as Partial<Mesh & LineLoop & LineSegments>;
     if (isMesh !== true) {
       const [step, size] = isLineSegments === true ? [2, 1] : [1, isLine === true ? 1 : 0];
       for (let i = 0; i + size < count; i += step) this.#triangle(i, i, i + size);
-      if ((object as { isLineLoop?: boolean }).isLineLoop === true) this.#triangle(0, 0, count - 1);
+      if (isLineLoop === true) this.#triangle(0, 0, count - 1);
     } else if (hasMovingVertices(geometry)) this.visit(0, count);
     else queryBvh(geometry, this);
   }
@@ -137,10 +134,7 @@ function hasKnownVertices(object: Mesh): boolean {
 
 function keepsVertices(material: Material): boolean {
   if (material instanceof PhongMaterial) return true;
-  const { isShaderMaterial, displacementMap } = material as {
-    isShaderMaterial?: boolean;
-    displacementMap?: unknown;
-  };
+  const { isShaderMaterial, displacementMap } = material as { isShaderMaterial?: boolean; displacementMap?: unknown };
   if (isShaderMaterial === true || (displacementMap ?? null) !== null) return false;
   return !Object.hasOwn(material, 'onBeforeCompile');
 }

@@ -1,5 +1,4 @@
-// What one viewer shows: scene, lights and camera. `make` computes a frame of it and `draw` draws that, for the page,
-// for files and for samples alike.
+// What one viewer shows: scene, lights and camera. It is drawn alike for the page, for files and for samples.
 import { Scene, type Mesh, type WebGLRenderer, type Object3D, type ShaderMaterial, Texture } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
@@ -176,7 +175,15 @@ export class Picture {
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
     this.materials.sweep();
-    releaseGpu(this.scene);
+    this.scene.traverse((object) => {
+      const { geometry, material } = object as Partial<Mesh>;
+      geometry?.dispose();
+      for (const one of [material ?? []].flat()) {
+        one.dispose();
+        const { uniforms = {} } = one as Partial<ShaderMaterial>;
+        for (const { value } of Object.values(uniforms)) if (value instanceof Texture) value.dispose();
+      }
+    });
     this.lighting.dispose();
   }
 
@@ -223,17 +230,4 @@ export interface ViewportStats {
   readonly uploads: number;
   /** Viewers that the page's last frame has drawn: those in view that had changed. */
   readonly viewersDrawn: number;
-}
-
-/** Releases a scene's buffers, programs and textures on the GPU. The next drawing uploads them again. */
-function releaseGpu(root: Object3D): void {
-  root.traverse((object) => {
-    const { geometry, material } = object as Partial<Mesh>;
-    geometry?.dispose();
-    for (const one of [material ?? []].flat()) {
-      one.dispose();
-      const { uniforms = {} } = one as Partial<ShaderMaterial>;
-      for (const { value } of Object.values(uniforms)) if (value instanceof Texture) value.dispose();
-    }
-  });
 }

@@ -59,7 +59,6 @@ export class StillPicture {
     }
   }
 
-  /** Draws the missing samples now, as far as `deadline` allows: a time as of `performance.now()`. */
   finish(deadline: number): void {
     if (this.pending) this.#converging?.finish(deadline);
     if (!this.pending) this.#settled();

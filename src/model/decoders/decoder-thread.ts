@@ -3,10 +3,7 @@
 // disk, a policy without workers or without WebAssembly, a bundler that left the worker's file out.
 import type { CreateDecoder, WorkerAnswer } from './decoder.js';
 
-/**
- * How long a worker waits for another job, in milliseconds. The models of a page come one after another, and each start
- * fetches and compiles the decoder again. Its heap never shrinks and is freed when it ends.
- */
+/** How long a worker waits for another job: each start compiles the decoder again, but its heap never shrinks. */
 const IDLE_MS = 5000;
 
 /** A decoder that has started. */
@@ -73,10 +70,7 @@ export class DecoderThread<Job, Result> {
     const create = await this.#code();
     this.#worker = null;
     const decode = await create(this.#setup);
-    return {
-      decode: async (job) => (await decode(job)).result,
-      end: () => undefined,
-    };
+    return { decode: async (job) => (await decode(job)).result, end: () => undefined };
   }
 
   /** Null if it cannot start. */

@@ -1,5 +1,4 @@
-// What decoders have in common, in workers and on the main thread: their types, how one that Emscripten compiled to
-// WebAssembly starts, and how a worker answers. Must not import three.js: a worker would load all of it.
+// What decoders share, in workers and on the main thread. Must not import three.js: a worker would load all of it.
 
 /** Makes a decoder. @param setup what it needs to start, such as the address of its WebAssembly. */
 export type CreateDecoder<Job, Result> = (setup: string) => Promise<Decode<Job, Result>>;

@@ -1,5 +1,4 @@
-// The accessors and buffer views of a glTF document: counts, alignment and byte lengths, and what reading them costs.
-// Checked before anything is allocated. Knows the JSON only.
+// The accessors and buffer views of a glTF document, checked before anything is allocated. Knows the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
@@ -21,10 +20,7 @@ export interface Accessor {
   readonly components: number;
 }
 
-/**
- * The accessors of a document. One that was not counted by {@link Accessors.read} has no elements for the parser, which
- * reads all of them, so no reader can get at numbers that the budget does not know.
- */
+/** The accessors of a document. The parser reads all, so those that {@link Accessors.read} did not count are empty. */
 export class Accessors {
   readonly #entries: readonly Entry[];
   readonly #budget: ModelBudget;

@@ -1,5 +1,4 @@
-// The animations of a glTF document: channels of shown nodes, with samplers that fit, and what they cost. The model is
-// shown without those that have a mistake. Knows the JSON only.
+// The animations of a glTF document and what they cost; those with a mistake are left out. Knows the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
@@ -35,31 +34,29 @@ interface AnimationContext {
   /** Morph targets of each node's mesh; undefined for nodes that are not shown. */
   readonly targets: readonly (number | undefined)[];
   readonly budget: ModelBudget;
+  /** Gets the animations with mistakes. */
+  readonly dropped: Set<string>;
+  readonly slices: Slices;
 }
 
-/** @param dropped gets the animations with mistakes. */
-export async function readAnimations(
-  json: JsonObject,
-  context: AnimationContext,
-  dropped: Set<string>,
-  slices: Slices,
-): Promise<readonly GltfAnimation[]> {
+export async function readAnimations(json: JsonObject, context: AnimationContext): Promise<readonly GltfAnimation[]> {
+  const { accessors, budget, dropped, slices } = context;
   const counted = new Set<Accessor>();
   const animations: GltfAnimation[] = [];
   for (const [i, animation] of objectsAt(json['animations'], 'animations').entries()) {
     try {
-      const channels = await readChannels(animation, context, dropped, slices);
+      const channels = await readChannels(animation, context);
       if (channels.length === 0) continue;
       for (const { input, output, width } of channels) {
         await slices.pauseIfDue();
         // In float64: the value without animation, and the present one.
-        context.budget.add({ values: 4 * width });
+        budget.add({ values: 4 * width });
         for (const accessor of [input, output]) {
-          context.accessors.read(accessor);
+          accessors.read(accessor);
           if (counted.has(accessor)) continue;
           counted.add(accessor);
           // Once as in the file and once as floats.
-          context.budget.add({ values: 2 * accessor.count * accessor.components });
+          budget.add({ values: 2 * accessor.count * accessor.components });
         }
       }
       animations.push({ name: textAt(animation['name']), channels });
@@ -72,13 +69,8 @@ export async function readAnimations(
   return animations;
 }
 
-async function readChannels(
-  animation: JsonObject,
-  context: AnimationContext,
-  dropped: Set<string>,
-  slices: Slices,
-): Promise<readonly Channel[]> {
-  const { accessors, targets } = context;
+async function readChannels(animation: JsonObject, context: AnimationContext): Promise<readonly Channel[]> {
+  const { accessors, targets, dropped, slices } = context;
   const samplers = objectsAt(animation['samplers'], 'samplers');
   const channels = await slices.map(objectsAt(animation['channels'], 'channels'), (channel, i): Channel[] => {
     const what = `channels[${String(i)}]`;

@@ -1,5 +1,4 @@
-// Turns a file's vertex attributes into what the shaders read: finite floats, normals of unit length, encoded colours.
-// The source can be quantised, normalised or interleaved.
+// Turns a file's vertex attributes, of any layout, into finite floats, normals of unit length and encoded colours.
 import { BufferAttribute, type InterleavedBufferAttribute } from 'three';
 import { LIMITS } from '../../light/light-state.js';
 import { srgbEncode } from '../../math/color.js';
@@ -19,7 +18,6 @@ export async function requireCoordinates(coordinates: ArrayLike<number>, slices:
   });
 }
 
-/** Rejects as {@link requireCoordinates} does. */
 export const floatPositions: Conversion = async (source, slices) => {
   const positions = await asFloats(source, 3, slices);
   await requireCoordinates(positions.array, slices);

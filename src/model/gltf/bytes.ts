@@ -11,11 +11,7 @@ import type { MeshoptView } from './accessors.js';
 
 export type GltfBytes = ReturnType<typeof gltfBytes>;
 
-export function gltfBytes(
-  document: GltfDocument,
-  { body, data }: Pick<Container, 'body' | 'data'>,
-  source: ModelSource,
-) {
+export function gltfBytes(document: GltfDocument, { body, data }: Container, source: ModelSource) {
   const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
   let copied = 0;
 
@@ -25,13 +21,10 @@ export function gltfBytes(
   const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
     const buffer = document.buffers[index];
     const bytes = buffer?.uri === undefined ? body : await bytesOf(buffer.uri);
-    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) {
-      throw new Error(`buffers[${String(index)}] has no bytes`);
-    }
+    const name = `buffers[${String(index)}]`;
+    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) throw new Error(`${name} has no bytes`);
     if (bytes.byteLength >= buffer.byteLength) return bytes;
-    throw new Error(
-      `buffers[${String(index)}] is truncated: ` + `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
-    );
+    throw new Error(`${name} is truncated: ${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`);
   };
 
   const buffer = (index: number): Promise<Uint8Array<ArrayBuffer>> => {

@@ -1,5 +1,4 @@
-// Normals and tangents that a file lacks: a corner whose normal has no direction (zero or no number) takes its face's
-// own, tangents come from texture coordinates.
+// Normals and tangents that a file lacks: corners whose normal is zero take their face's.
 import { BufferAttribute, type BufferGeometry, type TypedArray } from 'three';
 import type { Slices } from '../slices.js';
 

@@ -1,5 +1,4 @@
-// The vertices of a mesh with joints or morph targets, computed on the CPU, at load and whenever the pose changes, so
-// that bounds, culling and picking read the vertices that are drawn.
+// Meshes with joints or morph targets, deformed on the CPU: bounds, culling and picking read the drawn vertices.
 import {
   type Bone,
   Box3,

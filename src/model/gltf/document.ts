@@ -1,5 +1,4 @@
-// Reduces a glTF document to what is shown, before anything is loaded. Every index and size that the parser will use is
-// checked here. Knows the JSON only, no bytes.
+// Reduces a glTF document to what is shown, and checks all indices and sizes for the parser. Knows the JSON only.
 import { clip } from '../../fields/clip.js';
 import { DRACO_LIMIT } from '../limits.js';
 import { type ModelBudget, requireAtMost } from '../model-budget.js';
@@ -57,10 +56,8 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
   const json = objectAt(value, 'the document');
   const version = textAt(optionalObject(json['asset'], 'asset')['version']);
   if (!version.startsWith('2.')) {
-    throw new ModelError(
-      'bad-model',
-      `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`,
-    );
+    const fact = `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`;
+    throw new ModelError('bad-model', fact);
   }
   const required = unreadable(json);
   if (required !== undefined) {
@@ -75,23 +72,21 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
   const images = objectsAt(json['images'], 'images');
   const textures = await readTextures(json, images.length, slices);
   const materials = await readMaterials(json, textures, dropped, slices);
-  const meshes = await readMeshes(json, { accessors, materials, views: bufferViews.length, dropped }, slices);
+  const meshes = await readMeshes(json, { accessors, materials, views: bufferViews.length, dropped, slices });
   const skins = readSkins(json, accessors);
   const nodes = await readNodes(json, { meshes, skins, accessors, budget, dropped }, slices);
   const roots = readRoots(json, nodes);
   const inScene = withChildren(nodes, roots);
   // Hidden nodes and all below them are places, no more: they can be joints.
-  const hidden = withChildren(
-    nodes,
-    nodes.flatMap((node, i) => (node.hidden ? i : [])),
-  );
+  const hiddenRoots = nodes.flatMap((node, i) => (node.hidden ? i : []));
+  const hidden = withChildren(nodes, hiddenRoots);
   const visible = new Set([...inScene].filter((index) => !hidden.has(index)));
   const drawn = Array.from(visible, (index) => nodes[index]!);
   const draco = await countDrawn(drawn, accessors, budget, slices);
   const shown = withJoints(drawn, inScene);
   const weights = nodes.map((node) => node.weights);
   const targets = weights.map((list, i) => (shown.has(i) ? list.length : undefined));
-  const animations = await readAnimations(json, { accessors, targets, budget }, dropped, slices);
+  const animations = await readAnimations(json, { accessors, targets, budget, dropped, slices });
   return {
     json: {
       asset: { version: '2.0' },
@@ -108,10 +103,7 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
         name,
         primitives: primitives.map(({ definition }) => definition),
       })),
-      skins: skins.map(({ joints, inverseBindMatrices }) => ({
-        joints,
-        inverseBindMatrices: inverseBindMatrices?.index,
-      })),
+      skins: skins.map(({ joints, inverseBindMatrices: own }) => ({ joints, inverseBindMatrices: own?.index })),
       materials,
       textures: textures.map(() => ({})),
       accessors: await accessors.definitions(slices),
@@ -163,11 +155,11 @@ interface GltfMesh {
   readonly bound: boolean;
 }
 
-async function readMeshes(json: JsonObject, context: PrimitiveContext, slices: Slices): Promise<readonly GltfMesh[]> {
+async function readMeshes(json: JsonObject, context: PrimitiveContext): Promise<readonly GltfMesh[]> {
   const meshes: GltfMesh[] = [];
   for (const mesh of objectsAt(json['meshes'], 'meshes')) {
-    const primitives = await readPrimitives(mesh, context, slices);
-    await slices.pauseIfDue();
+    const primitives = await readPrimitives(mesh, context);
+    await context.slices.pauseIfDue();
     meshes.push({
       name: textAt(mesh['name']),
       primitives,
@@ -274,10 +266,8 @@ async function countDrawn(
       // The decoder's numbers.
       budget.add({ values: attributes.reduce((sum, { items }) => sum + items * vertices, corners) });
       const most = packed.get(primitive.packed) ?? primitive;
-      packed.set(primitive.packed, {
-        corners: Math.max(most.corners, corners),
-        vertices: Math.max(most.vertices, vertices),
-      });
+      const claims = { corners: Math.max(most.corners, corners), vertices: Math.max(most.vertices, vertices) };
+      packed.set(primitive.packed, claims);
     }
   }
   return packed;
@@ -293,10 +283,8 @@ function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly numbe
       : listAt(scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')]?.['nodes'], 'the scene').map((root) =>
           indexAt(root, nodes.length, 'the scene'),
         );
-  const below = withChildren(
-    nodes,
-    listed.flatMap((root) => nodes[root]?.children ?? []),
-  );
+  const children = listed.flatMap((root) => nodes[root]?.children ?? []);
+  const below = withChildren(nodes, children);
   return [...new Set(listed)].filter((root) => !below.has(root));
 }
 

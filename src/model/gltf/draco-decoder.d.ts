@@ -1,5 +1,4 @@
-// The part used here of Google's Draco decoder, as three.js ships it in WebAssembly and in plain JavaScript (its own
-// IDL names).
+// The part used here of Google's Draco decoder, as three.js ships it (its own IDL names).
 declare module 'three/examples/jsm/libs/draco/gltf/draco_decoder.js' {
   interface DracoObject {
     /** 0 where the decoder found nothing. */

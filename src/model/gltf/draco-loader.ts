@@ -1,5 +1,4 @@
-// Draco decoding for three's glTF loader, by an object that looks like three's own Draco loader, as far as it is called;
-// and the check before it, of the size that the data claim.
+// Draco decoding for three's glTF loader, and the check before it of the size that the data claim.
 import wasm from 'three/examples/jsm/libs/draco/gltf/draco_decoder.wasm?url';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
@@ -26,6 +25,7 @@ const thread = /* @__PURE__ */ new DecoderThread<DracoJob, DracoMesh>(
 
 type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
 
+/** Looks like three's own Draco loader, as far as it is called. */
 export function dracoLoader(slices: Slices, signal: AbortSignal): DracoLoader {
   thread.start();
   const decode = async (job: DracoJob): Promise<BufferGeometry> => {

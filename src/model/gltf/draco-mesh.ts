@@ -1,5 +1,4 @@
-// Decodes Draco-compressed triangles by a copy of Google's decoder that has started. Must not import three.js: a worker
-// would load all of it.
+// Decodes Draco data by Google's decoder. Must not import three.js: a worker would load all of it.
 import type { Draco } from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
 import type { Decoded } from '../decoders/decoder.js';
 

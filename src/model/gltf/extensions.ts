@@ -18,13 +18,11 @@ export const unreadable = (json: JsonObject): string | undefined =>
     .map(String)
     .find((name) => !READABLE.test(name));
 
-/** The lists whose objects change the picture by their extensions; materials and primitives count as such. */
-const EXTENDED = ['scenes', 'nodes', 'meshes', 'materials'] as const;
-
 /** The names of the extensions in use that are left out. Those of textures are reported with their images. */
 export function* extensionsLeftOut(json: JsonObject): Iterable<string> {
   yield* leftOutOf(json);
-  for (const name of EXTENDED) for (const object of objectsAt(json[name], name)) yield* leftOutOf(object);
+  for (const name of ['scenes', 'nodes', 'meshes', 'materials'])
+    for (const object of objectsAt(json[name], name)) yield* leftOutOf(object);
 }
 
 /** As {@link extensionsLeftOut}, of one object. */

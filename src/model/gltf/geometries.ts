@@ -1,5 +1,4 @@
-// Turns the geometries from three's glTF loader into those that are drawn: attributes as the shaders read them, in the
-// file's pose. What the file shares stays shared.
+// Turns the geometries from three's glTF loader into those that are drawn, in the file's pose. Shared ones stay shared.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -109,15 +108,13 @@ export class Geometries {
     const shown = [...attributes.keys()];
     if (isSkinned(mesh)) for (const name of JOINTS) attributes.set(name, source.getAttribute(name));
     for (const [i, target] of targets.entries()) {
-      for (const [name, accessor] of Object.entries(target))
-        attributes.set(
-          morphName(i, name),
-          await this.#convert(await this.#source.accessor(accessor), floatPositions, 3),
-        );
+      for (const [name, accessor] of Object.entries(target)) {
+        const vectors = await this.#source.accessor(accessor);
+        attributes.set(morphName(i, name), await this.#convert(vectors, floatPositions, 3));
+      }
     }
-    for (const [name, attribute] of attributes) {
+    for (const [name, attribute] of attributes)
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
-    }
     let corners = await this.#cornersOf(source.index, mode, count);
     const moves = isSkinned(mesh) || targets.length > 0;
     const total = corners?.length ?? count;
@@ -136,9 +133,8 @@ export class Geometries {
     const indices = separate ? 0 : (corners?.length ?? 0) * (isSkinned(mesh) ? 2 : 1);
     this.#source.budget.add({ values: (separate?.length ?? count) * each + indices });
     if (separate) {
-      for (const [name, attribute] of attributes) {
+      for (const [name, attribute] of attributes)
         attributes.set(name, await gathered(attribute, separate, this.#slices));
-      }
       corners = null;
     }
     const geometry = new BufferGeometry();
@@ -262,7 +258,6 @@ const TANGENT_VALUES = 16;
 /** What a vertex that moves costs, in values: position, normal, tangent, joints, weights, whether it is mirrored. */
 const MOVING_VALUES = 17;
 
-/** Names the attribute of a morph target. */
 const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
 
 /** The vertex of a corner of triangle t, as strips and fans count. */

@@ -52,10 +52,7 @@ interface MaterialValues {
   readonly mapped: { readonly emissive: boolean; readonly metalRough: boolean };
 }
 
-/**
- * For the parser: textures where it expects them, {@link MaterialValues} as `extras.surface`.
- * @param dropped receives the textures that are left out, by the file's own names.
- */
+/** For the parser, with {@link MaterialValues} as `extras.surface`. @param dropped gets textures that are left out. */
 export function readMaterials(
   json: JsonObject,
   textures: readonly GltfTexture[],
@@ -93,10 +90,7 @@ export function readMaterials(
           metalRough: readMetalRough(metallic, glossy, what),
           specular: readSpecular(specular, glossy, what),
           normalScale: numberAt(normal['scale'], `${what}.normalTexture.scale`, 1),
-          mapped: {
-            emissive: 'emissiveTexture' in material,
-            metalRough: 'metallicRoughnessTexture' in metallic,
-          },
+          mapped: { emissive: 'emissiveTexture' in material, metalRough: 'metallicRoughnessTexture' in metallic },
         } satisfies MaterialValues,
       },
     };
@@ -179,11 +173,7 @@ export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry)
 /** The attribute of a map's texture coordinates. */
 export const uvNameOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${String(channel)}`);
 
-/**
- * How a geometry with this material looks. Ks and the exponent are given where the file says something: the specular
- * factor multiplies the default Ks.
- * @param tint multiplies base colour and opacity; linear.
- */
+/** The specular factor multiplies the default Ks, the linear colour multiplies base colour and opacity. */
 export function lookOf(
   material: MeshStandardMaterial,
   geometry: BufferGeometry,
@@ -195,8 +185,7 @@ export function lookOf(
   const vertexColors = geometry.hasAttribute('color');
   const vertexAlpha = vertexColors && geometry.getAttribute('color').itemSize === 4;
   const opacity = material.opacity * alpha;
-  // Exporters often mark opaque materials as blended. Blending those, unsorted and without depth, would show their
-  // backs.
+  // Exporters often mark opaque materials as blended. Unsorted and without depth, those would show their backs.
   const blends = transparent && (opacity < 1 || maps.map !== null || vertexAlpha);
   const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
   // The usual factors are 1: without the images, all of it would glow, or be metal.

@@ -1,5 +1,4 @@
-// Decodes buffer views that meshopt has compressed, by the decoder that comes with three.js, which is WebAssembly, on
-// the main thread: it decodes about a gigabyte per second. A separate chunk.
+// Decodes meshopt data by three's WebAssembly decoder, on the main thread: about a gigabyte per second. A chunk.
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { ModelError } from '../model.js';
 import type { MeshoptView } from './accessors.js';

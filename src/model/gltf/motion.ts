@@ -1,5 +1,4 @@
-// The motion of a glTF model. Keyframes, evaluated in float64, set its nodes, its nodes move parts and joints, and
-// joints and weights deform geometries.
+// The motion of a glTF model: float64 keyframes set nodes, nodes move parts and joints, joints deform geometries.
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import type { ContentPart, Motion } from '../model.js';
 import { clip, listed } from '../../fields/clip.js';
@@ -143,7 +142,7 @@ function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Pic
   return { rest: Float64Array.from(property.toArray()), set: (value) => property.fromArray(value) };
 }
 
-/** The numbers of an accessor as plain floats. Read and checked once, however many channels use it. */
+/** The numbers of an accessor as plain floats. */
 interface Numbers {
   readonly array: Float32Array;
   readonly finite: boolean;

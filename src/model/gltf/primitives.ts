@@ -1,5 +1,4 @@
-// The primitives of a glTF mesh that are drawn, and what they cost. Triangles only, with the attributes that are used.
-// Knows the JSON only.
+// The primitives of a glTF mesh that are drawn: triangles, and the attributes that are used. Knows the JSON only.
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';
@@ -22,11 +21,7 @@ export interface Primitive {
   readonly corners: number;
   readonly vertices: number;
   /** The attributes, each with the numbers per vertex that it becomes. */
-  readonly attributes: readonly {
-    readonly accessor: Accessor;
-    readonly items: number;
-    readonly name: string;
-  }[];
+  readonly attributes: readonly { readonly accessor: Accessor; readonly items: number; readonly name: string }[];
   /** Accessors that are read: all but those whose numbers are in Draco data. */
   readonly read: readonly Accessor[];
   /** Accessors of its morph targets, by their attributes' names. */
@@ -45,6 +40,7 @@ export interface PrimitiveContext {
   readonly views: number;
   /** Receives what is left out, by the file's own names. */
   readonly dropped: Set<string>;
+  readonly slices: Slices;
 }
 
 /** The attributes that are used, and the numbers per vertex that they become. */
@@ -63,12 +59,8 @@ export const FANS = 6;
 export const cornersOf = (mode: number, count: number): number =>
   mode === TRIANGLES ? count - (count % 3) : Math.max(count - 2, 0) * 3;
 
-export async function readPrimitives(
-  mesh: JsonObject,
-  context: PrimitiveContext,
-  slices: Slices,
-): Promise<readonly Primitive[]> {
-  const primitives = await slices.map(objectsAt(mesh['primitives'], 'primitives'), (primitive) =>
+export async function readPrimitives(mesh: JsonObject, context: PrimitiveContext): Promise<readonly Primitive[]> {
+  const primitives = await context.slices.map(objectsAt(mesh['primitives'], 'primitives'), (primitive) =>
     isDrawn(primitive, context.dropped) ? readPrimitive(primitive, context) : null,
   );
   return primitives.flatMap((primitive) => (primitive !== null && primitive.corners > 0 ? primitive : []));
@@ -139,11 +131,9 @@ function readTargets(
       const what = `targets[${String(i)}].${name}`;
       const accessor = accessors.at(target[name], what);
       if (accessor.components !== 3) throw new Error(`${what} is not made of vectors of three numbers`);
-      if (accessor.count !== vertices) {
-        throw new Error(
-          `${what} has ${String(accessor.count)} elements, but its mesh has ${String(vertices)} vertices`,
-        );
-      }
+      const { count } = accessor;
+      if (count !== vertices)
+        throw new Error(`${what} has ${String(count)} elements, but its mesh has ${String(vertices)} vertices`);
       read[name] = accessor;
     }
     return read;

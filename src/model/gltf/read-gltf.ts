@@ -1,5 +1,4 @@
-// Reads glTF 2 and GLB by three's own loader, which gets a reduced and checked document and no addresses to fetch.
-// Bytes and images are provided by index. A separate chunk.
+// Reads glTF 2 and GLB by three's loader, which gets a checked document, and bytes by index, not by address. A chunk.
 import {
   type BufferGeometry,
   Matrix4,
@@ -29,7 +28,7 @@ import { gltfTexture } from './textures.js';
 
 export const read: ModelReader = async (source) => {
   const { budget } = source;
-  const slices = new Slices(source.signal, source.budget);
+  const slices = new Slices(source.signal, budget);
   const container = await openContainer(source.bytes, budget, slices);
   const document = await readDocument(container.json, budget, slices);
   await slices.pauseIfDue();

@@ -48,14 +48,16 @@ export function gltfTexture(
   const { image, needs, sampler = {} } = document.textures[index] ?? {};
   if (image === undefined) {
     const reason = needs === undefined ? 'has no image' : `needs the glTF extension ${clip(needs)}`;
-    return optional(`textures[${String(index)}]`, () => Promise.reject(new Error(reason)), NOTHING);
+    return optional(
+      `textures[${String(index)}]`,
+      () => Promise.reject(new Error(reason)),
+      () => null,
+    );
   }
   // Exporters repeat the definition of an image that several textures use.
   const { uri, bufferView } = document.images[image] ?? {};
   return images.of(uri ?? bufferView, nameOfImage(document, image), () => bytes.image(image), samplerOf(sampler));
 }
-
-const NOTHING = (): null => null;
 
 /** For reports: the path of its file, else its name or place in the document. */
 function nameOfImage({ images }: GltfDocument, index: number): string {

@@ -38,10 +38,7 @@ function notAllowed(cause: unknown): never {
   throw new ModelError(
     'csp',
     'The model has KTX2 textures, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks them.',
-    {
-      cause,
-      advice: "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures.",
-    },
+    { cause, advice: "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures." },
   );
 }
 

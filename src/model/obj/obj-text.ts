@@ -45,9 +45,7 @@ const HASH = 35;
 /** @throws Error that names the line, if no face is left; ModelError `too-large`. */
 export async function readObjText(bytes: Uint8Array, leftOut: LeftOut, slices: Slices): Promise<ObjText> {
   const reader = new ObjReader(bytes, leftOut);
-  while (reader.readPiece()) {
-    if (slices.took(reader.work)) await slices.pause();
-  }
+  while (reader.readPiece()) if (slices.took(reader.work)) await slices.pause();
   const text = reader.finish();
   await keepSoundFaces(text.lists, leftOut, slices);
   return text;
@@ -73,11 +71,7 @@ class ObjReader {
   /** First corner of the run. */
   #runStart = 0;
   /** The largest numbers used, and where. Lists may follow the polygons that use them. */
-  readonly #highest = {
-    face: { index: -1, at: 0 },
-    uv: { index: -1, at: 0 },
-    normal: { index: -1, at: 0 },
-  };
+  readonly #highest = { face: { index: -1, at: 0 }, uv: { index: -1, at: 0 }, normal: { index: -1, at: 0 } };
 
   constructor(bytes: Uint8Array, leftOut: LeftOut) {
     this.#scanner = new TextScanner(bytes);

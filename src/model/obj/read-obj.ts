@@ -15,9 +15,8 @@ import { plainName, type MtlMap, type MtlMaterial, NO_MATERIAL, readMtl } from '
 import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
 export const read: ModelReader = async (source) => {
-  const { bytes } = source;
-  const slices = new Slices(source.signal, source.budget);
-  const { budget } = source;
+  const { bytes, budget } = source;
+  const slices = new Slices(source.signal, budget);
   budget.add({ text: bytes.byteLength });
   const leftOut = new LeftOut();
   const text = await readObjText(bytes, leftOut, slices);

@@ -91,9 +91,8 @@ function countOf(view: DataView): number {
   if (count === 0) throw new Error('it has no triangles');
   if (count <= there) return count;
   const size = STL_HEADER + count * STL_TRIANGLE;
-  throw new Error(
-    `it is truncated: ${String(view.byteLength)} of ${String(size)} bytes for ${String(count)} triangles`,
-  );
+  const { byteLength } = view;
+  throw new Error(`it is truncated: ${String(byteLength)} of ${String(size)} bytes for ${String(count)} triangles`);
 }
 
 const WHITE: Vec3 = [1, 1, 1];
@@ -143,13 +142,8 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
     });
     geometry.setAttribute('color', new BufferAttribute(colors, 3));
   }
-  const look: BaseLook = {
-    ...PLAIN_LOOK,
-    baseColor: color,
-    opacity,
-    alphaMode: opacity < 1 ? 'blend' : 'opaque',
-    vertexColors: colorOf !== null,
-  };
+  const alphaMode = opacity < 1 ? 'blend' : 'opaque';
+  const look: BaseLook = { ...PLAIN_LOOK, baseColor: color, opacity, alphaMode, vertexColors: colorOf !== null };
   return { name, geometry, matrix: places.matrix, look, sides: 'double', surface: {} };
 }
 

@@ -1,5 +1,4 @@
-// Recognises STL files, and which of the two kinds they are. Many binary files begin with `solid` too, so that the size
-// decides first.
+// Recognises STL files of both kinds. Many binary files begin with `solid` too: the size decides first.
 
 /** Bytes before the first triangle: a comment of 80 bytes and the number of triangles. */
 export const STL_HEADER = 84;

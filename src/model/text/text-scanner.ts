@@ -44,9 +44,8 @@ export class TextScanner {
   }
 
   /**
-   * Goes to the first word of the next line that has one, from wherever it is in a line. What is left of a line is
-   * skipped without looking for a backslash: comments may end with one. False at the end of the file. A line of more
-   * than 16 KiB, or as many blanks, comes in pieces: all but the first are as empty lines.
+   * Goes to the first word of the next line that has one; false at the end. Comments may end with a backslash, so it
+   * does not continue a line here. A line or gap of over 16 KiB comes in pieces: all but the first are as empty lines.
    */
   nextLine(): boolean {
     if (this.#pending !== 'blanks') {

@@ -1,5 +1,4 @@
-// A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
-// their own, as OBJ writes them.
+// A file's triangles while they are read: corners refer to lists of positions, uvs and normals, as OBJ writes them.
 import { Matrix4, type TypedArray } from 'three';
 import { requireAtMost } from '../budget.js';
 import { LIMITS } from '../../light/light-state.js';
@@ -95,10 +94,7 @@ export function setItem(list: Growing<Int32Array>, index: number, value: number)
 export const itemAt = (list: Growing<Int32Array>, index: number): number =>
   index < list.length ? (list.array[index] ?? NONE) : NONE;
 
-/**
- * A first vertex farther out becomes the origin: maps and plants have coordinates of 1e5 to 1e7 metres and details of
- * centimetres; float32 keeps steps of 3 cm at 5e5.
- */
+/** A first vertex farther out becomes the origin: maps go to 1e7 metres, and float32 keeps steps of 3 cm at 5e5. */
 const FAR_OUT = 1024;
 
 /** A file's vertex positions, as float32 relative to an origin that keeps their precision. */
@@ -106,9 +102,8 @@ export class Positions {
   readonly #values: Growing<Float32Array>;
   #origin: readonly [number, number, number] | null = null;
 
-  /** @param count the number of vertices, if it is known. */
-  constructor(count = 0) {
-    this.#values = new Growing(Float32Array, 3 * count);
+  constructor(vertices = 0) {
+    this.#values = new Growing(Float32Array, 3 * vertices);
   }
 
   get count(): number {
@@ -172,10 +167,7 @@ export class Growing<A extends TypedArray> {
   array: A;
   length = 0;
 
-  /**
-   * @param capacity the length that it will probably have.
-   * @param lane lists that are written together have different ones: they are not moved in the same task.
-   */
+  /** @param lane lists that are written together have different ones: they are not moved in the same task. */
   constructor(make: new (length: number) => A, capacity = 0, lane = 0) {
     this.#make = make;
     this.#first = Math.max(capacity, FIRST_LENGTH + 128 * lane);

@@ -1,5 +1,4 @@
-// Judges the faces of a whole file, when all that they refer to has come: what is not there is left out, and corners
-// that run against their normals are turned around.
+// Leaves out what faces refer to and is not there, and turns around corners that run against their normals.
 import type { LeftOut } from '../left-out.js';
 import type { Slices } from '../slices.js';
 import { type CornerLists, type Growing, itemAt, NONE, NOT_THERE, setItem } from './corner-lists.js';
@@ -28,10 +27,9 @@ export async function keepSoundFaces(lists: CornerLists, leftOut: LeftOut, slice
       if (!isSound) lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
       else settle(lists, 3 * triangle, misses);
     }
-    for (const kind of ['uv', 'normal'] as const) {
-      leftOut.add(kind, misses[kind]);
-      misses[kind] = 0;
-    }
+    leftOut.add('uv', misses.uv);
+    leftOut.add('normal', misses.normal);
+    misses.uv = misses.normal = 0;
     first = end;
   }
 }

@@ -65,7 +65,6 @@ export class Polygons {
     }
   }
 
-  /** Adds the fan of the corners so far. */
   #fan(): void {
     for (let i = 2; i < this.#count; i += 1) this.#emit(0, i - 1, i);
   }

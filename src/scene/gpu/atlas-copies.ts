@@ -1,6 +1,5 @@
-// The 2D canvases of pictures that share one context: each shows a copy of its place in the atlas. A picture that is
-// not visible keeps its copy, so that scrolling back shows it at once, up to a common bound. Sizes are in device
-// pixels.
+// The 2D canvases of pictures that share one context, in device pixels: each shows a copy of its place in the atlas.
+// Pictures out of sight keep theirs up to a common bound, so that scrolling back shows them at once.
 import type { Viewport } from '../viewport.js';
 import type { Region, Size } from './atlas.js';
 
@@ -42,8 +41,7 @@ export class AtlasCopies {
     const blank = known === undefined || resized;
     const context = canvas.getContext('2d');
     if (context === null) return; // out of memory: the picture stays as it was
-    // For print, Chromium replays what was drawn since the last frame. There, `copy` erases all that lies below: the
-    // CSS background.
+    // For print, Chromium replays what was drawn since the last frame: `copy` would erase the CSS background there.
     context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
     if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);

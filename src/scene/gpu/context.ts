@@ -1,5 +1,4 @@
-// The page's one WebGL 2 context and three.js's renderer on it: opened with the first drawing, lost and restored, refused
-// and tried again, closed with the last picture. Sizes its canvas.
+// The page's one WebGL 2 context, its canvas and three.js's renderer: opened with the first drawing, closed at the end.
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
 import { deviceOf } from '../../material/device.js';
 import { checkLinks } from '../../material/program/program-cache.js';
@@ -16,9 +15,9 @@ export const SAFE_SIDE = 4096;
 type Consequence = 'contextLost' | 'contextRestored' | 'repaint';
 
 /**
- * closed → open ⇄ lost. An opening that fails ends in `refused`; `retrying` opens with the next drawing, like `closed`.
- * A refused context is tried again when a viewer connects and when the document becomes visible. A browser refuses when
- * it is out of memory or restarts its GPU process, and no event says that this is over.
+ * closed → open ⇄ lost. An opening that fails ends in `refused`: the browser is out of memory or restarts its GPU
+ * process, and no event says that this is over. `retrying`, after a viewer connects or the document becomes visible,
+ * opens with the next drawing, like `closed`.
  */
 type State = 'closed' | 'open' | 'lost' | 'refused' | 'retrying';
 
@@ -151,8 +150,7 @@ export class SharedContext {
     if (document.visibilityState === 'visible') this.retry();
   };
 
-  // three.js must not see either event: it would write to the console, and a restored context gets a new renderer
-  // anyway.
+  // three.js must see neither event: it would write to the console, and a restored context gets a new renderer.
   readonly #onLost = (event: Event): void => {
     event.stopImmediatePropagation();
     event.preventDefault(); // otherwise the context is never restored
@@ -173,19 +171,10 @@ export class SharedContext {
   };
 }
 
-const CONTEXT: WebGLContextAttributes = {
-  alpha: true,
-  antialias: true,
-  depth: true,
-  stencil: false,
-  premultipliedAlpha: true,
-};
-
 /**
- * Opens the context on a canvas of the size of the first drawing: opening small and growing takes 6 ms longer at 600 ×
- * 400 and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts on a canvas of one pixel:
- * Chromium gives no context for 8192 × 8192, nor any other to this page afterwards, but a canvas that grows gets a
- * smaller drawing buffer at worst. Throws {@link NoWebGL2Error}.
+ * Opens the context at the size of the first drawing: opening small and growing takes 6 ms longer at 600 × 400 and at
+ * 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts with one pixel: Chromium gives no
+ * context for 8192 × 8192, nor any other to this page afterwards; one that grows gets a smaller buffer at worst.
  */
 function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
@@ -194,7 +183,7 @@ function openContext({ width, height }: Size): WebGL2RenderingContext {
   canvas.height = isSafe ? height : 1;
   let cause: unknown;
   try {
-    const context = canvas.getContext('webgl2', CONTEXT);
+    const context = canvas.getContext('webgl2'); // by default with alpha, premultiplied, depth and multisampling
     if (context !== null) return context;
   } catch (error) {
     cause = error; // some privacy tools replace getContext by a function that throws
@@ -242,10 +231,7 @@ function largestSideOf(gl: WebGL2RenderingContext): number {
   return Math.min(...sides.map(Number));
 }
 
-/**
- * Whether 2D canvases get the pixels of a restored context. After a crash of the GPU process they get none in Chromium
- * (156), however often the context draws: only a new canvas helps. Overwrites one drawing.
- */
+/** Whether 2D canvases get a restored context's pixels: not in Chromium 156 after a crash of the GPU process. */
 function canBeCopied(gl: WebGL2RenderingContext): boolean {
   gl.clearColor(1, 1, 1, 1);
   gl.clear(gl.COLOR_BUFFER_BIT);

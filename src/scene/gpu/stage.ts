@@ -1,6 +1,5 @@
-// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself.
-// Several pictures are drawn next to each other into an atlas on that canvas, and each is then copied into a canvas of
-// its own. Reasons and figures: src/decisions/one-context.md.
+// The page's one WebGL context and where its pixels go. A lone picture shows the WebGL canvas itself; several are drawn
+// into an atlas on it, and each is copied into a canvas of its own (src/decisions/one-context.md).
 import type { WebGLRenderer } from 'three';
 import type { Viewport } from '../viewport.js';
 import { AtlasCopies, screenPixels } from './atlas-copies.js';
@@ -12,7 +11,8 @@ export { NoWebGL2Error } from './context.js';
 /** Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
 const FRAMES_BEFORE_SHRINKING = 30;
 
-const ONE_PIXEL: Size = { width: 1, height: 1 };
+type Draw = (renderer: WebGLRenderer) => void;
+type DrawPart = (renderer: WebGLRenderer, part: Region) => void;
 
 class Stage {
   readonly #clients = new Set<Viewport>();
@@ -40,7 +40,6 @@ class Stage {
     this.#context.retry();
   }
 
-  /** After a refused context, the next drawing requests one again. */
   retry(): void {
     this.#context.retry();
   }
@@ -52,17 +51,15 @@ class Stage {
     client.holder.replaceChildren();
     if (this.#clients.size === 1) this.#repaintAll();
     // The canvas may have been large only for this picture. The next frame finds the size again.
-    else if (this.#clients.size > 1) this.#context.resize(ONE_PIXEL);
+    else if (this.#clients.size > 1) this.#context.resize({ width: 1, height: 1 });
     // An element that only moves within the page is back before the microtask.
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
   }
 
-  /** There is no context, and drawing would not open one. */
   get lost(): boolean {
     return this.#context.unavailable;
   }
 
-  /** Programs on the GPU, for `stats`. */
   get programs(): number {
     return this.#context.renderer?.info.programs?.length ?? 0;
   }
@@ -79,11 +76,10 @@ class Stage {
   }
 
   /**
-   * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page. The
-   * first call opens the context. False: nothing is drawn, because there is no context. All clients are notified of
-   * that, and again when drawing is possible. Without `render` the context is opened, and that is all.
+   * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page;
+   * without `render`, opens the context only. False: there is none. All clients are notified then, and once there is.
    */
-  draw(client: Viewport, render?: (renderer: WebGLRenderer) => void): boolean {
+  draw(client: Viewport, render?: Draw): boolean {
     try {
       // The canvas stays in its own document: a picture in a popup is a copy too.
       const alone = this.#clients.size === 1 && client.holder.ownerDocument === document;
@@ -103,7 +99,7 @@ class Stage {
       if (error instanceof NoWebGL2Error) {
         this.#context.refuse();
         for (const one of this.#clients) one.contextMissing(error);
-      } else if (!this.#context.noticeLoss()) throw error; // a lost context answers null, which three.js does not expect
+      } else if (!this.#context.noticeLoss()) throw error; // three.js expects no null, as a lost context answers
       return false;
     }
   }
@@ -117,7 +113,7 @@ class Stage {
   }
 
   /** Lets `render` draw into targets of its own. False: there is no context, or it was lost meanwhile. */
-  drawAside(render: (renderer: WebGLRenderer) => void): boolean {
+  drawAside(render: Draw): boolean {
     const { renderer } = this.#context;
     if (renderer === null || this.#context.noticeLoss()) return false;
     try {
@@ -131,12 +127,8 @@ class Stage {
     return !this.#context.noticeLoss();
   }
 
-  /**
-   * Draws a picture that is not shown into a 2D canvas of exactly `width` × `height` pixels, in tiles where it is
-   * larger than the context can hold. `render` draws the given part and must not clear. Throws RangeError where no
-   * canvas can hold the picture.
-   */
-  capture({ width, height }: Size, render: (renderer: WebGLRenderer, part: Region) => void): HTMLCanvasElement {
+  /** Draws into a 2D canvas of this size, in tiles if need be. `render` must not clear. RangeError if none holds it. */
+  capture({ width, height }: Size, render: DrawPart): HTMLCanvasElement {
     const target = this.newTarget({ width, height });
     try {
       const firstTile = { width: Math.min(width, SAFE_SIDE), height: Math.min(height, SAFE_SIDE) };
@@ -156,13 +148,12 @@ class Stage {
     canvas.height = height;
     const context = canvas.getContext('2d');
     if (context !== null && hasMemory(context, width, height)) return context;
-    // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory
-    // for this many pixels.
+    // When the GPU process crashes, 2D canvases fail before WebGL knows of it. Any GPU has memory for so many pixels.
     if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
-  #drawAlone(client: Viewport, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
+  #drawAlone(client: Viewport, renderer: WebGLRenderer, render: Draw): void {
     this.#beforeOverwriting();
     // The second time only if the browser gave less: the client's size has become smaller then.
     if (!this.#context.resize(client)) this.#context.resize(client);
@@ -175,11 +166,7 @@ class Stage {
   }
 
   /** Draws a capture into `target`, which has its size, tile by tile. */
-  #drawTiles(
-    renderer: WebGLRenderer,
-    target: CanvasRenderingContext2D,
-    render: (renderer: WebGLRenderer, part: Region) => void,
-  ): void {
+  #drawTiles(renderer: WebGLRenderer, target: CanvasRenderingContext2D, render: DrawPart): void {
     this.#beforeOverwriting();
     const { width, height } = target.canvas;
     const canvas = renderer.domElement;
@@ -288,11 +275,7 @@ function clear(renderer: WebGLRenderer): void {
   renderer.clear(true, true, false);
 }
 
-function drawInto(
-  renderer: WebGLRenderer,
-  { x, y, width, height }: Region,
-  render: (renderer: WebGLRenderer) => void,
-): void {
+function drawInto(renderer: WebGLRenderer, { x, y, width, height }: Region, render: Draw): void {
   const whole = renderer.domElement.width === width && renderer.domElement.height === height;
   renderer.setViewport(x, y, width, height);
   renderer.setScissor(x, y, width, height);

@@ -1,5 +1,4 @@
-// Loads the content that a mesh's values name, a built-in shape or a model. One load at a time: a newer one replaces
-// it.
+// Loads the shape or model that a mesh's values name. One load at a time: a newer one replaces it.
 import { sameValue } from '../../fields/field-store.js';
 import { fileName } from '../../model/request-model.js';
 import { type Content, NO_CONTENT } from '../../model/model.js';
@@ -35,7 +34,7 @@ export class ContentLoad {
 
   /** Requests what the values name, unless it was requested last. */
   request(name: ContentName): void {
-    const { src, type, geometry, segments } = name;
+    const { src, geometry, segments } = name;
     const key = this.#keyOf(name);
     if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
     this.drop();
@@ -43,7 +42,7 @@ export class ContentLoad {
     const claim = this.#host.picture.budget.claim(this.#mesh);
     if (src !== '') {
       const url = addressOf(src);
-      void this.#await(url, claim, (signal) => this.#loadModel(url, { src, type }, claim, signal));
+      void this.#await(url, claim, (signal) => this.#loadModel(url, name, claim, signal));
       return;
     }
     try {
@@ -63,12 +62,10 @@ export class ContentLoad {
     this.#host.ended(this.#mesh, url, error);
   }
 
-  /** After a failure, the next {@link request} may be for the same. */
   retry(): void {
     if (this.#failed) this.#request = null;
   }
 
-  /** Cancels a load in progress. The next {@link request} may be for the same. */
   suspend(): void {
     if (this.pending) this.drop();
   }
@@ -86,17 +83,12 @@ export class ContentLoad {
     return src === '' ? [geometry, segments] : [src, type, this.#host.crossOrigin];
   }
 
-  async #loadModel(
-    url: URL | null,
-    { src, type }: Pick<ContentName, 'src' | 'type'>,
-    claim: Claim,
-    signal: AbortSignal,
-  ): Promise<Content> {
+  async #loadModel(url: URL | null, { src, type }: ContentName, claim: Claim, signal: AbortSignal): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const { crossOrigin } = this.#host;
     const onProgress = (loaded: number, total: number): void => this.#host.progress(this.#mesh, loaded, total);
-    const name = { url, src, type: type ?? '', crossOrigin };
-    const content = await acquireModel(name, { claim, signal, onProgress });
+    const model = { url, src, type: type ?? '', crossOrigin };
+    const content = await acquireModel(model, { claim, signal, onProgress });
     try {
       await this.#mesh.prepare(content, signal);
     } catch (error) {

@@ -1,6 +1,5 @@
 // Gives the round shapes of a picture as many segments as its pixels show, and flat ones more where they are large for
-// the eye's distance. The choice follows from camera, transforms and size alone: the same scene at the same size has
-// the same triangles.
+// the eye's distance. Camera, transforms and size alone decide: the same scene has the same triangles.
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Frame } from '../frame.js';
@@ -52,32 +51,24 @@ export class Levels {
   }
 
   /** Chooses for a frame whose world matrices are up to date; builds and shows what is chosen. */
-  choose({ view, height, samples }: Pick<Frame, 'view' | 'height' | 'samples'>): void {
+  choose(frame: Frame): void {
     const isFixed = this.shared?.isFixed ?? false;
-    const sampled = samples > 1;
     let count = 0;
     for (const { auto } of this.#picture.meshes) if (isRound(auto)) count += 1;
     for (const mesh of this.#picture.meshes) {
       const { auto } = mesh;
       if (auto === null) continue;
       let level = FIXED;
-      if (!isRound(auto)) level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, view);
-      else if (!isFixed && !mesh.isFixed) level = this.#levelOf(mesh, auto, view, height, sampled, count);
+      if (!isRound(auto)) level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, frame.view);
+      else if (!isFixed && !mesh.isFixed) level = this.#levelOf(mesh, auto, frame, count);
       if (level !== mesh.level) mesh.level = level;
     }
   }
 
   /** `count`: of round shapes. Finer levels than the coarsest one, which is claimed, take what room is left. */
-  #levelOf(
-    { parts, level }: SceneMesh,
-    name: GeometryName,
-    view: Frustum,
-    height: number,
-    sampled: boolean,
-    count: number,
-  ): number {
+  #levelOf({ parts, level }: SceneMesh, name: GeometryName, { view, height, samples }: Frame, count: number): number {
     const { elements } = parts[0]!.mesh.matrixWorld;
-    const wanted = levelIn(view, height, sampled, name, elements, FREE_TRIANGLES / count);
+    const wanted = levelIn(view, height, samples > 1, name, elements, FREE_TRIANGLES / count);
     if (wanted === null) return level; // out of view it stays as it is
     return within(this.#room + trianglesOf(name, coarsestOf(name)), wanted, name);
   }
@@ -169,12 +160,8 @@ function within(triangles: number, level: number, name: GeometryName): number {
 }
 
 /** Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the picture. */
-function coveredIn(
-  { frame, slopeX, slopeY }: Frustum,
-  height: number,
-  { cover, radius }: Round,
-  m: readonly number[],
-): number {
+function coveredIn(view: Frustum, height: number, { cover, radius }: Round, m: readonly number[]): number {
+  const { frame, slopeX, slopeY } = view;
   const { origin, eye } = frame;
   const picture = (height * height * slopeX) / slopeY;
   const x = m[12]! - origin[0] - eye[0];
@@ -188,16 +175,12 @@ function coveredIn(
 }
 
 /**
- * Segments that keep the outline of a round shape close enough to the true one, by its bounding sphere. `finest`: how
- * many times the allowed distance goes into a unit of length at depth 1. 0 where no outline is in view, null where the
- * shape is not.
+ * Segments that keep a round shape's outline close enough to the true one; 0: no outline is in view; null: the shape is
+ * not. `finest`: how many times the allowed distance goes into a unit of length at depth 1.
  */
-export function segmentsIn(
-  { frame, slopeX, slopeY }: Frustum,
-  finest: number,
-  { gap, half, radius }: Round,
-  m: readonly number[],
-): number | null {
+export function segmentsIn(view: Frustum, finest: number, round: Round, m: readonly number[]): number | null {
+  const { frame, slopeX, slopeY } = view;
+  const { gap, half, radius } = round;
   const { origin, eye, right, up, back } = frame;
   // From the eye to the shape's middle.
   const x = m[12]! - origin[0] - eye[0];

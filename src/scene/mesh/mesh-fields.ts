@@ -1,5 +1,4 @@
-// The values that a mesh declares, with domains and defaults: geometry, place, surface and its own shading. In HTML's
-// units.
+// The values that a mesh declares, with domains and defaults, in HTML's units.
 import { LIMITS } from '../../light/light-state.js';
 import {
   SURFACE_FIELDS,

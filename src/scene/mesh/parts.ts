@@ -1,5 +1,5 @@
 // The three.js meshes that show a content, with their geometries and surfaces.
-import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three';
+import { type BufferGeometry, Group, Mesh, type Object3D } from 'three';
 import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { BaseLook } from '../../material/file-surface.js';
@@ -11,7 +11,7 @@ import type { Claim, Need } from '../../model/budget.js';
 import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
 import type { MeshState } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
-import { acquireShape, FIXED, levelKey, type ShapeContent } from './shapes/shared-shapes.js';
+import { acquireShape, FIXED, IDENTITY, levelKey, type ShapeContent } from './shapes/shared-shapes.js';
 import type { GeometryName } from './shapes/shapes.js';
 
 export interface Part {
@@ -172,8 +172,6 @@ export function followPose(parts: readonly Part[]): void {
     if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry)) updateFlatGeometry(source.geometry);
   }
 }
-
-const IDENTITY = /* @__PURE__ */ new Matrix4();
 
 /** How a part looks. `shading`: by default the mesh's own. */
 export function appearanceOf(

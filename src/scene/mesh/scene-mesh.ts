@@ -1,7 +1,6 @@
-// One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
-// the next one is there and can be shown; with level of detail, pose, place and style.
+// One declared mesh in the scene: follows its values, and shows the last content until the next one can be shown.
 import type { Object3D } from 'three';
-import type { ShadingStyle } from '../../material/material-values.js';
+import type { Shading } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
@@ -47,8 +46,6 @@ export interface MeshHost {
   removed(mesh: SceneMesh): void;
 }
 
-type Shading = ShadingStyle['shading'];
-
 /** Models with fewer parts get their materials at once. */
 const MANY_PARTS = 256;
 
@@ -83,7 +80,6 @@ export class SceneMesh {
     return this.#shown.root;
   }
 
-  /** The three.js meshes that show it, each with its material. */
   get parts(): readonly Readonly<Part>[] {
     return this.#shown.parts;
   }
@@ -201,7 +197,8 @@ export class SceneMesh {
     freeShown(failed, this.#picture.materials);
     this.#effective = null;
     this.#settle();
-    this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable(error));
+    const undrawable = new ModelError('bad-model', `Drawing failed: ${String(error)}`, { cause: error });
+    this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable);
   }
 
   dispose(): void {
@@ -218,7 +215,8 @@ export class SceneMesh {
   /** For its load: what a shape will hold before there is a geometry. */
   needsOf(geometry: GeometryName, segments: ShapeValues['segments']): readonly Need[] {
     const isFixed = segments === 'auto' && this.isFixed;
-    return shapeNeeds(isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments), this.#wantsFlat);
+    const key = isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments);
+    return shapeNeeds(key, this.#wantedShading === 'flat');
   }
 
   /** For its load: makes the materials before {@link arrived}, in slices: thousands take long. */
@@ -265,10 +263,6 @@ export class SceneMesh {
     return this.#picture.materials.geometryShading(this.#values.shading ?? null);
   }
 
-  get #wantsFlat(): boolean {
-    return this.#wantedShading === 'flat';
-  }
-
   #letGo(): void {
     for (const material of this.#held.splice(0)) this.#picture.materials.release(material);
   }
@@ -282,7 +276,7 @@ export class SceneMesh {
     // Shapes are called as their geometry is. The values may already name another one.
     const auto = isAuto && content.parts[0]?.name === geometry ? geometry : null;
     const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
-    const geometries = geometriesOf(content, this.#wantsFlat, auto === null ? claim : null);
+    const geometries = geometriesOf(content, this.#wantedShading === 'flat', auto === null ? claim : null);
     const parts = partsOf(content, geometries, this.#picture.materials, this.#state);
     const root = rootOf(parts, motion !== null);
     return { content, auto, level, claim, parts, root, url, animation };
@@ -295,9 +289,8 @@ export class SceneMesh {
     this.#replace(next);
     this.#forgetNotFlat();
     const kept = next.root !== null && this.#host.shown(this);
-    if (kept && this.#before === null) {
-      this.#before = before;
-    } else {
+    if (kept && this.#before === null) this.#before = before;
+    else {
       freeShown(before, this.#picture.materials); // it was never drawn, or nothing goes back to it
       if (!kept) this.drawn();
     }
@@ -384,6 +377,3 @@ export class SceneMesh {
     this.#notFlat = false;
   }
 }
-
-const undrawable = (cause: unknown): ModelError =>
-  new ModelError('bad-model', `Drawing failed: ${String(cause)}`, { cause });

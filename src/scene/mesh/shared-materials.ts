@@ -1,7 +1,6 @@
 // The materials that draw meshes. Meshes of one picture that look alike share one, so that three.js changes neither
-// program nor values between them. Users are counted; a material without users is freed after the next drawing, so that
-// its program can pass to the next one.
-import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../../material/material-values.js';
+// program nor values between them. One without users is freed after the next drawing: its program can pass on.
+import { type SurfaceValues, DEFAULT_STYLE, type Shading, type ShadingStyle } from '../../material/material-values.js';
 import type { PhongLighting } from '../../material/lighting.js';
 import type { BaseLook } from '../../material/file-surface.js';
 import { PhongMaterial } from '../../material/phong-material.js';
@@ -13,7 +12,7 @@ export interface Appearance {
   readonly sides: Sides;
   readonly surface: Readonly<SurfaceValues>;
   /** Null: as the picture. */
-  readonly shading: ShadingStyle['shading'] | null;
+  readonly shading: Shading | null;
   readonly reflection: ShadingStyle['reflection'] | null;
 }
 
@@ -46,7 +45,7 @@ export class SharedMaterials {
   }
 
   /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */
-  geometryShading(own: ShadingStyle['shading'] | null): ShadingStyle['shading'] {
+  geometryShading(own: Shading | null): Shading {
     return this.#lighting.view?.separate === true ? 'flat' : (own ?? this.#style.shading);
   }
 

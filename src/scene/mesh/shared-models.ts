@@ -1,5 +1,5 @@
-// The models that meshes show now. Equal sources are one download and one content for the whole page, as built-in
-// shapes are; users are counted. A model that moves gets matrices and moving vertices of its own for each mesh.
+// The models that meshes show now. Equal sources are one download and one content for the whole page; users are
+// counted. A model that moves gets matrices and moving vertices of its own for each mesh.
 import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
 import type { Content } from '../../model/model.js';
 import { type CrossOrigin, isDataUri, modelCode, requestModelFile } from '../../model/request-model.js';

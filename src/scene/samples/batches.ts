@@ -1,5 +1,5 @@
 // How many samples are drawn at once: as many as the GPU finishes in 12 ms, so that input and the page's own frames
-// never wait longer for them. One batch is drawn after the other: a small one ends long before the next frame.
+// never wait longer. The next batch follows at once: a small one ends long before the next frame.
 import type { WebGLRenderer } from 'three';
 import { pixelOffset } from '../../math/pixel-offsets.js';
 import type { Region, Size } from '../gpu/atlas.js';

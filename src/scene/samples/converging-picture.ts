@@ -47,7 +47,6 @@ export class ConvergingPicture {
     this.#wanted = wanted;
   }
 
-  /** Samples of the picture that is shown; 0: the plain one. */
   get samples(): number {
     return this.#samples;
   }
@@ -112,7 +111,6 @@ export class ConvergingPicture {
     this.#subject.animate();
   }
 
-  /** Gives back what the GPU holds. */
   dispose(): void {
     this.reset();
     this.#picture?.dispose();
@@ -204,14 +202,12 @@ export class ConvergingPicture {
   }
 }
 
-/** The samples of one standstill. */
+/** The samples of one standstill: of tile number `tile` now. From `nextShown` on the mean is shown again. */
 interface Run {
   readonly batches: Batches;
   readonly sum: SampleSum;
   readonly tiles: readonly Region[];
-  /** The one that is summed. */
   tile: number;
-  /** The number of samples from which on the mean is shown again. */
   nextShown: number;
 }
 
@@ -225,8 +221,8 @@ const RESTARTS = 4;
 let last: Promise<unknown> = Promise.resolve();
 
 /**
- * The mean of the samples at any size, tile by tile, in batches that leave the page its frames; in hidden documents
- * too, where no animation frames come. Rejects with RangeError if no canvas can hold it, and without a context.
+ * The mean of the samples at any size, tile by tile, in batches; also without animation frames, as in hidden documents.
+ * Rejects with RangeError if no canvas can hold it, and without a context.
  */
 export function captureSamples(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
   const picture = last.then(() => draw(subject, size, samples));

@@ -1,6 +1,5 @@
-// The sum of a picture's samples on the GPU. Each sample is drawn without multisampling into 8 bits, which clamps it as
-// the canvas does; its codes are added in float32, which holds 1,024 × 255 exactly. Half floats would lose 8 bits over
-// 64 samples.
+// The sum of a picture's samples on the GPU. Each is drawn without multisampling into 8 bits, which clamp as the canvas
+// does. Its codes are added in float32, which holds 1,024 × 255 exactly; half floats lose 8 bits over 64 samples.
 import {
   FloatType,
   NearestFilter,
@@ -120,9 +119,8 @@ const targetsOf = (width: number, height: number) => {
 };
 
 /**
- * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials for the canvas, but for targets
- * only where they stand for the canvas, as those of WebXR do. The colour space is the materials' alone: an internal
- * format that decodes would give texels that are not the codes.
+ * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials only for the canvas and what
+ * stands for it, as in WebXR. The internal format must not decode: the texels are the codes.
  */
 function sampleTarget(width: number, height: number): WebGLArrayRenderTarget {
   const options = { ...NEAREST, internalFormat: 'RGBA8', colorSpace: SRGBColorSpace } as const;

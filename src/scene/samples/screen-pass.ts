@@ -1,5 +1,4 @@
-// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that reads textures. One
-// of them copies a kept picture.
+// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that reads textures.
 import {
   BufferAttribute,
   BufferGeometry,

@@ -1,7 +1,5 @@
 // Pictures of a page converge one after the other: the first is finished sooner, and one set of float buffers serves
-// all of them. The set is made for the first picture of a queue and freed some time after the last. Pictures in view
-// come before those that are only near it, and otherwise in the order in which they stood still: mostly that of the
-// document.
+// all of them. Pictures in view come first, and otherwise those that have stood still longer.
 import type { WebGLRenderer } from 'three';
 import type { ConvergingPicture } from './converging-picture.js';
 import { SampleSum } from './sample-sum.js';
@@ -62,7 +60,7 @@ export function release(one: ConvergingPicture): void {
     }, KEPT_MS);
 }
 
-/** The buffers of whose turn it is. A restored context has another renderer. */
+/** The buffers of the active picture. A restored context has another renderer. */
 export function sharedSum(renderer: WebGLRenderer): SampleSum {
   clearTimeout(freeing);
   if (shared?.renderer !== renderer) {

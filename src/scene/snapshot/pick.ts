@@ -1,5 +1,4 @@
-// Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64,
-// from the orbit's own basis. Knows three.js and the Phong material, but neither lights nor elements.
+// Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64.
 import { type Intersection, Matrix3, type Object3D, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
@@ -39,11 +38,14 @@ export interface Hit<Owner = unknown> extends TriangleHit {
  * faces are ignored. Of blended surfaces the nearest counts, whatever its opacity.
  */
 export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
-  const { width, height, camera } = snapshot;
+  const { width, height, camera, frame } = snapshot;
   if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
-  const ray = viewRay(snapshot, (column + 0.5) / width, (row + 0.5) / height);
-  const tan = tanOf(camera);
-  const pixel: PixelSlopes = [(2 * tan * camera.aspect) / width, (-2 * tan) / height];
+  const { near, far, aspect } = camera;
+  const tan = Math.tan(radians(camera.fov) / 2);
+  const across = (column + 0.5) / width;
+  const down = (row + 0.5) / height;
+  const ray: ViewRay = { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
+  const pixel: PixelSlopes = [(2 * tan * aspect) / width, (-2 * tan) / height];
   let nearest: Hit<Owner> | null = null;
   let depth = Infinity;
   // Of what a mask cuts out here, and may not cut out in the picture.
@@ -110,15 +112,6 @@ const ORIGIN: Vec3 = [0, 0, 0];
 /** Relative. Faces in one plane differ in depth by a few roundings of float64, 1e-16 each. */
 const COPLANAR = 1e-12;
 
-/** The ray through a place in the picture; `across` and `down` run from 0 to 1. */
-function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number): ViewRay {
-  const { near, far, aspect } = camera;
-  const tan = tanOf(camera);
-  return { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
-}
-
-const tanOf = ({ fov }: PerspectiveCamera): number => Math.tan(radians(fov) / 2);
-
 function phongHits<Owner>(
   drawn: OwnDrawn<Owner>,
   ray: ViewRay,
@@ -131,7 +124,8 @@ function phongHits<Owner>(
   forEachSurface(drawn, ray, (hit, base) => {
     if (culled && !hit.front) return;
     const filtered = isFiltered(phong, geometry, hit, pixel);
-    hits.push({ ...hit, drawn, base, filtered, frame: ray.frame, p: placeAt(ray, hit.depth) });
+    const p = add(ray.frame.eye, scale(directionOf(ray), hit.depth));
+    hits.push({ ...hit, drawn, base, filtered, frame: ray.frame, p });
   });
   return hits;
 }
@@ -150,10 +144,7 @@ function forEachSurface(
   );
 }
 
-const placeAt = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
-  add(frame.eye, scale(direction(frame, slopeX, slopeY), depth));
-
-const direction = ({ right, up, back }: ShadingFrame, slopeX: number, slopeY: number): Vec3 =>
+const directionOf = ({ frame: { right, up, back }, slopeX, slopeY }: ViewRay): Vec3 =>
   subtract(add(scale(right, slopeX), scale(up, slopeY)), back);
 
 /** Depth of a page author's own mesh or sprite, by three.js's raycaster; Infinity where it is not hit. */
@@ -164,19 +155,16 @@ function foreignDepth(object: Object3D, camera: PerspectiveCamera, ray: ViewRay)
   const caster = new Raycaster();
   caster.camera = camera;
   caster.ray.origin.set(...add(frame.origin, frame.eye));
-  caster.ray.direction.set(...direction(frame, ray.slopeX, ray.slopeY)).normalize();
+  caster.ray.direction.set(...directionOf(ray)).normalize();
   const hits: Intersection[] = [];
   object.raycast(caster, hits);
   let nearest = Infinity;
   for (const { point } of hits) {
-    const depth = depthOf(point, frame);
+    const depth = -dot(subtract(subtract(point.toArray(), frame.origin), frame.eye), frame.back);
     if (depth >= ray.near && depth <= ray.far) nearest = Math.min(nearest, depth);
   }
   return nearest;
 }
-
-const depthOf = ({ x, y, z }: Vector3, { origin, eye, back }: ShadingFrame): number =>
-  -dot(subtract(subtract([x, y, z], origin), eye), back);
 
 /** A corner in shading space. */
 export interface Corner {

@@ -1,6 +1,5 @@
-// Finds where the ray through a pixel meets a geometry's triangles. Computed in float64 in a space whose third axis is
-// the ray: neighbouring triangles leave no gap (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
-// 2013), and flattened, mirrored or huge matrices need no inverse.
+// Where a ray meets a geometry's triangles, in float64. In a space whose third axis is the ray, neighbours leave
+// no gap and no matrix is inverted (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { dot, scale, type Vec3 } from '../../math/vector.js';

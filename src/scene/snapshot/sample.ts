@@ -1,6 +1,5 @@
 // The value of a magnified texture, or of a vertex attribute, at a point of a triangle. Textures are filtered and
-// wrapped by their own settings, in float64, without mipmaps: which level a GPU takes, and how it makes the levels, is
-// up to its driver.
+// wrapped by their own settings, in float64, without mipmaps: levels are up to the GPU's driver.
 import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,

@@ -1,6 +1,5 @@
-// What a picture shows at one moment. Taken when shadeAt is called: its code may still have to be fetched, and the
-// scene changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are
-// overwritten, except vertices: an animation that plays on meanwhile is explained in its later pose.
+// What a picture shows at one moment: the scene may change while the code of shadeAt is fetched. Values that are
+// overwritten are copied, except vertices: an animation is explained in its later pose.
 import type { BufferGeometry, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
 import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
@@ -31,7 +30,7 @@ export interface SceneSnapshot<Owner = unknown> {
   readonly objects: readonly Drawn<Owner>[];
 }
 
-/** The visible objects below `object`, by three.js's rules. World matrices must be up to date. */
+/** The visible objects below `object`, as three.js draws them. World matrices must be up to date. */
 export function drawnObjects<Owner>(
   object: Object3D,
   camera: PerspectiveCamera,

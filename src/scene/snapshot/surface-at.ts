@@ -1,5 +1,4 @@
-// A file's surface values at one point: base colour and opacity, emissive colour, metalness, roughness, mapped normal.
-// From its textures, in float64, as phong.frag.glsl computes them.
+// A file's surface values at one point, with its textures: in float64, as phong.frag.glsl computes them.
 import type { BufferGeometry, Texture } from 'three';
 import {
   type BaseLook,

@@ -47,8 +47,6 @@ export interface Grid {
 /** Most vertices that 16-bit indices can tell apart. */
 const FEW = 2 ** 16;
 
-type Indices = Uint16Array | Uint32Array;
-
 export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   let vertices = 0;
   let triangles = 0;
@@ -79,7 +77,7 @@ export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
 }
 
 /** Writes the triangles between a row, of first vertex `first`, and the one before. Returns the next corner. */
-function indexRow(index: Indices, corner: number, grid: Grid, row: number, first: number): number {
+function indexRow(index: Uint16Array | Uint32Array, corner: number, grid: Grid, row: number, first: number): number {
   const { columns, rows, corners, closedFirst, closedLast } = grid;
   const from = row === 1 && closedFirst === true ? 3 : 0;
   const to = row === rows && closedLast === true ? 3 : 6;

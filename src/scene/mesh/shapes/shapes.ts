@@ -109,12 +109,14 @@ const HALF: Vec3 = [0.5, 0.5, 0.5];
 /** Cylinder and cone: curved in one direction, so only half a sagitta is left once the vertices are moved. */
 const STRAIGHT = { gap: SAGITTA / 2, out: SAGITTA / 2, smooth: 48, most: 1024, half: HALF, radius: Math.SQRT1_2 };
 
+const FLAT = { segments: 1, least: 1 };
+
 /** Curved shapes enclose space from 3 segments on. */
 const AROUND = { segments: 64, least: 3 };
 
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
-  box: { segments: 1, least: 1, create: (n) => new BoxGeometry(1, 1, 1, n, n, n), triangles: (n) => 12 * n * n },
+  box: { ...FLAT, create: (n) => new BoxGeometry(1, 1, 1, n, n, n), triangles: (n) => 12 * n * n },
   sphere: {
     ...AROUND,
     create: sphere,
@@ -122,19 +124,9 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     // In the middle of a quadrangle both of its curves are a sagitta away.
     round: { gap: SAGITTA, out: SAGITTA, smooth: 64, cover: 1, most: 360, half: HALF, radius: 0.5 },
   },
-  cylinder: {
-    ...AROUND,
-    create: solid('cylinder'),
-    triangles: (n) => 4 * n,
-    round: { ...STRAIGHT, cover: 0.75 },
-  },
-  cone: {
-    ...AROUND,
-    create: solid('cone'),
-    triangles: (n) => 2 * n,
-    round: { ...STRAIGHT, cover: 0.4 },
-  },
-  pyramid: { segments: 1, least: 1, create: solid('pyramid'), triangles: (n) => 6 * n * n },
+  cylinder: { ...AROUND, create: solid('cylinder'), triangles: (n) => 4 * n, round: { ...STRAIGHT, cover: 0.75 } },
+  cone: { ...AROUND, create: solid('cone'), triangles: (n) => 2 * n, round: { ...STRAIGHT, cover: 0.4 } },
+  pyramid: { ...FLAT, create: solid('pyramid'), triangles: (n) => 6 * n * n },
   torus: {
     ...AROUND,
     create: solid('torus'),
@@ -165,22 +157,9 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     // 32 patches, four to a turn. Two of a level have more, those at the poles have less.
     triangles: (n) => 67 * Math.round(n / 4) ** 2,
     // Its parts have seams: vertices moved outward would open them. The lid's rim is farther off (2.8), and hidden.
-    round: {
-      gap: 2.53,
-      out: 0,
-      smooth: 96,
-      cover: 0.3,
-      most: 176,
-      half: [0.5, 0.244791, 0.310845],
-      radius: 0.519157,
-    },
+    round: { gap: 2.53, out: 0, smooth: 96, cover: 0.3, most: 176, half: [0.5, 0.244791, 0.310845], radius: 0.519157 },
   },
-  plane: {
-    segments: 1,
-    least: 1,
-    create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2),
-    triangles: (n) => 2 * n * n,
-  },
+  plane: { ...FLAT, create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2), triangles: (n) => 2 * n * n },
 };
 
 /** Fewest segments of an `auto` level of most shapes. */
@@ -201,14 +180,13 @@ export function effectiveSegments(name: GeometryName, segments: number | undefin
 export const trianglesOf = (name: GeometryName, segments: number | undefined): number =>
   SHAPES[name].triangles(effectiveSegments(name, segments));
 
-/** What flat copies count as triangles, by their memory: each corner has 8 values, position, normal and uv. */
+/** What flat copies count as triangles, by their memory: each corner has 8 values. */
 export const flatTrianglesOf = (triangles: number): number => Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
 
 /**
  * A new geometry, owned by the caller: indexed, with `position`, `normal` (unit length to float32) and `uv`.
- * @param segments 1 to 512; raised to what the shape needs. `undefined` takes the shape's default.
- * @param isLevel for `segments="auto"` under Phong: its outline is as far outside the round shape as inside, and a
- *   cone's tip has no normal.
+ * @param segments 1 to 512, as for {@link effectiveSegments}.
+ * @param isLevel of `auto`: as far outside the round shape as inside, and a cone's tip has no normal.
  */
 export function createGeometry(name: GeometryName, segments: number | undefined, isLevel = false): PendingGeometry {
   const { create, round } = SHAPES[name];

@@ -1,5 +1,4 @@
-// The shapes that meshes show now. Meshes of the whole page with the same shape and segments share one content; users
-// are counted.
+// The shapes that meshes show now. Meshes of the page with the same shape and segments share one content.
 import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../../material/file-surface.js';
 import { claimsOf, type Need } from '../../../model/budget.js';
@@ -67,9 +66,8 @@ export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
 }
 
 /**
- * A shape for one more user, who disposes of the content once: at once if its code is loaded, else a promise. The last
- * one frees the geometry, that of a level a second later. A rejected promise (a chunk that could not be fetched) needs
- * no disposal, and the next call tries again.
+ * A shape for one more user, who disposes of the content once; a promise until its code is loaded. If that is rejected
+ * (a chunk could not be fetched), there is nothing to dispose of, and the next call tries again.
  */
 export function acquireShape(key: ShapeKey): ShapeContent | Promise<ShapeContent> {
   const entry = shared.get(keyOf(key)) ?? create(key);
@@ -111,4 +109,4 @@ function create(key: ShapeKey): Shared {
   return entry;
 }
 
-const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
+export const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();

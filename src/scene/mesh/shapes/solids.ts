@@ -21,9 +21,8 @@ export const SOLIDS: Readonly<Record<'cylinder' | 'cone' | 'pyramid' | 'torus' |
 };
 
 /**
- * What lies between the circles of radius `top` and `bottom`, 1 apart. `top` 0 is a cone's tip, where a triangle has
- * one normal: the one in its middle; or, if `exact`, none, and the normals of the base alone are mixed by the distance
- * from the tip. That is the round cone's normal in every point of the triangle.
+ * What lies between the circles of radius `top` and `bottom`, 1 apart. At a cone's tip (`top` 0) a triangle has the
+ * normal of its middle; or, if `exact`, none: those of the base alone then give the round cone's in every point.
  */
 function side(n: number, top: number, bottom: number, exact = false): Grid {
   const { cos, sin } = circle(n);
@@ -94,11 +93,7 @@ const KNOT_CENTER = 0.1588989;
 /** How far ahead three.js looks for the knot's direction, in radians of its own angle. */
 const AHEAD = 0.01;
 
-/**
- * The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box.
- * @param rows along the knot, at least 32; those around the tube grow with them, from 8 on.
- * @param out how far the vertices are outside the tube.
- */
+/** The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box. At least 32 rows. */
 function torusKnot(rows: number, out: number): BufferGeometry {
   const columns = Math.max(8, Math.round(rows / 8));
   const tube = KNOT_TUBE / KNOT_EXTENT + out;
@@ -146,19 +141,16 @@ const BASE: readonly [Vec3, Vec3, Vec3, Vec3] = [
 ];
 
 /**
- * Of height 1 on a square base, whose corners lie on a circle of diameter 1 as a cone's do; sides facing the axes, as a
- * box's do. Each face has its own vertices and normal. `segments`: parts into which every edge is divided.
+ * Of height 1; the corners of its square base lie on a circle of diameter 1. Sides face the axes, and each has its own
+ * vertices and normal. `segments`: parts into which every edge is divided.
  */
 function pyramid(segments: number): BufferGeometry {
   const mesh: Lists = { position: [], normal: [], uv: [], index: [] };
   const [a, b, c, d] = BASE;
-  for (const [left, right] of [
-    [a, b],
-    [b, c],
-    [c, d],
-    [d, a],
-  ] as const)
-    addTriangle(mesh, left, right, APEX, segments);
+  addTriangle(mesh, a, b, APEX, segments);
+  addTriangle(mesh, b, c, APEX, segments);
+  addTriangle(mesh, c, d, APEX, segments);
+  addTriangle(mesh, d, a, APEX, segments);
   addTriangle(mesh, a, d, c, segments);
   addTriangle(mesh, c, b, a, segments);
   const geometry = new BufferGeometry();
@@ -169,8 +161,6 @@ function pyramid(segments: number): BufferGeometry {
   return geometry;
 }
 
-const normalOf = (a: Vec3, b: Vec3, c: Vec3): Vec3 => normalize(cross(subtract(b, a), subtract(c, a)));
-
 interface Lists {
   readonly position: number[];
   readonly normal: number[];
@@ -180,7 +170,7 @@ interface Lists {
 
 /** The triangle a b c, counter-clockwise from outside, as rows of n, n - 1, … small ones from ab up to c. */
 function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
-  const normal = normalOf(a, b, c);
+  const normal = normalize(cross(subtract(b, a), subtract(c, a)));
   let row = mesh.position.length / 3;
   for (let j = 0; j <= n; j += 1) {
     const v = j / n;
@@ -188,9 +178,7 @@ function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
     for (let i = 0; i <= width; i += 1) {
       const u = i / n;
       const w = (width - i) / n;
-      for (const axis of [0, 1, 2] as const) {
-        mesh.position.push(w * a[axis] + u * b[axis] + v * c[axis]);
-      }
+      for (const axis of [0, 1, 2] as const) mesh.position.push(w * a[axis] + u * b[axis] + v * c[axis]);
       mesh.normal.push(...normal);
       mesh.uv.push(u + v / 2, v);
       if (i === width) continue;

@@ -1,5 +1,4 @@
-// The Utah teapot, spout toward +x, moved and scaled so that the round shape fits the unit box. In a chunk of its own
-// because of three.js's table of control points.
+// The Utah teapot, spout toward +x, in the unit box. A chunk of its own: three.js's table of control points is large.
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import type { BufferGeometry } from 'three';
 import { type Grid, gridGeometry, put } from './grid-geometry.js';
