@@ -13,7 +13,7 @@ export const modelChunks = [
   // What <phong-control> has in common with the panel.
   {
     name: 'panel-rows',
-    test: /\/src\/gui\/(?!(panel|flat-rows|full-screen|control|control-form|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
+    test: /\/src\/gui\/(?!(panel|flat-rows|full-screen|control|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
   },
   { name: 'model-triangles', test: /\/src\/model\/(left-out|(text|triangles)\/[^/]+)\.ts$/ },
 ];

@@ -1,9 +1,8 @@
-// What a drag, one wheel event or one key does to the camera. Pure functions to a new pose; a drag's from the pose at its
-// start and the total travel since then. Nothing accumulates: zero travel returns the start pose itself. Travel in CSS
-// pixels, right and down positive; angles in degrees, lengths in scene units. A travel that would give a pose that is
-// not finite moves nothing.
-
+// What a drag, a wheel event or a key does to the camera: pure functions to a new pose. Those of a drag take the pose at
+// its start and the total travel since then, so zero travel returns the start pose itself. Travel in CSS pixels, right
+// and down positive; angles in degrees, lengths in scene units. A travel to a pose that is not finite moves nothing.
 import { cosDegrees, sinDegrees, wrapDegrees } from '../math/angle.js';
+import { clamp } from '../math/vector.js';
 import { basisOf, clampLength, type Pose } from './orbit.js';
 
 /** The picture under the pointer. */
@@ -65,13 +64,6 @@ export function zoomBy(start: Pose, factor: number, limits: RadiusLimits): Pose 
   return radius > 0 && Number.isFinite(radius) ? { ...start, radius } : start;
 }
 
-/** The fields of a wheel event that are used. */
-interface WheelTurn {
-  readonly deltaY: number;
-  /** 0 pixels, 1 lines, 2 pages, as in the DOM. */
-  readonly deltaMode: number;
-}
-
 /** CSS pixels per line of a wheel event: the browsers' default font size, also used by three.js's OrbitControls. */
 const LINE_PIXELS = 16;
 
@@ -81,9 +73,14 @@ const KEY_DEGREES = 5;
 const KEY_DEGREES_FINE = 1;
 
 /** Multiplies the radius by exp(0.001 · pixels): turning back undoes turning forth. `height`: a page, CSS pixels. */
-export function wheelZoom(start: Pose, wheel: WheelTurn, height: number, limits: RadiusLimits): Pose {
-  const unit = wheel.deltaMode === 1 ? LINE_PIXELS : wheel.deltaMode === 2 ? height : 1;
-  return zoomBy(start, Math.exp(WHEEL_RATE * wheel.deltaY * unit), limits);
+export function wheelZoom(
+  start: Pose,
+  { deltaY, deltaMode }: Pick<WheelEvent, 'deltaY' | 'deltaMode'>,
+  height: number,
+  limits: RadiusLimits,
+): Pose {
+  const unit = deltaMode === 1 ? LINE_PIXELS : deltaMode === 2 ? height : 1;
+  return zoomBy(start, Math.exp(WHEEL_RATE * deltaY * unit), limits);
 }
 
 /** What a key does: degrees are added to θ and φ, a factor multiplies the radius. */
@@ -125,5 +122,3 @@ export function keyStep(key: string, shiftKey: boolean): KeyStep | undefined {
 export function keyPose(start: Pose, step: Exclude<KeyStep, { kind: 'reset' }>, limits: RadiusLimits): Pose {
   return step.kind === 'turn' ? turnBy(start, step.theta, step.phi) : zoomBy(start, step.factor, limits);
 }
-
-const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);

@@ -1,7 +1,5 @@
-// The radius that shows the whole scene, the limits of zoom, and the near and far planes. All three follow from one
-// bounding sphere. Lengths in scene units, world space; angles in degrees. Every result is finite and above 0, for any
-// input.
-
+// The radius that shows the whole scene, the limits of zoom, and the near and far planes, all from one bounding sphere.
+// Lengths in scene units, world space; angles in degrees. Every result is finite and above 0, for any input.
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
 import type { RadiusLimits } from './drag.js';
@@ -28,9 +26,7 @@ const ZOOM_REACH = 1e3;
 
 /** What `auto` stands for. An empty scene gives the origin and 4, a single point its place and 4. */
 export function fitPose(bounds: Bounds | null, fov: number, aspect: number): Pick<Pose, 'target' | 'radius'> {
-  if (bounds === null || !bounds.center.every(Number.isFinite)) {
-    return { target: [0, 0, 0], radius: EMPTY_RADIUS };
-  }
+  if (bounds === null || !bounds.center.every(Number.isFinite)) return { target: [0, 0, 0], radius: EMPTY_RADIUS };
   return { target: bounds.center, radius: fitRadius(bounds.radius, fov, aspect) };
 }
 
@@ -49,10 +45,7 @@ export function fitRadius(sphereRadius: number, fov: number, aspect: number): nu
 /** Zoom limits: 1e-3 to 1e3 times the scene's radius, which counts as 1 if it is 0. */
 export function zoomLimits(bounds: Bounds | null): RadiusLimits {
   const radius = bounds !== null && bounds.radius > 0 ? bounds.radius : 1;
-  return {
-    min: Math.min(radius, LARGEST_LENGTH) / ZOOM_REACH,
-    max: Math.min(radius * ZOOM_REACH, LARGEST_LENGTH),
-  };
+  return { min: Math.min(radius, LARGEST_LENGTH) / ZOOM_REACH, max: Math.min(radius * ZOOM_REACH, LARGEST_LENGTH) };
 }
 
 /**
@@ -74,8 +67,7 @@ export function depthRange(
     center = radius;
     reach = 0;
   }
-  // 1 % covers rounding to float32 and keeps near and far apart for a single point. For a sphere behind the eye the
-  // result only has to be a valid range.
+  // 1 % covers rounding to float32 and parts near and far for a single point. Behind the eye any valid range will do.
   out.far = 1.01 * Math.max(center + reach, radius / 1000);
   out.near = Math.max(0.99 * (center - reach), Math.min(out.far / 1000, radius / 10));
   out.cuts = bounds !== null && center - reach < out.near;

@@ -1,7 +1,6 @@
-// Camera poses of a gesture with one or more pointers: from the pose at the anchor and from where each finger was then
-// and is now. Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS
-// pixels; travel is measured along the picture's own axes.
-
+// Camera poses of a gesture with one or two pointers, from the pose at the anchor and where each finger was then and is
+// now: returning to the start restores the start pose exactly. Client coordinates in CSS pixels; travel is measured
+// along the picture's own axes.
 import { type PictureFrame, pinch, type RadiusLimits, shift, turn } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
@@ -114,7 +113,7 @@ export class PointerGesture {
     return moved;
   }
 
-  /** A pointer lifts. A finger that stays down continues from here. */
+  /** A finger that stays down continues from here. */
   lift(id: number): void {
     if (!this.has(id)) return;
     this.#fingers = this.#fingers.filter((finger) => finger.id !== id);
@@ -140,9 +139,8 @@ export class PointerGesture {
     const allows = this.#host.allows();
     const sameView = view.width === width && view.height === height && view.fov === this.#host.fov();
     const sameAxes = axes.every((x, i) => Math.abs(x - before[i]!) < AXIS_NOISE);
-    return (
-      !sameView || !sameAxes || allows.orbit !== orbit || allows.zoom !== zoom || this.#host.orbit.version !== version
-    );
+    const sameRights = allows.orbit === orbit && allows.zoom === zoom;
+    return !sameView || !sameAxes || !sameRights || this.#host.orbit.version !== version;
   }
 
   #pose({ pose, view, axes, orbit, zoom }: Anchor): Pose {
@@ -173,6 +171,5 @@ export function alongAxes(
   y: number,
 ): [number, number] {
   const area = rightX * downY - rightY * downX;
-  if (area === 0) return [0, 0];
-  return [(x * downY - y * downX) / area, (y * rightX - x * rightY) / area];
+  return area === 0 ? [0, 0] : [(x * downY - y * downX) / area, (y * rightX - x * rightY) / area];
 }

@@ -1,7 +1,5 @@
-// Pointer, wheel and key events on a picture, turned into camera moves. With `kept-drag` the only file in this folder
-// that knows the DOM: it turns events into numbers for the pure functions and notifies the host. Each event is handled
-// synchronously; no frame is requested and nothing is drawn. CSS pixels.
-
+// Pointer, wheel and key events on a picture, turned into numbers for the pure functions of this folder. Each event is
+// handled synchronously; no frame is requested and nothing is drawn. CSS pixels.
 import { keyPose, keyStep, wheelZoom } from './drag.js';
 import { type GestureHost, PointerGesture } from './gesture.js';
 import { keepDrag, SLOP } from './kept-drag.js';
@@ -25,9 +23,8 @@ const SECONDARY = 2;
 const MENU_DELAY = 300;
 
 /**
- * CSS pixels that a finger can move mainly up or down before the camera turns. The browser treats such a stroke as
- * scrolling within its own slop (15 px in Chromium) and cancels the pointer. Without this limit, scrolling past would
- * tilt the picture.
+ * CSS pixels that a finger can move mainly up or down before the camera turns, so that scrolling past does not tilt the
+ * picture: within its own slop (15 px in Chromium) the browser may make it a scroll and cancel the pointer.
  */
 const SCROLL_SLOP = 32;
 
@@ -69,13 +66,10 @@ export class OrbitInput {
     for (const type of Object.keys(this.#handlers)) {
       // Respect preventDefault() of the page's scripts, but always track where the pointers are.
       const claimable = /down|wheel/.test(type);
-      surface.addEventListener(
-        type,
-        (event) => {
-          if (!claimable || !event.defaultPrevented) this.take(event);
-        },
-        active,
-      );
+      const listener = (event: Event): void => {
+        if (!claimable || !event.defaultPrevented) this.take(event);
+      };
+      surface.addEventListener(type, listener, active);
     }
     // A drag must not select text: that would cancel the pointer.
     surface.addEventListener('selectstart', (event) => this.dragging && event.preventDefault(), { signal });
@@ -120,8 +114,7 @@ export class OrbitInput {
   #onPress(event: PointerEvent): void {
     const { orbit, zoom } = this.#host.allows();
     const touch = event.pointerType === 'touch';
-    if (!orbit && !zoom) return;
-    if (event.button !== PRIMARY && event.button !== SECONDARY) return;
+    if ((!orbit && !zoom) || (event.button !== PRIMARY && event.button !== SECONDARY)) return;
     this.#surface.focus({ preventScroll: true });
     this.#menuUntil = -1;
     // A pointer that presses again was released without an event.
@@ -174,10 +167,7 @@ export class OrbitInput {
     if (this.#button === SECONDARY && this.#gesture.dragged) this.#menuUntil = event.timeStamp + MENU_DELAY;
   }
 
-  /**
-   * Suppresses the context menu while the secondary button drags and once after a drag. Linux and macOS open it at the
-   * press, when it is not yet known whether a drag follows; it is suppressed there too.
-   */
+  /** Suppresses the context menu once after a secondary drag, and during it: Linux and macOS open it at the press. */
   #onMenu(event: MouseEvent): void {
     const wanted = !(this.#gesture.active && this.#button === SECONDARY) && !(event.timeStamp <= this.#menuUntil);
     this.#menuUntil = -1;
@@ -193,8 +183,7 @@ export class OrbitInput {
 
   #onWheel(event: WheelEvent): void {
     // A trackpad's pinch arrives as a wheel event with Ctrl and zooms too. Horizontal scrolling is left to the page.
-    if (event.deltaY === 0) return;
-    if (!this.#host.allows().zoom || !this.#focused()) return;
+    if (event.deltaY === 0 || !this.#host.allows().zoom || !this.#focused()) return;
     event.preventDefault();
     const { orbit } = this.#host;
     this.#moveTo(wheelZoom(orbit.pose, event, this.#host.size().height, this.#host.radiusLimits()), 'wheel');
@@ -206,8 +195,7 @@ export class OrbitInput {
     const { orbit, zoom } = this.#host.allows();
     if (step === undefined || !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom)) return;
     event.preventDefault();
-    // In slides the page would turn to the next one.
-    event.stopPropagation();
+    event.stopPropagation(); // slides would turn to the next page
     if (step.kind === 'reset') {
       this.#host.reset();
       this.reanchor();

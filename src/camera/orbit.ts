@@ -1,9 +1,8 @@
 // The camera's pose: the eye lies on a sphere around the target, given by azimuth and polar angle, in float64. Angles
 // in degrees, lengths in scene units, world axes. The basis comes from the angles, never from an up vector, so it is
 // orthonormal at the poles too.
-
 import { cosDegrees, sinDegrees } from '../math/angle.js';
-import type { Vec3 } from '../math/vector.js';
+import { clamp, type Vec3 } from '../math/vector.js';
 
 /** Position and direction of the camera. Angles in degrees, lengths in scene units. */
 export interface Pose {
@@ -29,12 +28,7 @@ export interface Basis {
 /** Larger coordinates would make products overflow float32 on the GPU. */
 export const LARGEST_LENGTH = 1e15;
 
-const DEFAULT_POSE: Pose = Object.freeze({
-  theta: 30,
-  phi: 70,
-  radius: 4,
-  target: Object.freeze([0, 0, 0] as const),
-});
+const DEFAULT_POSE: Pose = Object.freeze({ theta: 30, phi: 70, radius: 4, target: Object.freeze([0, 0, 0] as const) });
 
 export class Orbit {
   #theta = DEFAULT_POSE.theta;
@@ -73,12 +67,7 @@ export class Orbit {
 
   /** The camera as it is now: a frozen value, not affected by later changes. */
   get pose(): Pose {
-    this.#pose ??= Object.freeze({
-      theta: this.#theta,
-      phi: this.#phi,
-      radius: this.#radius,
-      target: this.#target,
-    });
+    this.#pose ??= Object.freeze({ theta: this.#theta, phi: this.#phi, radius: this.#radius, target: this.#target });
     return this.#pose;
   }
 
@@ -88,13 +77,12 @@ export class Orbit {
    */
   set(change: Partial<Pose>): void {
     const { theta = this.#theta, phi = this.#phi, radius = this.#radius, target = this.#target } = change;
-    if (!Number.isFinite(theta) || !Number.isFinite(phi) || !Number.isFinite(radius) || !(radius > 0)) {
+    if (!Number.isFinite(theta) || !Number.isFinite(phi) || !Number.isFinite(radius) || !(radius > 0))
       throw new RangeError('a camera needs finite angles and a finite radius above 0');
-    }
     const nextTarget = target === this.#target ? target : reachableTarget(target, this.#target);
     // Adding 0 turns -0 into 0, so that equal cameras print alike.
     const nextTheta = theta + 0;
-    const nextPhi = Math.min(Math.max(phi, 0), 180) + 0;
+    const nextPhi = clamp(phi, 0, 180) + 0;
     const nextRadius = Math.min(radius, LARGEST_LENGTH);
     const sameAngles = nextTheta === this.#theta && nextPhi === this.#phi;
     if (sameAngles && nextRadius === this.#radius && nextTarget === this.#target) return;
@@ -158,4 +146,4 @@ function reachableTarget(target: Vec3, present: Vec3): Vec3 {
   return same ? present : Object.freeze(next);
 }
 
-export const clampLength = (x: number): number => Math.min(Math.max(x, -LARGEST_LENGTH), LARGEST_LENGTH) + 0;
+export const clampLength = (x: number): number => clamp(x, -LARGEST_LENGTH, LARGEST_LENGTH) + 0;

@@ -1,6 +1,5 @@
 // The azimuth of `auto-rotate` at a given time: the azimuth at the start plus speed times elapsed time. Frames are
 // never summed, so nothing drifts. Degrees, degrees per second, milliseconds of one clock. Requests no frames itself.
-
 import type { Orbit } from './orbit.js';
 
 export class Turntable {

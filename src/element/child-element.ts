@@ -1,5 +1,4 @@
-// What lights and meshes have in common: values from attributes and properties, and a place in the nearest viewer's
-// registry. They render nothing themselves.
+// What lights and meshes share: values from attributes and properties, and a place in the nearest viewer's registry.
 import type { FieldStore } from '../fields/field-store.js';
 import { type ChildRegistry, registryAround } from './child-registry.js';
 import { inspect } from './diagnosis/inspect.js';

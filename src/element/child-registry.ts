@@ -1,6 +1,5 @@
-// Which elements belong to which viewer. Each light and mesh registers with the nearest enclosing <phong-viewer>, at
-// any depth and across shadow roots, but not from the content of a slot (slot="error"). A viewer that is not upgraded
-// yet finds them when it is.
+// Which elements belong to which viewer: lights and meshes to the nearest one around, at any depth and across shadow
+// roots, but not in the content of a slot (slot="error"). A viewer that is upgraded later finds them then.
 import type { ViewerChildren } from './viewer/children.js';
 
 const registries = new WeakMap<Element, ChildRegistry>();
@@ -51,9 +50,8 @@ export class ChildRegistry {
 
   add(child: HTMLElement): void {
     this.#inOrder = null;
-    if (this.#children.has(child)) {
-      this.#listener?.moved();
-    } else {
+    if (this.#children.has(child)) this.#listener?.moved();
+    else {
       this.#children.add(child);
       this.#listener?.added(child);
     }
@@ -71,8 +69,7 @@ export class ChildRegistry {
 
   /** In document order. Sorted on demand, in one pass over the viewer's tree; a new array after a change. */
   get inOrder(): readonly HTMLElement[] {
-    this.#inOrder ??= sorted(this.#children, this.#viewer);
-    return this.#inOrder;
+    return (this.#inOrder ??= sorted(this.#children, this.#viewer));
   }
 }
 

@@ -17,10 +17,7 @@ export const createSvg = <Tag extends keyof SVGElementTagNameMap>(
 /** As written last. Reading attributes back from the page took a tenth of the script of a frame with 64 lights. */
 const written = new WeakMap<Element, Record<string, string | null>>();
 
-/**
- * Writes only what changes: every write is a mutation that the browser restyles and the page may observe. Null removes
- * an attribute. Nothing else may write these attributes.
- */
+/** Writes only changes: every write is restyled, and may be observed. Null removes. Nothing else may write these. */
 export function set<E extends Element>(element: E, attributes: Attributes): E {
   let known = written.get(element);
   if (known === undefined) written.set(element, (known = {}));

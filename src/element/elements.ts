@@ -1,5 +1,4 @@
-// The elements as their users see them, and as the parts of each other see them. The classes implement these types.
-// Types only.
+// The elements as their users and each other's parts see them. The classes implement these types. Types only.
 import type { LitElement } from 'lit';
 import type { Scene } from 'three';
 import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';

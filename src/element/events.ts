@@ -1,5 +1,4 @@
-// The elements' events: names, details and when they are dispatched. `addEventListener`, JSX and the editors' data take
-// their types and descriptions from this list. Types only.
+// The elements' events, for `addEventListener`, JSX and the editors' data: names, details, when they come. Types only.
 import type { CameraSource, PhongLight } from './elements.js';
 import type { FragmentExplanation } from './explanation.js';
 import type { ViewerErrorCode } from './fields/texts.js';

@@ -1,5 +1,4 @@
-// What this package's own code, the panel included, can reach on an element while users cannot: its declared values,
-// its camera, what it shows, and what its probe is pinned to.
+// What this package's own code, the panel included, can reach on an element while users cannot.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import type { CompareValues } from './fields/compare-fields.js';
@@ -17,10 +16,8 @@ interface ValuesByTag {
   'phong-compare': CompareValues;
 }
 
-type Tag = keyof ValuesByTag;
-
 /** The declared values of an element, with checks as for its properties. */
-export const fieldsOf = <T extends Tag>(
+export const fieldsOf = <T extends keyof ValuesByTag>(
   element: HTMLElement & { readonly localName: T },
 ): FieldBinding<ValuesByTag[T]> => bindingOf(element);
 

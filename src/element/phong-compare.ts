@@ -1,5 +1,4 @@
-// <phong-compare>: viewers over each other with dividers, or side by side. Holds the declared values and the box that
-// CSS gives a size; what shows the viewers in it is a chunk. Their cameras are linked by viewer/camera-group.ts.
+// <phong-compare>: the declared values, and the box that CSS sizes. A chunk shows the viewers in it.
 import { html, LitElement, nothing } from 'lit';
 import { FieldStore } from '../fields/field-store.js';
 import { lazyCode, reportMissing } from '../model/lazy-code.js';

@@ -1,5 +1,4 @@
-// <phong-control>: one value of viewers, lights or meshes, anywhere on the page. All that it does is a chunk,
-// fetched when the first one is on the page; it also gives the class its properties.
+// <phong-control>: one value of viewers, lights or meshes, anywhere on the page. Its chunk also gives it properties.
 import type { PhongControl as PublicControl } from './elements.js';
 import { reportMissing } from '../model/lazy-code.js';
 import type { ControlProperties } from './fields/control-fields.js';

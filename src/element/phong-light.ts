@@ -1,5 +1,4 @@
-// <phong-light>: a light as markup. It renders nothing; its attributes and properties write into one LightState, which
-// the viewer around it shades with.
+// <phong-light>: a light as markup. Renders nothing; its attributes and properties write into one LightState.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state.js';
 import type { ElementClass, PhongLight as PublicLight } from './elements.js';
 import { childBinding, ChildElement } from './child-element.js';

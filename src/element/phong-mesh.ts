@@ -1,5 +1,4 @@
-// <phong-mesh>: a mesh as markup. It renders nothing; its attributes and properties write into one FieldStore, which
-// the viewer around it shows.
+// <phong-mesh>: a mesh as markup. Renders nothing; its attributes and properties write into one FieldStore.
 import { FieldStore } from '../fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
 import { childBinding, ChildElement } from './child-element.js';

@@ -1,17 +1,9 @@
-// <phong-viewer>: the element. It translates attributes and children into state for the picture, input into camera
-// moves, and what happens into events. It computes no light and draws nothing itself.
+// <phong-viewer>: makes attributes and children state for the picture, input camera moves, and what happens events.
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import { lazyCode } from '../model/lazy-code.js';
-import type {
-  CameraState,
-  PhongLight,
-  PhongMesh,
-  PhongViewer as PublicViewer,
-  ViewerClass,
-  ViewerStats,
-} from './elements.js';
+import type { CameraState, PhongLight, PhongMesh, PhongViewer as PublicViewer, ViewerClass } from './elements.js';
 import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
@@ -33,7 +25,7 @@ import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/viewer-panel.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
-import { NAMING } from './viewer/naming.js';
+import { NAMING } from './viewer/description.js';
 import { Readiness } from './viewer/readiness.js';
 import { sceneMarkup } from './viewer/to-html.js';
 
@@ -158,7 +150,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.hasUpdated) this.#loading.retry();
   }
 
-  get stats(): ViewerStats {
+  get stats(): PublicViewer['stats'] {
     return { lightsDeclared: this.lights.length, ...this.#context.viewport.stats };
   }
 

@@ -13,11 +13,10 @@ export function clip(text: string, longest = LONGEST): string {
 }
 
 /** A whole message. Texts inside that were not clipped are recognised as words that are too long. */
-export const clipMessage = (message: string): string =>
-  clip(
-    message.replace(/\S+/g, (word) => clip(word)),
-    LONGEST_MESSAGE,
-  );
+export function clipMessage(message: string): string {
+  const clipped = message.replace(/\S+/g, (word) => clip(word));
+  return clip(clipped, LONGEST_MESSAGE);
+}
 
 /** Names beyond these are counted only. */
 const MOST_LISTED = 10;

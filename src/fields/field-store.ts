@@ -1,5 +1,5 @@
 // The declared values of one light, mesh or viewer: each has its default until it is set, is checked when it is set,
-// and notifies one listener when it changes. There is no second copy of them.
+// and notifies one listener when it changes.
 import type { Field } from './field.js';
 
 export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };

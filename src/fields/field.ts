@@ -1,6 +1,5 @@
-// A declared value's default, its domain in words, and the one check for everything that sets it: attributes after
-// parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full
-// colour).
+// A declared value's default, its domain in words, and the one check for all that sets it: attributes, properties and
+// the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full colour).
 import type { Vec3, Vec4 } from '../math/vector.js';
 import { clip } from './clip.js';
 
@@ -150,20 +149,18 @@ export function homogeneousField(fallback: Vec4, range: Range): Field<Vec4> {
 }
 
 /** One number means the same on all three axes. */
-export function scaleField(fallback: Vec3, range: Range): Field<Vec3> {
-  const expected = `1 or 3 numbers, each a ${rangeWords(range)}`;
-  return orSingle(tupleField(fallback, range, expected, repeatSingle));
-}
+export const scaleField = (fallback: Vec3, range: Range): Field<Vec3> =>
+  repeatedField(fallback, range, `1 or 3 numbers, each a ${rangeWords(range)}`);
 
 /** Three channels where 255 is full; one number means grey. */
 export function colorField(fallback: Vec3, range: Range): Field<Vec3> {
   const expected = `r g b (or one number), each a ${rangeWords(range)} with 255 full, or a CSS colour in sRGB`;
-  return { ...orSingle(tupleField(fallback, range, expected, repeatSingle)), kind: 'color' };
+  return { ...repeatedField(fallback, range, expected), kind: 'color' };
 }
 
-const repeatSingle = (n: readonly unknown[]): readonly unknown[] => (n.length === 1 ? [...n, ...n, ...n] : n);
-
-function orSingle(tuple: Field<Vec3>): Field<Vec3> {
+/** Three numbers, or one, alone or in a list, that stands for all three. */
+function repeatedField(fallback: Vec3, range: Range, expected: string): Field<Vec3> {
+  const tuple = tupleField(fallback, range, expected, (n) => (n.length === 1 ? [...n, ...n, ...n] : n));
   return { ...tuple, check: (value) => tuple.check(typeof value === 'number' ? [value] : value) };
 }
 
@@ -175,17 +172,15 @@ export const presenceField = (): Field<boolean> => typeField<boolean>('presence'
 export const textField = (fallback = '', expected = 'text'): Field<string> => typeField('text', fallback, expected);
 
 /** Any value of the default's type. */
-function typeField<T extends boolean | string>(kind: FieldKind, fallback: T, expected: string): Field<T> {
-  return {
-    kind,
-    fallback,
-    expected,
-    check(value) {
-      if (typeof value !== typeof fallback) throw wrong(expected, value);
-      return value as T;
-    },
-  };
-}
+const typeField = <T extends boolean | string>(kind: FieldKind, fallback: T, expected: string): Field<T> => ({
+  kind,
+  fallback,
+  expected,
+  check(value) {
+    if (typeof value !== typeof fallback) throw wrong(expected, value);
+    return value as T;
+  },
+});
 
 export function choiceField<T extends string>(fallback: T, choices: readonly T[]): Field<T> {
   const expected = `one of ${choices.map((c) => (c === '' ? '(empty)' : c)).join(', ')}`;
@@ -229,8 +224,8 @@ export function subsetField<T extends string>(
 }
 
 /**
- * False, true if present without a value or with its own name (as HTML's boolean attributes), or a list of words: all
- * from one of `lists`, in the order given, each once.
+ * False; true if present without a value or with its own name, as in HTML; or a list of words, all from one of `lists`,
+ * in the order given, each once.
  */
 export function flagOrWordsField(
   own: string,
@@ -254,9 +249,7 @@ export function flagOrWordsField(
 }
 
 /** A value that may be absent: null if nothing is given. */
-export function optional<T>(field: Field<T>): Field<T | null> {
-  return { ...field, fallback: null, check: (value) => field.check(value) };
-}
+export const optional = <T>(field: Field<T>): Field<T | null> => ({ ...field, fallback: null });
 
 /** Another field's value, or a word in its place: `auto`. The word is the default. */
 export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T | W> {

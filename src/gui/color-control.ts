@@ -5,14 +5,13 @@ import { parseText } from '../element/fields/attribute-text.js';
 import type { ViewerText } from '../element/fields/texts.js';
 import { sameValue } from '../fields/field-store.js';
 import { LIGHT_FIELDS, LIMITS } from '../light/light-state.js';
-import { map, type Vec3 } from '../math/vector.js';
+import { clamp, map, type Vec3 } from '../math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { InputRow, nameInput, TextField } from './input-row.js';
 import { explain } from './label.js';
 import { Slider } from './number-controls.js';
 import { linear, numberText } from './travel.js';
 
-/** Reads and checks text as every colour attribute does. */
 const COLOR = LIGHT_FIELDS.diffuse;
 
 /** `usual`: the end of the brightness slider; 1 is 255. */
@@ -61,7 +60,6 @@ const WHITE: Vec3 = [255, 255, 255];
 
 export class ColorMix {
   #picked: Tint | null = null;
-  /** The last value that was not black. */
   #hue: Vec3 = WHITE;
 
   /** Splits a value the way it was picked here, or with the smallest factor if it came from elsewhere. */
@@ -96,12 +94,11 @@ function times(color: Vec3, factor: number): Vec3 {
 /** `#rrggbb`, channels rounded and clamped. */
 export function hexOf(color: Vec3): string {
   const digits = color.map((c) =>
-    Math.round(Math.min(Math.max(c, 0), 255))
+    Math.round(clamp(c, 0, 255))
       .toString(16)
       .padStart(2, '0'),
   );
   return `#${digits.join('')}`;
 }
 
-/** The channels of `#rrggbb`. */
 export const colorOf = (hex: string): Vec3 => map([1, 3, 5], (at) => parseInt(hex.slice(at, at + 2), 16));

@@ -1,5 +1,5 @@
 // The rows of a <phong-control> that the panel has not: a stepper through values, and fields without a row.
-import { Controller, type GUI } from 'lil-gui';
+import { write } from '../element/dom.js';
 import { attributeOf, formatValue, parseText } from '../element/fields/attribute-text.js';
 import type { ViewerText } from '../element/fields/texts.js';
 import { sceneMeshes } from '../element/internals.js';
@@ -7,7 +7,8 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Field } from '../fields/field.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Bound } from './bound.js';
-import { label, nameRow, type Say } from './label.js';
+import { InputRow } from './input-row.js';
+import { label, type Say } from './label.js';
 import {
   type AnyRow,
   declared,
@@ -30,61 +31,54 @@ const NOTHING = '–';
 const same = (a: unknown, b: unknown): boolean =>
   typeof a === 'number' && typeof b === 'number' ? Math.abs(a - b) < 1e-6 : sameValue(a, b);
 
-class StepControl extends Controller {
-  readonly #bound: Bound<unknown>;
-  readonly #values: readonly unknown[];
-  readonly #buttons: readonly HTMLButtonElement[];
-  readonly #output = document.createElement('output');
-  readonly #text: (value: unknown) => string;
-
-  /** `list`: values as the attribute's text, separated by `|`. What the field refuses is left out. */
-  constructor(folder: GUI, value: Bound<unknown>, name: ViewerText, field: Field<unknown>, list: string) {
-    super(folder, value, 'value', 'steps');
-    nameRow(this, name);
-    this.#bound = value;
-    this.#values = list.split('|').flatMap((text) => valuesIn(text, field));
+/** Goes through the values of `list`, the attribute's text separated by `|`. What the field refuses is left out. */
+export const stepper = (
+  key: string,
+  field: Field<unknown>,
+  list: string,
+  own: AnyRow<Editable> | null,
+): AnyRow<Editable> => ({
+  ...(own?.source === undefined ? {} : { source: own.source }),
+  add: (gui, _, bound: Bound<unknown>) => {
+    const values = list.split('|').flatMap((text) => valuesIn(text, field));
+    const place = (): number => values.findIndex((value) => same(value, bound.value));
+    /** From a value that is not in the list, to its first or last. */
+    const go = (by: -1 | 1): void => {
+      const at = place();
+      const next = values.at(at < 0 ? (by < 0 ? -1 : 0) : Math.max(at + by, 0));
+      if (next !== undefined && !same(next, bound.value)) bound.value = next;
+    };
     let say: Say = (text) => text;
-    this.#text = (shown) =>
-      (formatValue(shown, field) ?? '').replace(/[\w-]+/g, (word) => say(word as ViewerText)) || NOTHING;
-    this.#buttons = (['back', 'forward'] as const).map((text, i) => {
-      const button = document.createElement('button');
-      button.type = 'button';
-      button.className = text;
-      button.id = `${this.$name.id}-${text}`;
-      button.setAttribute('aria-labelledby', `${this.$name.id} ${button.id}`);
-      label(button, (words) => {
+    const stepTo = (text: 'back' | 'forward') => {
+      const input = document.createElement('button');
+      input.type = 'button';
+      input.className = text;
+      input.addEventListener('click', () => go(text === 'back' ? -1 : 1));
+      const end = text === 'back' ? 0 : values.length - 1;
+      const update = (): void => {
+        const at = place();
+        input.setAttribute('aria-disabled', String(at >= 0 && at === end));
+      };
+      return { input, update };
+    };
+    const output = document.createElement('output');
+    const update = (): void => {
+      const text = formatValue(bound.value, field) ?? '';
+      write(output, text.replace(/[\w-]+/g, (word) => say(word as ViewerText)) || NOTHING);
+    };
+    const [back, forward] = [stepTo('back'), stepTo('forward')];
+    const row = new InputRow(gui, bound, 'steps', nameOf(key), [back, { input: output, update }, forward]);
+    for (const { input } of [back, forward]) {
+      input.id = `${row.$name.id}-${input.className}`;
+      input.setAttribute('aria-labelledby', `${row.$name.id} ${input.id}`);
+      label(input, (words) => {
         say = words;
-        button.setAttribute('aria-label', words(text));
+        input.setAttribute('aria-label', words(input.className as ViewerText));
       });
-      button.addEventListener('click', () => this.#go(i === 0 ? -1 : 1));
-      return button;
-    });
-    this.#output.setAttribute('aria-labelledby', this.$name.id);
-    this.$widget.append(this.#buttons[0]!, this.#output, this.#buttons[1]!);
-    this.updateDisplay();
-  }
-
-  override updateDisplay(): this {
-    const at = this.#place;
-    const text = this.#text(this.#bound.value);
-    if (this.#output.textContent !== text) this.#output.textContent = text;
-    this.#buttons.forEach((button, i) =>
-      button.setAttribute('aria-disabled', String(at >= 0 && at === (i === 0 ? 0 : this.#values.length - 1))),
-    );
-    return this;
-  }
-
-  get #place(): number {
-    return this.#values.findIndex((value) => same(value, this.#bound.value));
-  }
-
-  /** From a value that is not in the list, to its first or last. */
-  #go(by: -1 | 1): void {
-    const at = this.#place;
-    const next = this.#values.at(at < 0 ? (by < 0 ? -1 : 0) : Math.max(at + by, 0));
-    if (next !== undefined && !same(next, this.#bound.value)) this.#bound.value = next;
-  }
-}
+    }
+    update();
+  },
+});
 
 function valuesIn(text: string, field: Field<unknown>): readonly unknown[] {
   try {
@@ -134,16 +128,3 @@ export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRo
   if (kind === 'text') return known(text(name), String);
   return known(flag(name), Boolean);
 }
-
-/** Goes through the values of `list`. */
-export const stepper = (
-  key: string,
-  field: Field<unknown>,
-  list: string,
-  own: AnyRow<Editable> | null,
-): AnyRow<Editable> => ({
-  ...(own?.source === undefined ? {} : { source: own.source }),
-  add: (gui, _, value) => {
-    new StepControl(gui, value, nameOf(key), field, list);
-  },
-});

@@ -4,7 +4,7 @@ import { GUI } from 'lil-gui';
 import { attributeOf } from '../element/fields/attribute-text.js';
 import { CONTROL_FIELDS, type ControlValues } from '../element/fields/control-fields.js';
 import { attributesOf, bindingOf, defineProperties, FieldBinding } from '../element/fields/field-binding.js';
-import type { ViewerTexts } from '../element/fields/texts.js';
+import { phrase, type ViewerTexts } from '../element/fields/texts.js';
 import { addStyles, removeStyles } from '../element/page/style-sheets.js';
 import { PhongControl } from '../element/phong-control.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -14,14 +14,12 @@ import type { Field } from '../fields/field.js';
 import { FieldStore, sameValue } from '../fields/field-store.js';
 import { nearest } from '../fields/nearest.js';
 import { bound, type Bound } from './bound.js';
-import { dress, isInText, settle } from './control-form.js';
 import { rowOf, stepper } from './control-rows.js';
 import styles from './control.css?inline';
 import { LIGHT_ROWS } from './light-rows.js';
 import { MESH_ROWS } from './mesh-rows.js';
 import { declared, type Editable, type Rows, type Source } from './rows.js';
-import { SceneRange } from './travel.js';
-import type { SliderScale } from './travel.js';
+import { SceneRange, type SliderScale } from './travel.js';
 import { listenForUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
 
@@ -31,7 +29,7 @@ const ROWS = {
   'phong-mesh': MESH_ROWS,
 } as unknown as Readonly<Record<string, Rows<Editable>>>;
 
-/** A missing element may come with a later script. Milliseconds before it is called a mistake. */
+/** Milliseconds in which a missing element may come with a later script. */
 const PATIENCE = 2000;
 
 const controls = new WeakMap<PhongControl, Control>();
@@ -107,7 +105,6 @@ class Control {
     return root.getElementById(id) ?? this.#element.ownerDocument.getElementById(id);
   }
 
-  /** Builds the row again if other elements have the ids. */
   #find(): void {
     if (!this.#element.isConnected) {
       this.stop();
@@ -126,7 +123,6 @@ class Control {
     this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
   }
 
-  /** Warns of ids and attributes that nothing has. */
   #complain(): void {
     const { for: ids, attribute } = this.#element;
     const tag = `<phong-control for="${clip(ids)}" attribute="${clip(attribute)}">`;
@@ -254,3 +250,79 @@ const together = (subjects: readonly Undoable<unknown>[]): Undoable<readonly unk
   same: (a, b) => subjects.every((subject, i) => subject.same(a[i], b[i])),
   restore: (from, to) => subjects.forEach((subject, i) => subject.restore(from[i], to[i])),
 });
+
+/** The unit in a row's name, as it is written behind a number. */
+const UNIT = /\s*°$/;
+
+/** What the panel's rows lack outside of it: parts, the author's label, units, and what is printed. */
+function dress(gui: GUI, key: string, element: PhongControl): void {
+  const rows = gui.controllers;
+  const box = gui.domElement;
+  const hasLabel = element.textContent.trim() !== '' || element.firstElementChild !== null;
+  for (const { $name, $widget, domElement } of rows) {
+    $name.part.add('label');
+    for (const input of $widget.querySelectorAll<HTMLElement>('input, select, button, output')) input.part.add('input');
+    if (domElement.classList.contains('lil-number')) {
+      const unit = key === 'autoRotate' ? '°/s' : UNIT.test($name.textContent) ? '°' : '';
+      $name.textContent = $name.textContent.replace(UNIT, '');
+      const behind = document.createElement('span');
+      behind.part.add('unit');
+      behind.textContent = unit;
+      $widget.append(behind);
+      const slider = $widget.querySelector<HTMLInputElement>('[type="range"]')!;
+      slider.tabIndex = 0; // alone, without the panel's other rows to pass by
+      const field = $widget.querySelector<HTMLInputElement>('.number')!;
+      if (field.type === 'text') field.role = 'spinbutton';
+    }
+    const printed = document.createElement('span');
+    printed.className = 'printed';
+    domElement.append(printed);
+  }
+  if (!hasLabel) return;
+  let name = rows[0]!.$name;
+  if (rows.length > 1) {
+    name = document.createElement('span');
+    name.id = 'label';
+    name.part.add('label');
+    box.role = 'group';
+    box.setAttribute('aria-labelledby', name.id);
+    box.prepend(name);
+  }
+  name.replaceChildren(document.createElement('slot'));
+}
+
+/** After each change: the width of numbers, and the text for paper. */
+function settle(gui: GUI, texts: ViewerTexts | null): void {
+  for (const { $widget, domElement } of gui.controllers) {
+    const inputs = $widget.querySelectorAll<HTMLInputElement>(
+      'output, select, input:not([type="range"], [type="color"])',
+    );
+    const said = Array.from(inputs, (input) => {
+      if (input.classList.contains('number')) {
+        input.style.setProperty('--digits', String(Math.max(input.value.length, 1)));
+        if (input.role === 'spinbutton') input.ariaValueNow = input.value;
+      }
+      if (input.type === 'checkbox') return phrase(texts, input.checked ? 'on' : 'off');
+      if (input.localName === 'select') return (input as unknown as HTMLSelectElement).selectedOptions[0]?.text ?? '';
+      return input.value;
+    });
+    const unit = $widget.querySelector('[part="unit"]')?.textContent ?? '';
+    domElement.querySelector('.printed')!.textContent = said.join(' ') + unit;
+  }
+}
+
+/** Whether text stands beside `element` in its line, up to a line break or a block. */
+function isInText(element: Element): boolean {
+  for (const side of ['previousSibling', 'nextSibling'] as const)
+    for (let node = element[side]; node !== null; node = node[side]) {
+      if (node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '') return true;
+      if (node.nodeType !== Node.ELEMENT_NODE) continue;
+      const { localName, textContent } = node as Element;
+      if (localName === 'br' || !isInline(node as Element)) break;
+      if (localName !== 'phong-control' && textContent.trim() !== '') return true;
+    }
+  const parent = element.parentElement;
+  return parent !== null && isInline(parent) && isInText(parent);
+}
+
+const isInline = (element: Element): boolean => /^(inline|contents)/.test(getComputedStyle(element).display);

@@ -1,5 +1,4 @@
-// The panel's row of files: opens a model, saves the picture, copies the markup. Works under a strict
-// Content-Security-Policy.
+// The panel's row of files: opens a model, saves the picture, copies the markup.
 import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/texts.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -63,10 +62,7 @@ function addCopyButton(row: ButtonRow, markup: () => string): void {
   };
 }
 
-/**
- * Opens the browser's file dialog; several files are one model, as when they are dropped. Calls `chosen` with the
- * model. Nothing is called if the user cancels.
- */
+/** Opens the browser's file dialog; several files are one model, as when they are dropped. */
 export function chooseModel(chosen: (model: Blob) => void): void {
   const dialog = document.createElement('input');
   dialog.type = 'file';
@@ -83,10 +79,7 @@ export function chooseModel(chosen: (model: Blob) => void): void {
   dialog.click();
 }
 
-/**
- * How long the file stays in memory for the browser to save it, ms. Browsers read it after the click, some after a
- * dialog.
- */
+/** How long the file stays in memory, ms. Browsers read it after the click, some after a dialog. */
 const KEPT_MS = 40_000;
 
 async function savePicture(viewer: PhongViewer): Promise<void> {

@@ -1,5 +1,4 @@
-// Rows of inputs, and some kinds of them: a field of text that writes while the user types, a choice, and text that the
-// user cannot edit.
+// Rows of inputs: a field of text that writes while the user types, a choice, and text that the user cannot edit.
 import { Controller, type GUI } from 'lil-gui';
 import { write } from '../element/dom.js';
 import type { ViewerText } from '../element/fields/texts.js';
@@ -13,7 +12,6 @@ export interface RowInput {
   update(): void;
 }
 
-/** A row with inputs for one value. */
 export class InputRow extends Controller {
   readonly #inputs: readonly RowInput[];
 
@@ -57,10 +55,7 @@ export function addText(folder: GUI, bound: Bound<string>, name: ViewerText, pla
   new InputRow(folder, bound, 'text', name, [{ input, update }]);
 }
 
-/**
- * One of several values. `listed`: these, in their order; read again at each update. The list stays open while they and
- * the value stay the same.
- */
+/** One of several values. The list stays open while `listed`, read at each update, and the value stay the same. */
 export function addSelect<T extends string | null>(
   folder: GUI,
   bound: Bound<T>,
@@ -85,7 +80,6 @@ export function addSelect<T extends string | null>(
   return new InputRow(folder, bound, 'lil-option', name, [{ input, update }]);
 }
 
-/** Text that the user cannot edit. */
 export class Readout extends Controller {
   readonly #stop = new AbortController();
 
@@ -108,10 +102,7 @@ export class Readout extends Controller {
   }
 }
 
-/**
- * Accepted text is written at once, refused text is marked. Nothing overwrites the text while the user types;
- * afterwards the field shows the value.
- */
+/** Writes accepted text at once and marks refused text. Nothing overwrites the text while the user types. */
 export class TextField {
   readonly input = document.createElement('input');
   readonly #read: () => string;
@@ -135,14 +126,13 @@ export class TextField {
     input.addEventListener('blur', () => this.settle());
   }
 
-  /** Shows the value, unless the user types. */
   update(): void {
     if (this.#typing) return;
     const text = this.#read();
     if (this.input.value !== text) this.input.value = text;
   }
 
-  /** Ends typing: shows the value. */
+  /** Ends typing. */
   settle(): void {
     this.#typing = false;
     this.#valid = true;

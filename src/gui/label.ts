@@ -8,10 +8,7 @@ export type Say = (text: ViewerText, values?: Readonly<Record<string, string>>) 
 
 const writers = new WeakMap<Element, (say: Say) => void>();
 
-/**
- * Writes what `element`, a part of the panel, shows: now and whenever the texts change. An element has one such
- * function.
- */
+/** `write` shows the text of `element`: now and whenever the texts change. An element has one such function. */
 export function label(element: Element, write: (say: Say) => void): void {
   writers.set(element, write);
   write(sayIn(element));
@@ -23,7 +20,6 @@ export function nameRow<Row extends Controller>(row: Row, name: ViewerText): Row
   return row;
 }
 
-/** Gives `element` a tooltip. */
 export function explain(element: HTMLElement, text: ViewerText): void {
   label(element, (say) => (element.title = say(text)));
 }

@@ -8,7 +8,7 @@ import { historyOf, valuesOf } from '../element/viewer/history.js';
 import { isSpot, kindOf } from '../light/light-features.js';
 import { KINDS, LIGHT_SPACES, type LightKind, type LightValues } from '../light/light-state.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
-import type { ChildKind, TitleSwitch } from './child-folders.js';
+import type { ChildKind, TitleSwitch } from './folders.js';
 import { label } from './label.js';
 import {
   color,
@@ -108,8 +108,7 @@ function addSwitch({ domElement, $title }: GUI, light: PhongLight, viewer: Phong
 export const LIGHTS: ChildKind<PhongLight> = {
   rows: LIGHT_ROWS,
   children: ({ lights }) => lights,
-  // The same default as the element's `name`, without its search through all siblings, which is slow with hundreds of
-  // lights.
+  // The element's `name` would search through all siblings, which is slow with hundreds of lights.
   title: (light, index, texts) => valuesIn(light).name || numberedName(index, texts),
   addSwitch,
 };

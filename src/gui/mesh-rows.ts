@@ -7,12 +7,11 @@ import { historyOf, valuesOf } from '../element/viewer/history.js';
 import { SURFACE_FIELDS, type SurfaceValues, REFLECTIONS, SHADINGS } from '../material/material-values.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import { ButtonRow } from './button-row.js';
-import type { ChildKind } from './child-folders.js';
+import type { ChildKind } from './folders.js';
 import { chooseModel } from './files-row.js';
 import { button, color, readout, NO_ROW, number, oneOf, type Row, type RowTable, text, vector } from './rows.js';
 import { linear, logarithmic } from './travel.js';
 
-/** A button that shows a file of the user's instead of the mesh's model or shape. */
 const modelFile: Row<MeshValues['src'], PhongMesh> = {
   add: (gui, { element: mesh, viewer }) =>
     new ButtonRow(gui, 'Model').add('choose model file…', () =>
@@ -34,7 +33,7 @@ export const SURFACE_ROWS = {
   ),
 } satisfies RowTable<SurfaceValues, PhongMesh | PhongViewer, 'resetMaterial'>;
 
-/** How many segments the shape has; under `auto`: what that gives now. */
+/** Under `auto`: what that gives now. */
 export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
   ...readout('segments', (element: PhongMesh | PhongViewer) => String(sceneMeshes.get(element)?.segments ?? ''), true),
   shown: ({ src, geometry }) => src === '' && geometry !== null,

@@ -2,17 +2,14 @@
 import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/texts.js';
 import { followDrag } from '../element/page/followed-drag.js';
-import type { Vec3 } from '../math/vector.js';
+import { clamp, type Vec3 } from '../math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { label } from './label.js';
 import { InputRow, nameInput, type RowInput, TextField } from './input-row.js';
 import { tidy } from '../math/round-number.js';
 import { numberText, type SliderScale } from './travel.js';
 
-/**
- * A slider over the usual range, and a field that accepts every value that the element accepts. `travel`: the slider's
- * scale while the value lies within it, as it is now.
- */
+/** A slider over the usual range, and a field that accepts every value that the element accepts. */
 export function addNumber(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => SliderScale): InputRow {
   const slider = new Slider(bound, travel);
   // The field does everything by keyboard that the slider does, so one tab stop per row is enough.
@@ -28,7 +25,6 @@ export type ComponentNames = readonly [ViewerText, ViewerText, ViewerText];
 
 const AXES: ComponentNames = ['{row} x', '{row} y', '{row} z'];
 
-/** One number of a vector. */
 export const componentOf = (value: Bound<Vec3>, axis: Axis): Bound<number> =>
   bound(
     () => value.value[axis],
@@ -38,7 +34,6 @@ export const componentOf = (value: Bound<Vec3>, axis: Axis): Bound<number> =>
     },
   );
 
-/** Names the row of one number of a vector. */
 export const nameComponent = (
   name: HTMLElement,
   row: ViewerText,
@@ -62,7 +57,6 @@ export function addVector(
 /** Its range grows to include the value, but not while it is dragged. */
 export class Slider implements RowInput {
   readonly input = document.createElement('input');
-  /** The scale in use. */
   scale: SliderScale;
   readonly #bound: Bound<number>;
   readonly #travel: () => SliderScale;
@@ -89,7 +83,6 @@ export class Slider implements RowInput {
     });
   }
 
-  /** Shows the value. */
   update(): void {
     const { value } = this.#bound;
     const { input } = this;
@@ -105,7 +98,7 @@ export class Slider implements RowInput {
 
   #fill(place: number): void {
     const { start, end } = this.scale;
-    const share = Math.min(Math.max((place - start) / (end - start), 0), 1);
+    const share = clamp((place - start) / (end - start), 0, 1);
     this.input.style.setProperty('--share', share.toFixed(4));
   }
 }
@@ -142,10 +135,9 @@ class NumberField implements RowInput {
     this.#field.update();
   }
 
-  /** False if the element refuses the value. */
   #set(value: number): boolean {
     const [least, most] = this.#travel().limits ?? [-Infinity, Infinity];
-    return Number.isFinite(value) && accepted(() => (this.#bound.value = Math.min(Math.max(value, least), most)));
+    return Number.isFinite(value) && accepted(() => (this.#bound.value = clamp(value, least, most)));
   }
 
   #listenToKeys(): void {

@@ -13,11 +13,10 @@ import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { addStyles, removeStyles } from '../element/page/style-sheets.js';
 import panelColumn from '../element/page/panel-column.css?inline';
-import { ChildFolders } from './child-folders.js';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
 import { addFlatRows } from './flat-rows.js';
-import { Folder, withoutAnimation } from './folder.js';
+import { ChildFolders, Folder, withoutAnimation } from './folders.js';
 import { explain, label, relabel } from './label.js';
 import { LIGHTS, newLight } from './light-rows.js';
 import { MESHES } from './mesh-rows.js';
@@ -36,10 +35,9 @@ const WIDE = { text: 40, column: WIDE_PANEL } as const;
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelColumn + panelStyles + controls;
 
-/** What a panel shows below its title. */
 interface Content {
   update(change: PanelChange): void;
-  /** A folder was opened: refreshes rows that have become visible. */
+  /** A folder was opened. */
   refreshVisible(): void;
   dispose(): void;
 }
@@ -166,10 +164,7 @@ function newRoot(place: HTMLElement): GUI {
 /** A comparison makes room for it. */
 const markOpen = (place: HTMLElement, gui: GUI): boolean => place.toggleAttribute(OPEN_PANEL, !gui._closed);
 
-/**
- * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed dialog, decides
- * when it first has one; until then the panel is closed. The returned function stops waiting for that.
- */
+/** Opens the panel in wide viewers, as soon as they have a size. The returned function stops waiting for that. */
 function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   const hasDecided = (): boolean => {
     const fontSize = parseFloat(getComputedStyle(viewer).fontSize);
@@ -188,10 +183,7 @@ function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   return () => observer.disconnect();
 }
 
-/**
- * Adds a button after `title` that shows the viewer in full screen, where the browser has full screen. Returns a
- * function that removes it.
- */
+/** A button after `title`, where the browser has full screen. The returned function removes it. */
 function addFullScreen(title: HTMLElement, viewer: PhongViewer): () => void {
   if (!viewer.ownerDocument.fullscreenEnabled) return () => undefined;
   const button = document.createElement('button');

@@ -13,9 +13,8 @@ import { bound, type Bound } from './bound.js';
 import { addColor } from './color-control.js';
 import { explain, nameAttribute, nameRow, type Say } from './label.js';
 import { addNumber, addVector, type Axis, type ComponentNames, componentOf, nameComponent } from './number-controls.js';
-import type { SceneRange } from './travel.js';
 import { addSelect, addText, Readout } from './input-row.js';
-import type { SliderScale } from './travel.js';
+import type { SceneRange, SliderScale } from './travel.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
 
@@ -47,7 +46,6 @@ export const declared = (element: Editable, key: string): Source => ({
   set: (value) => Reflect.set(element, key, value),
 });
 
-/** How one field of an element `E` is edited. */
 export interface Row<T, E> {
   /** Adds the controls to the folder. `value` reads and writes the field. */
   readonly add: (gui: GUI, place: RowContext<E>, value: Bound<T>) => void;
@@ -59,7 +57,6 @@ export interface Row<T, E> {
   readonly folder?: ViewerText;
 }
 
-/** For a field that the panel does not edit. */
 export const NO_ROW = null;
 
 /** A decision for each field of `V`, in the order shown. `Own`: rows that belong to no field. */
@@ -67,23 +64,19 @@ export type RowTable<V, E, Own extends string = never> = {
   readonly [K in keyof V]: Row<V[K], E> | typeof NO_ROW;
 } & { readonly [K in Own]: Row<unknown, E> };
 
-/** A row of any field. */
 export type AnyRow<E> = Omit<Row<unknown, E>, 'add'> & {
   readonly add: (gui: GUI, place: RowContext<E>, value: never) => void;
 };
 
-/** Any table for `E`. */
 export type Rows<E> = Readonly<Record<string, AnyRow<E> | typeof NO_ROW>>;
 
 /** The same rows, in the folder of that name. */
 export const inFolder = <R extends Rows<never>>(folder: ViewerText, rows: R): R =>
   Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row && { ...row, folder }])) as R;
 
-/** The rows of one folder. */
 export const rowsIn = <E>(folder: ViewerText, rows: Rows<E>): Rows<E> =>
   Object.fromEntries(Object.entries(rows).filter(([, row]) => row?.folder === folder));
 
-/** A row's controls, and when they are shown. */
 export interface AddedRow<E> {
   readonly row: AnyRow<E>;
   readonly controls: readonly Controller[];

@@ -27,7 +27,6 @@ export interface SliderScale {
 /** Steps from end to end: about one per pixel or two. */
 const STEPS = 200;
 
-/** Even steps from `min` to `max`. */
 export function linear(min: number, max: number, step = niceCeil((max - min) / STEPS)): SliderScale {
   return {
     start: min,
@@ -97,10 +96,7 @@ const REACH = 3;
 
 const EMPTY_REACH = 5;
 
-/**
- * The range that sliders for positions cover: the surroundings of the scene. Measured when meshes are added, removed or
- * loaded, and not while one of them is being moved by a slider. World space, scene units.
- */
+/** The range of sliders for positions: around the scene as it was last loaded. World space, scene units. */
 export class SceneRange {
   readonly #viewer: PhongViewer;
   /** Null: the next read measures the scene. */
@@ -110,7 +106,6 @@ export class SceneRange {
     this.#viewer = viewer;
   }
 
-  /** Marks the range as outdated. */
   expire(): void {
     this.#measured = null;
   }

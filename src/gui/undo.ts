@@ -1,11 +1,10 @@
-// Undo and redo in a viewer while it has its panel: two buttons, and the keys and gestures that take back or end a
-// step.
+// Undo and redo in a viewer with a panel: two buttons, and the keys and gestures that take back or end a step.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { type History, historyOf, undoKey } from '../element/viewer/history.js';
 import { ButtonRow } from './button-row.js';
 
-/** Buttons and keys for undo and redo. The returned function stops following the history. */
+/** The returned function stops following the history. */
 export function addUndo(gui: GUI, viewer: PhongViewer): () => void {
   const history = historyOf(viewer);
   const row = new ButtonRow(gui, 'Undo');

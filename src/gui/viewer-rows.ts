@@ -26,11 +26,7 @@ import {
 } from './rows.js';
 import { linear, logarithmic, numberText } from './travel.js';
 
-/**
- * Edits the camera as it is now, not the declared values, as a drag does: reset returns to what is declared. Writes
- * throw RangeError, as the properties do, for values outside the field's domain. Nothing fits the camera to the scene
- * afterwards.
- */
+/** Edits the camera as it is now, as a drag does: reset returns to the declared values. Nothing fits it afterwards. */
 const ofCamera = <K extends keyof Pose>(key: K, row: Row<Pose[K], PhongViewer>): Row<ViewerValues[K], PhongViewer> => ({
   ...(row as Row<ViewerValues[K], PhongViewer>),
   source: (viewer) => ({

@@ -1,6 +1,5 @@
-// Finds the lights that can reach a box. Only a spot's cone keeps light out exactly: attenuation never reaches 0. In
-// shading space and float64, from the packed rows that the GLSL reads. Errs on the safe side: a culled light adds
-// nothing to any point of the box.
+// Finds the lights that can reach a box, in shading space and float64, from the packed rows that the GLSL reads. Only a
+// spot's cone keeps light out: attenuation never reaches 0. A culled light adds nothing to any point of the box.
 import { floatOf, HEADER, ROWS } from './light-layout.js';
 import type { PackedLights } from './pack-lights.js';
 import { LIMIT_OPEN, NEAREST } from './precision.js';
@@ -89,24 +88,18 @@ export class Cone {
 
   /** Distance of a point from the cone; 0 or less inside. */
   #distance(x: number, y: number, z: number): number {
-    const along = this.#along(x, y, z);
-    const across = this.#across(x, y, z);
-    const outside = across * this.#cos - along * this.#sin;
-    // Beyond a right angle from the cone's side the nearest point is the apex.
-    return outside > 0 && along * this.#cos + across * this.#sin < 0
-      ? lengthOf(x - this.#x, y - this.#y, z - this.#z)
-      : outside;
-  }
-
-  #along(x: number, y: number, z: number): number {
-    return (x - this.#x) * this.#ax + (y - this.#y) * this.#ay + (z - this.#z) * this.#az;
-  }
-
-  #across(x: number, y: number, z: number): number {
     const vx = x - this.#x;
     const vy = y - this.#y;
     const vz = z - this.#z;
-    return lengthOf(vy * this.#az - vz * this.#ay, vz * this.#ax - vx * this.#az, vx * this.#ay - vy * this.#ax);
+    const along = vx * this.#ax + vy * this.#ay + vz * this.#az;
+    const across = lengthOf(
+      vy * this.#az - vz * this.#ay,
+      vz * this.#ax - vx * this.#az,
+      vx * this.#ay - vy * this.#ax,
+    );
+    const outside = across * this.#cos - along * this.#sin;
+    // Beyond a right angle from the cone's side the nearest point is the apex.
+    return outside > 0 && along * this.#cos + across * this.#sin < 0 ? lengthOf(vx, vy, vz) : outside;
   }
 
   #slack(x: number, y: number, z: number, radius: number): number {
@@ -122,5 +115,4 @@ export class Cone {
  */
 const lengthOf = (x: number, y: number, z: number): number => Math.sqrt(x * x + y * y + z * z);
 
-/** Reused from light to light. */
 const cone = /* @__PURE__ */ new Cone();

@@ -27,14 +27,12 @@ export function declaredFeatures(lights: Iterable<Values>): number {
     const kind = kindOf(light);
     declared |= LIGHT_FEATURES[kind];
     for (const { bit, ever } of FEATURES_OF[kind]) if (ever(light)) declared |= bit;
-    // Any light's: see HEADER.
-    if (!isBlack(light.ambient)) declared |= LIGHT_FEATURES.ambient;
+    if (!isBlack(light.ambient)) declared |= LIGHT_FEATURES.ambient; // any light's: see HEADER
   }
   // Without a cone there is no side to compare it on.
   return (declared & LIGHT_FEATURES.wide) === 0 ? declared & ~LIGHT_FEATURES.narrow : declared;
 }
 
-/** The feature mask of a light of this kind. */
 export function featuresOf(light: Values, kind: LightKind): number {
   const { cutoff } = light;
   let mask = kind === 'spot' && isIntegerPower(cutoff) ? cutoff << LIGHT_FEATURES.powerShift : 0;
@@ -53,14 +51,14 @@ export function unionOf(a: number, b: number): number {
   return ((a | b) & BITS) | decay;
 }
 
-/** The features that any light of each kind needs; 0 without one. Lights stand sorted by kind. */
-export function kindFeatures({
-  counts,
-  features,
-}: {
+/** Lights in the order of KINDS; a mask each. */
+interface SortedLights {
   readonly counts: Readonly<Record<LightKind, number>>;
   readonly features: ArrayLike<number>;
-}): Record<LightKind, number> {
+}
+
+/** The features that any light of each kind needs; 0 without one. */
+export function kindFeatures({ counts, features }: SortedLights): Record<LightKind, number> {
   const all: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
   let light = 0;
   for (const kind of KINDS) {

@@ -1,6 +1,5 @@
-// A light grid: a box divided into cells, each with a list of the spots that can reach it. For many narrow spots on one
-// large mesh a fragment loops over a few lights instead of all. The grid stands in shading space, so it stays while the
-// camera turns.
+// A light grid: a box divided into cells, each with a list of the spots that can reach it. A fragment of a large mesh
+// then loops over a few narrow spots instead of all. In shading space: it stays while the camera turns.
 import { type Box, Cone } from './cull-lights.js';
 import { GRID, HEADER, ROWS } from './light-layout.js';
 import { forEachLight, type PackedLights, reserve } from './pack-lights.js';
@@ -23,6 +22,7 @@ const PADDING = { cell: 1e-3, coordinate: 1e-6 } as const;
 interface Cells {
   readonly box: Box;
   readonly size: readonly [number, number, number];
+  readonly count: number;
   readonly step: readonly [number, number, number];
   readonly pad: number;
 }
@@ -42,7 +42,7 @@ export function divideLights(packed: Readonly<PackedLights>, box: Box, into: Pac
   const { directional, point, spot } = packed.counts;
   if (spot < LEAST_DIVIDED || directional + point > packed.sent / 2) return false;
   const cells = cellsOf(box);
-  const count = cells.size[0] * cells.size[1] * cells.size[2];
+  const { count } = cells;
   if (count < 2) return false;
   const scratch = new Int32Array(Math.floor(count * MOST_OF_THEM));
   const reaches: Reach[] = [];
@@ -58,7 +58,7 @@ export function divideLights(packed: Readonly<PackedLights>, box: Box, into: Pac
   });
   if (isTooMany()) return false;
   const ordered = writeLights(packed, reaches, into);
-  writeGrid(ordered, cells, count, listed, into);
+  writeGrid(ordered, cells, listed, into);
   return true;
 }
 
@@ -75,6 +75,7 @@ function cellsOf(box: Box): Cells {
   return {
     box,
     size,
+    count: size[0] * size[1] * size[2],
     step: [extent[0] / size[0], extent[1] / size[1], extent[2] / size[2]],
     pad: PADDING.cell * edge + PADDING.coordinate * coordinate,
   };
@@ -141,13 +142,8 @@ function writeLights(packed: Readonly<PackedLights>, reaches: readonly Reach[], 
   });
 }
 
-function writeGrid(
-  reaches: readonly Reach[],
-  { box, size, step }: Cells,
-  count: number,
-  listed: number,
-  into: PackedLights,
-): void {
+function writeGrid(reaches: readonly Reach[], cells: Cells, listed: number, into: PackedLights): void {
+  const { box, size, step, count } = cells;
   const grid = into.rows;
   const firstCell = grid + GRID.rows;
   const firstListed = firstCell + count;

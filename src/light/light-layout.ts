@@ -102,11 +102,9 @@ export function layoutDefines(): string {
   ];
   const lengths = Object.fromEntries(KINDS.map((kind) => [`${kind}Rows`, ROWS[kind].rows]));
   const tables = { HEADER_: HEADER, GRID_: GRID, FEATURE_: LIGHT_FEATURES, '': lengths };
-  for (const [table, numbers] of Object.entries(tables)) {
-    for (const [name, number] of Object.entries(numbers)) {
+  for (const [table, numbers] of Object.entries(tables))
+    for (const [name, number] of Object.entries(numbers))
       lines.push(`#define ${table}${snake(name)} ${integer(number)}`);
-    }
-  }
   return lines.join('\n');
 }
 

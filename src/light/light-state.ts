@@ -23,9 +23,8 @@ export type LightKind = (typeof KINDS)[number];
 export const TERMS = ['ambient', 'diffuse', 'specular'] as const;
 export type Term = (typeof TERMS)[number];
 
-export type LightSpace = 'world' | 'camera';
-
-export const LIGHT_SPACES = ['world', 'camera'] as const satisfies readonly LightSpace[];
+export const LIGHT_SPACES = ['world', 'camera'] as const;
+export type LightSpace = (typeof LIGHT_SPACES)[number];
 
 export interface LightValues {
   /** Text shown in the panel and in explanations. Default: empty, shown as `light N`. */
@@ -64,9 +63,7 @@ export const LIMITS = { coordinate: 1e15, exponent: 1e6, color: 1e6, attenuation
 const coordinates = { min: -LIMITS.coordinate, max: LIMITS.coordinate };
 const colors = { min: 0, max: LIMITS.color };
 
-type Values = Readonly<LightValues>;
-
-type Test = (light: Values) => boolean;
+type Test = (light: Readonly<LightValues>) => boolean;
 
 /** How shading takes a value. */
 export interface Packing<T> {
@@ -93,7 +90,6 @@ const isSpecular: Test = ({ specular }) => !isBlack(specular);
 
 /** Attenuation that can differ from 1. */
 const isAttenuated: Test = ({ attenuation: k }) => k[0] > 1 || k[1] > 0 || k[2] > 0;
-
 const hasCone: Test = ({ aperture }) => aperture < 180;
 const hasDecay: Test = ({ cutoff }) => cutoff >= LEAST_EXPONENT;
 
@@ -107,12 +103,7 @@ export const LIGHT_FIELDS = {
   ambient: {
     ...colorField([0, 0, 0], colors),
     // The other kinds' is summed in the header.
-    shading: {
-      as: 'light',
-      rows: { spot: 4 },
-      terms: ['ambient'],
-      features: { ambient: [isAmbient] },
-    },
+    shading: { as: 'light', rows: { spot: 4 }, terms: ['ambient'], features: { ambient: [isAmbient] } },
   },
   diffuse: {
     ...colorField([255, 255, 255], colors),

@@ -1,6 +1,5 @@
 // Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
-// lights left out. Everything that is the same for all fragments is computed here in float64: units, cosines, unit
-// vectors, the sum of ambient light, a directional light's cone. A pure function.
+// lights left out. What is the same for all fragments is computed here in float64.
 import { isBlack, srgbDecode } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3 } from '../math/vector.js';
 import { featuresOf, isSpot, kindOf } from './light-features.js';
@@ -69,7 +68,7 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
   }
   if (!follows) into.sources.length = 0;
   writeCounts(into);
-  write(into.data, HEADER.ambient * 4, ambient[0], ambient[1], ambient[2], 0);
+  into.data.set(ambient, HEADER.ambient * 4);
 }
 
 /** Packs no light. */
@@ -82,9 +81,8 @@ export function packNothing(into: PackedLights): void {
   into.data.fill(0, 0, HEADER.rows * 4);
 }
 
-/** Writes the header's counts, without a grid. */
 function writeCounts({ data, counts }: PackedLights): void {
-  write(data, HEADER.counts * 4, counts.directional, counts.point, counts.spot, 0);
+  for (let i = 0; i < KINDS.length; i++) data[HEADER.counts * 4 + i] = counts[KINDS[i]!];
 }
 
 /**
@@ -217,13 +215,6 @@ function writeThrough(m: Mat4, data: Float32Array, at: number, x: number, y: num
   data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
   data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
   data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;
-}
-
-function write(data: Float32Array, at: number, x: number, y: number, z: number, w: number): void {
-  data[at] = x;
-  data[at + 1] = y;
-  data[at + 2] = z;
-  data[at + 3] = w;
 }
 
 /** Calls `visit` with each sent light's index, kind and first row. */

@@ -51,8 +51,7 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const boxDepth = hx * Math.abs(ax) + hy * Math.abs(ay) + hz * Math.abs(az);
   const depth = dx * backX + dy * backY + dz * backZ;
   if (depth - Math.min(sphereDepth, boxDepth) > nearOf(camera)) return true;
-  // Otherwise beside or behind the eye: the near plane's corners are within `reach`. The box's face normals separate
-  // it.
+  // Beside or behind the eye: the near plane's corners are within `reach`, and the box's face normals separate it.
   const reach = nearReach(camera);
   return (
     isBeyond(m, 4, 8, 0, hx, dx, dy, dz, reach) ||

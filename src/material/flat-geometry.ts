@@ -54,12 +54,8 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
   const corners = new BufferGeometry();
   for (const name of names) if (name !== 'normal' && name in attributes) corners.setAttribute(name, attributes[name]!);
   const { count } = corners.getAttribute('position');
-  corners.index =
-    index ??
-    new BufferAttribute(
-      new Uint32Array(count).map((_, i) => i),
-      1,
-    );
+  const inOrder = (): Uint32Array => new Uint32Array(count).map((_, i) => i);
+  corners.index = index ?? new BufferAttribute(inOrder(), 1);
   const flat = corners.toNonIndexed();
   for (const [name, attribute] of Object.entries(flat.attributes)) {
     const { usage } = attributes[name] as Partial<BufferAttribute>;

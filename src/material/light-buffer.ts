@@ -63,7 +63,9 @@ export class LightBuffer {
     while (kept[last] === data[last]) last -= 1;
     kept.set(data.subarray(first, last + 1), first);
     this.#revision = revisions += 1;
-    this.#addStale(first >> 2, (last >> 2) + 1);
+    const [firstRow, endRow] = [first >> 2, (last >> 2) + 1];
+    const { from, to } = this.#stale;
+    this.#stale = { from: from < to ? Math.min(from, firstRow) : firstRow, to: Math.max(to, endRow) };
     const { counts } = this.packed;
     const masks = kindFeatures(this.packed);
     this.#featureKey = KINDS.flatMap((kind) => [counts[kind], masks[kind]]).join();
@@ -107,11 +109,6 @@ export class LightBuffer {
     if (isThere) owner.renderer.getContext().deleteTexture(this.#texture.sourceTexture);
     this.#texture.sourceTexture = null;
     this.#owner = null;
-  }
-
-  #addStale(from: number, to: number): void {
-    const { from: first, to: last } = this.#stale;
-    this.#stale = first < last ? { from: Math.min(from, first), to: Math.max(to, last) } : { from, to };
   }
 
   /** Doubles, so that lights added one by one do not make a texture each. */

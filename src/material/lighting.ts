@@ -134,8 +134,11 @@ export class PhongLighting {
     this.#changed = false;
     const { lights, kinds, view, linear } = this.#packedFor;
     const isOther = view !== this.view || linear !== this.linear;
-    const { version, kindVersion } = this.lights;
-    if (kinds !== kindVersion) this.#declare();
+    const { values, version, kindVersion } = this.lights;
+    if (kinds !== kindVersion) {
+      this.#declared |= declaredFeatures(values);
+      this.#followsCamera = values.some(({ space }) => space === 'camera');
+    }
     if (isOther || moved || this.#followsCamera || lights !== version)
       this.#pack(frame, isOther || kinds !== kindVersion);
   }
@@ -231,12 +234,6 @@ export class PhongLighting {
     this.#fit();
     buffer.changed();
     this.#changed = buffer.revision !== revision;
-  }
-
-  #declare(): void {
-    const { values } = this.lights;
-    this.#declared |= declaredFeatures(values);
-    this.#followsCamera = values.some(({ space }) => space === 'camera');
   }
 
   /** Makes the uniform array long enough. It never shrinks: lights that come and go compile once. */

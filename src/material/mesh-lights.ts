@@ -1,6 +1,5 @@
-// The lights that each mesh is drawn with: all of them, or those whose cones reach its bounds. Meshes that the same
-// lights reach share one buffer; many narrow spots on one mesh get a light grid. Culls again only where lights or mesh
-// changed.
+// The lights that each mesh is drawn with: all, or those whose cones reach its bounds, culled where lights or mesh have
+// changed. Meshes that the same lights reach share one buffer; many narrow spots on one mesh get a light grid.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
 import { type Box, cullLights } from '../light/cull-lights.js';
 import { divideLights, LEAST_DIVIDED } from '../light/light-grid.js';
@@ -140,12 +139,8 @@ class CulledLights {
   /** Whether bounds changed since the last call. */
   moved(origin: Vec3): boolean {
     const { geometry, matrixWorld } = this.#mesh;
-    const stays =
-      this.#geometry === geometry &&
-      this.#bounds === geometry.boundingBox &&
-      this.#origin === origin &&
-      this.#matrix.equals(matrixWorld);
-    if (stays) return false;
+    const sameBounds = this.#geometry === geometry && this.#bounds === geometry.boundingBox;
+    if (sameBounds && this.#origin === origin && this.#matrix.equals(matrixWorld)) return false;
     this.#geometry = geometry;
     this.#origin = origin;
     this.#matrix.copy(matrixWorld);

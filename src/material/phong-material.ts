@@ -1,18 +1,7 @@
 // A three.js material that draws with the hand-written light loop. Keeps uniforms and program in step with its surface,
 // its style and its picture's lights, and decides per draw which program and which sides of a mesh it needs.
-import {
-  DoubleSide,
-  FrontSide,
-  GLSL3,
-  Material,
-  type Mesh,
-  NormalBlending,
-  RawShaderMaterial,
-  type Texture,
-  Vector2,
-  Vector3,
-  Matrix3,
-} from 'three';
+import { DoubleSide, FrontSide, GLSL3, Material, Matrix3, type Mesh, RawShaderMaterial, Vector2, Vector3 } from 'three';
+import type { Texture } from 'three';
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
@@ -20,7 +9,7 @@ import { type BaseLook, PLAIN_LOOK, lobeScale, usesRoughnessMap } from './file-s
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from './material-values.js';
-import { type Term } from '../light/light-state.js';
+import type { Term } from '../light/light-state.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
 import { MaterialPrograms } from './program/material-programs.js';
@@ -36,9 +25,8 @@ const DEFAULT_SURFACE: SurfaceValues = {
 const BLACK: Vec3 = [0, 0, 0];
 
 /**
- * The rows that each program's uniform array holds, by the variant's key, as the revision of their buffer. Sending
- * 1,000 rows with every mesh is what many meshes would spend their frame on. Forgotten with every disposed material: a
- * program made again starts empty.
+ * The revision of the rows that each program's uniform array holds, by the variant's key: many meshes would spend their
+ * frame on sending 1,000 rows each. Forgotten with every disposed material: a program made again starts empty.
  */
 let programRows = new WeakMap<object, Map<string, number>>();
 
@@ -59,7 +47,7 @@ export class PhongMaterial extends RawShaderMaterial {
   readonly #programs: MaterialPrograms;
   #linear = false;
   #variant: Variant | null = null;
-  /** The lights and the aim of the last draw. */
+  // Of the last draw.
   #lights: LightBuffer | null = null;
   #aim = 0;
   readonly #uniforms;
@@ -89,7 +77,6 @@ export class PhongMaterial extends RawShaderMaterial {
       side: DoubleSide,
       vertexColors: look.vertexColors,
       premultipliedAlpha: true,
-      blending: NormalBlending,
       transparent: look.alphaMode === 'blend',
       toneMapped: false,
     });

@@ -1,5 +1,4 @@
-// The names of the views, and what lighting and materials know of one. What they show is in view/, which is fetched
-// with the first one.
+// The names of the views, and what lighting and materials know of one. What they show is in view/, fetched when used.
 import type { IUniform } from 'three';
 import type { LightValues, Term } from '../light/light-state.js';
 import type { PackedLights, PackSpace } from '../light/pack-lights.js';
@@ -7,8 +6,7 @@ import type { Variant } from './program/variant.js';
 
 /**
  * `shaded`: the equation. `ambient`, `diffuse`, `specular`: one term's sum. `normals`: (N + 1)/2 per channel in world
- * space. `n-dot-l`, `r-dot-v`, `attenuation`, `decay`: of one light, grey from 0 to 1. `triangles`: each
- * triangle for itself.
+ * space. `n-dot-l`, `r-dot-v`, `attenuation`, `decay`: of one light, grey from 0 to 1. `triangles`: each for itself.
  */
 export const VIEWS = [
   'shaded',
@@ -34,12 +32,10 @@ export interface PictureView {
   /** Packs the lights that the view reads. Called whenever lights, origin or the axes of camera space have changed. */
   pack(lights: readonly Readonly<LightValues>[], space: PackSpace, into: PackedLights): void;
   /** The programs in place of the materials' own. Null: programs as without a view. */
-  readonly program: ViewProgram | null;
-}
-
-interface ViewProgram {
-  /** Uniforms of the view's own, added to each material's. */
-  readonly uniforms: Readonly<Record<string, IUniform>>;
-  /** The program in place of a material's general one. */
-  variant(general: Variant): Variant;
+  readonly program: {
+    /** Uniforms of the view's own, added to each material's. */
+    readonly uniforms: Readonly<Record<string, IUniform>>;
+    /** The program in place of a material's general one. */
+    variant(general: Variant): Variant;
+  } | null;
 }

@@ -1,7 +1,6 @@
 // Degrees to radians, and sine and cosine of degrees that are exact at multiples of 90°.
 
 const RADIANS_PER_DEGREE = Math.PI / 180;
-
 export const radians = (degrees: number): number => degrees * RADIANS_PER_DEGREE;
 
 /** The same direction in [-180, 180), for any finite number of degrees. Exact: the remainder is. */
@@ -20,10 +19,10 @@ export function sinDegrees(degrees: number): number {
 }
 
 /** Cosine of degrees, exact at multiples of 90°. */
-export const cosDegrees = (degrees: number): number => {
+export function cosDegrees(degrees: number): number {
   const d = Math.abs(wrapDegrees(degrees));
   return d <= 90 ? sinFirstQuadrants(90 - d) : -sinFirstQuadrants(d - 90);
-};
+}
 
 /** Sine for |d| ≤ 90. Beyond 45° the cosine of the complement is better conditioned. */
 function sinFirstQuadrants(d: number): number {

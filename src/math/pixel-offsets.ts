@@ -14,10 +14,7 @@
 
 /** Offset of sample `index`, from 0. Both coordinates are in [-0.5, 0.5). */
 export function pixelOffset(index: number): { readonly x: number; readonly y: number } {
-  return {
-    x: fraction(owen(reversed(index), SCRAMBLE_X)),
-    y: fraction(owen(sobolSecond(index), SCRAMBLE_Y)),
-  };
+  return { x: fraction(owen(reversed(index), SCRAMBLE_X)), y: fraction(owen(sobolSecond(index), SCRAMBLE_Y)) };
 }
 
 /** Of 400 pairs tried, the one with the least error with 8, 16 and 64 samples. */

@@ -1,11 +1,13 @@
-// Small float64 vectors for the CPU. Unitless; the caller's names give the space. Functions allocate: do not use them
-// in per-vertex or per-frame loops.
+// Numbers and small float64 vectors for the CPU. Unitless; the caller's names give the space. Functions of vectors
+// allocate: do not use them in per-vertex or per-frame loops.
 
 export type Vec3 = readonly [number, number, number];
 export type Vec4 = readonly [number, number, number, number];
 
 /** A 4×4 matrix by columns, as WebGL and three.js keep it. */
 export type Mat4 = ArrayLike<number>;
+
+export const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 

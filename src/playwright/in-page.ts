@@ -1,5 +1,5 @@
-// The functions that run inside a test's page. Playwright sends a function as text, without what its module imports: the
-// build replaces each function exported here by one that carries its imports (.ci/in-page.ts).
+// The functions that run inside a test's page. Playwright sends a function's text without its imports, so the build
+// replaces each function exported here by one that carries them (.ci/in-page.ts).
 import type { PhongViewer } from '../index.js';
 
 export { judgeInPage } from './judge-in-page.js';

@@ -1,5 +1,4 @@
-// Finds the pixels of a viewer's picture that the equation does not take. Runs inside the page. Positions are device
-// pixels from the top left, colours 8-bit codes.
+// Finds the pixels of a picture that differ from the equation. Positions are device pixels from the top left.
 import { add, cross, dot, length, subtract } from '../math/vector.js';
 import { radians } from '../math/angle.js';
 import type { PhongViewer } from '../index.js';
@@ -154,13 +153,12 @@ function goesOn(a: Explained, b: Explained): boolean {
   return a.triangle === b.triangle || Math.abs(dot(step, normal)) <= SMOOTH * length(step) * length(normal);
 }
 
-const isStraight = ([center, a, b, c, d]: readonly Explained[]): boolean =>
-  [
-    [a, b],
-    [c, d],
-  ].every(([one, other]) =>
-    center!.color.every((value, k) => 255 * Math.abs(value - (one!.color[k]! + other!.color[k]!) / 2) <= STRAIGHT),
-  );
+function isStraight([center, a, b, c, d]: readonly Explained[]): boolean {
+  const isMean = (x: number, one: number, other: number) => 255 * Math.abs(x - (one + other) / 2) <= STRAIGHT;
+  const isMeanOf = (one: Explained, other: Explained) =>
+    center!.color.every((x, k) => isMean(x, one.color[k]!, other.color[k]!));
+  return isMeanOf(a!, b!) && isMeanOf(c!, d!);
+}
 
 function rangeOf(points: Points): Pick<WrongPixel, 'least' | 'greatest'> {
   const bound = (of: (...values: number[]) => number): readonly number[] =>

@@ -8,10 +8,7 @@ export interface Limits {
   readonly share: number;
 }
 
-/**
- * `summary`: what was judged. `message`: also what is wrong, and the first wrong pixels. `seed`: what the pixels were
- * chosen by.
- */
+/** `summary`: what was judged. `message`: also what is wrong, and the first wrong pixels. `seed` chose the pixels. */
 export function verdictOf(
   judgement: Judgement,
   { codes, share }: Limits,

@@ -1,5 +1,4 @@
-// Lays out the viewers of a <phong-compare>: each in a pane of its own, clipped by the dividers on both sides of it, or
-// beside the others.
+// Lays out the viewers of a <phong-compare>: in panes clipped by the dividers beside them, or beside each other.
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
 import { sameValue } from '../../fields/field-store.js';
 import type { PictureBox } from '../../camera/gesture.js';
@@ -76,7 +75,6 @@ export class Comparison implements ReactiveController {
     return getComputedStyle(this.#element).direction === 'rtl';
   }
 
-  /** Where this divider is, and how far it can go. */
   placeOf(divider: Divider): { readonly place: number; readonly range: readonly [min: number, max: number] } {
     const index = this.#dividers.indexOf(divider);
     const places = this.#places;
@@ -126,10 +124,7 @@ export class Comparison implements ReactiveController {
     </div>`;
   }
 
-  /**
-   * `range`: what the dividers leave of the pane, in percent; null for all, beside the others. `panel`: the place of
-   * the viewer's open panel among `panels`; -1 while it is not open.
-   */
+  /** `range`: what the dividers leave, percent; null for all. `panel`: its index among the open ones; -1: not open. */
   #paneTemplate(
     index: number,
     label: string,
@@ -235,17 +230,12 @@ function dividerLabel({ texts }: PhongViewer, first = '', second = ''): string {
     : phrase(texts, 'Divider between {first} and {second}', { first, second });
 }
 
-/**
- * Two fingers on different viewers are one gesture of the viewer under the first finger, so that a pinch across a divider
- * zooms. Otherwise each finger would turn the linked cameras on its own. Listens to everything in the shadow root.
- */
+/** Fingers on several viewers are one gesture of the viewer under the first, so that a pinch across a divider zooms. */
 function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
   const early = { signal, capture: true, passive: false };
   const fingers = new Set<number>();
-  /** The picture under the first finger. */
-  let first: Element | null = null;
-  /** A finger on another picture has joined. */
-  let joined = false;
+  let first: Element | null = null; // the picture under the first finger
+  let joined = false; // a finger on another picture has joined
   const press = (event: PointerEvent): void => {
     // The event that is dispatched below comes by here, too.
     if (event.pointerType !== 'touch' || !event.isTrusted) return;

@@ -1,5 +1,4 @@
-// A divider that the user moves: by pointer, from where it was pressed, and by keys; Escape takes a drag back. Places are
-// percent of the box from the start of the line or from the top, ascending.
+// A divider that the user moves by pointer and keys; Escape takes a drag back. Places: percent from the start or top.
 import { html, type TemplateResult } from 'lit';
 import { followDrag } from '../page/followed-drag.js';
 import type { Comparison } from './comparison.js';
@@ -32,7 +31,7 @@ export class Divider {
         .style=${at}
         @pointerdown=${this.#onPress}
         @keydown=${this.#onKey}
-        @dblclick=${this.#onDoubleClick}
+        @dblclick=${() => this.#host.reset()}
       ></div>
       <div class="line" part="line" .style=${at}></div>`;
   }
@@ -52,8 +51,6 @@ export class Divider {
     this.#drag = { from, end };
     handle.focus({ preventScroll: true });
   };
-
-  readonly #onDoubleClick = (): void => this.#host.reset();
 
   /** Percent of the box that a pointer has moved along it, on transformed pages too. Null while the box is hidden. */
   #travel(x: number, y: number): number | null {
@@ -108,21 +105,11 @@ export function dividerStep(
   vertical: boolean,
   rtl: boolean,
 ): number | undefined {
-  const [back, forth] = vertical
-    ? ['ArrowUp', 'ArrowDown']
-    : rtl
-      ? ['ArrowRight', 'ArrowLeft']
-      : ['ArrowLeft', 'ArrowRight'];
   const step = shiftKey ? LARGE_STEP : STEP;
-  const steps: Readonly<Record<string, number>> = {
-    [back]: -step,
-    [forth]: step,
-    PageUp: -LARGE_STEP,
-    PageDown: LARGE_STEP,
-    Home: -Infinity,
-    End: Infinity,
-  };
-  return steps[key];
+  const right = rtl ? -step : step;
+  const arrows = vertical ? { ArrowUp: -step, ArrowDown: step } : { ArrowLeft: -right, ArrowRight: right };
+  const jumps = { PageUp: -LARGE_STEP, PageDown: LARGE_STEP, Home: -Infinity, End: Infinity };
+  return new Map(Object.entries({ ...arrows, ...jumps })).get(key);
 }
 
 /** Percent. As sliders of browsers and of ARIA's authoring practices step. */

@@ -1,10 +1,9 @@
-// Explains what is wrong with markup that looks like a mistake, and how to cure it. Warns once per mistake and page.
-// Fetched when there is something to report; changes nothing.
+// Explains markup that looks like a mistake, and its cure: once per mistake and page. Fetched when needed.
 import { clip } from '../../fields/clip.js';
 import { nearest } from '../../fields/nearest.js';
 import { registryAround } from '../child-registry.js';
 import type { PhongViewer } from '../elements.js';
-import { isNamed } from '../viewer/naming.js';
+import { isNamed } from '../viewer/description.js';
 import { strayAttributes, wrappedViewer } from './inspect.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;

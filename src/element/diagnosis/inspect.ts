@@ -1,10 +1,9 @@
-// Finds elements that may hold a mistake of their author that nothing else reports. Each element is tested once, after
-// the task or the parsing that connected it. The tests are cheap and coarse; the code that knows the mistakes and their
-// cures is fetched only if one fails. The page's own texts are looked for at the same time.
+// Finds elements that may hold a mistake that nothing else reports: by cheap, coarse tests, once each, after the task
+// or the parsing that connected it. Looks for the page's own texts at the same time.
 import { registryAround } from '../child-registry.js';
-import type { PhongViewer } from '../elements.js';
+import type { ElementClass, PhongViewer } from '../elements.js';
 import { lookForTexts } from '../page/page-texts.js';
-import { isNamed } from '../viewer/naming.js';
+import { isNamed } from '../viewer/description.js';
 
 const waiting = new Set<Element>();
 const tested = new WeakSet<Element>();
@@ -20,9 +19,7 @@ export function inspect(element: Element, again = false): void {
 
 /** Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name theirs. */
 export function strayAttributes(element: Element): string[] {
-  const { observedAttributes: own } = element.constructor as unknown as {
-    readonly observedAttributes: readonly string[];
-  };
+  const { observedAttributes: own } = element.constructor as unknown as ElementClass<HTMLElement>;
   return element.getAttributeNames().filter((name) => !own.includes(name) && !FOREIGN.test(name));
 }
 

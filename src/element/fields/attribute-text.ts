@@ -3,8 +3,6 @@
 import type { Field, FieldKind } from '../../fields/field.js';
 import { cssColor } from './css-color.js';
 
-type Parser = (text: string) => unknown;
-
 // Each digit matches in one way only, so that a long text that is not a number is refused in linear time.
 const NUMBER = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
@@ -34,7 +32,7 @@ const parseWords = (text: string): readonly string[] =>
     .split(/[\s,]+/)
     .filter((word) => word !== '');
 
-const PARSERS: Readonly<Record<FieldKind, Parser>> = {
+const PARSERS: Readonly<Record<FieldKind, (text: string) => unknown>> = {
   number: parseNumber,
   numbers: parseNumbers,
   color: (text) => parseNumbers(text) ?? cssColor(text) ?? undefined,

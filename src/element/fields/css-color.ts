@@ -1,5 +1,4 @@
-// A CSS colour as three numbers, 255 being full, in sRGB and unrounded. The browser parses it, by a canvas outside the
-// document.
+// A CSS colour as three numbers, 255 being full, in sRGB and unrounded. The browser's canvas parses it.
 import type { Vec3 } from '../../math/vector.js';
 
 const known = new Map<string, Vec3 | null>();

@@ -1,5 +1,4 @@
-// How an element's attributes and properties reach its FieldStore. Attributes are parsed; a bad one warns and gives the
-// default. Properties are checked; a bad value throws.
+// How attributes and properties reach a FieldStore: a bad attribute warns and gives the default, a bad property throws.
 import { show } from '../../fields/field.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { nearest } from '../../fields/nearest.js';
@@ -108,7 +107,8 @@ export class FieldBinding<V extends object> {
     const instead = (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
     const meant = typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
     const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
-    const message = `${this.#tag} ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
+    const tag = this.#element.localName;
+    const message = `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
     const warned = (this.#warned ??= new Set());
     if (warned.has(message)) return;
     if (warned.size >= WARNINGS_KEPT) warned.clear();
@@ -117,19 +117,11 @@ export class FieldBinding<V extends object> {
   }
 
   #about(key: string, message: string): string {
-    return `${this.#tag}.${key}: ${message}`;
-  }
-
-  get #tag(): string {
-    return `<${this.#element.localName}>`;
+    return `<${this.#element.localName}>.${key}: ${message}`;
   }
 }
 
-/**
- * Gives a class one accessor per field. Accessors that the class has itself stay. `find` finds an element's binding, by
- * default as {@link bindingOf} does; lights are written to so often that a private field, in a tenth of the time, is
- * worth it.
- */
+/** Gives a class one accessor per field, unless it has its own. `find`: for lights, which take a tenth of the time. */
 export function defineProperties(
   prototype: HTMLElement,
   fields: object,

@@ -1,6 +1,5 @@
-// The texts that a viewer shows or announces, the page's own words in place of them, and numbers in their language. A
-// text is one entry of texts.json, with its translations. Only its type is imported, so that the first file contains no
-// texts.
+// The texts that a viewer shows or announces, the page's own words in place of them, and numbers in their language. Of
+// texts.json only the type is imported, so that the first file contains no texts.
 import type table from './texts.json';
 
 export type ViewerErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
@@ -57,11 +56,7 @@ const page = globalThis as { readonly document?: { readonly documentElement?: { 
 /** The digits from 9 to 0 and the decimal sign, by language. */
 const signs = new Map<string, readonly string[]>();
 
-/**
- * A number that is only read, as text such as `−0.25`, in the digits and with the decimal sign of the texts' language.
- * Texts that do not name theirs are in the page's. Without a language, or a known one, unchanged. Fields keep the
- * point: what users type is what stands in HTML.
- */
+/** A number to read, as `−0.25`, in the signs of the texts' language, or the page's. Fields keep the point. */
 export function localNumber(number: string, texts: ViewerTexts | null): string {
   const isUnnamed = texts !== null && texts.en === undefined;
   const lang = isUnnamed ? (page.document?.documentElement?.lang ?? '') : phrase(texts, 'en');

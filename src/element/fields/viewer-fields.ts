@@ -1,5 +1,4 @@
-// The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
-// defaults in HTML's units.
+// The values that a viewer declares besides its children, with domains and defaults in HTML's units.
 import { LIGHT_FIELDS, LIMITS, type Term, TERMS } from '../../light/light-state.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/material-values.js';
 import { type View, VIEWS } from '../../material/views.js';

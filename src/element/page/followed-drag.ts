@@ -7,10 +7,7 @@ interface DragListener {
   ended(): void;
 }
 
-/**
- * Call at the press; the returned function ends the drag. A press that moves less than `slop` CSS pixels of the page is
- * a click, which the page gets; 0 is for what is never clicked.
- */
+/** Call at the press. Returns what ends the drag. Within less than `slop` CSS pixels a press is a click; 0: never. */
 export function followDrag(
   element: HTMLElement,
   { pointerId, clientX, clientY }: PointerEvent,

@@ -1,12 +1,9 @@
-// Reads the texts of a page from its scripts, and explains what is wrong with them: one warning for each script.
-// Fetched by pages that have such a script.
+// Reads the texts of a page from its scripts, with one warning for each bad one. Fetched by pages that have one.
 import { clip } from '../../fields/clip.js';
 import { nearest } from '../../fields/nearest.js';
 import known from '../fields/texts.json';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
-
-const SCRIPT = '<script data-phong-viewer-texts>';
 
 const NAMED = 5;
 
@@ -23,14 +20,13 @@ export function readTexts(): void {
   for (const text of found) {
     const texts = textsIn(text);
     const mistake = typeof texts === 'string' ? texts : unknownKeys(texts);
-    if (mistake !== null && isNew(text)) console.warn(`${SCRIPT} ${mistake}`);
+    if (mistake !== null && isNew(text)) console.warn(`<script data-phong-viewer-texts> ${mistake}`);
     if (typeof texts === 'object') all.push(texts);
   }
   sources = found;
   declareTexts(Object.freeze(Object.assign({}, ...all) as ViewerTexts));
 }
 
-/** The texts, or what is wrong. */
 function textsIn(script: string): ViewerTexts | string {
   try {
     return checkedTexts(JSON.parse(script)) ?? {};

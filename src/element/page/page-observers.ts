@@ -1,6 +1,5 @@
-// Visibility, size, printing and pixel ratio, observed for all viewers of a document by one set of observers and
-// listeners. They belong to the document's own window, which may be that of an iframe or a popup, and observe nothing
-// while no element is watched.
+// Visibility, size, printing and pixel ratio for all viewers of a document, by observers of the document's own window,
+// which may be that of an iframe or a popup. They observe nothing while no element is watched.
 import { frameLoopOf } from '../../scene/frame-loop.js';
 import type { Visibility } from './visibility.js';
 
@@ -43,10 +42,7 @@ export class PageObservers {
     return this.view.screen.height;
   }
 
-  /**
-   * Alone, `scrollMargin` widens the window, iframes and scroll containers alike, in all browsers that have it. The
-   * others, and iframes of other origins, only let the own document's view be widened, as their root.
-   */
+  /** `scrollMargin` widens all that clips; older browsers and iframes of other origins, only their document's view. */
   get #surroundings(): IntersectionObserverInit {
     const { view } = this;
     const margin = `${String(this.margin)}px`;

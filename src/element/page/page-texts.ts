@@ -1,5 +1,4 @@
-// The texts of a whole page, in place of those of its viewers and comparisons: by `PhongViewer.texts`, and in scripts
-// of JSON in the markup. Reading the markup is a chunk.
+// The texts of a whole page: by `PhongViewer.texts`, and in scripts of JSON in the markup, which a chunk reads.
 import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 
@@ -17,7 +16,6 @@ let declared: ViewerTexts | null = null;
 let assigned: ViewerTexts | null = null;
 let texts: ViewerTexts | null = null;
 
-/** The texts in use on the page; null for none. */
 export const pageTexts = (): ViewerTexts | null => texts;
 
 /** `PhongViewer.texts`. Throws TypeError for anything but an object of strings. */

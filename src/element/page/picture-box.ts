@@ -1,5 +1,4 @@
-// Where a picture lies on the page, as a pointer's travel is measured. Asks the browser where three corners are, so all
-// that moves or turns an element counts: transforms of any ancestor, zoom, scrolling.
+// Where a picture lies on the page, by three corners of it: all transforms of any ancestor, zoom and scrolling count.
 import { html } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
 
@@ -10,10 +9,7 @@ const corner = (left: string, top: string) =>
 /** Elements without size in the top left, top right and bottom left corner of the element around them. */
 export const CORNER_MARKS = [corner('0', '0'), corner('100%', '0'), corner('0', '100%')];
 
-/**
- * The box of a surface that contains {@link CORNER_MARKS}, as it is now. Under a perspective, where pixels differ in
- * size, the top and left edges count. No axes while it is hidden.
- */
+/** Of a surface with {@link CORNER_MARKS}. Under a perspective the top and left edges count. No axes while hidden. */
 export function pictureBox(surface: HTMLElement): PictureBox {
   const { clientWidth: width, clientHeight: height } = surface;
   const corners = [...surface.querySelectorAll(':scope > .corner')];

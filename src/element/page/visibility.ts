@@ -1,6 +1,5 @@
-// Whether an element is in view or near it, and how many device pixels it covers. Measures once when asked, then
-// follows the observers of the document that it is in; nothing polls.
-import type { ReactiveController } from 'lit';
+// Whether an element is in view or near it, and its device pixels: measured when asked, then as observers report.
+import type { LitElement, ReactiveController } from 'lit';
 import type { Signal } from '../../fields/signal.js';
 import { zoomOf } from '../dom.js';
 import { type PageObservers, pageOf } from './page-observers.js';
@@ -21,15 +20,9 @@ export interface ElementView {
   readonly pixelHeight: number;
 }
 
-/** The custom element that shows the watched one. */
-interface Host {
-  readonly ownerDocument: Document;
-  disconnectedCallback(): void;
-}
-
 /** Watches `element` while its host is connected and gives `changed` after each change. */
 export class Visibility implements ReactiveController {
-  readonly #host: Host;
+  readonly #host: LitElement;
   readonly #element: HTMLElement;
   readonly #changed: Signal<ElementView>;
   #page: PageObservers | null = null;
@@ -43,7 +36,7 @@ export class Visibility implements ReactiveController {
   /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
   #box: ResizeObserverSize | undefined;
 
-  constructor(host: Host, element: HTMLElement, changed: Signal<ElementView>) {
+  constructor(host: LitElement, element: HTMLElement, changed: Signal<ElementView>) {
     this.#host = host;
     this.#element = element;
     this.#changed = changed;
@@ -136,7 +129,7 @@ export class Visibility implements ReactiveController {
   /** The document was shown or hidden, or the element's place in it or its style may have changed. */
   shown(): void {
     if (!this.looked) return;
-    const painted = !this.#hidden && isPainted(this.#element);
+    const painted = this.#host.ownerDocument.visibilityState !== 'hidden' && isPainted(this.#element);
     const visible = painted && this.#inView === true;
     const near = visible || (painted && this.#near === true && !isCollapsed(this.#element));
     this.#changed.emit({ painted, near, visible, printsAt: null, ...this.#size });
@@ -161,10 +154,6 @@ export class Visibility implements ReactiveController {
     const distance = distanceFromView(this.#element);
     this.#inView = distance < 0;
     this.#near = distance < margin;
-  }
-
-  get #hidden(): boolean {
-    return this.#host.ownerDocument.visibilityState === 'hidden';
   }
 
   readonly #onTransition = ({ propertyName }: TransitionEvent): void => {

@@ -6,8 +6,7 @@ import { fieldsOf } from '../internals.js';
 import type { PhongLight, PhongViewer } from '../elements.js';
 import { lightName } from '../phong-light.js';
 import type { CameraMove, ViewerContext } from './viewer-context.js';
-import { cameraText, lightCountText, lightNameText, lightsText, lightText, NAMED } from './description.js';
-import { keysText } from './naming.js';
+import { cameraText, keysText, lightCountText, lightNameText, lightsText, lightText, NAMED } from './description.js';
 import type { ViewerTree } from './display.js';
 
 /** Milliseconds without a change after which the user has stopped; also the time between two descriptions. */
@@ -103,7 +102,6 @@ export class ViewerAnnouncements implements ReactiveController {
     }, ms);
   }
 
-  /** Says what the user has changed since the last announcement. */
   #announce(): void {
     const { camera, lights } = this.#viewer;
     const texts = this.#cameraMoved ? [cameraText(this.#texts, camera)] : [];

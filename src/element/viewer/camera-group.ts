@@ -1,6 +1,5 @@
-// Cameras that move together: those of viewers with the same `camera-group` in a document, and those of one
-// <phong-compare>. All have exactly the same angles, radius and target, are framed as one, and show round shapes by
-// the same rule. A chunk, fetched with its first use.
+// Cameras that move together: of viewers with one `camera-group` in a document, and of one <phong-compare>. All have
+// the same angles, radius and target, are framed as one, and show round shapes by the same rule. A chunk.
 import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
 import type { SharedLevels } from '../../scene/mesh/levels.js';
 import type { CameraSource } from '../elements.js';
@@ -18,10 +17,7 @@ export function create(member: Member): Extra {
     group = next;
     group?.join(member);
   };
-  return {
-    update: () => join(groupOf(member)),
-    dispose: () => join(null),
-  };
+  return { update: () => join(groupOf(member)), dispose: () => join(null) };
 }
 
 /** By the document and a name, or by a <phong-compare> and no name. */
@@ -102,11 +98,8 @@ export class CameraGroup implements SharedFit, SharedLevels {
   /** The fit with the largest radius, and its target. Scenes that show nothing count only where all are empty. */
   fit(framing: Framing): Fit {
     if (this.#fitted?.framing !== framing) {
-      const fits = [...this.#members.values()].map((from) => ({
-        framing,
-        fit: from.viewport.picture.fit.fitOf(framing),
-        from,
-      }));
+      const members = [...this.#members.values()];
+      const fits = members.map((from) => ({ framing, fit: from.viewport.picture.fit.fitOf(framing), from }));
       const full = fits.filter(({ fit }) => !fit.empty);
       this.#fitted = (full.length > 0 ? full : fits).reduce((a, b) => (b.fit.radius > a.fit.radius ? b : a));
     }

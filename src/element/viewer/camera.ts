@@ -1,5 +1,4 @@
-// How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Also
-// when models may move by themselves, since the same holds for the turntable.
+// How a viewer's camera moves: declared properties, pointer, wheel, keys, turntable, reset. Also when models may move.
 import type { ReactiveController } from 'lit';
 import { zoomLimits } from '../../camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
@@ -38,7 +37,10 @@ export class ViewerCamera implements ReactiveController {
       signals.orderNeeded.emit();
       return this.#frame(now);
     };
-    signals.fitted.listen(() => this.#fitted());
+    signals.fitted.listen(() => {
+      signals.cameraMoved.emit({ source: 'auto', linked: false }); // in the frame that is being drawn
+      this.link?.moved(this, 'auto');
+    });
     signals.viewChanged.listen(({ visible }) => {
       this.#input?.reanchor(); // a drag in progress continues at the new size
       this.#setInView(visible);
@@ -94,12 +96,6 @@ export class ViewerCamera implements ReactiveController {
       fit.settle();
     };
     this.#move(source, write, linked);
-  }
-
-  /** `auto` has moved the camera in the frame that is being drawn. */
-  #fitted(): void {
-    this.#context.signals.cameraMoved.emit({ source: 'auto', linked: false });
-    this.link?.moved(this, 'auto');
   }
 
   /** A property was assigned. Moves the camera there, even if the value is the same as before. */

@@ -1,5 +1,4 @@
-// The lights and meshes of a viewer. Follows its registry: children take effect when they register, and are brought
-// into document order once, before the next frame or when a script reads them.
+// The lights and meshes of a viewer: in effect when they register, in document order before the next frame or reading.
 import { sameValue } from '../../fields/field-store.js';
 import { LightState } from '../../light/light-state.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
@@ -34,7 +33,6 @@ export class ViewerChildren {
     this.#registry.listen(this);
   }
 
-  /** In document order. Frozen; a new list when they change. */
   get lights(): readonly PhongLight[] {
     this.sort();
     return this.#lights;

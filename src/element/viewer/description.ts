@@ -1,18 +1,17 @@
-// Camera, lights and meshes in words, for people who do not see the picture. Plain functions from values to text;
-// degrees and scene units.
+// The picture for people who do not see it: role, name and keys as HTML and ARIA define them; camera, lights and meshes
+// in words, in degrees and scene units.
 import { kindOf } from '../../light/light-features.js';
-import { type LightKind, type LightValues } from '../../light/light-state.js';
+import type { LightValues } from '../../light/light-state.js';
 import { fileName } from '../../model/request-model.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
-import { localNumber, phrase, type ViewerText, type ViewerTexts } from '../fields/texts.js';
-import type { CameraState } from '../elements.js';
+import { localNumber, phrase, type ViewerTexts } from '../fields/texts.js';
+import type { CameraState, PhongViewer } from '../elements.js';
+import { fieldsOf } from '../internals.js';
 
 /** Lights that the description names. It is read in one go, so it must be short. */
 export const NAMED = 8;
 
 const LIGHTS = 'Lights: {lights}.';
-
-const lightOf = (kind: LightKind): ViewerText => `{name}: ${kind} light, position {position}, diffuse {diffuse}`;
 
 export const cameraText = (
   texts: ViewerTexts | null,
@@ -42,7 +41,7 @@ export const lightNameText = (
 ): string => (active ? name : phrase(texts, '{name} (off)', { name }));
 
 export function lightText(texts: ViewerTexts | null, name: string, values: LightValues): string {
-  const light = phrase(texts, lightOf(kindOf(values)), {
+  const light = phrase(texts, `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`, {
     name: lightNameText(texts, name, values),
     position: numbers(values.position.slice(0, 3), texts),
     diffuse: numbers(values.diffuse, texts),
@@ -71,3 +70,38 @@ const numbers = (values: readonly number[], texts: ViewerTexts | null): string =
     .map((value) => localNumber(String(Number(value.toPrecision(3))), texts))
     .join(' ')
     .replaceAll('-', MINUS);
+
+/** Attributes, besides `alt`, that name the picture or say what it is. */
+export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
+
+/** An application gets the keys that a screen reader would keep for itself on an image; `keys` is empty for an image. */
+export function surfaceName(viewer: PhongViewer, texts: ViewerTexts | null) {
+  const label = viewer.getAttribute('aria-label') || viewer.alt;
+  // Missing in browsers without element reflection, whatever the types say.
+  const labelledBy = (viewer as Partial<Element>).ariaLabelledByElements ?? null;
+  const keys = usable(viewer, 'ArrowLeft ArrowRight ArrowUp ArrowDown', 'Plus - PageUp PageDown', 'Home');
+  // Nothing that can have the focus may be hidden or nameless.
+  const hidden = keys === '' && label === '' && labelledBy === null && isDecoration(viewer);
+  return { keys, label: label || phrase(texts, '3D scene'), labelledBy, hidden };
+}
+
+export const keysText = (viewer: PhongViewer, texts: ViewerTexts | null): string =>
+  usable(
+    viewer,
+    phrase(texts, 'Arrow keys rotate.'),
+    phrase(texts, 'Plus and minus zoom.'),
+    phrase(texts, 'Home resets the camera.'),
+  );
+
+const usable = ({ orbit, zoom }: PhongViewer, rotate: string, scale: string, reset: string): string =>
+  [orbit && rotate, zoom && scale, (orbit || zoom) && reset].filter(Boolean).join(' ');
+
+/** The picture has a name, needs none, or is hidden from assistive technology. */
+export const isNamed = (viewer: PhongViewer): boolean =>
+  isDecoration(viewer) ||
+  viewer.matches('[aria-label],[aria-labelledby]') ||
+  viewer.closest('[aria-hidden=true]') !== null;
+
+/** By `alt=""`, as for an image, or by a role. */
+const isDecoration = (viewer: PhongViewer): boolean =>
+  fieldsOf(viewer).store.given('alt') || viewer.matches('[role=none],[role=presentation]');

@@ -10,7 +10,7 @@ import type { ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
 import type { Failure, ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
-import { surfaceName } from './naming.js';
+import { surfaceName } from './description.js';
 
 /** Elements that the viewer's parts are built on. They stay as long as the viewer. */
 export interface ViewerTree {

@@ -1,20 +1,14 @@
-// Dispatches a viewer's events at the end of the task. Several events of one type become one with the last detail,
-// where each only says how things are now; one `light-change` covers all lights.
+// Dispatches a viewer's events at the end of the task; one `light-change` covers all lights.
 import type { Signal } from '../../fields/signal.js';
 import type { LightState } from '../../light/light-state.js';
 import type { PhongLight } from '../elements.js';
 import type { PhongViewerEventMap } from '../events.js';
 import { lightOf } from '../phong-light.js';
 
-interface WaitingEvent {
-  readonly type: keyof PhongViewerEventMap;
-  detail: unknown;
-}
-
 export class EventQueue {
   readonly #element: EventTarget;
   readonly #lightsReported: Signal<readonly PhongLight[]>;
-  #waiting: WaitingEvent[] = [];
+  #waiting: { readonly type: keyof PhongViewerEventMap; detail: unknown }[] = [];
   /** Written to since the last `light-change`; null while none waits. */
   #lights: Set<PhongLight> | null = null;
 

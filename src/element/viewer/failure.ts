@@ -45,7 +45,6 @@ export class ViewerFailure {
     signals.contextRestored.listen(() => this.clear(CONTEXT));
   }
 
-  /** The newest failure that is not cleared; null for none. */
   get newest(): Failure | null {
     return [...this.#present.values()].at(-1) ?? null;
   }

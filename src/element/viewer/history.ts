@@ -1,5 +1,4 @@
-// Undo and redo: a list of edits of one viewer (declared values, the camera, the order of its children). Used by the
-// panel and by anything else that edits for the user. Loaded with its first user.
+// Undo and redo: edits of one viewer (declared values, camera, order of its children). Loaded with its first user.
 import { sameValue } from '../../fields/field-store.js';
 import { registryOf } from '../child-registry.js';
 import { fieldsOf, viewerCameras } from '../internals.js';

@@ -44,7 +44,9 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.drawn.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
-      if (near) this.#neared();
+      if (!near || this.#near) return;
+      this.#near = true;
+      if (context.values.loading === 'lazy') this.update();
     });
     takeDrops(viewer);
   }
@@ -179,12 +181,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       this.#suspended = true;
       for (const mesh of this.#meshes()) mesh.suspend();
     });
-  }
-
-  #neared(): void {
-    if (this.#near) return;
-    this.#near = true;
-    if (this.#context.values.loading === 'lazy') this.update();
   }
 
   /** Values of the viewer have changed, or were assigned again. */

@@ -1,5 +1,4 @@
-// The promise that a viewer is ready: it resolves once everything requested is drawn, or cannot be seen. It never
-// rejects and never stays pending forever.
+// The promise that a viewer is ready: all requested is drawn, or cannot be seen. Never rejects, never stays pending.
 import type { ViewerSignals } from './viewer-context.js';
 
 export class Readiness {
@@ -25,7 +24,6 @@ export class Readiness {
     if (this.#resolve !== null) this.#renew();
   }
 
-  /** Call after anything that may have settled it. */
   check(): void {
     const resolve = this.#resolve;
     if (resolve === null || !this.#settled()) return;

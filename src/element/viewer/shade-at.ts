@@ -1,6 +1,5 @@
-// Explains one fragment of a viewer's picture: what a pixel shows, with each light's terms by the equation in float64:
-// at the fragment, or under Gouraud shading at the triangle's corners, interpolated. The equation's code is fetched with
-// the first explanation.
+// Explains one fragment of a viewer's picture, with each light's terms by the equation in float64: at the fragment, or
+// under Gouraud shading at the triangle's corners, interpolated.
 import type { Mesh } from 'three';
 import type { LightValues, Term } from '../../light/light-state.js';
 import { add, map, scale, subtract, type Vec3, type Vec4 } from '../../math/vector.js';
@@ -57,11 +56,8 @@ async function explained(
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
   const equation = await referenceCode();
-  const { surface, shaded } = shadeHit(
-    equation,
-    hit,
-    lights.map(({ values }) => relative(values, hit.frame.origin)),
-  );
+  const lightsHere = lights.map(({ values }) => relative(values, hit.frame.origin));
+  const { surface, shaded } = shadeHit(equation, hit, lightsHere);
   const { ka, kd, ks } = equation.coefficientsOf(surface, phong.linear);
   const { color: baseColor, opacity } = hit.base;
   return Object.freeze({
@@ -111,10 +107,7 @@ const frozenVectors = (share: LightShare): LightShare => ({
   specular: frozen(share.specular),
 });
 
-/**
- * The surface at a hit, and what the picture shows there. Lights are relative to the frame's origin, like the hit.
- * Under Gouraud shading only the terms and their sum come from the corners; everything else is the fragment's own.
- */
+/** The surface at a hit, and what the picture shows there. Lights are relative to the frame's origin, like the hit. */
 function shadeHit(
   equation: Pick<typeof Reference, 'shade' | 'sumOf'>,
   hit: Hit,
@@ -131,7 +124,7 @@ function shadeHit(
   const N = weighted(weights, [a.N, b.N, c.N]);
   const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));
   if (style.shading !== 'gouraud') return { surface, shaded: here };
-  // All corners use the fragment's base colour, so that it is not interpolated.
+  // Only terms and sum come from the corners, which use the fragment's base colour, so that it is not interpolated.
   const shaded = [at(a.p, a.N), at(b.p, b.N), at(c.p, c.N)] as const;
   const shares = here.shares.map((share, i) => {
     if (share === null) return null;

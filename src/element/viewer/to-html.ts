@@ -12,7 +12,6 @@ const KEPT = ['id', 'class', 'style'];
 /** Wrappers that are kept. Others, such as custom elements with lights of their own, become `div`. */
 const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
 
-/** A comparison with its viewers. */
 export function compareMarkup(compare: PhongCompare): string {
   const { store } = fieldsOf(compare);
   // Percent are rounded to eight digits, as any other value.

@@ -31,8 +31,7 @@ export class ViewerPanel {
       place?.removeAttribute(OPEN_PANEL);
     }
     this.#wanted = wanted;
-    if (wanted === false) return;
-    if (loadPanel === null || place === null) return;
+    if (wanted === false || loadPanel === null || place === null) return;
     if (this.#panel === null) place.setAttribute(OPEN_PANEL, AWAITED);
     const code = await loadPanel().catch(reportMissing);
     if (this.#panel === null) place.removeAttribute(OPEN_PANEL);

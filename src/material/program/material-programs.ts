@@ -6,16 +6,9 @@ import { usesRoughnessMap, type BaseLook } from '../file-surface.js';
 import type { LightBuffer } from '../light-buffer.js';
 import type { PhongLighting } from '../lighting.js';
 import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../material-values.js';
-import { type Term } from '../../light/light-state.js';
+import type { Term } from '../../light/light-state.js';
 import type { Draw } from './program-cache.js';
 import { type Form, generalVariant, type MaterialTerms, specialisedVariant, type Variant } from './variant.js';
-
-/** What one draw uses. */
-interface DrawnWith {
-  readonly variant: Variant;
-  /** The lights that the program reads. */
-  readonly lights: LightBuffer;
-}
 
 export class MaterialPrograms {
   readonly #lighting: PhongLighting;
@@ -51,7 +44,7 @@ export class MaterialPrograms {
   }
 
   /** The program for this draw, and the lights it reads. */
-  forDraw(draw: Draw): DrawnWith {
+  forDraw(draw: Draw): { readonly variant: Variant; readonly lights: LightBuffer } {
     const lighting = this.#lighting;
     lighting.drawWith(draw.renderer);
     const lights = lighting.lightsOf(draw.mesh);

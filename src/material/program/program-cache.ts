@@ -1,6 +1,5 @@
-// The program that draws a mesh: the general one first; a specialised one once the same lights and material were drawn
-// for a while, compiled in the background like a just-in-time compiler's code. One cache for each PhongLighting; it
-// counts programs, not meshes.
+// The program that draws a mesh: the general one first; a specialised one, compiled in the background, once the same
+// lights and material were drawn for a while. One cache for each PhongLighting; it counts programs, not meshes.
 import {
   type Camera,
   GLSL3,
@@ -168,16 +167,14 @@ export const variantParameters = ({ defines, vertexShader, fragmentShader }: Var
 
 function disposeOf({ state }: Entry): void {
   if (!('probe' in state)) return;
+  const { renderer, material } = state.probe;
+  const program = programOf(state.probe)?.program;
   // three.js deletes shaders with the first draw.
-  if (state.name !== 'specialised') deleteShaders(state.probe);
-  state.probe.material.dispose();
-}
-
-function deleteShaders(probe: Probe): void {
-  const gl = probe.renderer.getContext();
-  const program = programOf(probe)?.program;
-  if (program === undefined) return;
-  for (const shader of gl.getAttachedShaders(program) ?? []) gl.deleteShader(shader);
+  if (state.name !== 'specialised' && program !== undefined) {
+    const gl = renderer.getContext();
+    for (const shader of gl.getAttachedShaders(program) ?? []) gl.deleteShader(shader);
+  }
+  material.dispose();
 }
 
 /** What three.js's types leave out. */
@@ -195,9 +192,8 @@ const programOf = ({ renderer, material }: Probe): Program | undefined =>
 const checked = new WeakSet<Program>();
 
 /**
- * Call after drawing. Reports each failed program once. Stands in place of three.js's own check (`checkShaderErrors`),
- * which reads three logs of each program and blocks for each. After a program has drawn, the browser knows its link
- * status without blocking.
+ * Call after drawing: the browser then knows the link status without blocking. Reports each failed program once, in
+ * place of three.js's own check (`checkShaderErrors`), which reads three logs of each program and blocks for each.
  */
 export function checkLinks(renderer: WebGLRenderer): void {
   const gl = renderer.getContext();
@@ -207,8 +203,7 @@ export function checkLinks(renderer: WebGLRenderer): void {
     if (gl.isContextLost()) continue;
     if (gl.getProgramParameter(program.program, gl.LINK_STATUS) !== true) reportLinkFailure(gl, program.program);
     // V8 (Chromium 156) compiles three.js's loop over a program's attributes again and again once a page has used two
-    // programs: 0.4 µs a mesh, a quarter of the script of 2,000 boxes. It does not where nothing can be added to them,
-    // and three.js never does.
+    // programs, unless nothing can be added to them: 0.4 µs a mesh, a quarter of the script of 2,000 boxes.
     else Object.preventExtensions(program.getAttributes());
   }
 }

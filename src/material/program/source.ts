@@ -1,5 +1,4 @@
-// The programs' text: the chunks of shaders/ joined in one explicit order, after the constants that TypeScript and GLSL
-// share.
+// The programs' text: the chunks of shaders/ in one explicit order, after the constants shared with TypeScript.
 import attenuation from '../../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../../shaders/diffuse_lobe.glsl?raw';
 import fileSurface from '../../../shaders/file_surface.glsl?raw';

@@ -1,5 +1,5 @@
-// The code that a program holds. A variant is the defines of one program and its text. The general variant of a
-// material works for any number of its lights; specialised variants are derived from it for the current lights.
+// A variant is the defines and the text of one program. A material's general variant works for any number of lights;
+// specialised variants are derived from it for the current ones.
 import type { Texture } from 'three';
 import { kindFeatures } from '../../light/light-features.js';
 import { FEATURES, HEADER, ROWS } from '../../light/light-layout.js';
@@ -140,9 +140,8 @@ function maskOf(terms: readonly Term[]): number {
 }
 
 /**
- * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: a picture with 16 lights
- * takes 0.71 of MeshPhongMaterial's time instead of 0.82. But with 32 lights the first frame takes 65 ms longer
- * (OpenGL), without 29.
+ * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: 16 lights take 0.71 of
+ * MeshPhongMaterial's time instead of 0.82. But with 32 the first frame takes 65 ms longer (OpenGL), without 29.
  */
 const MOST_UNROLLED = 16;
 
@@ -163,7 +162,6 @@ function countedLoops(packed: Readonly<PackedLights>, mask: number): string {
   return (unrolled ? '' : `int row=${String(HEADER.rows)};`) + loops.join('');
 }
 
-/** A call for each light. */
 function calls(packed: Readonly<PackedLights>, mask: number): string {
   let text = '';
   forEachLight(packed, (light, kind, row) => {

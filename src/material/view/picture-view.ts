@@ -1,5 +1,4 @@
-// What a picture shows in place of all lights' shaded colours: one light's, one term's, or a quantity. Fetched with the
-// first use of `view` or `view-light`.
+// What a picture shows in place of all lights' shaded colours. Fetched with the first use of `view` or `view-light`.
 import type { LightValues } from '../../light/light-state.js';
 import { packLights, packNothing, type PackSpace } from '../../light/pack-lights.js';
 import type { View, PictureView } from '../views.js';
@@ -60,16 +59,13 @@ function writeQuantityLight(
   uViewAttenuation.value.set(...light.attenuation, 1);
 }
 
-/** What a view shows by programs of its own. */
-type OwnProgram = Exclude<Shows, { by: 'equation' }>;
-
 /** Quantities are not encoded, and the same whether a surface is lit or emits light. */
 const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HAS_EMISSIVE_MAP'];
 
 const made = new Map<string, Variant>();
 
 /** A material's general program with another text for the colour, and without what only colours need. */
-function viewVariant(view: View, shows: OwnProgram, general: Variant): Variant {
+function viewVariant(view: View, shows: Exclude<Shows, { by: 'equation' }>, general: Variant): Variant {
   const key = `${view} ${general.key}`;
   const present = made.get(key);
   if (present !== undefined) return present;

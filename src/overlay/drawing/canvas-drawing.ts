@@ -3,8 +3,8 @@
 import { coreOf, DASHES, type Disc, type DrawnItem, HALO, haloWidth, labelFont, type Stroke } from './display-list.js';
 
 /**
- * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the
- * picture's in the layer's pixels, `scale` how many of the picture's pixels are one of them.
+ * A layer of this height in a picture file. `width` and `height` are the picture's in the layer's pixels, `scale` how
+ * many of the picture's pixels are one of them.
  */
 export function fileSize(
   picture: HTMLCanvasElement,
@@ -14,10 +14,7 @@ export function fileSize(
   return { width: picture.width / scale, height: picture.height / scale, scale };
 }
 
-/**
- * Draws the list; `scale` is how many of the canvas's pixels are one of the list's, `fontSize` that of labels in pixels
- * of the list.
- */
+/** `scale`: how many of the canvas's pixels are one of the list's; `fontSize`: of labels, in pixels of the list. */
 export function drawList(
   context: CanvasRenderingContext2D,
   list: readonly DrawnItem[],

@@ -46,7 +46,6 @@ export interface Label {
 
 export type DrawnItem = Stroke | Disc | Label;
 
-/** The outline's colour. */
 export const HALO = '#000';
 
 /** Width of the stroke in {@link HALO} below the core. */
@@ -67,10 +66,7 @@ export const labelFont = (size: string): string => `600 ${size} system-ui, sans-
 /** Length and half the width of an arrow's head, CSS pixels. */
 const HEAD = { length: 9, half: 4 };
 
-/**
- * The head of an arrow whose line ends at `tip`, `size` pixels long; null where the line is too short to have a
- * direction.
- */
+/** The head of an arrow, `size` pixels long; null where its line is too short to have a direction. */
 export function arrowHead(from: Point, tip: Point, size: number = HEAD.length): readonly Point[] | null {
   const length = Math.hypot(tip.x - from.x, tip.y - from.y);
   if (!(length > 1)) return null;

@@ -1,5 +1,4 @@
-// Measures names and places them so that none covers another and all stay inside. One place after the other, the first
-// ones first. CSS pixels of the layer.
+// Places names one after the other so that none covers another and all stay inside. CSS pixels of the layer.
 import { type DrawnItem, type Label, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
 
@@ -33,9 +32,8 @@ export interface Rect {
 }
 
 /**
- * One list of several drawings, with their names on top, and what the names cover. The first drawings are lowest, and
- * their names are placed last. Names stay inside `room` and avoid each other, `boxes` and, as far as they can, what is
- * covered; those without a place are left out.
+ * One list of several drawings, the first ones lowest, with their names on top, and what these cover. Names stay inside
+ * `room` and avoid each other, `boxes` and, if they can, what is covered; those without a place are left out.
  */
 export function listOf(
   drawings: readonly Drawing[],
@@ -120,7 +118,6 @@ function overlap(box: Rect, others: readonly Rect[]): number {
   return sum;
 }
 
-/** A square around a point. */
 export const boxAround = ({ x, y }: Point, half: number): Rect => ({
   left: x - half,
   top: y - half,

@@ -1,9 +1,8 @@
-// Projects points of the scene to the layer over the picture, and back. In float64, from the orbit's own basis, as the
-// picture is drawn. World space to CSS pixels of the layer, from its top left corner.
+// Projects points of the scene to the layer over the picture, and back, in float64. World space to CSS pixels.
 import { basisOf, type Basis, type Pose } from '../../camera/orbit.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { radians } from '../../math/angle.js';
-import { add, dot, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { add, clamp, dot, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 
 /** CSS pixels of the layer, right and down from its top left corner. */
 export interface Point {
@@ -26,10 +25,7 @@ export interface Sight {
   /** CSS pixels of the layer, both above 0. */
   readonly width: number;
   readonly height: number;
-  /**
-   * Width over height of the picture in device pixels, which rounding makes slightly different. Default: that of the
-   * layer.
-   */
+  /** Of the picture in device pixels, which rounding makes slightly different. Default: that of the layer. */
   readonly aspect?: number;
 }
 
@@ -47,10 +43,7 @@ export const projectionOf = (
   aspect = width > 0 && height > 0 ? width / height : size.width / size.height,
 ): Projection => new Projection({ pose: orbit.pose, fov: fit.fov, ...size, aspect });
 
-/**
- * Points nearer to the eye than this share of the orbit's radius count as behind it: their place on the layer would
- * overflow.
- */
+/** Nearer to the eye than this share of the orbit's radius, places on the layer would overflow: they count as behind. */
 const NEAREST = 1e-4;
 
 /** Widths and heights outside the picture at which lines are cut. Far ends would make dashes slow to draw. */
@@ -83,18 +76,15 @@ export class Projection {
     return this.turnToCamera(subtract(place, this.eye));
   }
 
-  /** Camera space to world place. */
   toWorld(place: Vec3): Vec3 {
     return add(this.eye, this.turnToWorld(place));
   }
 
-  /** The same direction in camera space. */
   turnToCamera(direction: Vec3): Vec3 {
     const { right, up, back } = this.basis;
     return [dot(direction, right), dot(direction, up), dot(direction, back)];
   }
 
-  /** The same direction in world space. */
   turnToWorld([x, y, z]: Vec3): Vec3 {
     const { right, up, back } = this.basis;
     return add(add(scale(right, x), scale(up, y)), scale(back, z));
@@ -111,7 +101,7 @@ export class Projection {
     return -z >= this.#near ? this.#onLayer(x, y, -z) : null;
   }
 
-  /** The same, null outside the layer. */
+  /** Null outside the layer too. */
   pointInside(place: Vec3): Point | null {
     const point = this.point(place);
     const within = (at: number, size: number): boolean => at >= 0 && at < size;
@@ -125,7 +115,6 @@ export class Projection {
     return this.toWorld([slopeX * depth, slopeY * depth, -depth]);
   }
 
-  /** From the eye through a point of the layer. */
   ray(point: Point): Ray {
     return { origin: this.eye, direction: normalize(subtract(this.placeAt(point, 1), this.eye)) };
   }
@@ -165,10 +154,7 @@ export class Projection {
     return this.#clipped(this.#onLayer(from[0], from[1], -from[2]), this.#onLayer(to[0], to[1], -to[2]));
   }
 
-  /**
-   * The segment's end at the near plane. The depth is set, because the difference of large coordinates would be lost to
-   * rounding.
-   */
+  /** The end at the near plane. Its depth is set: rounding would lose the difference of large coordinates. */
   #cut(a: Vec3, b: Vec3, share: number): Vec3 {
     const [x, y] = add(a, scale(subtract(b, a), share));
     return [x, y, -this.#near];
@@ -206,8 +192,6 @@ export class Projection {
     return [from === 0 ? a : at(from), to === 1 ? b : at(to)];
   }
 }
-
-export const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 
 /** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
 export function inside({ x, y }: Point, { width, height }: { width: number; height: number }, margin: number): Point {

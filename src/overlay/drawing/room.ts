@@ -18,10 +18,7 @@ export class Room {
   /** Follows what changes the boxes' places but not their sizes. */
   readonly #arrivals: MutationObserver | null;
 
-  /**
-   * `changed` is called when room, boxes or text have another size or place. `namePart`: the part of names that are
-   * placed outside {@link boxes}; null for none.
-   */
+  /** `changed`: room, boxes or text have another size or place. `namePart`: of names outside {@link boxes}, if any. */
   constructor(tree: ViewerTree, changed: () => void, namePart: string | null = null) {
     this.#tree = tree;
     this.#em = create('i', { class: 'corner', 'aria-hidden': 'true', part: namePart });

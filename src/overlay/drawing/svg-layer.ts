@@ -1,5 +1,4 @@
-// Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are kept from list to
-// list, and only what differs is written.
+// Shows a display list on the page as SVG. Elements are kept from list to list, and only what differs is written.
 import { createSvg, set, write } from '../../element/dom.js';
 import { coreOf, DASHES, type DrawnItem, HALO, haloWidth, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
@@ -13,12 +12,7 @@ interface ShownItem {
 }
 
 export class SvgLayer {
-  readonly element = createSvg('svg', {
-    width: '100%',
-    height: '100%',
-    'aria-hidden': 'true',
-    focusable: 'false',
-  });
+  readonly element = createSvg('svg', { width: '100%', height: '100%', 'aria-hidden': 'true', focusable: 'false' });
   #shown: ShownItem[] = [];
 
   /** Labels are as large as the text around it. */
@@ -26,10 +20,7 @@ export class SvgLayer {
     this.element.style.font = labelFont('1em');
   }
 
-  /**
-   * What is shown belongs to a picture of this size, CSS pixels. On paper, which is laid out without scripts, both are
-   * scaled alike.
-   */
+  /** The picture's size, CSS pixels. On paper, which is laid out without scripts, both are scaled alike. */
   over({ width, height }: { readonly width: number; readonly height: number }): void {
     set(this.element, { viewBox: `0 0 ${String(width)} ${String(height)}` });
   }
@@ -46,7 +37,6 @@ export class SvgLayer {
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
-  /** Adds elements, in place of others or as the last ones. */
   #add(kind: DrawnItem['kind'], replaced: readonly SVGElement[] = []): readonly SVGElement[] {
     const elements = TAGS[kind].map((tag) => createSvg(tag));
     if (replaced[0] === undefined) this.element.append(...elements);

@@ -11,7 +11,8 @@ import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
-import { ARROWS, clamp, inside, type Projection } from '../drawing/projection.js';
+import { ARROWS, inside, type Projection } from '../drawing/projection.js';
+import { clamp } from '../../math/vector.js';
 import { EDGE, type Handle, type LightMarks, type HandlePart, type SceneBall } from './light-marks.js';
 import { LightMove } from './light-move.js';
 
@@ -59,7 +60,6 @@ export class Handles {
     this.#list.addEventListener('pointerdown', (event) => this.#press(event));
   }
 
-  /** Updates the elements to what is drawn. */
   show(lights: readonly PhongLight[], marks: readonly LightMarks[], view: Projection, scene: SceneBall): void {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
@@ -108,12 +108,8 @@ export class Handles {
   }
 
   #add(light: PhongLight, part: HandlePart): HandleEntry {
-    const element = create('div', {
-      class: `handle ${part}`,
-      role: 'option',
-      tabindex: '-1',
-      'aria-selected': 'false',
-    });
+    const className = `handle ${part}`;
+    const element = create('div', { class: className, role: 'option', tabindex: '-1', 'aria-selected': 'false' });
     const shown: HandleEntry = { element, light, part, handle: null, index: 0, texts: null };
     this.#shown.set(element, shown);
     this.#byLight[part].set(light, shown);
@@ -217,7 +213,6 @@ export class Handles {
     return true;
   }
 
-  /** Ends the move, which becomes a step that undo takes back. */
   #end(): void {
     this.#move.end();
     for (const { element } of this.#shown.values()) element.classList.remove('moving');
@@ -229,7 +224,6 @@ export class Handles {
     this.#say('');
   }
 
-  /** Announces a text, politely. */
   #say(text: ViewerText | ''): void {
     write(this.#region, text === '' ? '' : phrase(this.#host.viewer.texts, text));
   }

@@ -1,7 +1,6 @@
-// Draws the helpers over a viewer's picture. Follows drawn frames, recomputes only what has changed, and shows it as
-// SVG, or in a picture file as the same list. Knows what each part is for, not how it looks.
+// Draws the helpers over a viewer's picture after each frame, as SVG, or in a picture file as the same list.
 import { sameValue } from '../../fields/field-store.js';
-import { create } from '../../element/dom.js';
+import { create as createElement } from '../../element/dom.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
@@ -15,13 +14,12 @@ import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './light-marks.js';
 import { SceneHelpers } from './scene-helpers.js';
 
-const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
-export { createHelpers as create };
+export const create = (host: ExtraHost): Extra => new Helpers(host);
 
 class Helpers implements Extra {
   readonly #host: ExtraHost;
   readonly #root: ShadowRoot;
-  readonly #element = create('div', { class: 'helpers' });
+  readonly #element = createElement('div', { class: 'helpers' });
   readonly #svg = new SvgLayer();
   readonly #lights: LightHelpers;
   readonly #objects: SceneHelpers;

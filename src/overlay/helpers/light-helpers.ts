@@ -1,5 +1,4 @@
-// The helpers of a viewer's lights: their marks and names, and their handles. Marks of a light are computed again only
-// where the light, the view or what hides it has changed.
+// The helpers of a viewer's lights: their marks, names and handles. Marks are computed again only after changes.
 import { sameValue } from '../../fields/field-store.js';
 import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight } from '../../element/elements.js';
@@ -16,7 +15,6 @@ import { isBehind, type RayTest, RayTests } from './occlusion.js';
 /** Between a light's place and its name, CSS pixels. */
 const GAP = 12;
 
-/** The part of lights' names. */
 export const LIGHT_NAME = 'light-name';
 
 /** Opacity of the name of a light that is off. */

@@ -1,19 +1,11 @@
 // The marks of a light: its place in its own colour, the direction in which it shines, its cone, and where it has
-// halved. From a light's values to places in world space, whatever its own space, and from these to a display list in
-// CSS pixels of the layer, with the places of the handles.
+// halved. From its values to places in world space, and to a display list in CSS pixels with the handles.
 import { isSpot } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, normalize, perpendicular, scale, subtract, type Vec3 } from '../../math/vector.js';
-import {
-  arrow,
-  arrowHead,
-  coreColor,
-  cssRgb,
-  type Disc,
-  type DrawnItem,
-  type Stroke,
-} from '../drawing/display-list.js';
+import { arrow, arrowHead, coreColor, cssRgb } from '../drawing/display-list.js';
+import type { Disc, DrawnItem, Stroke } from '../drawing/display-list.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 
 /** A sphere that contains the scene; its radius is above 0. */
@@ -39,9 +31,8 @@ interface PlacedSpot {
   /** As far as {@link reach}, and far enough from the light for a handle. */
   readonly grip: number;
   /**
-   * The place at an angle of `degrees` from the axis, on the circle across the axis at `reach`, which over a level floor
-   * is the edge of the lit pool. Nearer to the light where that circle would be too wide, as it always is from 90
-   * degrees on. By 0 and π `around` the axis is the outline as the eye sees it.
+   * The place at `degrees` from the axis, on the circle across it at `reach`; nearer to the light where that circle would
+   * be too wide, as it is from 90 degrees on. By 0 and π `around` the axis is the outline as the eye sees it.
    */
   readonly onCone: (reach: number, degrees: number, around?: number) => Vec3;
 }
@@ -71,10 +62,7 @@ export const DIRECTIONAL_AT = 1.2;
 /** Length of a directional light's arrow, in radii of the scene: it ends before the scene begins. */
 const ARROW = 0.35;
 
-/**
- * Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the scene: both can be
- * gripped in a scene of any size, at any surface.
- */
+/** Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the scene. */
 const LONGEST_ARROW = 0.6;
 const LEAST_GRIP = 0.25;
 
@@ -90,7 +78,7 @@ const POINTER = 12;
 /** Radii in CSS pixels. */
 const RADIUS = { place: 7, outside: 5, part: 4 } as const;
 
-/** Points of a circle around a light; enough for a smooth one that fills the picture. */
+/** Points of a circle that fills the picture and is smooth. */
 const SEGMENTS = 48;
 
 /** Opacity of a light that is off. */
@@ -110,11 +98,7 @@ export function lightMarks(
   const placed = placedLight(values, view, scene, surface);
   const { place, spot } = placed;
   const own = scale(values.diffuse, 1 / 255);
-  const look = {
-    color: cssRgb(coreColor(own)),
-    dashed: hidden,
-    opacity: values.active ? 1 : DIMMED,
-  };
+  const look = { color: cssRgb(coreColor(own)), dashed: hidden, opacity: values.active ? 1 : DIMMED };
   const list: DrawnItem[] = [];
   const handles: Handle[] = [];
   const stroke = (lines: Stroke['lines'], width: number, dashed = hidden): void => {
@@ -156,7 +140,6 @@ export function lightMarks(
 
 export const isDirectional = ({ position }: Readonly<LightValues>): boolean => position[3] === 0;
 
-/** Where the helper shows the light. */
 export function placedLight(
   values: Readonly<LightValues>,
   view: Projection,
@@ -252,10 +235,7 @@ function handleAt(part: HandlePart, place: Vec3, view: Projection): Handle {
   return { part, at: onEdge(place, view), place, outside: true };
 }
 
-/**
- * Where the line from the picture's middle toward the place crosses the edge. Behind the eye: to the side on which the
- * place is.
- */
+/** Where the line from the picture's middle toward the place crosses the edge. Behind the eye: to the place's side. */
 function onEdge(place: Vec3, view: Projection): Point {
   const { width, height } = view;
   const point = view.point(place);

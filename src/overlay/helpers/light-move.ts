@@ -1,12 +1,11 @@
-// Moves a light by one of its handles, from the start to the end of a drag or of a move by keys, as one step that undo
-// takes back. New values follow from those at the start and the whole travel since then, so that nothing accumulates
-// and going back restores. Travel in CSS pixels of the layer, right and down.
+// Moves a light by one of its handles, as one step that undo takes back. New values follow from those at the start and
+// the whole travel since then, so that going back restores. Travel in CSS pixels of the layer, right and down.
 import { LIMITS, type LightValues } from '../../light/light-state.js';
-import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { add, clamp, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight, PhongViewer } from '../../element/elements.js';
 import { historyOf, type Undoable, valuesOf } from '../../element/viewer/history.js';
-import { clamp, type Point, type Projection, type Ray } from '../drawing/projection.js';
+import { type Point, type Projection, type Ray } from '../drawing/projection.js';
 import {
   DIRECTIONAL_AT,
   type Handle,
@@ -110,7 +109,6 @@ export class LightMove {
     this.#go(move, { x: travel.x + right * size, y: travel.y + down * size }, along);
   }
 
-  /** Puts back what the light was at the start. */
   restore(): void {
     const move = this.#move;
     if (move !== null) move.subject.restore(move.subject.read(), move.before);
@@ -231,9 +229,8 @@ function isNearSide(place: Vec3, { center }: SceneBall, { eye }: Projection): bo
 }
 
 /**
- * Where a ray from outside meets a ball, on the near or far side, as a unit vector from its centre. A ray that misses
- * the ball goes on around it: from the outline, which it touches at one radius from the centre, to the middle of the
- * other side at two radii.
+ * Where a ray from outside meets a ball, as a unit vector from its centre. A ray that misses the ball goes on around it:
+ * from the outline, one radius from the centre, to the middle of the other side at two radii.
  */
 function onBall({ origin, direction }: Ray, { center, radius }: SceneBall, nearSide: boolean): Vec3 {
   const toCenter = subtract(center, origin);

@@ -1,5 +1,5 @@
-// Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one: a while
-// after a change and in slices. Nothing waits for them, and marks are drawn as before until they are known.
+// Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one. Nothing
+// waits for them: marks are drawn as before until the answers are known.
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { Vec3 } from '../../math/vector.js';
 import { pick } from '../../scene/snapshot/pick.js';
@@ -15,7 +15,6 @@ const SLICE = 4;
 /** Relative. A place on a surface, such as a lamp's on its shade, is not behind it. */
 const TOLERANCE = 1e-3;
 
-/** A question that a ray answers. */
 export type RayTest<Answer> = (scene: SceneSnapshot) => Answer;
 
 /** Answers to such questions, by key. */
@@ -38,7 +37,6 @@ export class RayTests<Key, Answer> {
     return this.#answers.get(key);
   }
 
-  /** Finds the answers to all these. */
   follow(tests: ReadonlyMap<Key, RayTest<Answer>>): void {
     this.#waiting = tests;
     if (this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
@@ -80,7 +78,6 @@ export class RayTests<Key, Answer> {
   }
 }
 
-/** Whether a shape is in front of the place. */
 export const isBehind =
   (place: Vec3, view: Projection): RayTest<boolean> =>
   (scene) => {

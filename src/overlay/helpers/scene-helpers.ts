@@ -1,6 +1,5 @@
-// The helpers of the scene itself: axes, the grid on the ground, the boxes and the normals of meshes. From the scene's
-// ball and its meshes to strokes: world space to CSS pixels of the layer. Computed again only where the view, the ball, a
-// mesh, or what hides something has changed.
+// The helpers of the scene itself: axes, the grid on the ground, the boxes and the normals of meshes. World space to CSS
+// pixels of the layer. Computed again only where the view, the ball, a mesh, or what hides something has changed.
 import { Matrix3, type Mesh, type Object3D } from 'three';
 import type { Helper } from '../../element/fields/viewer-fields.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
@@ -129,7 +128,6 @@ function axesMarks(view: Projection, { center, radius }: SceneBall, hiding: Hidi
   return list;
 }
 
-/** None for no lines. */
 const strokes = (lines: Stroke['lines'], look: Omit<Stroke, 'kind' | 'lines'>): Stroke[] =>
   lines.length > 0 ? [{ kind: 'stroke', lines, ...look }] : [];
 
@@ -147,10 +145,7 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
   return null;
 }
 
-/**
- * Lines of the plane y = 0 under the scene, at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are
- * left out.
- */
+/** Lines of the plane y = 0 at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are left out. */
 function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): DrawnItem[] {
   const step = niceCeil(radius / 4);
   const lowX = Math.floor((center[0] - GRID * radius) / step);
@@ -252,10 +247,7 @@ const NORMAL = 0.09;
 /** Takes vertices in an order without a pattern: steps of a fixed size would follow the rows of a sphere. */
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
-/**
- * Normals as the picture shades with them, at a sample of the vertices, or of the triangles under flat shading: those
- * that face the eye. A double-sided surface has a normal on its visible side.
- */
+/** Normals at a sample of the vertices, or of the triangles under flat shading; of double-sided surfaces, toward the eye. */
 function normalMarks(
   meshes: readonly Mesh[],
   view: Projection,

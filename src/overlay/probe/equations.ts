@@ -4,11 +4,10 @@ import type { AnswerDetail } from '../../element/events.js';
 import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
-import type { LightValues } from '../../light/light-state.js';
+import type { LightValues, Term } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
-import { add, dot, map, normalize, scale, subtract } from '../../math/vector.js';
-import type { Term } from '../../light/light-state.js';
+import { add, clamp, dot, map, normalize, scale, subtract } from '../../math/vector.js';
 import { degreesOf, degreesText, shortNumber, decimals, exponentOf, rounded } from './sum.js';
 
 /** What somebody who makes a usual mistake gets. `text` states only where the number comes from, so it is true. */
@@ -240,7 +239,7 @@ function sumLine(
 ): Equation {
   const total = parts.reduce((all, part) => all + part.value, own);
   const encode = (x: number): number => (linear ? srgbEncode(Math.max(x, 0)) : x);
-  const finish = (x: number): number => Math.min(Math.max(encode(x), 0), 1);
+  const finish = (x: number): number => clamp(encode(x), 0, 1);
   const without = (factor: string, x: number, mistake: Wrong['mistake'] = 'left-out'): Wrong =>
     wrongIn(texts)(mistake, x, 'That is the value without {factor}.', { factor });
   const wrongs: Wrong[] = [without('min(…, 1)', encode(total), 'unclamped')];
@@ -269,7 +268,6 @@ const resultText = (value: number, texts: ViewerTexts | null): string => {
   return shortNumber(value, value === 0 || value === 1 ? 0 : decimals(2, isShown), texts);
 };
 
-/** A verdict on what was typed. */
 export type Verdict = Pick<AnswerDetail, 'value' | 'correct' | 'mistake'> & { readonly text: string };
 
 /** Nobody sees this difference: an eighth of a code. */

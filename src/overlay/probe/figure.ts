@@ -1,16 +1,15 @@
-// The figure at a probed point: N, L of the lights that add most, R or H of one of them and their angles, in world
-// space; and its lines over the picture as a display list. V is a point there, because it points at the eye. For the
-// same reason the angle between R and V has no arc: it would lie on R itself.
+// The figure at a probed point, and its display list: N, L of the lights that add most, R or H of one of them and their
+// angles. V is a point, because it points at the eye, so the angle between R and V has no arc: it would lie on R itself.
 import type { FragmentExplanation } from '../../element/explanation.js';
 import type { ViewerTexts } from '../../element/fields/texts.js';
 import { radians } from '../../math/angle.js';
-import { add, dot, length, map, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
+import { add, clamp, dot, length, map, normalize, scale, subtract, transformed, type Vec3 } from '../../math/vector.js';
 import { arrow, coreColor, cssRgb, type DrawnItem } from '../drawing/display-list.js';
 import { boxAround, boxesAlong, listOf, type Name, type Rect } from '../drawing/label-layout.js';
 import type { Point, Projection } from '../drawing/projection.js';
 import { byShare, degreesOf, type Sum, type SumRow, lobeWords, normalWords } from './sum.js';
 
-/** Most lights with arrows. More arrows would be unreadable. */
+/** Most lights with arrows. More would be unreadable. */
 export const MOST_LIGHTS = 6;
 
 /** Points of an arc. Between two of them an arc of 180 degrees and 40 pixels strays by less than a pixel. */
@@ -99,10 +98,7 @@ function arc(from: Vec3, to: Vec3, radius: number): Vec3[] {
   });
 }
 
-/**
- * The corners of the triangle that a fragment belongs to, in world space, as drawn now. Empty if the object's geometry
- * has changed.
- */
+/** The corners of the fragment's triangle in world space, as drawn now. Empty if the geometry has changed. */
 export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[] {
   const { geometry, matrixWorld } = object;
   const { index } = geometry;
@@ -151,7 +147,7 @@ export function drawingOf(
   { outline, room, boxes, fontSize }: Surroundings,
 ): readonly DrawnItem[] {
   const { width, height } = projection;
-  const pixels = Math.min(Math.max(ARROW.share * Math.min(width, height), ARROW.least), ARROW.most);
+  const pixels = clamp(ARROW.share * Math.min(width, height), ARROW.least, ARROW.most);
   const unit = pixels / projection.pixelsPerUnit(projection.depthOf(p));
   const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
   const list: DrawnItem[] = [];

@@ -1,6 +1,5 @@
-// The probe's box: the colour, the table of its sum, and the steps of one light. A column at the picture's side in wide
-// pictures, else a strip along its upper or lower edge, whichever is away from the point. The style sheet gives it a
-// size; what does not fit in there is left out in a fixed order, by trying.
+// The probe's box: the colour, the table of its sum, and the steps of one light. A column in wide pictures, else a strip,
+// away from the point. The style sheet gives its size; what does not fit is left out in a fixed order, by trying.
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
 import { create } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
@@ -28,7 +27,6 @@ export interface BoxContent {
   readonly asks: boolean;
 }
 
-/** What the box shows. */
 export interface BoxState {
   /** A message stands in place of a sum. Null: nothing is shown. */
   readonly content: BoxContent | string | null;
@@ -51,10 +49,7 @@ interface Form {
   readonly steps: boolean;
 }
 
-/**
- * What is left out where the table has no room, in this order. `least`: lights with a row of their own; the others share
- * one.
- */
+/** What is left out, in this order, where room lacks. `least`: lights with a row of their own; the others share one. */
 const LEVELS = [
   { note: true, steps: true, least: Infinity },
   { note: false, steps: true, least: Infinity },

@@ -1,5 +1,4 @@
-// Shows a probed point on the page: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and
-// announcements. Knows which light is looked at, but not which point is next.
+// Shows a probed point: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and announcements.
 import { html, render } from 'lit';
 import { create, write } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
@@ -18,7 +17,6 @@ import { type BoxContent, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, probeSum, fragmentText } from './sum.js';
 
-/** What the probe shows. */
 export interface ProbedPoint {
   /** Null: outside the picture. */
   readonly at: Point | null;

@@ -1,6 +1,5 @@
-// The probe: the point that a viewer explains. It is the place under the mouse or the cross-hair, or a pinned point in
-// the scene. A mouse hovers, a click or tap without a drag pins, arrow keys move the cross-hair; the camera takes the
-// same events. At most one explanation runs at a time, and none while nothing changes.
+// The probe: the point that a viewer explains, under the mouse or the cross-hair, or pinned in the scene. The camera
+// takes the same events. At most one explanation runs at a time, and none while nothing changes.
 import { SLOP } from '../../camera/kept-drag.js';
 import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';

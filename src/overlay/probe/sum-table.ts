@@ -1,5 +1,4 @@
-// Shows a sum as a table: a real one, with a caption and headers. One light can be chosen: by the pointer on its row,
-// by its button's focus, and kept by a press.
+// Shows a sum as a table. A light is chosen by the pointer on its row or by its button's focus, and kept by a press.
 import { html, nothing, type TemplateResult } from 'lit';
 import { localNumber, phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
@@ -14,7 +13,6 @@ export type Chosen = PhongLight | null | undefined;
 /** A column after the light's name. "…" stands for terms that are in the sum but have no column. */
 export type Column = Term | 'att' | 'decay' | 'sum' | '…';
 
-/** How the table shows a sum. */
 export interface TableShape {
   readonly columns: readonly Column[];
   /** Decimals of its codes. */

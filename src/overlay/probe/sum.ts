@@ -1,11 +1,11 @@
-// The sum at a fragment, from an explanation of shadeAt: its rows, with colours in codes (255 is full), its numbers as
-// text, and the words for screen readers, which see neither arrows nor table, and for the line below the table.
+// The sum at a fragment: its rows, with colours in codes (255 is full), its numbers as text, and the words for screen
+// readers, which see neither arrows nor table, and for the line below the table.
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { localNumber, phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { LEAST_EXPONENT } from '../../light/precision.js';
 import { cosDegrees, radians } from '../../math/angle.js';
 import { isBlack, srgbDecode } from '../../math/color.js';
-import { add, length, map, type Vec3 } from '../../math/vector.js';
+import { add, clamp, length, map, type Vec3 } from '../../math/vector.js';
 
 /** Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular terms. */
 export type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | 'no normal' | null;
@@ -93,7 +93,7 @@ export const termText = (color: Vec3, digits: number, texts: ViewerTexts | null)
   isBlack(color) ? localNumber('0', texts) : tripleText(color, digits, texts);
 
 /** The angle whose cosine this is, in degrees. */
-export const degreesOf = (cosine: number): number => Math.acos(Math.min(Math.max(cosine, -1), 1)) / radians(1);
+export const degreesOf = (cosine: number): number => Math.acos(clamp(cosine, -1, 1)) / radians(1);
 
 export const degreesText = (cosine: number, digits: number, texts: ViewerTexts | null): string =>
   `${shortNumber(degreesOf(cosine), digits, texts)}°`;
@@ -182,7 +182,6 @@ function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, 
 /** As the equation's table of limits has it: x^0 is 1 for every x. */
 export const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
 
-/** N·L and its angle. */
 export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>
   cosineWords(texts, NoL, 3);
 

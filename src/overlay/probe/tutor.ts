@@ -1,5 +1,4 @@
-// The probe's equations in its box, as MathML, with the numbers put in or with fields for answers; and as text and LaTeX
-// for the clipboard.
+// The probe's equations, as MathML with numbers or with fields for answers, and as text and LaTeX for the clipboard.
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { AnswerDetail } from '../../element/events.js';
 import { phrase, type ViewerText, type ViewerTexts } from '../../element/fields/texts.js';

@@ -1,6 +1,4 @@
-// The folders of the lights or of the meshes: one per child, in document order, which keeps its state while children
-// are added, duplicated, reordered and removed. Each of these is one step that can be undone. The focus follows the
-// child.
+// The folders of the panel. Rows are built when their folder is first opened, and refreshed only while they are visible.
 import type { GUI } from 'lil-gui';
 import type { ViewerText, ViewerTexts } from '../element/fields/texts.js';
 import { fieldsOf } from '../element/internals.js';
@@ -9,9 +7,86 @@ import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { childrenOf, historyOf } from '../element/viewer/history.js';
 import { ButtonRow } from './button-row.js';
-import { addGroup, Folder } from './folder.js';
-import type { Rows } from './rows.js';
+import { label } from './label.js';
+import { type AddedRow, addRows, type Editable, type RowContext, type Rows } from './rows.js';
 import type { SceneRange } from './travel.js';
+
+export class Folder<E extends Editable> {
+  readonly gui: GUI;
+  readonly #place: RowContext<E>;
+  readonly #table: Rows<E>;
+  readonly #built: (gui: GUI) => void;
+  #rows: ReadonlyMap<string, AddedRow<E>> | null = null;
+  #stale = true;
+
+  /** Starts closed. `title`: null if the caller writes it. `built`: adds what stands below the table's rows. */
+  constructor(
+    parent: GUI,
+    title: ViewerText | null,
+    place: RowContext<E>,
+    table: Rows<E>,
+    built: (gui: GUI) => void = () => undefined,
+  ) {
+    this.gui = addGroup(parent, title).close();
+    this.#place = place;
+    this.#table = table;
+    this.#built = built;
+  }
+
+  /** Marks the rows as outdated and refreshes them if they are visible. */
+  update(): void {
+    this.#stale = true;
+    this.refreshVisible();
+  }
+
+  /** Refreshes outdated rows if they are visible. To be called whenever a folder around it opens. */
+  refreshVisible(): void {
+    if (!this.#stale || this.gui.domElement.closest('.lil-closed') !== null) return;
+    this.#stale = false;
+    if (this.#rows === null) {
+      this.#rows = addRows(this.gui, this.#place, this.#table);
+      this.#built(this.gui);
+    }
+    showRows(this.#place.element, [...this.#rows.values()]);
+    for (const control of this.gui.controllers) control.updateDisplay();
+  }
+
+  open(): void {
+    this.gui.open();
+    this.refreshVisible();
+  }
+
+  /** Opens the folder and puts the focus into a field's row. */
+  edit(field: string): void {
+    this.open();
+    const [control] = this.#rows?.get(field)?.controls ?? [];
+    control?.domElement.querySelector('input')?.focus();
+  }
+}
+
+/** Shows the rows whose condition holds. One stays while it, or a row under the same condition, is being edited. */
+export function showRows<E>(element: E, rows: readonly AddedRow<E>[]): void {
+  for (const { row, controls } of rows) {
+    const { shown } = row;
+    if (shown === undefined) continue;
+    const together = rows.filter((other) => other.row.shown === shown).flatMap((other) => other.controls);
+    const visible = shown(element) || together.some(({ domElement }) => domElement.matches(':focus-within'));
+    for (const control of controls) control.show(visible);
+  }
+}
+
+/** A folder of folders. Starts open. `title`: null if the caller writes it. */
+function addGroup(parent: GUI, title: ViewerText | null): GUI {
+  const gui = withoutAnimation(parent.addFolder(''));
+  if (title !== null) label(gui.$title, (say) => gui.title(say(title)));
+  return gui;
+}
+
+/** Without animation, a GUI requests no frame. */
+export function withoutAnimation(gui: GUI): GUI {
+  gui.openAnimated = (open = true) => gui.open(open);
+  return gui;
+}
 
 /** What the folders of lights and those of meshes differ in. */
 export interface ChildKind<E> {
@@ -35,6 +110,10 @@ interface ChildFolder<E> {
   title: string;
 }
 
+/**
+ * The folders of the lights or of the meshes: one per child, in document order, which keeps its state while children
+ * change. Each change is one step that can be undone. The focus follows the child.
+ */
 export class ChildFolders<E extends PhongLight | PhongMesh> {
   readonly group: GUI;
   readonly #viewer: PhongViewer;
