@@ -21,7 +21,7 @@ async function reported(page: Page): Promise<void> {
   for (let i = 0; i < 4; i++) await nextFrame(page);
 }
 
-test('viewers without an alt are reported once a page, by code fetched after the first picture', async ({
+test('viewers without an alt are reported once, by code fetched after the first picture', async ({
   page,
   mount,
   consoleGuard,

@@ -74,10 +74,7 @@ test('scripts and auto-rotate announce nothing, not even together with user inpu
   await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.');
 });
 
-test('changes of lights and camera by the panel are announced; changes by a script meanwhile are not', async ({
-  page,
-  mount,
-}) => {
+test('changes by the panel are announced; changes by a script meanwhile are not', async ({ page, mount }) => {
   const viewer = await mount(scene('gui'));
   await viewer.getByRole('checkbox', { name: 'lamp active' }).uncheck();
   await assign(page.locator('phong-light').first(), { diffuse: '#f00' });

@@ -8,7 +8,7 @@ const css = 'phong-compare { display: block; width: 400px; height: 200px }';
 const viewer = (alt: string, attributes = ''): string =>
   `<phong-viewer geometry="box" alt="${alt}" ${attributes}></phong-viewer>`;
 
-test('a comparison has its viewers and a divider between them as Tab stops, in this order, with names and a value', async ({
+test('a comparison has its viewers and the divider between them as named Tab stops, in order', async ({
   page,
   mount,
 }) => {

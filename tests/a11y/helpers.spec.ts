@@ -13,10 +13,7 @@ const scene = `<main><h1>Lights</h1><phong-viewer alt="A box" geometry="box" hel
   <phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" active="false"></phong-light>
 </phong-viewer></main>`;
 
-test('lights are options of a list, with names and positions, and one is selected; axe finds no fault', async ({
-  page,
-  mount,
-}) => {
+test('lights are options of a list, named and placed, one selected; axe finds no fault', async ({ page, mount }) => {
   const viewer = await mount(scene);
   await expect(viewer.getByRole('option')).toHaveCount(4);
   const { name } = await accessibleNode(page, 'listbox');

@@ -16,10 +16,7 @@ const region = (viewer: Locator): Locator => viewer.locator('.probe [aria-live]'
 const box = (viewer: Locator): Locator => viewer.getByRole('group', { name: 'Probe' });
 const cursor = (viewer: Locator): Locator => viewer.getByRole('application', { name: 'Probe' });
 
-test('the cross-hair has a name, a role and a description of its keys, and its values are announced', async ({
-  page,
-  mount,
-}) => {
+test('the cross-hair has a name, a role and described keys, and its values are announced', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await pointerAway(page);
   await expect(cursor(viewer)).toHaveAttribute('aria-roledescription', 'cross-hair');
@@ -58,10 +55,7 @@ test('announcements are at least a second apart, and the last one is of the last
   for (const gap of gaps) expect(gap).toBeGreaterThan(800);
 });
 
-test('the table has a caption, headers and one Tab stop, and what a script changes is not announced', async ({
-  page,
-  mount,
-}) => {
+test('the table has a caption, headers and one Tab stop; changes by scripts are silent', async ({ page, mount }) => {
   // A headless shell may move the pointer to the page's corner: beside the picture, or a leave would announce the point.
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'), { css: 'main { padding: 20px }' });
   await expect(box(viewer)).toBeVisible();

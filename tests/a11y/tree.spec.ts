@@ -33,10 +33,7 @@ test('a page of viewers and comparisons breaks no rule of axe', async ({ page, m
   expect((await axeOn(page).analyze()).violations).toEqual([]);
 });
 
-test('a viewer is an application with its keys, and a description of camera and lights that follows what scripts change', async ({
-  page,
-  mount,
-}) => {
+test('a viewer is an application with its keys, and its description follows scripts', async ({ page, mount }) => {
   const element = await mount(viewer('alt="A box" theta="30" phi="70" radius="4.0625"', sun + lamp + spot));
   await expect
     .poll(() => description(page))
@@ -65,7 +62,7 @@ test('a viewer is an application with its keys, and a description of camera and 
   expect(await accessibleNodes(page)).toHaveLength(1);
 });
 
-test('only keys that have an effect are listed and described; without any, a viewer is an image and no Tab stop', async ({
+test('only keys with an effect are listed; without any, a viewer is an image and no Tab stop', async ({
   page,
   mount,
 }) => {
@@ -93,7 +90,7 @@ test('a fixed viewer that is decoration, or any that its author hides, is not re
   expect(await accessibleNodes(page)).toEqual([]);
 });
 
-test('aria-labelledby, aria-label and alt name the picture, in this order; everything focusable has a name', async ({
+test('aria-labelledby, aria-label, alt name the picture, in this order; all stops have names', async ({
   page,
   mount,
 }) => {

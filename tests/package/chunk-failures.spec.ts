@@ -49,7 +49,7 @@ async function open(page: Page, address: string): Promise<void> {
 const scene = '<phong-viewer geometry="box"></phong-viewer>';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`each part that could not be fetched is fetched with the next use (${usage})`, async ({
+  test(`a part that could not be fetched is fetched with its next use (${usage})`, async ({
     page,
     site,
     consoleGuard,

@@ -8,10 +8,7 @@ import { allReady, compare, expect, pixels, test } from '../support/test.js';
 const box = '<phong-viewer geometry="box" radius="4"></phong-viewer>';
 const three = '/node_modules/three/build/three.module.js';
 
-test('a page that loads three.js of its own before or after the standalone file has an empty console', async ({
-  page,
-  site,
-}) => {
+test('a page with three.js of its own, before or after ours, has an empty console', async ({ page, site }) => {
   const scripts = [three, '/dist/phong-viewer.standalone.js'];
   for (const order of [scripts, scripts.toReversed()]) {
     const head = order.map((address) => `<script type="module" src="${address}"></script>`).join('');
@@ -23,9 +20,7 @@ test('a page that loads three.js of its own before or after the standalone file 
   }
 });
 
-test('objects of another three.js with a ShaderMaterial are drawn, instances with vertex colours too', async ({
-  mount,
-}) => {
+test('objects of another three.js with a ShaderMaterial are drawn, coloured instances too', async ({ mount }) => {
   const viewer = await mount('<phong-viewer radius="4" theta="0" phi="90"></phong-viewer>');
   expect(await viewer.evaluate(() => '__THREE__' in window), 'the viewer registers none').toBe(false);
   await viewer.evaluate(async (element: PhongViewer, address) => {
@@ -59,10 +54,7 @@ test('objects of another three.js with a ShaderMaterial are drawn, instances wit
   expect(green.join().match(/255(,255)*/g)).toHaveLength(3);
 });
 
-test("an object with one of three.js's own materials gives an error that names the cure", async ({
-  mount,
-  consoleGuard,
-}) => {
+test('an object with a material of three.js gives an error that names the cure', async ({ mount, consoleGuard }) => {
   const said = consoleGuard.allow(/does not contain all of three\.js \(basic is missing\): use the ES modules/);
   const viewer = await mount(box);
   const before = await pixels(viewer);

@@ -100,9 +100,7 @@ test.describe('toShowTheEquation', () => {
     await expect(viewer).toShowTheEquation();
   });
 
-  test('judges enough of every shape as it is by default, at outlines and everywhere antialiased', async ({
-    mount,
-  }) => {
+  test('judges enough of every default shape, at outlines and everywhere antialiased', async ({ mount }) => {
     test.slow();
     const viewers = firstOf(ROUND, 3).flatMap((shape, i) =>
       firstOf(i % 2 === 0 ? ['edges', 'full'] : ['full', 'edges'], 1).map(

@@ -136,7 +136,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 0, 0, 255]);
     });
 
-    test('draws changed props, restores the defaults of removed ones, and warns of a refused one', async ({
+    test('draws changed props, restores defaults of removed ones, warns of a refused one', async ({
       page,
       consoleGuard,
     }) => {

@@ -66,7 +66,7 @@ test('@release zooms of 150 frames show no jump and no blank frame', async ({ pa
 });
 
 // Of element/frames/programs.spec.ts.
-test(`@release walks of four hundred steps make one general program per feature set, seeds from ${FIRST}`, async ({
+test(`@release walks of 400 steps make one general program per feature set, from seed ${FIRST}`, async ({
   page,
   mount,
 }) => {

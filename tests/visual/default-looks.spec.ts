@@ -23,10 +23,7 @@ const share = (all: readonly number[], which: (tone: number) => boolean): number
   all.filter(which).length / all.length;
 
 for (const [lighting, light] of lightings) {
-  test(`shapes stand out from white and black, and a box’s faces from each other, ${lighting}`, async ({
-    page,
-    mount,
-  }) => {
+  test(`shapes stand out from white and black, and faces from each other, ${lighting}`, async ({ page, mount }) => {
     const kinds = GEOMETRIES.map((geometry) => `geometry="${geometry}"`);
     const matte = 'geometry="box" ks="0"';
     await mount([...kinds, matte].map((kind) => `<phong-viewer ${kind}>${light}</phong-viewer>`).join(''), size); // prettier-ignore

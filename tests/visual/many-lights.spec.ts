@@ -139,10 +139,7 @@ async function usesGrid(page: Page): Promise<boolean> {
   return drawn.filter(isLit).every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
 }
 
-test('five hundred spots on a floor look the same as with a loop over all, whatever changes', async ({
-  page,
-  mount,
-}) => {
+test('five hundred spots on a floor look as with a loop over all, whatever changes', async ({ page, mount }) => {
   test.setTimeout(120_000);
   await logGl(page);
   const scene = overFloor(spots(500, 3));

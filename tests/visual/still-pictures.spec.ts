@@ -73,12 +73,8 @@ function errorsOf({ data }: Picture, means: Float64Array): { rmse: number; withi
 }
 
 test('hard pictures converge to the exact mean over each pixel', async ({ page, mount }) => {
-  await mount(
-    Object.values(PICTURES)
-      .map(({ markup }) => markup)
-      .join(''),
-    size,
-  );
+  const markup = Object.values(PICTURES).map((picture) => picture.markup);
+  await mount(markup.join(''), size);
   for (const [i, [what, { texture, rmse, within }]] of Object.entries(PICTURES).entries()) {
     const viewer = page.locator('phong-viewer').nth(i);
     const scene = await drawnScene(viewer, texture);

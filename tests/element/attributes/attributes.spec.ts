@@ -9,10 +9,7 @@ const propertyOf = ({ attribute, property }: Row): string =>
   property ?? attribute.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 
 for (const [tag, rows] of Object.entries(tables)) {
-  test(`attributes and properties of <${tag}> behave as their table says, which is complete`, async ({
-    page,
-    mount,
-  }) => {
+  test(`attributes and properties of <${tag}> behave as their complete table says`, async ({ page, mount }) => {
     await mount('<main></main>');
     for (const row of rows) {
       const faults = await page.evaluate(faultsOf, { tag, row, property: propertyOf(row) });

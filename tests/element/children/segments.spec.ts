@@ -79,10 +79,7 @@ test('a zoom from a dot to the inside of a shape shows no jump and no blank fram
     expectSmooth(await filmZoom(page, mount, geometry, 24, { width: 60, height: 60 }), geometry);
 });
 
-test('a mesh beyond the limit of triangles is reported, and shown on request later', async ({
-  mount,
-  consoleGuard,
-}) => {
+test('a mesh beyond the limit of triangles is reported, and shown on request', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/Use fewer segments, fewer different shapes/, 1);
   const viewer = await mount('<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>', SIZE);
   const shown = (): Promise<string[]> =>

@@ -45,10 +45,7 @@ test('two viewers fill the comparison, and a divider stands in the middle betwee
   expect(width).toBeGreaterThanOrEqual(24);
 });
 
-test('a divider stays where it is while the comparison is hidden, and is let go when the window loses the focus', async ({
-  page,
-  mount,
-}) => {
+test('a divider stays while the comparison is hidden, and is let go when the window blurs', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   const pull = (type: string, clientX: number): Promise<void> =>
     dividers(compare).dispatchEvent(type, {
@@ -72,10 +69,7 @@ test('a divider stays where it is while the comparison is hidden, and is let go 
   expect(await at(compare)).toEqual([50]);
 });
 
-test('a divider follows pointer and finger from where it was pressed, and updates its value', async ({
-  page,
-  mount,
-}) => {
+test('a divider follows pointer and finger from the press, and updates its value', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   const heard = await record(compare, 'divider-change');
   await drag(page, [165, 20], [-60, 30], { steps: 2 });
@@ -100,10 +94,7 @@ test('a divider follows pointer and finger from where it was pressed, and update
   expect(x + width).toBe(400);
 });
 
-test('a divider returns by Escape during a drag, and by a double click to its declared position', async ({
-  page,
-  mount,
-}) => {
+test('a divider returns by Escape during a drag, and by a double click to its start', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   await drag(page, [160, 20], [100, 0], { release: false });
   expect(await at(compare)).toEqual([65]);
@@ -119,10 +110,7 @@ test('a divider returns by Escape during a drag, and by a double click to its de
   expect(await heard.take()).toEqual([{ type: 'divider-change', detail: { at: [40] } }]);
 });
 
-test('a divider moves up and down in a vertical comparison, and with mirrored arrow keys where texts run from right to left', async ({
-  page,
-  mount,
-}) => {
+test('a divider moves up and down if vertical, and with mirrored arrow keys in rtl', async ({ page, mount }) => {
   const vertical = await compared(page, mount, comparison('direction="vertical"'));
   await expect(dividers(vertical)).toHaveAttribute('aria-orientation', 'horizontal');
   await drag(page, [300, 100], [50, 40]);
@@ -325,10 +313,7 @@ test("works where the page allows only Lit's Trusted Types policy, and in a shad
   expect(await placeOf(divider)).toBe(50);
 });
 
-test('a viewer takes the camera of the comparison that it joins, also without being disconnected', async ({
-  page,
-  mount,
-}) => {
+test('a viewer takes the camera of the comparison that it joins, however it is moved', async ({ page, mount }) => {
   await compared(
     page,
     mount,
@@ -349,10 +334,7 @@ test('a viewer takes the camera of the comparison that it joins, also without be
   await expect.poll(thetas).toEqual([10, 50, 50, 50]);
 });
 
-test('open panels of a split comparison stand beside all pictures, or below them on a phone', async ({
-  page,
-  mount,
-}) => {
+test('open panels of a split comparison stand beside all pictures, below on a phone', async ({ page, mount }) => {
   const wide = 'phong-compare { width: 900px; height: 500px }';
   const markup = comparison('at="60" labels="A, B"', sphere('alt="A" gui') + sphere('alt="B"'));
   const compare = await compared(page, mount, markup, wide);

@@ -16,10 +16,7 @@ const lightOf = (page: Page): Locator => page.locator('phong-light').first();
 const valueOf = (of: Locator, key: string): Promise<number> =>
   of.evaluate((element, name) => Number(Reflect.get(element, name)), key);
 
-test('a number is a field with its unit in a sentence, and a slider on a line of its own or as asked', async ({
-  mount,
-  page,
-}) => {
+test('a number is a field with its unit in a sentence, and a slider alone or as asked', async ({ mount, page }) => {
   const aperture = control('for="spot" attribute="aperture" max="60"');
   await mount(
     `${scene}<p>The spot's ${aperture} is half its cone.</p>${control('for="spot" attribute="cutoff" max="60"', 'softness')}
@@ -59,10 +56,7 @@ test('a number is a field with its unit in a sentence, and a slider on a line of
   await expect(slider).toHaveAttribute('max', '1');
 });
 
-test('looks as the value asks: switch, choice, colour, component, and a stepper through values', async ({
-  mount,
-  page,
-}) => {
+test('looks as the value asks: switch, choice, colour, component, stepper through values', async ({ mount, page }) => {
   const steps = 'ambient | ambient diffuse | ambient diffuse specular';
   const viewer = await mount(
     scene +
@@ -92,10 +86,7 @@ test('looks as the value asks: switch, choice, colour, component, and a stepper 
   await expect(page.getByRole('button', { name: 'the sum forward' })).toHaveAttribute('aria-disabled', 'true');
 });
 
-test('turns two viewers together, as one step of each, and shows the camera live during a drag', async ({
-  mount,
-  page,
-}) => {
+test('turns two viewers together, as one step of each, and follows the camera in a drag', async ({ mount, page }) => {
   const pair = ['a', 'b'].map((id) => `<phong-viewer id="${id}" geometry="box"></phong-viewer>`).join('');
   await mount(pair + control('for="a b" attribute="theta"') + control('for="a b" attribute="shininess"'), {
     css,
@@ -142,10 +133,7 @@ test('waits for elements that come later, and warns once of ids and attributes t
   await expect.poll(() => said.map(({ length }) => length)).toEqual([1, 1, 1]);
 });
 
-test('speaks the page’s language, works under a strict policy, and prints its name and value', async ({
-  mount,
-  page,
-}) => {
+test('speaks the page’s language, works under a strict policy, prints name and value', async ({ mount, page }) => {
   const texts = `<script type="application/json" data-phong-viewer-texts>${JSON.stringify(de)}</script>`;
   await mount(`${scene}${texts}<p>Der ${control('for="spot" attribute="aperture"')} des Spots</p>`, { css });
   const only = page.locator('phong-control');

@@ -12,10 +12,7 @@ const box = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phon
 test.beforeEach(({ page }) => installFaults(page));
 
 for (const count of [1, 2]) {
-  test(`a refused context is an error with a message, and requested again (${count} viewers)`, async ({
-    mount,
-    page,
-  }) => {
+  test(`a refused context is an error with a message, and tried again (${count} viewers)`, async ({ mount, page }) => {
     const expected = await pixels(await mount(box.repeat(count), SIZE));
     await page.addInitScript(() => {
       window.faults.opening = 'throws';
@@ -145,10 +142,7 @@ test('toBlob rejects if the context is lost before its event arrives or between 
     expect(outcomes, String(width)).toEqual([message, message, 'a picture']);
   }
 });
-test('a picture far larger than the GPU allows keeps its shape, with four screens of pixels', async ({
-  mount,
-  page,
-}) => {
+test('a picture larger than the GPU allows keeps its shape, with four screens of pixels', async ({ mount, page }) => {
   test.slow();
   const fourScreens = await page.evaluate(() => 4 * screen.width * screen.height);
   const first = await mount(box, { width: 8192, height: 8192 });

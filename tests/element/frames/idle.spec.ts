@@ -16,10 +16,7 @@ const framesOf = async (viewer: Locator): Promise<number> => (await statsOf(view
 /** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;
 
-test('no frame, timer or WebGL call happens while nothing changes, nor after a motion has ended', async ({
-  page,
-  mount,
-}) => {
+test('no frame, timer or WebGL call happens while nothing changes, nor after a motion', async ({ page, mount }) => {
   const viewer = await mount(`${box}${box}`, size);
   expect((await countsOf(page)).layouts).toBeGreaterThan(0); // of the first look
   const turnAWhile = (): Promise<void> =>
@@ -75,10 +72,7 @@ const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => v
   },
 };
 
-test('nothing happens out of sight, and changes are drawn once when the viewer becomes visible', async ({
-  page,
-  mount,
-}) => {
+test('nothing happens out of sight; changes are drawn once when the viewer is visible', async ({ page, mount }) => {
   const turning = box.replace('geometry', 'auto-rotate="45" geometry');
   await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, { ...size, css: '[hidden] { display: none !important }' }); // prettier-ignore
   const place = page.locator('section');
@@ -132,10 +126,7 @@ test('many changes in one task make one frame, and those that change nothing mak
   expect((await renders.take()).length).toBe(1);
 });
 
-test('a viewer alone on its page shows the WebGL canvas itself, also after others have gone', async ({
-  page,
-  mount,
-}) => {
+test('a viewer alone on its page shows the WebGL canvas itself, after others went too', async ({ page, mount }) => {
   const viewer = await mount(box, size);
   const alone = await viewer.screenshot();
   const other = box.replace('box', 'torus');

@@ -121,7 +121,7 @@ test('a picture without lights in the loop gets a specialised program that shows
   }
 });
 
-test('a specialised program that does not link is reported once, and the general one goes on drawing', async ({
+test('a specialised program that does not link is reported once; the general one draws', async ({
   page,
   mount,
   consoleGuard,

@@ -136,10 +136,7 @@ for (const [lights, which, tag] of [
   });
 }
 
-test('lights that move beside another drawing viewer, alone again or after a context was restored show the whole scene', async ({
-  page,
-  mount,
-}) => {
+test('lights that move beside another viewer, or after a restored context, show the scene', async ({ page, mount }) => {
   await logGl(page);
   await holdContext(page);
   const viewer = await mount(markup(6), size);

@@ -72,9 +72,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
   expect(wrong).toEqual([]);
 });
 
-test('toBlob({ samples }) ends with the picture of one scene where each frame changes it, one after the other', async ({
-  mount,
-}) => {
+test('toBlob({ samples }) ends with the picture of one scene where each frame changes it', async ({ mount }) => {
   const viewer = await mount(`<phong-viewer alt="" geometry="torus">${light}</phong-viewer>`, size);
   const result = await viewer.evaluate(async (element: PhongViewer, given) => {
     const bytesOf = async (blob: Promise<Blob>): Promise<string> =>

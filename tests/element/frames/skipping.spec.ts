@@ -148,10 +148,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 7, 40];
 
-test('one to forty lights that change together cost one frame, one upload of the changes, and no program', async ({
-  page,
-  mount,
-}) => {
+test('one to forty lights that change together cost a frame, an upload and no program', async ({ page, mount }) => {
   test.setTimeout(300_000);
   await logGl(page);
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
@@ -179,7 +176,7 @@ test('one to forty lights that change together cost one frame, one upload of the
   }
 });
 
-test('the first light with a new kind or feature compiles at most one program, the second none', async ({
+test('the first light of a new kind or feature compiles one program at most, the next none', async ({
   page,
   mount,
 }) => {

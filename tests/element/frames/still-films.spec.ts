@@ -8,10 +8,7 @@ import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../s
 
 const size = { width: 64, height: 48 };
 
-test('a picture keeps its brightness while it converges, changes in outlines only, and never flashes', async ({
-  page,
-  mount,
-}) => {
+test('a converging picture keeps its brightness, changes in outlines only, never flashes', async ({ page, mount }) => {
   await keepPixels(page);
   for (const [what, other] of [
     ['alone', ''],
@@ -36,10 +33,7 @@ test('a picture keeps its brightness while it converges, changes in outlines onl
   }
 });
 
-test('whatever happens in the middle, each frame is a whole picture, and it converges afterwards', async ({
-  page,
-  mount,
-}) => {
+test('whatever happens, each frame is a whole picture, and it converges afterwards', async ({ page, mount }) => {
   await keepPixels(page);
   await countEverything(page);
   const viewer = await mount(viewerOf(512, 'geometry="sphere"'), { ...size, waitForReady: false });
@@ -95,9 +89,7 @@ test('whatever happens in the middle, each frame is a whole picture, and it conv
   expect(await spentIn(page, 200)).toEqual(NOTHING);
 });
 
-test('samples trigger nothing but themselves: no frame, program, description, overlay or third `render`', async ({
-  mount,
-}) => {
+test('samples trigger nothing else: no frame, program, description, overlay or third `render`', async ({ mount }) => {
   const viewer = await mount(viewerOf(64, 'geometry="box" helpers="lights axes" probe probe-at="0 0 0.5"'), size);
   const seen = (antialias: string) =>
     viewer.evaluate(async (element: PhongViewer, mode) => {
@@ -131,10 +123,7 @@ test('samples trigger nothing but themselves: no frame, program, description, ov
   expect(full).toEqual({ ...edges, samples: 64, renders: edges.renders + 1 });
 });
 
-test('on a slow machine each input shows the plain picture in its next frame, and samples resume once afterwards', async ({
-  page,
-  mount,
-}) => {
+test('on a slow machine inputs show the plain picture at once, and samples resume after', async ({ page, mount }) => {
   await page.addInitScript(() => {
     const log: string[] = [];
     Object.assign(window, { log });

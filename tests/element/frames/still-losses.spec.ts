@@ -17,10 +17,7 @@ declare global {
   }
 }
 
-test('a context lost in the middle shows no part of a picture, and its samples begin again once it is back', async ({
-  page,
-  mount,
-}) => {
+test('a context lost in the middle shows no part of a picture; samples begin again', async ({ page, mount }) => {
   await keepPixels(page);
   await countEverything(page);
   await page.addInitScript(() => {

@@ -34,10 +34,7 @@ async function converged(viewer: Locator): Promise<void> {
   expect(await samplesOf(viewer)).toBe(16);
 }
 
-test('a still picture gets its samples, which are no frames, and then nothing runs until something changes', async ({
-  page,
-  mount,
-}) => {
+test('a still picture gets its samples, which are no frames; then nothing runs', async ({ page, mount }) => {
   await countEverything(page);
   const viewer = await mount(viewerOf(full), size);
   await converged(viewer);
@@ -84,7 +81,7 @@ test('samples begin three frames sooner after a lone change than after a drag', 
   expect((await waited(5)) - (await waited(1))).toBe(3);
 });
 
-test('several viewers converge, one after the other, and keep their pictures when another one comes or goes', async ({
+test('several viewers converge in turn, and keep their pictures when another comes or goes', async ({
   page,
   mount,
 }) => {
@@ -185,9 +182,7 @@ test('toBlob({ samples }) is the picture that a viewer of that size converges to
     await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(/RangeError.*samples/);
 });
 
-test('samples of a round shape have more triangles than the plain picture, which comes back without `full`', async ({
-  mount,
-}) => {
+test('samples of a round shape have more triangles than the plain picture, which comes back', async ({ mount }) => {
   const viewer = await mount(viewerOf('geometry="sphere" samples="16"'), size);
   const triangles = (): Promise<number> =>
     viewer.evaluate((element: PhongViewer) => {

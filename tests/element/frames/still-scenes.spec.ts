@@ -64,10 +64,7 @@ test('every view converges to its mean', async ({ mount }) => {
   }
 });
 
-test('linear and flat shading, textures, blended surfaces, cut-outs and a background converge to their means', async ({
-  page,
-  mount,
-}) => {
+test('linear, flat, textured, blended and cut-out surfaces converge to their means', async ({ page, mount }) => {
   const file = readFileSync(new URL('../../fixtures/models/mask.glb', import.meta.url), 'latin1');
   const blended = file.replace(/"MASK"(.*?) (?= *[^ ]{4}BIN)/s, '"BLEND"$1'); // a space less keeps its length
   await page.route('**/blended.glb', (route) => route.fulfill({ body: Buffer.from(blended, 'latin1') }));

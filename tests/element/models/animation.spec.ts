@@ -60,7 +60,7 @@ test.describe('nothing runs', () => {
   });
 });
 
-test('target and radius stay while a model moves; an unknown name is a warning', async ({
+test('target and radius stay while a model moves; unknown names are warnings', async ({
   page,
   mount,
   consoleGuard,
@@ -75,10 +75,7 @@ test('target and radius stay while a model moves; an unknown name is a warning',
   await page.emulateMedia({ reducedMotion: 'reduce' });
 });
 
-test('shadeAt explains an animated picture of joints, morph targets, flat copies and nodes', async ({
-  page,
-  mount,
-}) => {
+test('shadeAt explains an animated picture of joints, morphs, flat copies and nodes', async ({ page, mount }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', { width: 200, height: 150 });
   const plain = viewerOf('autoplay phi="80" radius="3"');
   const nodes = plain.replace(BAR, addressOf(bar({ skinned: false })));

@@ -34,10 +34,7 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   ]);
 });
 
-test('a model that cannot be shown is an error with its code, and the picture stays', async ({
-  mount,
-  consoleGuard,
-}) => {
+test('a model that cannot be shown is an error with its code; the picture stays', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/error: Failed to load resource.*404/, 1);
   consoleGuard.allow(/CSP report|violates the following|Content Security Policy/);
   const shown = model('no-normals.glb');

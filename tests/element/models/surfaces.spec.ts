@@ -168,9 +168,7 @@ test.describe('by the rules of src/MODELS.md', () => {
     for (const k of kd) expect(k).toBeCloseTo(1, 12);
   });
 
-  test('an emissive colour is added once, and an unlit surface has its base colour, in any light', async ({
-    mount,
-  }) => {
+  test('an emissive colour is added once, an unlit surface has its base colour, in any light', async ({ mount }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const { color, emissive } = await shown(viewer, MATERIALS['an emissive colour']!, 'terms=""');
     for (const [i, c] of [0.05, 0.1, 0.02].map(encoded).entries()) {

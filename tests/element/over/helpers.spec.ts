@@ -80,10 +80,7 @@ test.describe('a light in the picture', () => {
     }
   });
 
-  test('follows the pointer in the plane of the view, as one step of undo and without moving the camera', async ({
-    page,
-    mount,
-  }) => {
+  test('follows the pointer in the plane of the view, as one step; the camera stays', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp, 'gui'), { width: 900 }); // beside the panel
     const events = await record(viewer, 'light-change', 'camera-change');
     const folder = await opened(viewer, 'lamp');
@@ -105,10 +102,7 @@ test.describe('a light in the picture', () => {
     expect(await positionOf(viewer)).toEqual(position);
   });
 
-  test('stays where it is when the window loses the focus, and returns by Escape without a step of undo', async ({
-    page,
-    mount,
-  }) => {
+  test('stays when the window loses the focus, and returns by Escape without an undo step', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const target = handle(viewer, 'lamp');
     let [x, y] = await hold(page, target, -30, 0);
@@ -306,9 +300,7 @@ test.describe('helpers throw nothing and stay usable', () => {
     expect(turned).not.toEqual([0, 1, 2, 0]);
   });
 
-  test('with lights behind the eye, at it and at a pole: a viewer of 120 × 90 shows each handle whole', async ({
-    mount,
-  }) => {
+  test('behind the eye, at it and at a pole: a viewer of 120 × 90 shows each handle whole', async ({ mount }) => {
     const places = '0 0 9 1, 0 0 4 1, 0 9 0 1, 0 -9 0 1, 0 0 0 0, 0 0 1 0, 0 1 0 0, 1e15 0 0 1'.split(', ');
     const lights = places.map((place, i) => `<phong-light name="l${i}" position="${place}"></phong-light>`);
     const viewer = await mount(scene(lights.join(''), 'radius="4"', 'phi="0"'), { width: 120, height: 90 });
@@ -381,10 +373,7 @@ test.describe('a viewer with helpers', () => {
     await page.mouse.up();
   });
 
-  test('lets the wheel zoom over a handle, and a finger drag a light without turning the camera', async ({
-    page,
-    mount,
-  }) => {
+  test('lets the wheel zoom over a handle, and a finger drag a light, not the camera', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const fingers = await Fingers.on(page);
     const { x, y } = await middleOf(handle(viewer, 'lamp'));

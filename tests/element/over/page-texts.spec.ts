@@ -20,10 +20,7 @@ const assignToPage = (page: Page, texts: Readonly<Record<string, string>> | null
     (customElements.get('phong-viewer') as unknown as ViewerClass).texts = value;
   }, texts);
 
-test('a script of texts holds for all viewers and comparisons, those added later too, under a strict policy', async ({
-  mount,
-  page,
-}) => {
+test('a script of texts holds for all viewers, later ones too, under a strict policy', async ({ mount, page }) => {
   const compared = `<phong-compare>${viewer}${viewer}</phong-compare>`;
   // Of two scripts the later one has the last word.
   const first = await mount(`${viewer}${compared}${script(JSON.stringify(de))}${script('{"Legend": "Farben"}')}`, size);
@@ -65,11 +62,7 @@ test('PhongViewer.texts goes before the script, and a viewer’s own texts befor
   await expect(legend(first)).toContainText('S');
 });
 
-test('each mistake in the scripts gives one warning, and the other texts are used', async ({
-  mount,
-  page,
-  consoleGuard,
-}) => {
+test('each mistake in the scripts gives one warning; other texts are used', async ({ mount, page, consoleGuard }) => {
   const warnings = consoleGuard.allow(/^warning: <script data-phong-viewer-texts>/, 3);
   const scripts = ['{"Legend": "A",}', '["Legend"]', '{"Legende": "B", "Normals": "C"}'].map(script).join('');
   const first = await mount(scripts + viewer + viewer, size);

@@ -40,10 +40,7 @@ const unpin = (viewer: Locator): Locator => box(viewer).getByRole('button', { na
 const escape = (page: Page): Promise<void> => page.keyboard.press('Escape');
 
 test.describe('a mouse over a viewer with a probe', () => {
-  test('shows the colour of the fragment below it, follows changes of the scene, and shows nothing beside the shape', async ({
-    page,
-    mount,
-  }) => {
+  test('shows the colour of the fragment below it, live, and nothing beside the shape', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await expect(box(viewer)).toBeHidden();
     await page.mouse.move(250, 150);
@@ -106,10 +103,7 @@ test.describe('a click', () => {
     await expect(codes(viewer)).toHaveText(await expected(viewer, 321, 220));
   });
 
-  test('pins the point, which stays where the viewer moves on its page, and goes with `probe`', async ({
-    page,
-    mount,
-  }) => {
+  test('pins the point, which stays where the viewer moves, and goes with `probe`', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await page.mouse.click(280, 130);
     await expect(box(viewer)).toHaveClass(/pinned/);
@@ -129,7 +123,7 @@ test.describe('a click', () => {
     await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
-  test('elsewhere moves the pin; beside the shape, or on its button, removes it; a drag does not pin', async ({
+  test('elsewhere moves the pin; beside the shape or on its button removes it; drags do not', async ({
     page,
     mount,
   }) => {
@@ -201,10 +195,7 @@ test.describe('`probe-at`', () => {
     await expect(codes(viewer)).not.toHaveText(declared);
   });
 
-  test('is written by toHTML, as is a point that the user has pinned, which the markup pins again', async ({
-    page,
-    mount,
-  }) => {
+  test('is written by toHTML, as is a pin of the user, which the markup pins again', async ({ page, mount }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     const html = (): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
     const pointIn = (markup: string): string | undefined => /probe-at="([^"]*)"/.exec(markup)?.[1];
@@ -224,10 +215,7 @@ test.describe('`probe-at`', () => {
 });
 
 test.describe('the cross-hair', () => {
-  test('is a Tab stop that arrow keys move by one or ten pixels inside the picture, and Enter pins', async ({
-    page,
-    mount,
-  }) => {
+  test('is a Tab stop that arrow keys move by one or ten pixels, and Enter pins', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await pointerAway(page);
     await page.keyboard.press('Tab');
@@ -311,10 +299,7 @@ test.describe('the box', () => {
     }
   });
 
-  test('shows the whole table in viewers of 240 pixels and wider, with three digits in every colour', async ({
-    page,
-    mount,
-  }) => {
+  test('shows the whole table from 240 pixels on, with three digits in every colour', async ({ page, mount }) => {
     const light = (name: string): string =>
       `<phong-light name="${name}" position="1 1 0 0" ambient="120" diffuse="190" specular="150"></phong-light>`;
     const viewer = await mount(
@@ -560,10 +545,7 @@ test('never throws when lights, meshes and the viewer are removed under the mous
   await expect(page.locator('[part=probe]'), 'the other viewer has its own').toHaveCount(1);
 });
 
-test('follows the mouse on a mesh of 100,000 triangles without copying or sorting it again', async ({
-  page,
-  mount,
-}) => {
+test('follows the mouse on a mesh of 100,000 triangles without sorting it again', async ({ page, mount }) => {
   const viewer = await mount(scene('probe').replace('segments="64"', 'segments="320"'));
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();

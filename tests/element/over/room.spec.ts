@@ -291,10 +291,7 @@ test.describe('an open panel', () => {
     await expect(viewer.locator('.lil-root > .lil-children')).toBeHidden();
   });
 
-  test('is not printed beside the picture, which keeps its size; a drag across the picture is 360 degrees', async ({
-    page,
-    mount,
-  }) => {
+  test('is not printed beside the picture; a drag across the picture is 360 degrees', async ({ page, mount }) => {
     const viewer = await withPanel(page, mount, 900);
     const screen = await picture(viewer);
     const before = (await cameraOf(viewer)).theta;
@@ -338,7 +335,7 @@ test.describe('a legend', () => {
       }
   });
 
-  test('is beside a picture whose white plane has an outline on a white page, but not in files', async ({
+  test('is beside a picture whose white plane has an outline on a white page, not in files', async ({
     page,
     mount,
   }) => {

@@ -54,10 +54,7 @@ test('each view has a legend that says what its colours mean, to a screen reader
   await expect(legendOf(viewer)).toHaveCount(0);
 });
 
-test('`ready` and `toBlob` wait until the view is shown, and leaving it restores the picture', async ({
-  page,
-  mount,
-}) => {
+test('`ready` and `toBlob` wait for the view, and leaving it restores the picture', async ({ page, mount }) => {
   const viewer = await mount(scene('view="normals"'), SIZE);
   // The middle of the sphere faces the eye: no shade of these lights has as much blue.
   const [r, g, b] = pixelAt(await pixels(viewer), 150, 120);

@@ -10,7 +10,7 @@ let launched: Browser | null = null;
 
 test.afterAll(async () => launched?.close());
 
-test('prints the mean of all samples, in view or not, after one that throws too', async ({
+test('prints the mean of all samples, in view or not, after an exception too', async ({
   mount,
   page,
   consoleGuard,

@@ -27,10 +27,7 @@ test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ p
 });
 
 for (const count of [1, 2]) {
-  test(`has the screen's own pixels, or as pixel-ratio allows, live (${count} on the page)`, async ({
-    page,
-    mount,
-  }) => {
+  test(`has the screen's pixels, or as pixel-ratio allows, live (${count} on the page)`, async ({ page, mount }) => {
     const viewer = await mount(box.repeat(count), { width: 121, height: 77 });
     for (const ratio of [1, 1.5, 2, 1, 3]) {
       await setPixelRatio(page, ratio);

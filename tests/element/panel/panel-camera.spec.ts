@@ -50,9 +50,7 @@ test('moves the camera with the source "panel", and resets it to the declared on
   expect(await viewer.evaluate(declared)).toEqual({ theta: 30, radius: 'auto', target: 'auto' });
 });
 
-test('sets field of view and auto-rotate, and shows the present camera when it is opened after a move', async ({
-  mount,
-}) => {
+test('sets field of view and auto-rotate, and shows the present camera after a move', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const theta = field(folder, 'θ azimuth °');

@@ -44,10 +44,7 @@ async function dragAcross(page: Page, control: Locator, pixels: number): Promise
 }
 
 test.describe('undo', () => {
-  test('reverts one drag of a slider or a field as one step, and keeps later changes by a script', async ({
-    page,
-    mount,
-  }) => {
+  test('reverts a drag of a slider or a field as one step, and keeps later script changes', async ({ page, mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await dragAcross(page, slider(folder, 'diffuse brightness'), 20);
@@ -114,10 +111,7 @@ test.describe('undo', () => {
     expect(await viewer.evaluate(({ theta }: PhongViewer) => theta)).toBe(20);
   });
 
-  test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in panel and picture, except in a text field', async ({
-    page,
-    mount,
-  }) => {
+  test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in panel and picture, not in text fields', async ({ page, mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await viewer.evaluate((element) =>
@@ -178,10 +172,7 @@ test.describe('lights', () => {
     expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual(['sun', 'lamp', 'lamp 2', 'spot']);
   });
 
-  test('are reordered, renamed and removed by buttons and keys, keep the focus, and return to their wrapper', async ({
-    page,
-    mount,
-  }) => {
+  test('are reordered, renamed and removed by buttons and keys, and keep the focus', async ({ page, mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'spot');
     await button(folder, 'move up').click();

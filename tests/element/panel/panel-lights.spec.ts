@@ -17,9 +17,7 @@ const lightOf = (viewer: Locator, name: string): Locator => viewer.locator(`phon
 const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
   light.evaluate((element: PhongLight, name) => element[name as K], key);
 
-test('has a folder for each light, in order, with its name, which stays as it is while others come and go', async ({
-  mount,
-}) => {
+test('has a folder for each light, in order, which stays as it is while others come and go', async ({ mount }) => {
   const viewer = await mount(scene(sun, '<phong-light></phong-light>', spot));
   const titles = () => titlesIn(folderOf(viewer, 'Lights'));
   await expect.poll(titles).toEqual(['sun', 'light 2', 'spot']); // the panel's code comes with its first use
@@ -138,9 +136,7 @@ test.describe('kind', () => {
 });
 
 test.describe('numbers', () => {
-  test('refuse what the light refuses, return to the current value, and are updated after typing, not before', async ({
-    mount,
-  }) => {
+  test('refuse what the light refuses, return to its value, and are updated after typing', async ({ mount }) => {
     const viewer = await mount(scene(spot));
     const folder = await opened(viewer, 'spot');
     const aperture = field(folder, 'aperture °');
@@ -197,10 +193,7 @@ test.describe('numbers', () => {
   });
 });
 
-test('lights that are added can be seen and edited at once; one removed gives the focus to the next', async ({
-  page,
-  mount,
-}) => {
+test('an added light can be edited at once; a removed one gives the focus to the next', async ({ page, mount }) => {
   const viewer = await mount(scene(sun, spot));
   await button(folderOf(viewer, 'Lights'), 'add light').click();
   await expect(titleOf(viewer, 'light 3')).toHaveAttribute('aria-expanded', 'true');

@@ -85,10 +85,7 @@ for (const [width, height, of] of [
   [195, 350, '390 × 700'],
   [450, 310, '900 × 620'],
 ] as const) {
-  test(`at 200 % zoom a viewer of ${of} cuts nothing, of long words either, from left or right`, async ({
-    page,
-    mount,
-  }) => {
+  test(`at 200 % zoom a viewer of ${of} cuts nothing, not even long words, in ltr or rtl`, async ({ page, mount }) => {
     await page.setViewportSize({ width, height });
     const viewer = await mount(scene, { width, height });
     await titleOf(viewer, 'Controls').click();
@@ -135,10 +132,7 @@ const cutChoices = (viewer: Locator): Promise<string[]> =>
       }),
   );
 
-test('from right to left the picture stands to the right of the panel, and numbers keep their order', async ({
-  page,
-  mount,
-}) => {
+test('in rtl the picture stands to the right of the panel, and numbers keep their order', async ({ page, mount }) => {
   const viewer = await mount(scene, { width: 900, height: 600 });
   await page.evaluate(() => {
     document.documentElement.dir = 'rtl';

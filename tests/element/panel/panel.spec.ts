@@ -40,10 +40,7 @@ test('has folders, of which the listed ones are open, and one for meshes if ther
   await expect(titleOf(viewer, 'Meshes')).toBeVisible();
 });
 
-test('a list of attributes shows their rows in its order, without folders and buttons, and warns of others', async ({
-  mount,
-  consoleGuard,
-}) => {
+test('a list of attributes shows their rows in its order, and warns of others', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/the panel has no row for poster/, 1);
   const viewer = await mount(`<phong-viewer geometry="torus" gui="cutoff poster shininess theta">
     <phong-light name="sun"></phong-light>
@@ -90,10 +87,7 @@ test('lies inside the viewer, scrolls there, and opens and closes by pointer and
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
 });
 
-test('starts closed on a phone, and is a sheet there that leaves half of the screen to the picture', async ({
-  page,
-  mount,
-}) => {
+test('starts closed on a phone, as a sheet that leaves half of the screen to the picture', async ({ page, mount }) => {
   await page.setViewportSize({ width: 360, height: 640 });
   const viewer = await mount(scene('gui', 'sun'), { width: 360, height: 640 });
   const picture = viewer.locator('[part=surface]');
@@ -238,10 +232,7 @@ test('leaves the wheel over the picture to zoom while the panel has the focus', 
   expect(await page.evaluate(() => scrollY)).toBe(0);
 });
 
-test('shows the viewer in full screen, and back by the button or by Escape; has no button where browsers cannot', async ({
-  page,
-  mount,
-}) => {
+test('shows the viewer in full screen, and back by the button or Escape, if browsers can', async ({ page, mount }) => {
   const viewer = await mount(scene());
   const isOn = (): Promise<boolean> => viewer.evaluate((element) => element.matches(':fullscreen'));
   const enter = panelOf(viewer).getByRole('button', { name: 'Full screen', exact: true });

@@ -70,9 +70,7 @@ test.describe('shadeAt explains the picture', () => {
     await equationExpect(viewer).toShowTheEquation({ share: 0.1, pixels: fullOr(1e4, 1000) });
   });
 
-  test('within one code on flattened and stretched shapes, inside, behind others, on dense screens', async ({
-    mount,
-  }) => {
+  test('within one code on stretched shapes, inside, behind others, on dense screens', async ({ mount }) => {
     const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
       <phong-light space="camera" position="0.5 0.5 0 1" axis="0 0 -1" cutoff="3" diffuse="60 90 40" specular="0"></phong-light>`;
     const viewer = await mount('<phong-viewer></phong-viewer>', {

@@ -149,9 +149,7 @@ test('the figures of the article behave as their captions say', async ({ page })
   await test.step('every figure is on paper', () => expectPrinted(page));
 });
 
-test('turning one picture of a figure turns the others elsewhere too; the guide prints its figures', async ({
-  page,
-}) => {
+test('turning one picture of a figure turns the others too; the guide prints its figures', async ({ page }) => {
   const figures = [['guide/spots/', 'main'], ['shapes/', 'geometries']] as const; // prettier-ignore
   for (const [path, id] of firstOf(figures, 1)) {
     await open(page, path);
