@@ -11,7 +11,7 @@ import config from '../../vitest.config.js';
  * itself, tools and files.
  */
 const ABOVE =
-  /from '(three|\.\/explained|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values|tiles|travel))|[^']*\/bench\/|node:)/;
+  /from '(three|\.\/(explained|model-files)|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values|tiles|travel))|[^']*\/bench\/|node:)/;
 
 /** Longest time that a file has taken, in ms: a run that only needs a part of a file says little. */
 const longest = new Map<string, number>();
