@@ -1,6 +1,8 @@
 // Which elements belong to which viewer: lights and meshes to the nearest one around, at any depth and across shadow
 // roots, but not in the content of a slot (slot="error"). A viewer that is upgraded later finds them then.
-import type { ViewerChildren } from './viewer/children.js';
+
+/** Called synchronously. `moved`: the child is still there, but may have another place. */
+type Listener = Readonly<Record<'added' | 'removed' | 'moved', (child: HTMLElement) => void>>;
 
 const registries = new WeakMap<Element, ChildRegistry>();
 
@@ -36,21 +38,21 @@ export class ChildRegistry {
   readonly #viewer: Element;
   readonly #children = new Set<HTMLElement>();
   #inOrder: readonly HTMLElement[] | null = null;
-  #listener: ViewerChildren | null = null;
+  #listener: Listener | null = null;
 
   constructor(viewer: Element) {
     this.#viewer = viewer;
   }
 
   /** The viewer listens from its upgrade on. Children that came before are added now. */
-  listen(listener: ViewerChildren): void {
+  listen(listener: Listener): void {
     this.#listener = listener;
     for (const child of this.inOrder) listener.added(child);
   }
 
   add(child: HTMLElement): void {
     this.#inOrder = null;
-    if (this.#children.has(child)) this.#listener?.moved();
+    if (this.#children.has(child)) this.#listener?.moved(child);
     else {
       this.#children.add(child);
       this.#listener?.added(child);

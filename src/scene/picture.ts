@@ -19,7 +19,7 @@ import { copyFrame, drawnObjects, type SceneSnapshot } from './snapshot/scene-sn
 export class Picture {
   readonly scene = new Scene();
   readonly orbit = new Orbit();
-  readonly animations = new Animations(this);
+  readonly animations = new Animations();
   readonly budget = new Budget();
   readonly lighting: PhongLighting;
   readonly materials: SharedMaterials;

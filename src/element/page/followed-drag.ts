@@ -7,7 +7,7 @@ interface DragListener {
   ended(): void;
 }
 
-/** Call at the press. Returns what ends the drag. Within less than `slop` CSS pixels a press is a click; 0: never. */
+/** Call at the press; the result ends the drag. A press that moves less than `slop` CSS pixels is a click; 0: never. */
 export function followDrag(
   element: HTMLElement,
   { pointerId, clientX, clientY }: PointerEvent,

@@ -96,9 +96,10 @@ export class ViewerAnnouncements implements ReactiveController {
   #wait(ms: number): void {
     this.#timer = window.setTimeout(() => {
       this.#timer = 0;
+      const [spoken, scene] = [this.#spoken, this.#scene];
       this.#announce();
       this.#describe();
-      this.#viewer.requestUpdate();
+      if (this.#spoken !== spoken || this.#scene !== scene) this.#viewer.requestUpdate();
     }, ms);
   }
 

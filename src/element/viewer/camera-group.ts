@@ -35,7 +35,7 @@ function groupOf({ viewer, values: { cameraGroup: name } }: Member): CameraGroup
   return group;
 }
 
-export class CameraGroup implements SharedFit, SharedLevels {
+class CameraGroup implements SharedFit, SharedLevels {
   /** In the order in which they joined, which is document order for a page's markup. */
   readonly #members = new Map<ViewerCamera, Member>();
   /** For the framing that all members share; null after a change. */

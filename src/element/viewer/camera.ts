@@ -9,7 +9,6 @@ import type { Framing } from '../../scene/auto-fit.js';
 import type { CameraSource, CameraState } from '../elements.js';
 import { pictureBox } from '../page/picture-box.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
-import type { CameraGroup } from './camera-group.js';
 import type { ViewerContext } from './viewer-context.js';
 
 /** Where the camera is and whether it fits the scene, apart from what is declared. */
@@ -18,6 +17,12 @@ export interface CameraPlacement {
   /** What is `auto`; null once the user has moved the camera. */
   readonly framing: Framing | null;
 }
+
+/** The group of this camera, whose code is a chunk. */
+type CameraLink = Readonly<{
+  moved: (camera: ViewerCamera, source: CameraSource) => void;
+  turns: (camera: ViewerCamera) => boolean;
+}>;
 
 /** Values that act when they are assigned: the viewer needs no update for them. */
 export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof ViewerValues>(['theta', 'phi', 'radius', 'target']);
@@ -29,7 +34,7 @@ export class ViewerCamera implements ReactiveController {
   #inView = false;
   #input: OrbitInput | null = null;
   /** Null, the default: this camera moves alone. */
-  link: CameraGroup | null = null;
+  link: CameraLink | null = null;
 
   constructor(context: ViewerContext) {
     const { signals } = (this.#context = context);

@@ -53,7 +53,6 @@ export class ViewerChildren {
     else if (isMesh(child)) this.#flushLater(child);
   }
 
-  /** A child is still there, but may have another place. */
   moved(): void {
     this.#context.picture.invalidate();
   }

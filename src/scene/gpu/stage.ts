@@ -99,7 +99,7 @@ class Stage {
       if (error instanceof NoWebGL2Error) {
         this.#context.refuse();
         for (const one of this.#clients) one.contextMissing(error);
-      } else if (!this.#context.noticeLoss()) throw error; // three.js expects no null, as a lost context answers
+      } else if (!this.#context.noticeLoss()) throw error; // a lost context answers null: three.js throws
       return false;
     }
   }

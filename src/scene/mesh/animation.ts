@@ -1,7 +1,7 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import type { Picture } from '../picture.js';
+import type { SceneMesh } from './scene-mesh.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 
@@ -48,16 +48,13 @@ const nameOf = ({ autoplay, animationName }: Values): string | null => (autoplay
 
 /** The time that all animations of a picture have played. It stands still while motion is not allowed. */
 export class Animations {
-  readonly #picture: Picture;
+  /** Few meshes can move: a frame does not look at the others. */
+  readonly meshes = new Set<SceneMesh>();
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;
 
-  constructor(picture: Picture) {
-    this.#picture = picture;
-  }
-
   get playing(): boolean {
-    for (const { plays } of this.#picture.meshes) if (plays) return true;
+    for (const { plays } of this.meshes) if (plays) return true;
     return false;
   }
 
@@ -65,7 +62,7 @@ export class Animations {
   step(now: number): boolean {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     const { playing } = this;
-    for (const mesh of this.#picture.meshes) if (mesh.plays) mesh.advance(elapsed);
+    for (const mesh of this.meshes) if (mesh.plays) mesh.advance(elapsed);
     this.#last = playing ? now : null;
     return playing;
   }

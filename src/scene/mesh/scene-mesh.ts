@@ -301,6 +301,9 @@ export class SceneMesh {
     this.#shown = next;
     if (next.root !== null) this.#parent?.add(next.root);
     this.#placed = null; // the new root has no place yet
+    const { meshes } = this.#picture.animations;
+    if (next.animation === null) meshes.delete(this);
+    else meshes.add(this);
   }
 
   /** Shows pose, place and style that the values say. */
