@@ -63,30 +63,32 @@ test('prints CSS backgrounds on every page, and round shapes round on narrow pap
 
 /**
  * Runs in the page: where the marks over the pictures are, in shares of the pictures as they are shown, and the colours
- * of the texts. `className`: that of the body meanwhile. No script of the page runs, as when paper is laid out.
+ * of the texts. `classNames`: of the body, one after the other in one task. No script of the page runs, as when paper is laid out.
  */
-function marksOverPictures(className: string): { places: number[]; inks: string[] } {
-  const places: number[] = [];
-  const inks = new Set<string>();
-  document.body.className = className;
-  for (const { shadowRoot } of document.querySelectorAll('phong-viewer')) {
-    const canvas = shadowRoot!.querySelector('canvas')!;
-    const box = canvas.getBoundingClientRect();
-    const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
-    for (const mark of shadowRoot!.querySelectorAll(':is(.helpers, .probe) > svg :is(circle, text)')) {
-      const place = mark.getBoundingClientRect();
-      const [x, y] = [place.x + place.width / 2, place.y + place.height / 2];
-      places.push((x - box.x - box.width / 2) / (canvas.width * scale));
-      places.push((y - box.y - box.height / 2) / (canvas.height * scale));
+function marksOverPictures(classNames: readonly string[]): { places: number[]; inks: string[] }[] {
+  return classNames.map((className) => {
+    const places: number[] = [];
+    const inks = new Set<string>();
+    document.body.className = className;
+    for (const { shadowRoot } of document.querySelectorAll('phong-viewer')) {
+      const canvas = shadowRoot!.querySelector('canvas')!;
+      const box = canvas.getBoundingClientRect();
+      const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
+      for (const mark of shadowRoot!.querySelectorAll(':is(.helpers, .probe) > svg :is(circle, text)')) {
+        const place = mark.getBoundingClientRect();
+        const [x, y] = [place.x + place.width / 2, place.y + place.height / 2];
+        places.push((x - box.x - box.width / 2) / (canvas.width * scale));
+        places.push((y - box.y - box.height / 2) / (canvas.height * scale));
+      }
+      const texts = '.box, .box :not(.swatch, svg *), .legend, .legend-title';
+      for (const text of shadowRoot!.querySelectorAll(texts)) {
+        const { color, backgroundColor } = getComputedStyle(text);
+        inks.add(`${color} on ${backgroundColor}`);
+      }
     }
-    const texts = '.box, .box :not(.swatch, svg *), .legend, .legend-title';
-    for (const text of shadowRoot!.querySelectorAll(texts)) {
-      const { color, backgroundColor } = getComputedStyle(text);
-      inks.add(`${color} on ${backgroundColor}`);
-    }
-  }
-  document.body.className = '';
-  return { places, inks: [...inks].sort() };
+    document.body.className = '';
+    return { places, inks: [...inks].sort() };
+  });
 }
 
 test('paper of another width keeps N at its foot, and lights and axes at their places', async ({ mount, page }) => {
@@ -100,13 +102,13 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
   await expect(page.locator('.box')).toHaveCount(2);
   await expect(page.locator('.legend')).toHaveCount(1);
   await page.emulateMedia({ media: 'print' });
-  const { places: screen } = await page.evaluate(marksOverPictures, '');
-  expect(screen.length).toBeGreaterThan(16);
-  const paper = await page.evaluate(marksOverPictures, 'paper');
+  const [screen, paper] = await page.evaluate(marksOverPictures, ['', 'paper']);
   await page.emulateMedia({ media: null });
-  expect(paper.places.length).toBe(screen.length);
-  paper.places.forEach((place, i) => expect(place).toBeCloseTo(screen[i]!, 2));
-  expect(paper.inks).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
+  const { places } = screen!;
+  expect(places.length).toBeGreaterThan(16);
+  expect(paper!.places.length).toBe(places.length);
+  paper!.places.forEach((place, i) => expect(place).toBeCloseTo(places[i]!, 2));
+  expect(paper!.inks).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
 });
 
 /** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
