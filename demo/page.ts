@@ -1,4 +1,4 @@
-// What does every demo page load? The elements, and the listings of their markup. Knows no particular page.
+// What every demo page loads: the elements, and the listings of their markup. Knows no particular page.
 import 'phong-viewer';
 import { showListings } from './parts/listings.js';
 

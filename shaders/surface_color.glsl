@@ -1,6 +1,5 @@
 // The whole equation at one point of a surface. Needs guard and light_loop.
 
-
 /**
  * The colour at point p before clamping: Ka·ΣIa·decay + Kd·ΣId·att·NoL·decay + Ks·ΣIs·att·spec·decay. Everything in
  * shading space. N is unit, or zero: then only ambient light is left. n >= 0.

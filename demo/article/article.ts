@@ -1,5 +1,4 @@
-// What does the article add to its pictures? Figure 17 shows the view of its viewer in a few large pixels, after 1, 4,
-// 16 and 64 samples.
+// Draws Figure 17 of the article: the view of its viewer in a few large pixels, after 1, 4, 16 and 64 samples.
 import '../page.js';
 
 const viewer = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('#fig-pixel phong-viewer')!;

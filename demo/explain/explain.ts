@@ -1,5 +1,5 @@
-// What does the fragment page add to the viewer's probe? The numbers of its fragment as tables, and the colour that its
-// pixel has. The picture is read once after each change, when nothing has changed for a while.
+// Adds to the viewer's probe the numbers of its fragment as tables, and the colour that its pixel has. The picture
+// is read once after each change, when nothing has changed for a while.
 import '../page.js';
 import type { PhongViewerEventMap, Vec3 } from 'phong-viewer';
 import { codes, stepRows, vectorRows } from './tables.js';
@@ -78,6 +78,7 @@ function pixelAt({ x, y }: Shown): Vec3 | null {
 
 for (const box of document.querySelectorAll<HTMLInputElement>('input[data-light]'))
   box.addEventListener('change', () => part(box.dataset['light']!).setAttribute('active', String(box.checked)));
+
 /** The present picture is not the one that was read. */
 function changed(): void {
   changes += 1;

@@ -1,4 +1,4 @@
-// How do a fragment's numbers become table rows? Its vectors, and the steps of the equation with one column per light.
+// Turns a fragment's numbers into table rows: its vectors, and the steps of the equation with one column per light.
 // Knows neither viewers nor when anything changes.
 import type { FragmentExplanation, LightExplanation, Vec3 } from 'phong-viewer';
 

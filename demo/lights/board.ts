@@ -1,5 +1,5 @@
-// How does the switchboard of the lights page work? Buttons, a slider, and one switch per light, updated when lights
-// are added or removed in the viewer.
+// The switchboard of the lights page: buttons, a slider, and one switch per light, updated when lights are added or
+// removed in the viewer.
 import { add, remove, toggle } from './spiral.js';
 
 /** The slider's maximum. */

@@ -1,5 +1,5 @@
-// Which markup do the listings show? That of viewers on this page, read from the live elements, so it always matches
-// the picture. `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the
+// Fills the listings with the markup of viewers on this page, read from the live elements, with its lights as they
+// are now. `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the
 // one that the user touched last. Figures get a collapsed listing of their own. A comparison is listed whole.
 import { markupOf } from './markup.js';
 
@@ -76,7 +76,7 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   write();
 }
 
-const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position axis aperture cutoff attenuation'.split(' ');
+const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position space axis aperture cutoff attenuation'.split(' ');
 
 /**
  * The element with its lights as the user has left them. Handles and panel set properties, which attributes do not

@@ -1,6 +1,5 @@
-// What is an element's markup as its author would write it? One child per line, long tags folded. Attributes that
-// belong to the page and not to the scene (id, class, loading, data-…) are left out. Returns pieces of text; builds no
-// elements.
+// Writes an element's markup as its author would: one child per line, long tags folded. Attributes that belong to the
+// page and not to the scene (id, class, loading, data-…) are left out. Returns pieces of text; builds no elements.
 
 export interface Piece {
   readonly kind: 'plain' | 'tag' | 'value';

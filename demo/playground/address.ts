@@ -1,5 +1,5 @@
-// How is a scene written into the address? `#example=name`, or `#scene=` and the text, compressed, in the letters of
-// base64url. Reading never throws and never yields more than the longest text: a few letters can claim gigabytes.
+// Writes a scene into the address and reads it: `#example=name`, or `#scene=` and the text, compressed, in the letters
+// of base64url. Reading never throws and never yields more than the longest text: a few letters can claim gigabytes.
 
 /** Characters of a scene. One of 1,000 elements has about 100,000; more would freeze the editor and the address. */
 export const LONGEST_TEXT = 100_000;

@@ -1,6 +1,5 @@
-// Which scene does a text describe? The text may come from a stranger's link. It is parsed into a document that runs
-// and fetches nothing; of that, only the package's elements and their documented attributes are kept. Knows no live
-// element.
+// Reads the scene that a text describes. The text may come from a stranger's link, so it is parsed into a document that
+// runs and fetches nothing; only the package's elements and their documented attributes are kept. Knows no viewer.
 import attributes from 'virtual:attributes';
 import { LONGEST_TEXT } from './address.js';
 import { sourceKind } from './sources.js';

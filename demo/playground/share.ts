@@ -1,5 +1,5 @@
-// A scene for elsewhere: as the markup of a frame, or as one HTML file with the script and all files inside. Text in, text
-// out; files are fetched from this site, and from hosts that the user has allowed.
+// A scene for elsewhere: as the markup of a frame, or as one HTML file with the script and all files inside. Text in,
+// text out; files are fetched from this site, and from hosts that the user has allowed.
 import { fragmentOf } from './address.js';
 import { markupOf } from '../parts/markup.js';
 import { sceneElement, type Scene } from './scene.js';

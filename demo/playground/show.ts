@@ -1,5 +1,5 @@
-// How does the live viewer follow the scene? What has not changed is left alone, so that the camera, the panel and
-// loaded models stay while someone types. Builds only the elements of a checked scene.
+// Makes the live viewer follow the scene. What has not changed is left alone, so that the camera, the panel and loaded
+// models stay while someone types. Builds only the elements of a checked scene.
 import { MOST_TRIANGLES, type Scene, type SceneElement } from './scene.js';
 
 type Viewer = HTMLElementTagNameMap['phong-viewer'];
@@ -12,7 +12,7 @@ export function showScene(viewer: Viewer, before: Scene | null, scene: Scene): v
   const known = before?.elements ?? [];
   update(viewer, known[0], root);
   compareWith(viewer, before, scene);
-  viewer.maxTriangles = MOST_TRIANGLES / (1 + scene.others.length);
+  viewer.maxTriangles = shareOf(scene);
   // The panel's markup may list the children in another order than they stand in: then all are built again.
   const inStep = live.length === known.length - 1 && live.every((e, i) => e.localName === known[i + 1]!.tag);
   if (!inStep) {
@@ -41,12 +41,15 @@ function compareWith(viewer: Viewer, before: Scene | null, scene: Scene): void {
   if (around !== null && before !== null && textOf(before.others) === textOf(scene.others)) return;
   const others = scene.others.map(([root, ...children]) => {
     const other = built(root!) as Viewer;
-    other.maxTriangles = MOST_TRIANGLES / (1 + scene.others.length);
+    other.maxTriangles = shareOf(scene);
     other.append(...children.map(built));
     return other;
   });
   compare.replaceChildren(viewer, ...others);
 }
+
+/** Triangles of each viewer: a whole number, whatever their number. */
+const shareOf = ({ others }: Scene): number => Math.floor(MOST_TRIANGLES / (1 + others.length));
 
 const textOf = (viewers: Scene['others']): string =>
   JSON.stringify(viewers.map((one) => one.map(({ tag, attributes }) => [tag, ...attributes])));

@@ -1,5 +1,5 @@
-// Where does a `src` lead? To this site, which may be loaded at once; to another host, which needs a click; or
-// somewhere that a link has no business with (javascript:, data:, blob:, file:).
+// Says where a `src` leads: to this site, which may be loaded at once; to another host, which needs a click; or to an
+// address that a link must not use (javascript:, data:, blob:, file:).
 
 export type SourceKind = 'own' | 'refused' | { readonly host: string };
 

@@ -67,14 +67,14 @@ export function depthRange(
     center = radius;
     reach = 0;
   }
-  // 1 % covers rounding to float32 and parts near and far for a single point. Behind the eye any valid range will do.
+  // 1 % covers rounding to float32 and keeps near and far apart for a single point. Behind the eye any range will do.
   out.far = 1.01 * Math.max(center + reach, radius / 1000);
   out.near = Math.max(0.99 * (center - reach), Math.min(out.far / 1000, radius / 10));
   out.cuts = bounds !== null && center - reach < out.near;
   return out;
 }
 
-/** Before a surface at this depth, by more than float32 loses where vertices are 1e5 times as far away. */
+/** A near plane in front of a surface at this depth, by more than float32 loses for vertices 1e5 times as far. */
 export const nearBefore = (depth: number, radius: number): number => Math.max(0.9 * depth, LEAST_NEAR * radius);
 
 /** Share of the orbit's radius. Closer to the eye, float32 positions relative to the target are no longer distinct. */

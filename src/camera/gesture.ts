@@ -54,7 +54,7 @@ interface Anchor {
   readonly axes: PictureAxes;
   readonly orbit: boolean;
   readonly zoom: boolean;
-  /** The orbit's version after this gesture's last move: another one means another mover. */
+  /** The orbit's after this gesture's last move: a different version means that something else moved the camera. */
   version: number;
 }
 

@@ -1,5 +1,4 @@
-// Says that something has happened to those who listen. Parts of one thing use it, so there is no way to stop
-// listening: they live equally long.
+// A list of listeners. They live as long as the signal, so there is no way to unsubscribe.
 
 export class Signal<T = void> {
   readonly #listeners: ((value: T) => void)[] = [];

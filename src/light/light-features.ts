@@ -1,5 +1,5 @@
-// The code that a light needs: its kind and its feature mask (LIGHT_FEATURES); and the mask of all lights declared so
-// far, which the general program is compiled for.
+// The code that a light needs: its kind and its feature mask (LIGHT_FEATURES); and the mask of the lights given, which
+// PhongLighting accumulates for the general program.
 import { isBlack } from '../math/color.js';
 import { FEATURES_OF, LIGHT_FEATURES } from './light-layout.js';
 import { KINDS, type LightKind, type LightValues } from './light-state.js';

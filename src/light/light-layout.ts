@@ -73,8 +73,8 @@ type FeatureName = { [K in Key]: Shading<K> extends { readonly features: infer F
 
 /**
  * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL share. Each bit adds
- * code, so the union of several lights' masks is right for all of them. The kinds are those that a scene has declared;
- * packed lights are sorted by kind instead. From `powerShift` on a mask holds a spot's cutoff where it is an integer
+ * code, so the union of several lights' masks is right for all of them. Kind bits occur only in the declared mask;
+ * packed lights are already sorted by kind. From `powerShift` on a mask holds a spot's cutoff where it is an integer
  * from 1 to LARGEST_INTEGER_POWER; other cutoffs above 0 set `decay`.
  */
 export const LIGHT_FEATURES = Object.fromEntries([

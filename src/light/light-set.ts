@@ -11,7 +11,7 @@ export class LightSet {
   #version = 0;
   #kindVersion = 0;
 
-  /** `changed` is called after each change: with the light written to, or null when lights came, went or moved. */
+  /** `changed` is called after each change: with the light, or null when lights were added, removed or reordered. */
   constructor(changed: (light: LightState | null) => void = () => undefined) {
     this.#changed = changed;
   }
