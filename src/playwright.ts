@@ -50,7 +50,7 @@ const { Buffer } = globalThis as unknown as { Buffer: { from(text: string, encod
 /** Wrong pixels that a message lists. */
 const LISTED = 5;
 
-/** Pixels judged by default: about half of what a viewer of 300 × 200 covers. */
+/** Pixels judged by default: about half of what an object covers at 300 × 200. */
 const PIXELS = 10_000;
 
 /**

@@ -91,11 +91,11 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /**
    * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS pixels from the picture's
    * top left corner, inside any border, like `offsetX` and `offsetY` of a pointer event on the viewer. The fragment is
-   * the one at the centre of the device pixel there, or with `exact` the one at that very point, in the scene as it is
-   * at the call. Blended surfaces are
-   * explained without what lies behind them. Textures are sampled without mipmaps. Null where nothing is hit, where an
-   * object of your own in {@link scene} is nearest (its lines and points are ignored), and while the viewer has no box
-   * on the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
+   * the one at the centre of the device pixel there, or with `exact` the one at that very point. The scene is that of
+   * the call, except animated vertices and objects of your own. Blended surfaces are explained without what lies behind
+   * them. Textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene}
+   * is nearest (its lines and points are ignored), and while the viewer has no box on the page. Rejects with
+   * `TypeError` or `RangeError` unless x and y are finite numbers.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**

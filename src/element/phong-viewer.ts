@@ -1,4 +1,4 @@
-// <phong-viewer>: makes attributes and children state for the picture, input camera moves, and what happens events.
+// <phong-viewer>: turns attributes and children into the picture's state, input into camera moves, changes into events.
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';

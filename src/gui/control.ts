@@ -65,6 +65,8 @@ class Control {
     this.#binding = new FieldBinding(element, new FieldStore(CONTROL_FIELDS));
     this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
     Object.defineProperty(element, 'texts', { get: () => this.#texts }); // for the labels
+    const all = { childList: true, subtree: true, attributes: true, characterData: true };
+    this.#attributes.observe(element, all); // also while it is not on the page
     for (const name of element.getAttributeNames()) this.#binding.attributeChanged(name, element.getAttribute(name));
     this.#binding.upgrade();
     this.#binding.store.listen(() => this.#rebuild());
@@ -73,15 +75,12 @@ class Control {
   start(): void {
     const element = this.#element;
     addStyles(this.#root, styles);
-    const all = { childList: true, subtree: true, attributes: true };
-    this.#attributes.observe(element, { ...all, characterData: true });
     for (const root of new Set([element.getRootNode(), element.ownerDocument]))
-      this.#elements.observe(root, { ...all, attributeFilter: ['id'] });
+      this.#elements.observe(root, { childList: true, subtree: true, attributeFilter: ['id'] });
     this.#rebuild();
   }
 
   stop(): void {
-    this.#attributes.disconnect();
     this.#elements.disconnect();
     clearTimeout(this.#timer);
     this.#clear();
@@ -120,7 +119,7 @@ class Control {
     this.#targets = null;
     this.#find();
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
+    if (this.#element.isConnected) this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
   }
 
   #complain(): void {
@@ -188,7 +187,7 @@ class Control {
         return;
       }
       for (const control of gui.controllers) control.updateDisplay();
-      settle(gui, this.#texts);
+      updateWidthsAndPrint(gui, this.#texts);
     };
     const box = gui.domElement;
     for (const viewer of new Set(targets.map((target) => viewerOf(target)!))) {
@@ -205,8 +204,8 @@ class Control {
         viewer.removeController(updates);
       });
     }
-    box.addEventListener('input', () => settle(gui, this.#texts));
-    settle(gui, this.#texts);
+    box.addEventListener('input', () => updateWidthsAndPrint(gui, this.#texts));
+    updateWidthsAndPrint(gui, this.#texts);
   }
 }
 
@@ -292,7 +291,7 @@ function dress(gui: GUI, key: string, element: PhongControl): void {
 }
 
 /** After each change: the width of numbers, and the text for paper. */
-function settle(gui: GUI, texts: ViewerTexts | null): void {
+function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
   for (const { $widget, domElement } of gui.controllers) {
     const inputs = $widget.querySelectorAll<HTMLInputElement>(
       'output, select, input:not([type="range"], [type="color"])',

@@ -19,11 +19,13 @@ export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
     chooseModel((file) => historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file))),
   );
   row.add('save PNG', () => {
-    void savePicture(viewer);
+    savePicture(viewer).catch(warnOf);
   });
   addCopyButton(row, () => viewer.toHTML());
   return () => (open.hidden = !viewer.droppable);
 }
+
+const warnOf = (error: unknown): void => console.warn(`<phong-viewer gui>: ${String(error)}`);
 
 /** Writes the markup to the clipboard, or shows it selected if the clipboard is not available. */
 function addCopyButton(row: ButtonRow, markup: () => string): void {
@@ -74,7 +76,7 @@ export function chooseModel(chosen: (model: Blob) => void): void {
       .then((model) => {
         if (model !== null) chosen(model);
       })
-      .catch((error: unknown) => console.warn(`<phong-viewer gui>: ${String(error)}`));
+      .catch(warnOf);
   });
   dialog.click();
 }

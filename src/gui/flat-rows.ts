@@ -7,7 +7,7 @@ import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { sameValue } from '../fields/field-store.js';
 import { type ChildKind, showRows } from './folders.js';
-import { nameOwner } from './label.js';
+import { nameOwner, relabel } from './label.js';
 import { LIGHT_ROWS, LIGHTS } from './light-rows.js';
 import { MESH_ROWS, MESHES } from './mesh-rows.js';
 import { type AddedRow, addRows, type Editable, NO_ROW, type RowContext, type Rows } from './rows.js';
@@ -31,11 +31,13 @@ export function addFlatRows(
     if (tables.every((rows) => keyOf(rows, attribute) === undefined))
       console.warn(`<phong-viewer gui>: the panel has no row for ${attribute}.`);
   let elements: readonly Editable[] = [];
+  let titles: readonly string[] = [];
   let added: readonly (readonly [Editable, readonly AddedRow<Editable>[]])[] = [];
   return () => {
     const owners = ownersIn(viewer, range);
     const present = owners.map(({ element }) => element);
-    if (!sameValue(present, elements)) {
+    const isNew = !sameValue(present, elements);
+    if (isNew) {
       elements = present;
       for (const control of [...gui.controllers]) control.destroy();
       added = attributes.flatMap((attribute) => {
@@ -43,6 +45,9 @@ export function addFlatRows(
         return having.map((owner) => [owner.element, addRow(gui, owner, attribute, having.length > 1)] as const);
       });
     }
+    const now = owners.map(({ title }) => title());
+    if (!isNew && !sameValue(now, titles)) relabel(gui.domElement);
+    titles = now;
     for (const [element, rows] of added) showRows(element, rows);
     for (const control of gui.controllers) control.updateDisplay();
   };

@@ -27,7 +27,7 @@ export class Folder<E extends Editable> {
     table: Rows<E>,
     built: (gui: GUI) => void = () => undefined,
   ) {
-    this.gui = addGroup(parent, title).close();
+    this.gui = addFolder(parent, title).close();
     this.#place = place;
     this.#table = table;
     this.#built = built;
@@ -75,8 +75,8 @@ export function showRows<E>(element: E, rows: readonly AddedRow<E>[]): void {
   }
 }
 
-/** A folder of folders. Starts open. `title`: null if the caller writes it. */
-function addGroup(parent: GUI, title: ViewerText | null): GUI {
+/** Opens without animation. `title`: null if the caller writes it. */
+function addFolder(parent: GUI, title: ViewerText | null): GUI {
   const gui = withoutAnimation(parent.addFolder(''));
   if (title !== null) label(gui.$title, (say) => gui.title(say(title)));
   return gui;
@@ -122,7 +122,7 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
   readonly #folders = new Map<E, ChildFolder<E>>();
 
   constructor(parent: GUI, title: ViewerText, viewer: PhongViewer, range: SceneRange, kind: ChildKind<E>) {
-    this.group = addGroup(parent, title);
+    this.group = addFolder(parent, title);
     this.#viewer = viewer;
     this.#range = range;
     this.#kind = kind;

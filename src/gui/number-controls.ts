@@ -156,11 +156,12 @@ class NumberField implements RowInput {
       const { value } = this.#bound;
       const moved = (dx: number, _: number, now: PointerEvent): void =>
         this.#step(value, Math.round(dx) * factorOf(now));
-      followDrag(input, event, SLACK, { moved, ended: () => undefined });
+      // A finger that moves up or down scrolls the panel.
+      followDrag(input, event, SLACK, { moved, ended: () => undefined }, (dx) => Math.abs(dx));
     });
     // Without this the press would give the field the focus before it is known to be a click.
     input.addEventListener('mousedown', (event) => {
-      if (!input.matches(':focus')) event.preventDefault();
+      if (event.button === 0 && !input.matches(':focus')) event.preventDefault();
     });
     // A drag ends without one.
     input.addEventListener('click', () => input.focus());

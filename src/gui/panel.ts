@@ -1,5 +1,5 @@
-// The control panel: its folders, and which change refreshes which. It writes through the elements' public properties
-// only and requests no frames. Loaded on demand.
+// The control panel: its folders, and which change refreshes which. It writes declared values and
+// the camera, and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import { GUI_FOLDERS } from '../element/fields/viewer-fields.js';
 import {

@@ -8,6 +8,7 @@ import { REFLECTIONS, SHADINGS } from '../material/material-values.js';
 import { TERMS } from '../light/light-state.js';
 import { VIEWS } from '../material/views.js';
 import type { Say } from './label.js';
+import { LIGHTS } from './light-rows.js';
 import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-rows.js';
 import {
   button,
@@ -105,7 +106,7 @@ function eyeText({ camera: { eye, radius } }: PhongViewer): string {
 
 /** Values of `view-light`; a name that no light has is kept while it is selected. */
 function lightNames({ lights, viewLight }: PhongViewer): readonly string[] {
-  return [...new Set(['', ...lights.map(({ name }) => name), viewLight])];
+  return [...new Set(['', ...lights.map((light, i) => LIGHTS.title(light, i, null)), viewLight])];
 }
 
 /** Lights without a name have a number, in the page's words. */

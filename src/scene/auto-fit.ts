@@ -1,4 +1,4 @@
-// Fits the camera to the scene for `auto`, and measures how deep the scene is: again when its meshes have changed.
+// Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each frame how deep it is.
 import type { Mesh } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Vec3 } from '../math/vector.js';

@@ -34,7 +34,7 @@ export class ViewportSignals {
   recover: (error: unknown, draw: () => void) => boolean = () => false;
 }
 
-/** One viewer's picture on the page; sizes are in device pixels. The stage calls what begins with `context`. */
+/** One viewer's picture on the page; sizes are in device pixels. */
 export class Viewport {
   /** Holds the picture's canvas, and nothing else. */
   readonly holder: HTMLElement;

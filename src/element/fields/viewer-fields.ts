@@ -11,6 +11,7 @@ import {
   optional,
   orWord,
   presenceField,
+  show,
   subsetField,
   textField,
   vectorField,
@@ -158,6 +159,9 @@ const GUI_ROWS: string[] = [];
 
 const PROBE_VALUES = 'true, false, formula or ask';
 
+/** Samples per pixel, of `samples` and of picture files. */
+export const MOST_SAMPLES = 1024;
+
 export const VIEWER_FIELDS: Fields<ViewerValues> = {
   ...SHAPE_FIELDS,
   alt: textField(),
@@ -182,7 +186,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
   antialias: choiceField<Antialias>('edges', ['edges', 'full']),
-  samples: numberField(64, { min: 16, max: 1024, integer: true }),
+  samples: numberField(64, { min: 16, max: MOST_SAMPLES, integer: true }),
   // Any limit far above what screens have would do.
   pixelRatio: orWord('auto', numberField(1, { above: 0, max: 1e6 })),
   helpers: { ...subsetField<Helper>(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },
@@ -197,7 +201,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
       const word = String(value); // of one word, or of a list of them
       if (word === 'formula' || word === 'ask') return word;
       if (word === 'probe') return true;
-      const message = `expected ${PROBE_VALUES}, got ${word}`;
+      const message = `expected ${PROBE_VALUES}, got ${show(value)}`;
       throw typeof value === 'string' || Array.isArray(value) ? new RangeError(message) : new TypeError(message);
     },
   },

@@ -7,12 +7,16 @@ interface DragListener {
   ended(): void;
 }
 
-/** Call at the press; the result ends the drag. A press that moves less than `slop` CSS pixels is a click; 0: never. */
+/**
+ * Call at the press; the result ends the drag. A press that moves less than `slop` CSS pixels by `distance` is a click;
+ * 0: never.
+ */
 export function followDrag(
   element: HTMLElement,
   { pointerId, clientX, clientY }: PointerEvent,
   slop: number,
   listener: DragListener,
+  distance: (dx: number, dy: number) => number = Math.hypot,
 ): () => void {
   const view = element.ownerDocument.defaultView;
   const release = keepDrag(view);
@@ -28,25 +32,26 @@ export function followDrag(
   };
   // The button may be released in another window, which no event reports.
   view?.addEventListener('blur', end, { signal });
-  const listen = (type: string, heard: (event: PointerEvent) => void): void =>
-    element.addEventListener(
+  const listen = (target: EventTarget | null, type: string, heard: (event: PointerEvent) => void): void =>
+    target?.addEventListener(
       type,
       (event) => {
         if ((event as PointerEvent).pointerId === pointerId) heard(event as PointerEvent);
       },
-      { signal },
+      { signal, capture: true },
     );
-  listen('pointermove', (event) => {
+  listen(element, 'pointermove', (event) => {
     // The button was released without an event: over another window, under a menu.
     if ((event.buttons & 1) === 0) {
       end();
       return;
     }
     const [dx, dy] = [event.clientX - clientX, event.clientY - clientY];
-    dragged ||= Math.hypot(dx, dy) >= slop;
+    dragged ||= distance(dx, dy) >= slop;
     if (dragged) listener.moved(dx, dy, event);
   });
-  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) listen(type, end);
+  // An element that was removed gets none of these.
+  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) listen(view, type, end);
   try {
     element.setPointerCapture(pointerId);
   } catch {

@@ -114,7 +114,7 @@ export class ViewerCamera implements ReactiveController {
         orbit.set(key === 'theta' ? { theta } : { phi });
       } else {
         const kept = picture.fit.framing ?? orbit.pose;
-        picture.fit.framing = key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
+        picture.fit.framing = key === 'radius' ? { target: kept.target, radius } : { target, radius: kept.radius };
         picture.fit.settle();
       }
     });
@@ -125,7 +125,7 @@ export class ViewerCamera implements ReactiveController {
     const { theta, phi, radius, target } = values;
     this.#move(source, () => {
       picture.orbit.set({ theta, phi });
-      picture.fit.framing = { radius, target };
+      picture.fit.framing = { target, radius };
       picture.fit.settle();
     });
   }

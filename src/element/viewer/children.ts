@@ -70,7 +70,7 @@ export class ViewerChildren {
   /** Custom elements get no callback for changes outside a document: looks for children that came or went there. */
   refresh(): void {
     const found = this.#viewer.querySelectorAll('phong-light, phong-mesh');
-    for (const child of [...this.#registry.inOrder, ...found]) register(child);
+    for (const child of [...this.#registry.all, ...found]) register(child);
   }
 
   /** Brings lights and meshes into document order. Does nothing unless children came, went or moved. */

@@ -1,8 +1,8 @@
 // The parts that most viewers do without: helpers, a legend, the probe, linked cameras, explanations and files. Each is
-// a chunk that is fetched with its first use. What needs the scene of the call copies it before: it changes meanwhile.
+// a chunk that is fetched with its first use. shadeAt copies the scene at the call, because it may change meanwhile.
 import type { ReactiveController } from 'lit';
 import { lazyCode, reportMissing } from '../../model/lazy-code.js';
-import type { ViewerValues } from '../fields/viewer-fields.js';
+import { MOST_SAMPLES, type ViewerValues } from '../fields/viewer-fields.js';
 import type { Size } from '../../scene/gpu/atlas.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { zoomOf } from '../dom.js';
@@ -73,8 +73,6 @@ const KINDS: readonly Kind[] = [
   },
   LINKED,
 ];
-
-const MOST_SAMPLES = 1024;
 
 const pictureCode = lazyCode(() => import('./picture-blob.js'), 'toBlob');
 

@@ -134,7 +134,7 @@ export function cameraOf(viewer: PhongViewer): Undoable<CameraPlacement> {
   const camera = viewerCameras.get(viewer)!;
   return {
     read: () => camera.placement(),
-    same: (a, b) => JSON.stringify(a) === JSON.stringify(b),
+    same: (a, b) => JSON.stringify(a) === JSON.stringify(b), // keys are always written in the same order
     restore: (_, to) => camera.place(to, 'panel'),
   };
 }

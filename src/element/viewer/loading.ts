@@ -115,12 +115,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   dropped(mesh: SceneMesh): void {
     this.#end(mesh);
     this.#failure.clear(mesh);
-    queueMicrotask(() => this.#context.signals.ended.emit()); // meshes are being updated now
+    this.#emitEnded();
   }
 
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
     this.#end(mesh);
-    const { signals } = this.#context;
     const child = elementOf(mesh);
     if (error !== null) {
       const detail = this.#failure.report(mesh, error, url);
@@ -131,7 +130,12 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       child?.dispatchEvent(new CustomEvent('load', { detail }));
       this.#events.append('load', detail);
     }
-    signals.ended.emit();
+    this.#emitEnded();
+  }
+
+  /** Later: meshes may be being updated now. */
+  #emitEnded(): void {
+    queueMicrotask(() => this.#context.signals.ended.emit());
   }
 
   get pending(): boolean {
@@ -177,6 +181,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** Nothing is downloaded for a removed viewer. One that only moves is back before the next task. */
   hostDisconnected(): void {
+    // Disconnected twice: a popup that closes disconnects first, then the page moves the viewer out of its document.
+    clearTimeout(this.#removal);
     this.#removal = setTimeout(() => {
       this.#suspended = true;
       for (const mesh of this.#meshes()) mesh.suspend();

@@ -1,5 +1,7 @@
 // A picture as a file: checks the options and encodes. Fetched with the first use of toBlob.
 
+import { MOST_SAMPLES } from '../fields/viewer-fields.js';
+
 export interface PictureOptions {
   /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
   readonly width?: number;
@@ -29,8 +31,10 @@ export async function pictureBlob(
   { width, height, type = 'image/png', quality, samples }: PictureOptions,
 ): Promise<Blob> {
   if (picture === null) {
-    if (samples !== undefined && !(Number.isInteger(samples) && samples >= 1 && samples <= 1024))
-      throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
+    if (samples !== undefined && !(Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES))
+      throw new RangeError(
+        `toBlob: samples must be a whole number from 1 to ${String(MOST_SAMPLES)}, got ${String(samples)}`,
+      );
     const asked = `${String(width ?? 'default')} × ${String(height ?? 'default')}`;
     throw new RangeError(`toBlob: width and height must be whole numbers of pixels from 1, got ${asked}`);
   }

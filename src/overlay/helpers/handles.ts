@@ -64,19 +64,21 @@ export class Handles {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, { 'aria-label': phrase(texts, 'Lights in the picture') });
-    const kept = new Set<HandleEntry>();
-    let before: Element | null = null;
-    lights.forEach((light, index) => {
-      for (const handle of marks[index]!.handles) {
-        const shown = this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part);
-        kept.add(shown);
-        const expected: Element | null = before === null ? this.#list.firstElementChild : before.nextElementSibling;
-        if (expected !== shown.element) this.#list.insertBefore(shown.element, expected);
-        before = shown.element;
-        this.#place(shown, handle, index, view);
-      }
-    });
+    const handlesOf = (light: PhongLight, index: number) =>
+      marks[index]!.handles.map((handle) => {
+        return { handle, index, shown: this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part) };
+      });
+    const entries = lights.flatMap(handlesOf);
+    const kept = new Set(entries.map(({ shown }) => shown));
+    // First: an element that moves in the tree loses focus and pointer.
     for (const shown of this.#shown.values()) if (!kept.has(shown)) this.#remove(shown);
+    let before: Element | null = null;
+    for (const { handle, index, shown } of entries) {
+      const expected: Element | null = before === null ? this.#list.firstElementChild : before.nextElementSibling;
+      if (expected !== shown.element) this.#list.insertBefore(shown.element, expected);
+      before = shown.element;
+      this.#place(shown, handle, index, view);
+    }
     this.#list.hidden = kept.size === 0;
     if (this.#current === null) this.#choose(this.#shown.values().next().value);
   }

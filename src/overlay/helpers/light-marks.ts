@@ -59,7 +59,7 @@ export interface LightMarks {
 /** Distance of a directional light's helper from the scene's centre, in radii of the scene. */
 export const DIRECTIONAL_AT = 1.2;
 
-/** Length of a directional light's arrow, in radii of the scene: it ends before the scene begins. */
+/** Length of a directional light's arrow, in radii of the scene. */
 const ARROW = 0.35;
 
 /** Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the scene. */

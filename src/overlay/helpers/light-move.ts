@@ -2,6 +2,7 @@
 // the whole travel since then, so that going back restores. Travel in CSS pixels of the layer, right and down.
 import { LIMITS, type LightValues } from '../../light/light-state.js';
 import { add, clamp, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { sameValue } from '../../fields/field-store.js';
 import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight, PhongViewer } from '../../element/elements.js';
 import { historyOf, type Undoable, valuesOf } from '../../element/viewer/history.js';
@@ -35,7 +36,9 @@ interface Travel {
   readonly byKeys: boolean;
 }
 
-type Change = Partial<Pick<LightValues, 'position' | 'axis' | 'aperture'>>;
+const MOVED = ['position', 'axis', 'aperture'] as const;
+
+type Change = Partial<Pick<LightValues, (typeof MOVED)[number]>>;
 
 interface Move {
   readonly light: PhongLight;
@@ -43,6 +46,8 @@ interface Move {
   readonly subject: Undoable<ReadonlyMap<string, unknown>>;
   readonly before: ReadonlyMap<string, unknown>;
   anchor: Anchor;
+  /** The light's values since the last step. */
+  last: Readonly<LightValues>;
   along: boolean;
   /** Since the start. */
   travel: Point;
@@ -88,7 +93,18 @@ export class LightMove {
     const anchor = this.#move === null ? this.#anchor(light, part) : null;
     if (anchor === null) return false;
     const subject = valuesOf(light);
-    this.#move = { light, byKeys, subject, before: subject.read(), anchor, along: false, travel: START, from: START };
+    const { values: last } = anchor;
+    this.#move = {
+      light,
+      byKeys,
+      subject,
+      before: subject.read(),
+      anchor,
+      last,
+      along: false,
+      travel: START,
+      from: START,
+    };
     return true;
   }
 
@@ -123,8 +139,10 @@ export class LightMove {
   #go(move: Move, travel: Point, along: boolean): void {
     const { light, byKeys } = move;
     const { view } = this.#seen!;
-    // Earlier travel was along other axes.
-    if (along !== move.along || (byKeys && move.anchor.view !== view)) {
+    const { values } = fieldsOf(light).store;
+    const isOther = MOVED.some((key) => !sameValue(values[key], move.last[key]));
+    // Earlier travel was along other axes, or something else has written to the light.
+    if (along !== move.along || isOther || (byKeys && move.anchor.view !== view)) {
       const anchor = this.#anchor(light, move.anchor.handle.part);
       if (anchor === null) return;
       Object.assign(move, { anchor, along, from: move.travel });
@@ -133,6 +151,7 @@ export class LightMove {
     const { anchor, from } = move;
     const change = moved(anchor, view, { dx: travel.x - from.x, dy: travel.y - from.y, along, byKeys });
     for (const [key, value] of Object.entries(change)) fieldsOf(light).set(key as keyof Change, value);
+    move.last = { ...values };
   }
 
   /** The light by its current values. What is drawn may be older, because keys can be faster than frames. */

@@ -17,12 +17,12 @@ const TOLERANCE = 1e-3;
 
 export type RayTest<Answer> = (scene: SceneSnapshot) => Answer;
 
-/** Answers to such questions, by key. */
+/** Runs tests by rays some time after a frame, in slices, and keeps their answers by key. */
 export class RayTests<Key, Answer> {
   readonly #host: ExtraHost;
   readonly #changed: () => void;
   readonly #answers = new Map<Key, Answer>();
-  /** Null once their series of rays has begun. */
+  /** What the next series of rays tests; null if nothing waits. */
   #waiting: ReadonlyMap<Key, RayTest<Answer>> | null = null;
   #timer = 0;
 

@@ -166,7 +166,7 @@ function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hidi
 /** Half the grid's size, in radii of the scene. */
 const GRID = 1.5;
 
-/** Twice as many as a scene at the origin has. */
+/** Three times as many as a scene at the origin has. */
 const MOST_LINES = 40;
 
 /** A line in equal pieces: those in front, and those behind shapes. Neighbours are joined. */

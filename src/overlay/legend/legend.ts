@@ -21,8 +21,8 @@ class ViewExtra implements Extra {
   /** Holds the legend, in the free part of the picture, whose size the style sheet asks for. */
   readonly #place = createElement('div', { class: 'view-place' });
   readonly #root: ShadowRoot;
-  /** The values that the picture was last set to. */
-  #shown = '';
+  /** What the picture was last set by. Texts name lights. */
+  #shown: readonly unknown[] = [];
   /** What the scale was written for. */
   #scale: readonly unknown[] = [];
   /** Values of `view-light` that were warned of. */
@@ -37,9 +37,9 @@ class ViewExtra implements Extra {
   }
 
   update(): void {
-    const { values, viewport } = this.#host;
-    const shown = `${values.view} ${values.viewLight}`;
-    if (shown !== this.#shown) {
+    const { values, viewport, viewer } = this.#host;
+    const shown = [values.view, values.viewLight, viewer.texts];
+    if (!sameValue(shown, this.#shown)) {
       this.#shown = shown;
       viewport.picture.lighting.view = pictureView(values.view, () =>
         chosenIndices(this.#host).map((i) => viewport.picture.lighting.lights.values[i]!),

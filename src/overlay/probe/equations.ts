@@ -68,7 +68,9 @@ export function equationsOf(
         ? []
         : options.terms
             .filter((term) => isLit(fragment, options.lights[i]!, term))
-            .map((term) => product(fragment, share, options.lights[i]!, term, channel as 0, options, texts)),
+            .map((term) =>
+              product({ ...options, fragment, share, light: options.lights[i]!, term, channel: channel as 0, texts }),
+            ),
     );
     return [...products, sumLine(products, own[channel]!, fragment.color[channel]!, options.linear, texts)];
   });
@@ -84,15 +86,17 @@ export function equationsOf(
 const isLit = (fragment: FragmentExplanation, light: Readonly<LightValues>, term: Term): boolean =>
   light[term].some((x, channel) => x > 0 && fragment[`k${NAMES[term]}`][channel]! > 0);
 
-function product(
-  fragment: FragmentExplanation,
-  share: LightExplanation,
-  light: Readonly<LightValues>,
-  term: Term,
-  channel: 0 | 1 | 2,
-  { linear, halfway }: EquationOptions,
-  texts: ViewerTexts | null,
-): Equation {
+/** One term of a light in one channel. */
+interface TermAt extends EquationOptions {
+  readonly fragment: FragmentExplanation;
+  readonly share: LightExplanation;
+  readonly light: Readonly<LightValues>;
+  readonly term: Term;
+  readonly channel: 0 | 1 | 2;
+  readonly texts: ViewerTexts | null;
+}
+
+function factorsOf({ fragment, share, light, term, channel, linear, halfway, texts }: TermAt): readonly Factor[] {
   const intensity = light[term][channel] / 255;
   const factors: Factor[] = [
     { symbol: `K${NAMES[term]}`, value: fragment[`k${NAMES[term]}`][channel], isGiven: true },
@@ -101,8 +105,6 @@ function product(
   const wrongOf = wrongIn(texts);
   const instead = (wrong: string, right: string, value: number): Wrong =>
     wrongOf('other-value', value, 'That is the value with {wrong} in place of {right}.', { wrong, right });
-  const without = (factor: string, value: number, mistake: Wrong['mistake']): Wrong =>
-    wrongOf(mistake, value, 'That is the value without {factor}.', { factor });
   const { att, decay, c, insideCone, NoL, RoV, L } = share;
   if (term === 'ambient') {
     const text = 'The attenuation does not touch the ambient term.';
@@ -122,7 +124,7 @@ function product(
     const angle = degreesText(cosine, 1, texts);
     const radiansText = 'That is the cosine of {angle} radians; the angle is in degrees.';
     return [
-      ...(cosine < 0 ? [without('max(…, 0)', cosine ** power, 'unclamped')] : []),
+      ...(cosine < 0 ? [without(texts, 'max(…, 0)', cosine ** power, 'unclamped')] : []),
       ...[degrees, radians(degrees)].map((value) =>
         wrongOf('angle', value ** power, '{cosine} is a cosine: the angle is {angle}.', { cosine: symbol, angle }),
       ),
@@ -164,11 +166,18 @@ function product(
           ],
     });
   }
+  return factors;
+}
+
+function product(of: TermAt): Equation {
+  const { fragment, share, light, term, halfway, texts } = of;
+  const { decay, RoV } = share;
+  const factors = factorsOf(of);
   const value = factors.reduce((all, factor) => all * factor.value, 1);
   const wrongs = factors.flatMap((factor) => {
     const rest = factors.reduce((all, each) => (each === factor ? all : all * each.value), 1);
     const { symbol, wrongs: own = [] } = factor;
-    const all = symbol === '' || own[0]?.mistake === 'cone' ? own : [without(symbol, 1, 'left-out'), ...own];
+    const all = symbol === '' || own[0]?.mistake === 'cone' ? own : [without(texts, symbol, 1, 'left-out'), ...own];
     return all.map((wrong) => ({ ...wrong, value: rest * wrong.value }));
   });
   const shown = factors.filter(({ symbol }) => symbol !== '');
@@ -200,6 +209,9 @@ const wrongIn =
     text: keyof ViewerTexts,
     values: Readonly<Record<string, string>> = {},
   ): Wrong => ({ mistake, value, text: phrase(texts, text, values) });
+
+const without = (texts: ViewerTexts | null, factor: string, value: number, mistake: Wrong['mistake']): Wrong =>
+  wrongIn(texts)(mistake, value, 'That is the value without {factor}.', { factor });
 
 function factsOf(
   { NoL, RoV, d, c, att, decay, insideCone }: LightExplanation,

@@ -1,5 +1,5 @@
 // The probe: the point that a viewer explains, under the mouse or the cross-hair, or pinned in the scene. The camera
-// takes the same events. At most one explanation runs at a time, and none while nothing changes.
+// takes the same events. Explains at most once a frame, and never while nothing changes.
 import { SLOP } from '../../camera/kept-drag.js';
 import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
@@ -190,14 +190,17 @@ class Probe implements Extra {
     if (this.#busy) return;
     this.#busy = true;
     void this.#explained().then((shown) => {
-      this.#busy = false;
       if (this.#listening.signal.aborted) return;
       const before = this.#view.shown;
       this.#view.show(shown, this.#pin !== null);
       if (this.#acted) this.#view.announce();
       this.#acted = false;
       if (shown !== before) this.#notify(shown);
-      if (this.#again) this.#explain();
+      // Not at once: a listener may have changed the viewer, which would never end.
+      requestAnimationFrame(() => {
+        this.#busy = false;
+        if (this.#again) this.#explain();
+      });
     });
   }
 
@@ -208,6 +211,7 @@ class Probe implements Extra {
     const toPin = this.#toPin;
     if (toPin !== null) {
       const shown = await this.#at(toPin);
+      if (this.#listening.signal.aborted) return null;
       if (this.#toPin === toPin) this.#toPin = null;
       this.#pin = shown.fragment?.p ?? null;
       // A press beside the shape takes the pin away.
@@ -252,9 +256,8 @@ class Probe implements Extra {
     if (at === null) return without(OUTSIDE);
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
-    if (fragment === null && message === '') return viewer.loaded ? without(NO_SURFACE) : null;
-    const isHidden = fragment !== null && projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point);
-    if (isHidden) return without(HIDDEN);
+    if (fragment === null) return message !== '' ? shown : viewer.loaded ? without(NO_SURFACE) : null;
+    if (projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point)) return without(HIDDEN);
     // Who asks for numbers gets those of the very point: the pixel's centre is beside it.
     const exact = this.#host.values.probe === true ? null : await viewer.explain(point);
     return exact === null ? shown : { ...shown, fragment: exact };

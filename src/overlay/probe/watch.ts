@@ -2,6 +2,7 @@
 import { zoomOf } from '../../element/dom.js';
 import type { ProbeDetail } from '../../element/events.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import { reportMissing } from '../../model/lazy-code.js';
 import { projectionOf } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {
@@ -12,15 +13,19 @@ export function create(host: ExtraHost): Extra {
     again = isBusy;
     if (isBusy || probeAt === null || viewer.stats.frames === 0) return;
     isBusy = true;
-    void viewer.explain(probeAt).then((fragment) => {
-      isBusy = false;
-      if (isGone) return;
+    const explained = viewer.explain(probeAt).catch(reportMissing);
+    void explained.then((fragment) => {
+      // Not at once: a listener may change the viewer, which would never end.
+      requestAnimationFrame(() => {
+        isBusy = false;
+        if (again && !isGone) update();
+      });
+      if (isGone || fragment === undefined) return;
       const at = fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
       const zoom = zoomOf(host.tree.layer);
       const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
       const detail: ProbeDetail = { fragment, x, y, pinned: true };
       viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
-      if (again) update();
     });
   };
   return {

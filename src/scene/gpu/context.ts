@@ -11,7 +11,7 @@ export class NoWebGL2Error extends Error {
 /** Longest side in pixels of a drawing, with 4 samples per pixel, that any GPU has memory for. */
 export const SAFE_SIDE = 4096;
 
-/** What pictures do then. `repaint`: the next drawing tries to open a refused context again. */
+/** The method that is called on every picture. `repaint`: the next drawing tries to open a refused context again. */
 type Consequence = 'contextLost' | 'contextRestored' | 'repaint';
 
 /**

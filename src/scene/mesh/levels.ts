@@ -141,7 +141,7 @@ export function levelIn(
 /** The step from a level of about so many segments to the next. */
 const stepAt = (segments: number): number => (segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8);
 
-/** At least so many segments, as a multiple of an eighth of the next power of two: at most a quarter too many. */
+/** At least so many segments: a multiple of 8, above 64 of an eighth of the next power of two (a quarter too many). */
 export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
   const { most } = roundOf(name)!;

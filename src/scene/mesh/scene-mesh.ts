@@ -203,6 +203,7 @@ export class SceneMesh {
 
   dispose(): void {
     this.#load.drop();
+    this.#forgetNotFlat();
     this.#letGo();
     this.#host.removed(this);
     this.#parent = null;

@@ -46,7 +46,11 @@ export class SampleSum {
       this.#targets = targetsOf(width, height);
       renderer.setRenderTarget(this.#targets.sum);
       const gl = renderer.getContext();
-      if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) return false;
+      if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+        renderer.setRenderTarget(null);
+        this.free();
+        return false;
+      }
     }
     clear(renderer, this.#targets.sum);
     // Drivers allocate with the first use: better now than in a later batch, which would be late.

@@ -1,5 +1,5 @@
 // What a picture shows at one moment: the scene may change while the code of shadeAt is fetched. Values that are
-// overwritten are copied, except vertices: an animation is explained in its later pose.
+// overwritten are copied, except animated vertices and the page's own objects: these count as they are when it runs.
 import type { BufferGeometry, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
 import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';

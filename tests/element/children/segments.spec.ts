@@ -100,6 +100,16 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
   expect(await heard.take()).toMatchObject([{ detail: { code: 'too-large', message } }]);
   expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta)).toBe(10);
   await expect(viewer.locator('[part=notice]')).toBeVisible();
+  // A shape of the viewer's own, while `ready` is pending.
+  const own = (element: PhongViewer) => {
+    Object.assign(element, { segments: 70, shading: 'flat', background: 'red' });
+    void element.ready;
+    element.geometry = 'torus';
+    return element.ready;
+  };
+  await viewer.evaluate(own);
+  expect(await heard.take()).toHaveLength(1);
+  await assign(viewer, { geometry: null });
   await viewer.evaluate((element: PhongViewer) => element.meshes[0]!.remove());
   await viewer.locator('[part=retry]').dispatchEvent('click');
   await expect(viewer.locator('[part=notice]')).toBeHidden();

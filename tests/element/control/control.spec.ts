@@ -106,13 +106,17 @@ test('turns two viewers together, as one step of each, and follows the camera in
   await page.mouse.move(box.x + 120, box.y + 50, { steps: 4 });
   await expect(theta).not.toHaveValue('75');
   await page.mouse.up();
+  // Written while it is off the page.
+  await page.locator('phong-control').first().evaluate(async (element) => {
+    element.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    element.setAttribute('attribute', 'phi');
+    document.body.append(element);
+  }); // prettier-ignore
+  await expect(page.getByRole('spinbutton', { name: 'φ polar' })).toBeVisible();
 });
 
-test('waits for elements that come later, and warns once of ids and attributes that never do', async ({
-  consoleGuard,
-  mount,
-  page,
-}) => {
+test('waits for later elements, and warns once of those that never come', async ({ consoleGuard, mount, page }) => {
   const said = [
     /no element has the id "sput"\. Did you mean "spot"\?/,
     /<phong-light> has no attribute "cutof"\. Did you mean "cutoff"\?/,
@@ -122,7 +126,11 @@ test('waits for elements that come later, and warns once of ids and attributes t
   await mount(`${scene}<p id="p"></p>${wrong}${control('for="p" attribute="ka"')}`, { css });
   await page.evaluate(async (html) => {
     document.body.insertAdjacentHTML('beforeend', html);
+    const away = document.querySelector('phong-control')!.cloneNode() as HTMLElementTagNameMap['phong-control'];
+    document.body.append(away);
+    away.remove();
     await new Promise((resolve) => setTimeout(resolve, 100));
+    away.min = 5; // says nothing, as it is not there
     const light = '<phong-light id="late" cutoff="3"></phong-light>';
     document.querySelector('phong-viewer')!.insertAdjacentHTML('beforeend', light);
   }, control('for="late" attribute="cutoff"'));

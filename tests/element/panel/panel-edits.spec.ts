@@ -97,6 +97,8 @@ test.describe('undo', () => {
   test('restores the previous camera, not the declared one', async ({ page, mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'Camera');
+    await button(folder, 'reset camera').click();
+    await expect(button(panelOf(viewer), 'undo'), 'nothing has moved').toHaveAttribute('aria-disabled', 'true');
     await drag(page, [100, 100], [60, 20]);
     const dragged = await cameraOf(viewer);
     await field(folder, 'θ azimuth °').fill('100');

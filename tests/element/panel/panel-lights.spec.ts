@@ -3,8 +3,20 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, type PhongLight, type PhongViewer } from '../support/viewer.js';
-import { button, choice, field, flag, folderOf, opened, row, slider, titleOf, titlesIn } from './panel-rows.js';
+import { assign, drag, type PhongLight, type PhongViewer } from '../support/viewer.js';
+import {
+  button,
+  choice,
+  field,
+  flag,
+  folderOf,
+  opened,
+  panelOf,
+  row,
+  slider,
+  titleOf,
+  titlesIn,
+} from './panel-rows.js';
 
 const scene = (...lights: readonly string[]): string =>
   `<phong-viewer gui geometry="box" target="0 0 0">${lights.join('')}</phong-viewer>`;
@@ -164,6 +176,8 @@ test.describe('numbers', () => {
     const rowOf = (axis: string) => field(folder, `position ${axis}`).boundingBox();
     const boxes = await Promise.all(['x', 'y', 'z'].map(rowOf));
     expect(new Set(boxes.map((box) => box?.y)).size, 'a vector has one row').toBe(1);
+    await drag(page, [boxes[2]!.x + 20, boxes[2]!.y + 8], [2, -12]); // up or down scrolls
+    expect(await read(light, 'position')).toEqual([0, 3, 3, 1]);
     const { x, y } = boxes[1]!;
     await page.mouse.move(x + 20, y + 8);
     await page.mouse.down();
@@ -191,6 +205,17 @@ test.describe('numbers', () => {
     await page.mouse.up();
     await expect(aperture).toHaveValue('10');
   });
+});
+
+test('a field that is removed under the pointer leaves no trace of its drag', async ({ page, mount }) => {
+  const viewer = await mount(scene(spot).replace('gui', 'gui="position"'));
+  const { x, y } = (await field(panelOf(viewer), 'position y').boundingBox())!;
+  await drag(page, [x + 20, y + 8], [5, 0], { release: false });
+  await viewer.evaluate((element) => element.append(document.createElement('phong-light')));
+  await expect(panelOf(viewer).getByText('position')).toHaveCount(2);
+  await page.mouse.up();
+  const start = () => document.body.dispatchEvent(new Event('dragstart', { cancelable: true }));
+  expect(await page.evaluate(start), 'the page drags again').toBe(true);
 });
 
 test('an added light can be edited at once; a removed one gives the focus to the next', async ({ page, mount }) => {

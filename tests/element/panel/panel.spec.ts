@@ -50,6 +50,8 @@ test('a list of attributes shows their rows in its order, and warns of others', 
   await expect(rows.locator('.lil-name')).toHaveText(['spot: cutoff', 'shininess', 'θ azimuth °']);
   expect(await titlesIn(panelOf(viewer))).toEqual([]);
   await expect(panelOf(viewer).getByRole('button')).toHaveText(['Controls']);
+  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.name = 'lamp'));
+  await expect(rows.first().locator('.lil-name')).toHaveText('lamp: cutoff');
   await slider(viewer, 'shininess').press('ArrowRight');
   expect(await viewer.evaluate(({ shininess }: PhongViewer) => shininess)).toBeGreaterThan(32);
   await viewer.evaluate((element: PhongViewer) => {
@@ -167,11 +169,7 @@ test('keeps two viewers on a page apart', async ({ page, mount }) => {
   expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
 });
 
-test('saves the picture as a PNG, and copies the scene or shows it selected where the clipboard is refused', async ({
-  page,
-  mount,
-  context,
-}) => {
+test('saves a PNG, and copies the scene or shows it if no clipboard is there', async ({ page, mount, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const viewer = await mount(scene('gui', 'sun'));
   const download = page.waitForEvent('download');
