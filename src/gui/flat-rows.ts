@@ -45,7 +45,7 @@ export function addFlatRows(
         return having.map((owner) => [owner.element, addRow(gui, owner, attribute, having.length > 1)] as const);
       });
     }
-    const now = owners.map(({ title }) => title());
+    const now = owners.map((owner) => owner.title());
     if (!isNew && !sameValue(now, titles)) relabel(gui.domElement);
     titles = now;
     for (const [element, rows] of added) showRows(element, rows);
