@@ -51,11 +51,11 @@ export function plus(a: Amounts, b: Claims): Amounts {
 
 /**
  * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes 4
- * bytes in the page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12
+ * bytes in the page and 5.33 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12
  * kB, a node 2 kB.
  */
 const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
-  Math.ceil(8 * values + 9.4 * pixels + 8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) + 12_000 * parts + 2000 * nodes);
+  Math.ceil(8 * values + 9.33 * pixels + 8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) + 12e3 * parts + 2000 * nodes);
 
 /** @throws ModelError `too-large` if one file claims more than may be shown. */
 export function requireWithin(amounts: Amounts, subject = 'The model has'): void {

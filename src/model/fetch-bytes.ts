@@ -6,7 +6,7 @@ import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
 import { Slices } from './slices.js';
 
-/** How long a server may send nothing, before its answer or within a file: it may have to wake up first. */
+/** How long a load may get nothing, before an answer or within a file: a server may have to wake up first. */
 export const SILENCE_LIMIT_MS = 60_000;
 
 interface Transfer {
@@ -27,6 +27,8 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
   let total = 0;
   let known = true;
   let claimed = 0;
+  /** When data came last, for any of the files: the others may wait for their turn. */
+  const heard = { at: 0 };
   /** What is announced, or has come without that. A compressed file counts as what it unpacks to. */
   const claim = (bytes: number): void => {
     if (bytes <= claimed) return;
@@ -40,7 +42,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       budget.add({ bytes: file.bytes.byteLength });
       return file;
     }
-    const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
+    const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal, heard);
     const type = response.headers.get('content-type') ?? '';
     const expected = expectedLength(response);
     if (expected === 0) known = false;
@@ -52,7 +54,8 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       const whole = new Uint8Array(expected);
       const chunks: Uint8Array[] = [];
       let size = 0;
-      for (let chunk = await read(url, signal, reader); chunk; chunk = await read(url, signal, reader)) {
+      const next = () => read(url, signal, heard, reader);
+      for (let chunk = await next(); chunk; chunk = await next()) {
         if (chunks.length === 0 && size + chunk.byteLength <= expected) whole.set(chunk, size);
         else chunks.push(chunk);
         size += chunk.byteLength;
@@ -71,21 +74,20 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
   };
 }
 
-async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Promise<Response> {
+async function answerTo(url: URL, request: FileRequest, signal: AbortSignal, heard: { at: number }): Promise<Response> {
   let response: Response;
   try {
-    response = await inTime(url, request.response);
+    response = await inTime(url, heard, request.response);
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
     const directive = await Promise.race([request.refusal, later(POLICY_EVENT_WAIT_MS)]);
     signal.throwIfAborted();
     if (directive !== null) {
-      throw new ModelError(
-        'csp',
-        `The page's Content-Security-Policy (${directive}) does not let it fetch ${nameOf(url)} from ${url.origin}.`,
-        { cause, advice: 'Allow that address there, or serve the file from an address that is allowed.' },
-      );
+      const what = `${nameOf(url)} from ${url.origin}`;
+      const fact = `The page's Content-Security-Policy (${directive}) does not let it fetch ${what}.`;
+      const advice = 'Allow that address there, or serve the file from an address that is allowed.';
+      throw new ModelError('csp', fact, { cause, advice });
     }
     throw unanswered(url, cause);
   } finally {
@@ -129,11 +131,12 @@ function expectedLength(response: Response): number {
 async function read(
   url: URL,
   signal: AbortSignal,
+  heard: { at: number },
   reader: ReadableStreamDefaultReader<Uint8Array> | undefined,
 ): Promise<Uint8Array | undefined> {
   if (reader === undefined) return undefined;
   try {
-    return (await inTime(url, reader.read())).value;
+    return (await inTime(url, heard, reader.read())).value;
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
@@ -141,15 +144,23 @@ async function read(
   }
 }
 
-/** What the server sends next. Rejects if that takes longer than {@link SILENCE_LIMIT_MS}. */
-async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
+/** What the server sends next. Rejects after {@link SILENCE_LIMIT_MS} without data for any file of the load. */
+async function inTime<T>(url: URL, heard: { at: number }, next: Promise<T>): Promise<T> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const fact = `No data came for ${String(SILENCE_LIMIT_MS / 1000)} seconds, so ${nameOf(url)} was given up.`;
+  const begun = performance.now();
   const silence = new Promise<never>((_, reject) => {
-    timer = setTimeout(() => reject(new ModelError('load-failed', fact)), SILENCE_LIMIT_MS);
+    const wait = (): void => {
+      const rest = Math.max(begun, heard.at) + SILENCE_LIMIT_MS - performance.now();
+      if (rest > 0) timer = setTimeout(wait, rest);
+      else reject(new ModelError('load-failed', fact));
+    };
+    wait();
   });
   try {
-    return await Promise.race([next, silence]);
+    const data = await Promise.race([next, silence]);
+    heard.at = performance.now();
+    return data;
   } finally {
     clearTimeout(timer);
   }

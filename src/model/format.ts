@@ -4,7 +4,7 @@ import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.j
 import { ModelError } from './model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
-/** Whether the bytes are those of a format and no other. */
+/** Whether the bytes are those of a format and no other. In the order in which they are tested: the strictest first. */
 const CONTENT: Readonly<Record<FormatKey, (bytes: Uint8Array) => boolean>> = {
   gltf: (bytes) => /^(glTF|(ï»¿)?\s*\{)/.test(latin1(bytes, 256)),
   ply: (bytes) => /^ply[\r\n]/.test(latin1(bytes, 4)),
@@ -42,9 +42,8 @@ export function formatOf(
   const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign ?? foreignExtension(extension) ?? {};
   if (what !== undefined)
     throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, { advice: cure });
-  throw new ModelError('bad-model', `The format is not supported: ${name}.`, {
-    advice: `These are: ${supportedFormats}.`,
-  });
+  const advice = `These are: ${supportedFormats}.`;
+  throw new ModelError('bad-model', `The format is not supported: ${name}.`, { advice });
 }
 
 /** For messages: names and extensions. */
@@ -63,8 +62,8 @@ const OTHERS = FORMATS.slice(1)
 /** A media type without its parameters, or a word, as in the table. */
 const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
 
-/** The first bytes, a character each. A byte order mark of UTF-8 reads as `ï»¿`. */
-const latin1 = (bytes: Uint8Array, most: number): string => new TextDecoder('latin1').decode(bytes.subarray(0, most));
+/** The first bytes, a character each: a browser's decoder reads windows-1252. A byte order mark of UTF-8 is `ï»¿`. */
+const latin1 = (bytes: Uint8Array, most: number): string => String.fromCharCode(...bytes.subarray(0, most));
 
 /** Whether each of the first lines begins with a word of OBJ, and one of them is a vertex, a name or a library. */
 function isObj(bytes: Uint8Array): boolean {

@@ -26,26 +26,26 @@ export interface GeometrySize {
   readonly vertices: () => Vertices;
 }
 
-interface Known {
+interface Measured {
   readonly size: GeometrySize | null;
   /** The version of the vertices that a declared size is for; null for a measured one. */
   readonly declaredFor: number | null;
 }
 
-const known = new WeakMap<BufferGeometry, Known>();
+const known = new WeakMap<BufferGeometry, Measured>();
 
 /** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetSize}. */
 export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
-  const search = measuring(geometry);
+  const steps = measuring(geometry);
   for (;;) {
-    const { done, value } = search.next();
+    const { done, value } = steps.next();
     if (done === true) return value;
   }
 }
 
 export async function measureInSlices(geometry: BufferGeometry, slices: Slices): Promise<void> {
-  const search = measuring(geometry);
-  while (search.next().done === false) if (slices.due) await slices.pause();
+  const steps = measuring(geometry);
+  while (steps.next().done === false) if (slices.due) await slices.pause();
 }
 
 /** Replaces the measured size of a geometry, until its vertices are written to. */
@@ -71,27 +71,28 @@ export function forgetSize(geometry: BufferGeometry): boolean {
 }
 
 /** A computation in steps of about a millisecond. */
-type Search<T> = Generator<undefined, T, undefined>;
+type Steps<T> = Generator<undefined, T, undefined>;
 
 /** Numbers of vertices between two steps. */
 const PIECE = 3 * 2 ** 18;
 
-function* measuring(geometry: BufferGeometry): Search<GeometrySize | null> {
+function* measuring(geometry: BufferGeometry): Steps<GeometrySize | null> {
   const found = known.get(geometry) ?? { size: yield* measured(geometry), declaredFor: null };
   known.set(geometry, found);
   return found.size;
 }
 
-function* measured(geometry: BufferGeometry): Search<GeometrySize | null> {
+function* measured(geometry: BufferGeometry): Steps<GeometrySize | null> {
   const position = geometry.getAttribute('position');
   const plain =
     position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
   // Most have only finite numbers, and are read without a copy. Animated ones are framed by the first pose.
   const isStill = plain && position.usage === StaticDrawUsage;
-  const found = isStill ? yield* sizeAround(position.array as Float32Array) : null;
+  const array = position.array as Float32Array;
+  const found = plain ? yield* sizeAround(isStill ? array : array.slice()) : null;
   if (found === null || !Number.isFinite(found.radius)) return yield* sizeAround(finiteVertices(position));
   // three.js would find the same numbers for its own culling, in a pass over all vertices for each.
-  if (geometry.morphAttributes['position'] === undefined) {
+  if (isStill && geometry.morphAttributes['position'] === undefined) {
     const [minX, minY, minZ, maxX, maxY, maxZ] = found.box;
     geometry.boundingBox ??= new Box3(new Vector3(minX, minY, minZ), new Vector3(maxX, maxY, maxZ));
     geometry.boundingSphere ??= new Sphere(new Vector3(...found.center), found.radius);
@@ -99,7 +100,7 @@ function* measured(geometry: BufferGeometry): Search<GeometrySize | null> {
   return found;
 }
 
-function* sizeAround(vertices: Vertices): Search<GeometrySize | null> {
+function* sizeAround(vertices: Vertices): Steps<GeometrySize | null> {
   const around = new Box3();
   const piece = new Box3();
   for (let from = 0; from < vertices.length; from += PIECE) {

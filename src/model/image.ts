@@ -1,9 +1,9 @@
 // The images of a model as textures: decoded without colour conversion and without premultiplication, first row on top.
-// The browser decodes them, but KTX2. No blob: address is fetched, as a strict CSP requires.
+// The browser decodes all but KTX2. No blob: address is fetched, as a strict CSP requires.
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
+import { requireAtMost } from './budget.js';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
-import { requireAtMost } from './model-budget.js';
 import type { FileBytes, ModelSource } from './model-reader.js';
 
 /** Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of its result. */
@@ -77,6 +77,7 @@ export class ImageTextures {
       const atOnce = Math.min(pixels, PIXELS_AT_ONCE);
       await acquire(atOnce);
       try {
+        signal.throwIfAborted(); // while it waited
         const decode = isPacked ? decodeKtx2(file.bytes, scale, signal) : decodeByBrowser(file, size, scale);
         return { pixels, bitmap: await decode };
       } finally {
@@ -110,16 +111,10 @@ async function decodeByBrowser(
   { width, height }: ImageSize,
   scale: ImageBitmapOptions,
 ): Promise<ImageBitmap> {
-  let bitmap: ImageBitmap;
-  try {
-    bitmap = await createImageBitmap(new Blob([bytes], { type }), {
-      premultiplyAlpha: 'none',
-      colorSpaceConversion: 'none',
-      ...scale,
-    });
-  } catch (cause) {
+  const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none', ...scale } as const;
+  const bitmap = await createImageBitmap(new Blob([bytes], { type }), options).catch((cause: unknown) => {
     throw new Error('cannot be decoded by this browser', { cause });
-  }
+  });
   // Photographs can be turned by a quarter. Others have the size that was counted, or are not shown.
   const sides = [bitmap.width, bitmap.height];
   if (scale.resizeWidth !== undefined || (sides.includes(width) && sides.includes(height))) return bitmap;
@@ -205,7 +200,10 @@ function pngSize(view: DataView): ImageSize | null {
   return null;
 }
 
-/** The one frame header (SOF0 to SOF15, but DHT, JPG and DAC) before the first scan, with a height: none by DNL. */
+/**
+ * The only frame header (SOF0–SOF15 except DHT, JPG, DAC) before the first scan. Height 0, which a DNL segment would
+ * define later, is refused.
+ */
 function jpegSize(view: DataView): ImageSize | null {
   let size: ImageSize | null = null;
   for (let at = 2, i = 0; i < MOST_CHUNKS; i += 1) {

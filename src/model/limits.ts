@@ -1,4 +1,5 @@
-// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB.
+// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB; how
+// memory is freed, and how a lack of it is recognised.
 
 /** Most bytes of one model's files, unpacked: 256 MiB. They are held besides their copies as vertices. */
 export const BYTE_LIMIT = 2 ** 28;
@@ -18,7 +19,7 @@ export const CORNER_LIMIT = 2 ** 24;
 /** Most corners and vertices of one Draco mesh: a million triangles, which take 500 MB; two million take 1.1 GB. */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 
-/** Most 4-byte values in vertices and indices: 400 MB in the page, and as much on the GPU; 5 million STL triangles. */
+/** Most 4-byte values in vertices and indices: 400 MB in the page, and as much on the GPU. */
 export const VALUE_LIMIT = 100_000_000;
 
 /** Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few frames per second. */

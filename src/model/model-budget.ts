@@ -1,8 +1,6 @@
 // What one model claims. Apart from the viewer's budget because no first frame needs it.
 import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from './budget.js';
 
-export { requireAtMost } from './budget.js';
-
 /** Adds up what a model claims. One instance per model. */
 export class ModelBudget {
   #claimed = NO_CLAIMS;

@@ -65,6 +65,10 @@ export function ownedModel(parts: Content['parts'], closeImages: () => void = ()
 export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: BaseLook): Texture[] =>
   [map, emissiveMap, metalRoughMap, normalMap].flatMap((texture) => texture ?? []);
 
+/** Whether the vector at `i` has no direction. */
+export const isZero = (values: ArrayLike<number>, i: number): boolean =>
+  values[i] === 0 && values[i + 1] === 0 && values[i + 2] === 0;
+
 /** The normal of each triangle, in the space of `positions`. In slices: millions of triangles take seconds. */
 export async function faceNormals(positions: ArrayLike<number>, slices: Slices): Promise<BufferAttribute> {
   const normals = new Float32Array(positions.length);

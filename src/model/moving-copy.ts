@@ -1,9 +1,8 @@
 // Lets several meshes show one model in poses of their own. Each has a copy of what moves; everything else is shared.
 import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
-import { shareSize } from './geometry-size.js';
 import type { Content } from './model.js';
 
-/** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included. */
+/** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index of its own not. */
 export function movingValues({ parts }: Content): number {
   let values = parts.length * 32;
   for (const geometry of new Set(parts.map((part) => part.geometry)))
@@ -46,8 +45,12 @@ export function movingCopy(content: Content): Content {
 class Vertices {
   readonly geometry: BufferGeometry;
   readonly #source: BufferGeometry;
+  /** The attributes that move, each before the source's. */
+  readonly #moving: readonly (readonly [own: BufferAttribute, source: BufferAttribute])[];
   /** Version of the source's positions that was copied last. */
   #version = -1;
+  /** The same of its index; 0 while the source's own is shared, because joints have turned no triangle yet. */
+  #indexVersion = 0;
   /** Two, in turns: a new object says that the bounds have changed. */
   readonly #boxes = [new Box3(), new Box3()] as const;
 
@@ -56,9 +59,12 @@ class Vertices {
     // Not `clone`, which copies what is shared too.
     const copy = (this.geometry = new (source.constructor as new () => BufferGeometry)());
     for (const [name, attribute] of Object.entries(source.attributes)) copy.setAttribute(name, attribute);
-    for (const [name, attribute] of movingAttributes(source)) copy.setAttribute(name, attribute.clone());
+    this.#moving = movingAttributes(source).map(([name, attribute]) => {
+      const own = attribute.clone();
+      copy.setAttribute(name, own);
+      return [own, attribute];
+    });
     copy.setIndex(source.index);
-    shareSize(source, copy);
     this.follow();
   }
 
@@ -68,10 +74,12 @@ class Vertices {
     const { version } = source.attributes['position'] as BufferAttribute;
     if (version === this.#version) return;
     this.#version = version;
-    for (const [name, { array }] of movingAttributes(source)) {
-      const own = geometry.attributes[name] as BufferAttribute;
-      own.array.set(array);
-      own.needsUpdate = true;
+    for (const pair of this.#moving) copyItems(...pair);
+    const { index } = source;
+    if (index !== null && index.version !== this.#indexVersion) {
+      if (this.#indexVersion === 0) geometry.setIndex(index.clone());
+      else copyItems(geometry.index!, index);
+      this.#indexVersion = index.version;
     }
     const [one, other] = this.#boxes;
     const box = geometry.boundingBox === one ? other : one;
@@ -81,14 +89,22 @@ class Vertices {
     geometry.boundingSphere = (geometry.boundingSphere ?? new Sphere()).copy(source.boundingSphere!);
   }
 
-  /** Frees what is not the source's. */
+  /**
+   * Frees what is not the source's. The GPU's buffers of what is shared go with the garbage collector: three.js frees
+   * those of geometries that were drawn, and the source never is.
+   */
   dispose(): void {
     const { geometry } = this;
     const moving = new Set(movingAttributes(geometry).map(([name]) => name));
     for (const name of Object.keys(geometry.attributes)) if (!moving.has(name)) geometry.deleteAttribute(name);
-    geometry.setIndex(null);
+    if (this.#indexVersion === 0) geometry.setIndex(null);
     geometry.dispose();
   }
+}
+
+function copyItems(own: BufferAttribute, { array }: BufferAttribute): void {
+  own.array.set(array);
+  own.needsUpdate = true;
 }
 
 const movingAttributes = ({ attributes }: BufferGeometry): [string, BufferAttribute][] =>

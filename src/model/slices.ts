@@ -5,7 +5,7 @@ import type { ModelBudget } from './model-budget.js';
 const TASK_MS = 8;
 
 /** Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than a microsecond. */
-const SLICE = 2 ** 13;
+const SLICE = 3 * 2 ** 13;
 
 /** Items between two looks at the clock in loops that call {@link Slices.took}. */
 const TOOK = 2 ** 11;
@@ -37,7 +37,7 @@ export class Slices {
    * @throws the signal's reason after an abort.
    */
   async over(count: number, work: (from: number, to: number) => void, cost = 1): Promise<void> {
-    const step = Math.ceil(SLICE / cost) * 3;
+    const step = 3 * Math.ceil(SLICE / cost / 3);
     for (let from = 0; from < count; from += step) {
       work(from, Math.min(from + step, count));
       await this.pauseIfDue();

@@ -43,8 +43,7 @@ export async function droppedModel(entries: readonly FileSystemEntry[], files: r
   const [path, model] = models[0] ?? [...found][0] ?? [];
   if (path === undefined || model === undefined) return null;
   const names = models.map(([name]) => name);
-  const problem = problemOf(found.size, names);
-  groups.set(model, { files: found, path, problem });
+  groups.set(model, { files: found, path, problem: problemOf(found.size, names) });
   return model;
 }
 
@@ -94,7 +93,7 @@ export function openFile(model: Blob, budget: ModelBudget): OpenedModel {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
       // Files can be changed or deleted after they were chosen.
-      const fact = `${name} could not be read. Was it moved or changed? Choose it again.`;
+      const fact = `${fileName(file)} could not be read. Was it moved or changed? Choose it again.`;
       throw new ModelError('load-failed', fact, { cause });
     }
   };
@@ -125,15 +124,16 @@ export class MissingFileError extends ModelError {
   }
 }
 
-/** Exactly the path named; else the only file of that name, in whatever folder and case. */
+/** Exactly the path named; else that path, then the only file of that name in any folder, in whatever case. */
 function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
   const wanted = pathOf(uri, path);
   if (wanted === null) return undefined;
   const exact = files.get(wanted);
   if (exact) return exact;
-  const name = lastOf(wanted).toLowerCase();
-  const sameName = [...files].filter(([known]) => lastOf(known).toLowerCase() === name);
-  return sameName.length === 1 ? sameName[0]?.[1] : undefined;
+  const lower = wanted.toLowerCase();
+  const named = [...files].filter(([known]) => lastOf(known).toLowerCase() === lastOf(lower));
+  const [, found] = (named.length === 1 ? named[0] : named.find(([known]) => known.toLowerCase() === lower)) ?? [];
+  return found;
 }
 
 /** The path that an address names, seen from the file at `base`; null if it is no relative address. */

@@ -188,9 +188,9 @@ describe('a cone', () => {
           }
         }
       }),
-      { numRuns: fullOr(200, 40) },
+      { seed: SEED, numRuns: fullOr(200, 40) },
     );
-    expect(culled / cases).toBeGreaterThan(0.3); // 0.41 of these cones are culled
+    expect(culled / cases).toBeGreaterThan(0.3); // 0.36 of these cones are culled
   });
 
   it('is culled in at least 98 of 100 cases where it misses the box by a tenth of its longest side', () => {

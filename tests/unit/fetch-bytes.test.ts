@@ -8,10 +8,7 @@ import { ModelBudget } from '../../src/model/model-budget.js';
 import { byteFetcher, SILENCE_LIMIT_MS } from '../../src/model/fetch-bytes.js';
 
 const LIMIT = 2 ** 22;
-vi.mock(import('../../src/model/limits.js'), async (original) => ({
-  ...(await original()),
-  BYTE_LIMIT: 2 ** 22,
-}));
+vi.mock(import('../../src/model/limits.js'), async (original) => ({ ...(await original()), BYTE_LIMIT: 2 ** 22 }));
 
 let server: Server;
 let origin = '';
@@ -113,11 +110,26 @@ describe('a download', () => {
     await hungUp();
   });
 
+  it('waits for its turn while another file of its load gets data', async () => {
+    vi.useFakeTimers();
+    const [fetch, half] = [vi.spyOn(globalThis, 'fetch'), SILENCE_LIMIT_MS / 2];
+    const later = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
+    let left = 5;
+    const pull = (body: ReadableStreamDefaultController<Uint8Array>): Promise<void> =>
+      later(half).then(() => (--left > 0 ? body.enqueue(new Uint8Array(1)) : body.close()));
+    fetch.mockResolvedValueOnce(new Response(new ReadableStream({ pull })));
+    fetch.mockReturnValueOnce(later(3 * half).then(() => new Response('late')));
+    const fetchBytes = byteFetcher({ signal: never, crossOrigin: null }, new ModelBudget());
+    const files = ['/slow', '/late'].map((path) => fetchBytes(new URL(path, origin), 'follow'));
+    await vi.advanceTimersByTimeAsync(5 * half);
+    expect((await Promise.all(files)).map(({ bytes }) => bytes.length)).toEqual([4, 4]);
+  });
+
   it.each([
     ['before its answer', '/silent', 0],
     ['in the middle', '/slow', 4],
   ])('fails if the server sends nothing for a minute %s', async (_, path, bytes) => {
-    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
     const { ended, loaded } = download(path);
     const { setImmediate: tick } = await import('node:timers/promises');
     while (responses.length === 0 || loaded() < bytes) await tick();

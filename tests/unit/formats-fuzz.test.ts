@@ -9,7 +9,7 @@ import { heardWarnings, loadFiles, png, standInImages } from './model-files.js';
 /** Others: PHONG_VIEWER_SEED=1000. */
 const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
-const RUNS = fullOr(20_000, 400);
+const RUNS = fullOr(20_000, 200);
 
 const encoder = new TextEncoder();
 

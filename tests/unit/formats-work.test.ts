@@ -65,6 +65,7 @@ describe('other tasks can run while a file is read', () => {
       'a list that is skipped',
       ply(`${MANY / 2} ${'1 '.repeat(MANY / 2)}\n${SQUARE}4 0 1 2 3`, [...SKIPPED, ...VERTICES, ...FACES]),
     ],
+    ['a header of PLY', ply(`${SQUARE}4 0 1 2 3`, [...Array<string>(MANY / 8).fill('x'), ...VERTICES, ...FACES])],
     ['comments of PLY', ply(`${'comment\n'.repeat(MANY / 8)}${SQUARE}4 0 1 2 3`)],
     ['corners around a vertex', ply(POINTS.join('') + FANS.join(''), HEAD_OF_FANS)],
     ['names of STL', { 'a.stl': `${NAMES}solid a\n${FACET}endsolid` }],

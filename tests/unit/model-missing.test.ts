@@ -102,12 +102,6 @@ describe('an image', () => {
     expect(model.missing).toEqual(['x.png']);
   });
 
-  it('past the limits is an error', async () => {
-    const files = { 'a.gltf': gltf({}), 'pictures/oak wood.png': png(8193, 8192) };
-    expect((await failureOf(files)).code).toBe('too-large');
-    expect(warnings).toEqual([]);
-  });
-
   it('beside a buffer that is missing is no excuse: the buffer is an error', async () => {
     const buffers = [{ byteLength: 60, uri: 'a.bin' }];
     const error = await failureOf({ 'a.gltf': gltf({ buffers }) });
@@ -152,6 +146,11 @@ describe('files from the user’s disk', () => {
     expect(warnings).toEqual([
       'a.obj is shown without 1 of the files that it names: lib/c.png. Drop them together with it, or drop the folder that holds them all.',
     ]);
+  });
+
+  it('are found in whatever case, first in the folder that is named', async () => {
+    const files = { ...obj(['wood/oak.png']), 'lib/Wood/Oak.png': png(), 'old/oak.png': png() };
+    expect(mapsOf(await dropped(files))).toEqual([true]);
   });
 
   it('say once how to bring many images that are missing, and list ten', async () => {

@@ -4,8 +4,10 @@ import { AnimationMixer, type Mesh, type SkinnedMesh, Vector3 } from 'three';
 import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
+import { sizeOf } from '../../src/model/geometry-size.js';
 import { modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
+import { movingCopy } from '../../src/model/moving-copy.js';
 import { addressOf, bar, type BarOptions } from '../support/animated-gltf.js';
 import { OPTIONS } from './model-files.js';
 
@@ -87,6 +89,13 @@ describe('a pose', () => {
     const { min, max } = geometry.boundingBox!.clone();
     geometry.computeBoundingBox();
     expect([min, max]).toEqual([geometry.boundingBox?.min, geometry.boundingBox?.max]);
+  });
+
+  it('of a copy is framed as it is first, not as in the file', async () => {
+    const copy = movingCopy(await load(bar()));
+    copy.motion?.pose('bend', 1);
+    const { geometry } = copy.parts[0]!;
+    expect(sizeOf(geometry)?.center).toEqual(geometry.boundingBox?.getCenter(new Vector3()).toArray());
   });
 
   it('that does not change sends nothing to the GPU', async () => {

@@ -107,7 +107,7 @@ describe('the geometry of an OBJ file', () => {
     ['a reference of 0', 'f 1/0/0 2/0 3//0 4', /: 1 face's texture coordinates .*1 face's normals/],
     ['slashes with nothing behind them', 'f 1/ 2// 3/// 4', null],
     ['a fourth reference', 'f 1/1/1/1 2 3 4\nvt 0 0\nvn 0 0 1', /: 1 end of a corner of a face \(line 5: "1\/1\/1\/1"/],
-    ['a word for a texture coordinate', 'f 1 2/e 3 4', /: 1 face's texture coordinates \(line 5: "2\/e"/],
+    ['words for texture coordinates', 'f 1 2/e 3\nf 1 3/e 4', /: 2 faces' texture coordinates \(line 5: "2\/e"/],
     ['unused vertices that are no numbers', 'v nan nan nan\nv 1e16 0 0\nf 1 2 3 4', /: 2 vertices \(line 5: "nan"/],
     ['faces with such a vertex', 'v nan 0 0\nf 1 2 5 4\nf 5 1 2\nf 1 2 3 4', /: 1 vertex .*, 2 faces/],
     ['faces whose vertex is missing', 'f 1 2 3 9\nf 1 2 0\nf 1 -9 2\nf x y z\nf 1;2 2 3\nf 1 2 3 4',

@@ -142,6 +142,11 @@ describe('a PLY file', () => {
     expect(warnings).toEqual(warning === null ? [] : [expect.stringMatching(warning)]);
   });
 
+  it('of over 1,000 elements is refused', async () => {
+    const text = header(...Array<string>(1001).fill('element a 0'));
+    expect((await failureOf({ 'a.ply': text })).message).toMatch(/line 1003: .* over 1,000 elements/);
+  });
+
   it.each([
     [header('element vertex 4', ...xyz) + SQUARE, /4 points without faces. Only surfaces can be lit/],
     [mesh(4, 0) + SQUARE, /cloud of 4 points/],

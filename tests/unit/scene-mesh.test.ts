@@ -154,6 +154,11 @@ describe('a mesh', () => {
     b.set({ shading: 'flat' });
     expect(failed.get(b.mesh)).toBe('too-large');
     expect(b.geometry()!.index).not.toBeNull();
+    const c = add(12, 'phong');
+    c.set({ segments: 64, shading: 'flat' });
+    expect(failed.get(c.mesh)).toBe('too-large');
+    c.mesh.dispose();
+    expect(failed.has(c.mesh), 'a removed mesh').toBe(false);
     a.set({ shading: 'phong' });
     b.mesh.retry();
     b.mesh.update();

@@ -94,10 +94,7 @@ export class DecoderThread<Job, Result> {
   }
 
   #close(): void {
-    void this.#session?.then(
-      (session) => session.end(),
-      () => undefined,
-    );
+    this.#session?.then((session) => session.end()).catch(() => undefined);
     this.#session = null;
   }
 }

@@ -67,9 +67,7 @@ export async function startWasm<Decoder>(
       printErr: silent,
       // If this fails, the decoder itself would wait for ever.
       instantiateWasm: (imports, done) => {
-        WebAssembly.instantiate(wasm, imports).then(({ instance }) => {
-          done(instance);
-        }, reject);
+        WebAssembly.instantiate(wasm, imports).then(({ instance }) => done(instance), reject);
         return {};
       },
     }).then(resolve, reject);

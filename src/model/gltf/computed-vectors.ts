@@ -1,29 +1,42 @@
 // Normals and tangents that a file lacks: corners whose normal is zero take their face's.
 import { BufferAttribute, type BufferGeometry, type TypedArray } from 'three';
+import { writeFaceNormals } from '../../material/flat-geometry.js';
+import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
 
-const isMissing = (normals: ArrayLike<number>, i: number): boolean =>
-  normals[i * 3] === 0 && normals[i * 3 + 1] === 0 && normals[i * 3 + 2] === 0;
-
-/** How many of the corners have a normal without direction. @param corners null where each vertex is one. */
-export async function countMissing(
+/**
+ * Whether some corner has a normal with a direction, and whether all have that can: triangles without area cannot.
+ * @param corners null where each vertex is one.
+ */
+export async function findNormals(
   normals: ArrayLike<number>,
+  positions: ArrayLike<number>,
   corners: ArrayLike<number> | null,
   total: number,
   slices: Slices,
-): Promise<number> {
-  let missing = 0;
+): Promise<{ readonly some: boolean; readonly all: boolean }> {
+  let [some, all] = [false, true];
+  const vertexOf = (corner: number): number => (corners === null ? corner : corners[corner]!);
+  const [face, normal] = [new Float32Array(9), new Float32Array(9)];
   await slices.over(total, (from, to) => {
-    for (let i = from; i < to; i += 1) if (isMissing(normals, corners === null ? i : corners[i]!)) missing += 1;
+    for (let i = from; i < to; i += 1) {
+      if (!isZero(normals, 3 * vertexOf(i))) some = true;
+      else if (all) {
+        const first = i - (i % 3);
+        for (let k = 0; k < 9; k += 1) face[k] = positions[3 * vertexOf(first + Math.floor(k / 3)) + (k % 3)]!;
+        writeFaceNormals(face, normal, 0, 1);
+        all = isZero(normal, 0);
+      }
+    }
   });
-  return missing;
+  return { some, all: some && all };
 }
 
 /** Replaces the normals of faces, a normal for each corner, by those of the file where these have a direction. */
 export async function takeFileNormals(normals: ArrayLike<number>, ofFaces: TypedArray, slices: Slices): Promise<void> {
   await slices.over(ofFaces.length / 3, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      if (isMissing(normals, i)) continue;
+      if (isZero(normals, 3 * i)) continue;
       for (let k = 3 * i; k < 3 * i + 3; k += 1) ofFaces[k] = normals[k]!;
     }
   });

@@ -1,8 +1,9 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of the file. A document's
 // lists can be millions of values long, so they are parsed in pieces of some objects each, with pauses in between.
+import { requireAtMost } from '../budget.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
 import { JSON_LIMIT, JSON_PIECE_BYTES, JSON_PIECE_LIMIT, JSON_TEXT_LIMIT } from '../limits.js';
-import { type ModelBudget, requireAtMost } from '../model-budget.js';
+import type { ModelBudget } from '../model-budget.js';
 import type { FileBytes } from '../model-reader.js';
 import { isDataUri } from '../request-model.js';
 import type { Slices } from '../slices.js';

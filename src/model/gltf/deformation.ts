@@ -151,8 +151,7 @@ export class Deformation {
       const Type = count > 0xffff ? Uint32Array : Uint16Array;
       geometry.setIndex(new BufferAttribute(new Type(this.#order?.length ?? count), 1));
     }
-    const { index } = geometry;
-    if (index === null) return null;
+    const index = geometry.index!;
     index.needsUpdate = true;
     return index.array as Uint16Array | Uint32Array;
   }

@@ -1,7 +1,8 @@
 // Reduces a glTF document to what is shown, and checks all indices and sizes for the parser. Knows the JSON only.
 import { clip } from '../../fields/clip.js';
+import { requireAtMost } from '../budget.js';
 import { DRACO_LIMIT } from '../limits.js';
-import { type ModelBudget, requireAtMost } from '../model-budget.js';
+import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';

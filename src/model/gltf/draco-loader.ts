@@ -2,9 +2,9 @@
 import wasm from 'three/examples/jsm/libs/draco/gltf/draco_decoder.wasm?url';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { requireAtMost } from '../budget.js';
 import { lazyCode } from '../lazy-code.js';
 import { DRACO_LIMIT } from '../limits.js';
-import { requireAtMost } from '../model-budget.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { neededCode } from '../model-reader.js';
 import type { Slices } from '../slices.js';
@@ -60,7 +60,7 @@ export interface DracoClaims {
   readonly vertices: number;
 }
 
-/** Encoders merge or split vertices without a word in the accessors: none that we have seen by a factor near 2. */
+/** Encoders merge or split vertices and do not update the accessors. We have seen no factor near 2. */
 const TOLERANCE = 2;
 
 /**

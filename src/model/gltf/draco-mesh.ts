@@ -7,7 +7,7 @@ export interface DracoJob {
   /** Draco's id of each attribute that is wanted. */
   readonly idByName: Readonly<Record<string, number>>;
   /** The typed array that each is wanted as. */
-  readonly arrayTypeByName: Readonly<Record<string, string>>;
+  readonly arrayTypeByName: Readonly<Record<string, keyof typeof TYPES>>;
 }
 
 export interface DracoMesh {
@@ -17,7 +17,7 @@ export interface DracoMesh {
 
 type DracoArray = InstanceType<ArrayType>;
 
-/** The copy's heap is freed with the function. */
+/** The decoder's heap is freed when nothing holds the function. */
 export const meshDecoder =
   (draco: Draco) =>
   (job: DracoJob): Decoded<DracoMesh> => {
@@ -42,11 +42,12 @@ function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: Dr
     const attributes: Record<string, { array: DracoArray; itemSize: number }> = {};
     for (const [name, id] of Object.entries(idByName)) {
       const attribute = decoder.GetAttributeByUniqueId(mesh, id);
-      const type = arrayTypes(draco)[arrayTypeByName[name] ?? ''];
-      if (attribute.ptr === 0 || !type) throw new Error(`its Draco data lacks the attribute ${name}`);
+      const wanted = arrayTypeByName[name];
+      if (attribute.ptr === 0 || !wanted) throw new Error(`its Draco data lacks the attribute ${name}`);
+      const [type, number] = TYPES[wanted];
       const itemSize = attribute.num_components();
-      const array = copyOut(draco, type.array, mesh.num_points() * itemSize, (size, pointer) =>
-        decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, type.id, size, pointer),
+      const array = copyOut(draco, type, mesh.num_points() * itemSize, (size, pointer) =>
+        decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, draco[number], size, pointer),
       );
       attributes[name] = { array, itemSize };
     }
@@ -57,24 +58,18 @@ function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: Dr
   }
 }
 
-type ArrayType =
-  | Int8ArrayConstructor
-  | Uint8ArrayConstructor
-  | Int16ArrayConstructor
-  | Uint16ArrayConstructor
-  | Int32ArrayConstructor
-  | Uint32ArrayConstructor
-  | Float32ArrayConstructor;
+/** The typed arrays by name, each with the decoder's name of its number for that type. */
+const TYPES = {
+  Int8Array: [Int8Array, 'DT_INT8'],
+  Uint8Array: [Uint8Array, 'DT_UINT8'],
+  Int16Array: [Int16Array, 'DT_INT16'],
+  Uint16Array: [Uint16Array, 'DT_UINT16'],
+  Int32Array: [Int32Array, 'DT_INT32'],
+  Uint32Array: [Uint32Array, 'DT_UINT32'],
+  Float32Array: [Float32Array, 'DT_FLOAT32'],
+} as const;
 
-const arrayTypes = (draco: Draco): Readonly<Record<string, { readonly array: ArrayType; readonly id: number }>> => ({
-  Int8Array: { array: Int8Array, id: draco.DT_INT8 },
-  Uint8Array: { array: Uint8Array, id: draco.DT_UINT8 },
-  Int16Array: { array: Int16Array, id: draco.DT_INT16 },
-  Uint16Array: { array: Uint16Array, id: draco.DT_UINT16 },
-  Int32Array: { array: Int32Array, id: draco.DT_INT32 },
-  Uint32Array: { array: Uint32Array, id: draco.DT_UINT32 },
-  Float32Array: { array: Float32Array, id: draco.DT_FLOAT32 },
-});
+type ArrayType = (typeof TYPES)[keyof typeof TYPES][0];
 
 /** Lets the decoder write `count` numbers to its heap, and copies them. */
 function copyOut<Type extends ArrayType>(

@@ -24,7 +24,7 @@ import {
 import type { Accessor } from './accessors.js';
 import { Deformation, type MorphTarget, JointPose } from './deformation.js';
 import type { Instances } from './instances.js';
-import { addTangents, countMissing, takeFileNormals } from './computed-vectors.js';
+import { addTangents, findNormals, takeFileNormals } from './computed-vectors.js';
 import { cornersOf, FANS, type MorphAccessors, type Primitive, STRIPS, TRIANGLES } from './primitives.js';
 import { mapsOf, uvNameOf } from './materials.js';
 
@@ -104,7 +104,7 @@ export class Geometries {
   ): Promise<BufferGeometry> {
     const source = mesh.geometry;
     const attributes = await this.#attributesOf(source, uvs, tangents !== null);
-    const count = attributes.get('position')?.count ?? 0;
+    const { count = 0, array: positions = [] } = attributes.get('position') ?? {};
     const shown = [...attributes.keys()];
     if (isSkinned(mesh)) for (const name of JOINTS) attributes.set(name, source.getAttribute(name));
     for (const [i, target] of targets.entries()) {
@@ -119,16 +119,15 @@ export class Geometries {
     const moves = isSkinned(mesh) || targets.length > 0;
     const total = corners?.length ?? count;
     const own = attributes.get('normal');
-    const missing = own === undefined ? total : await countMissing(own.array, corners, total, this.#slices);
+    const { some, all } = own ? await findNormals(own.array, positions, corners, total, this.#slices) : NO_NORMALS;
     // Without any normal that has a direction they count as absent.
-    const flat = missing === total;
+    const flat = !some;
     if (flat) for (const name of ['normal', 'tangent']) attributes.delete(name);
     const computed = tangents !== null && !attributes.has('tangent');
     // A copy of the vertices for each corner, where they cannot be shared, or few of them are used.
-    const separate = corners && (missing > 0 || corners.length * 2 < count) ? corners : null;
+    const separate = corners && (!all || corners.length * 2 < count) ? corners : null;
     const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
-    const each =
-      (separate ? items : 0) + (missing > 0 ? 3 : 0) + (moves ? MOVING_VALUES : 0) + (computed ? TANGENT_VALUES : 0);
+    const each = (separate ? items : 0) + (all ? 0 : 3) + (moves ? MOVING_VALUES : 0) + (computed ? TANGENT_VALUES : 0);
     // An index, and one of its own where joints mirror it.
     const indices = separate ? 0 : (corners?.length ?? 0) * (isSkinned(mesh) ? 2 : 1);
     this.#source.budget.add({ values: (separate?.length ?? count) * each + indices });
@@ -139,7 +138,7 @@ export class Geometries {
     }
     const geometry = new BufferGeometry();
     for (const name of shown) if (attributes.has(name)) geometry.setAttribute(name, attributes.get(name)!);
-    if (missing > 0) {
+    if (!all) {
       const normals = await faceNormals(geometry.getAttribute('position').array, this.#slices);
       if (!flat) await takeFileNormals(geometry.getAttribute('normal').array, normals.array, this.#slices);
       geometry.setAttribute('normal', normals);
@@ -250,6 +249,7 @@ export class Geometries {
   }
 }
 
+const NO_NORMALS = { some: false, all: false };
 const JOINTS = ['skinIndex', 'skinWeight'] as const;
 
 /** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */

@@ -54,10 +54,7 @@ export async function placeInstances(
   numbers: (accessor: Accessor) => Promise<Attribute>,
   slices: Slices,
 ): Promise<readonly Instance[]> {
-  const read = async (name: keyof typeof LISTS): Promise<Attribute | null> => {
-    const accessor = lists[name];
-    return accessor === undefined ? null : numbers(accessor);
-  };
+  const read = (name: keyof typeof LISTS): Promise<Attribute> | null => (lists[name] ? numbers(lists[name]) : null);
   const [translations, rotations, scales] = [await read('TRANSLATION'), await read('ROTATION'), await read('SCALE')];
   const colors = await read('_COLOR_0');
   const position = new Vector3();

@@ -5,7 +5,7 @@ import { LIMITS } from '../../light/light-state.js';
 import { exponentOfRoughness } from '../../material/file-surface.js';
 import { SURFACE_FIELDS } from '../../material/material-values.js';
 import { srgbEncode } from '../../math/color.js';
-import { map, multiply, type Vec3 } from '../../math/vector.js';
+import { clamp, map, multiply, type Vec3 } from '../../math/vector.js';
 import type { ContentPart } from '../model.js';
 import type { Slices } from '../slices.js';
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
@@ -127,10 +127,8 @@ function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): r
   return (numbersAt(color, 3, `${what}.specularColorFactor`) ?? WHITE).map((c) => c * factor);
 }
 
-const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
-
 /** A number clamped to 0–1; 1 by default. */
-const share = (value: unknown, what: string): number => clamped(numberAt(value, what, 1));
+const share = (value: unknown, what: string): number => clamp(numberAt(value, what, 1), 0, 1);
 
 function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: string): JsonObject {
   const use = optionalObject(value, what);
@@ -173,7 +171,7 @@ export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry)
 /** The attribute of a map's texture coordinates. */
 export const uvNameOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${String(channel)}`);
 
-/** The specular factor multiplies the default Ks, the linear colour multiplies base colour and opacity. */
+/** @param color of the instance: linear, with opacity; multiplies base colour and opacity. */
 export function lookOf(
   material: MeshStandardMaterial,
   geometry: BufferGeometry,
@@ -200,8 +198,8 @@ export function lookOf(
       ...(roughness !== null && { shininess: exponentOfRoughness(roughness) }),
     },
     look: {
-      baseColor: map(base, (c) => srgbEncode(clamped(c))),
-      opacity: alphaMode === 'opaque' ? 1 : clamped(opacity),
+      baseColor: map(base, (c) => srgbEncode(clamp(c, 0, 1))),
+      opacity: alphaMode === 'opaque' ? 1 : clamp(opacity, 0, 1),
       alphaMode,
       alphaCutoff: alphaTest,
       vertexColors,
@@ -210,7 +208,7 @@ export function lookOf(
       emissive: encoded(glows ? emissive : BLACK),
       metalness,
       roughness,
-      normalScale: Math.min(Math.max(normalScale, -LIMITS.color), LIMITS.color),
+      normalScale: clamp(normalScale, -LIMITS.color, LIMITS.color),
     },
   };
 }

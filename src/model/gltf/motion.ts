@@ -78,7 +78,7 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
     if (object instanceof Mesh) object.geometry = EMPTY;
   });
   for (const deformation of deformations) deformation.keep();
-  const tracks = clips.flatMap((clip) => clip.tracks);
+  const tracks = clips.flatMap(({ tracks: own }) => own);
   const matrix = new Matrix4();
   let posed: Clip | null = null;
   const unknown = new Set<string>();

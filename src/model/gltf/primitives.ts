@@ -147,8 +147,7 @@ function readDraco(
   context: PrimitiveContext,
 ): { bufferView: number; attributes: JsonObject } {
   const attributes: Record<string, number> = {};
-  for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
+  for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO)))
     if (Object.hasOwn(wanted, name)) attributes[name] = countAt(id, `${DRACO}.${name}`);
-  }
   return { bufferView: indexAt(extension['bufferView'], context.views, DRACO), attributes };
 }

@@ -70,10 +70,8 @@ export function checkKtx2(bytes: Uint8Array): void {
     throw new Error('is a KTX2 file that is cut short');
   const most = Math.ceil((width ?? 0) / 4) * Math.ceil((height ?? 0) / 4) * BLOCK_BYTES;
   for (let level = 0; level < levels; level += 1) {
-    const [offset, length, unpacked] = [0, 8, 16].map((at) =>
-      Number(view.getBigUint64(HEADER + 24 * level + at, true)),
-    );
-    if ((offset ?? 0) + (length ?? 0) > view.byteLength) throw new Error('is a KTX2 file that is cut short');
-    if ((unpacked ?? 0) > most) throw new Error('is a KTX2 file that unpacks to more than its size says');
+    const long = (at: number): number => Number(view.getBigUint64(HEADER + 24 * level + at, true));
+    if (long(0) + long(8) > view.byteLength) throw new Error('is a KTX2 file that is cut short');
+    if (long(16) > most) throw new Error('is a KTX2 file that unpacks to more than its size says');
   }
 }

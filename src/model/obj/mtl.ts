@@ -1,6 +1,6 @@
 // Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are kept as written (encoded sRGB), except an Ns of 0. Other
 // statements are skipped, and named if they would change the picture.
-import { scale, type Vec3 } from '../../math/vector.js';
+import { clamp, scale, type Vec3 } from '../../math/vector.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { LIMITS } from '../../light/light-state.js';
 import type { Slices } from '../slices.js';
@@ -94,14 +94,14 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft, f
     const words = scanner.rest().split(/\s+/);
     const opacity = Number(words.at(-1));
     if (words[0] === '' || Number.isNaN(opacity)) return;
-    material.opacity = clamped(opacity);
+    material.opacity = clamp(opacity, 0, 1);
     material.dissolved = true;
   } else if (keyword === 'tr') {
     const transparency = scanner.number();
     // Some exporters write both, and mean opacity by both. `d` is the older and the defined one.
     if (Number.isNaN(transparency) || material.dissolved) return;
     // 1 would be invisible. Programs that write it mean opaque.
-    material.opacity = transparency < 1 ? 1 - clamped(transparency) : 1;
+    material.opacity = transparency < 1 ? 1 - clamp(transparency, 0, 1) : 1;
   } else if (keyword === 'map_kd' || keyword === 'map_ke' || keyword === 'map_ka') {
     material.maps[keyword] = readMap(scanner.rest(), folder);
   } else {
@@ -128,14 +128,14 @@ const NEUTRAL: ReadonlyMap<string, RegExp> = new Map([
 /** Three numbers, or one for grey. Null for the spectral and CIE XYZ forms, which exporters do not write. */
 function readColor(scanner: TextScanner): Vec3 | null {
   const limit = LIMITS.color / 255;
-  const [r, g, b] = [scanner.number(), scanner.number(), scanner.number()].map((value) =>
-    Math.min(Math.max(value, 0), limit),
-  ) as [number, number, number];
+  const [r, g, b] = [scanner.number(), scanner.number(), scanner.number()].map((value) => clamp(value, 0, limit)) as [
+    number,
+    number,
+    number,
+  ];
   if (Number.isNaN(r)) return null;
   return Number.isNaN(g) || Number.isNaN(b) ? [r, r, r] : [r, g, b];
 }
-
-const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
 
 /** Options with vectors. Fewer numbers than three: the others are defaults. */
 const VECTORS = ['-o', '-s', '-t'];

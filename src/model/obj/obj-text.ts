@@ -42,7 +42,7 @@ const CORNERS_AT_ONCE = 1024;
 const SLASH = 47;
 const HASH = 35;
 
-/** @throws Error that names the line, if no face is left; ModelError `too-large`. */
+/** @throws ModelError `too-large`. */
 export async function readObjText(bytes: Uint8Array, leftOut: LeftOut, slices: Slices): Promise<ObjText> {
   const reader = new ObjReader(bytes, leftOut);
   while (reader.readPiece()) if (slices.took(reader.work)) await slices.pause();
@@ -129,17 +129,10 @@ class ObjReader {
       case 'mtllib':
         this.#libraryNames(scanner.rest());
         break;
-      case 'l':
-        this.#leftOut.add('line');
-        break;
-      case 'p':
-        this.#leftOut.add('point');
-        break;
-      case 'curv':
-      case 'curv2':
-      case 'surf':
-        this.#leftOut.add('curve');
-        break;
+      default: {
+        const kind = LEFT_OUT.get(word);
+        if (kind !== undefined) this.#leftOut.add(kind);
+      }
     }
   }
 
@@ -229,11 +222,10 @@ class ObjReader {
     const written = this.#scanner.integerHere();
     const index = written > 0 ? written - 1 : count + written;
     if (!(written !== 0 && index >= 0 && index < CORNER_LIMIT)) {
-      const why = (): string =>
-        Number.isNaN(written)
-          ? `${this.#scanner.quotedWord()} is not a corner of a face`
-          : 'a corner of a face refers to something that is not there';
-      this.#leftOut.because(kind, why, this.#lineStart);
+      const why = Number.isNaN(written)
+        ? `${this.#scanner.quotedWord()} is not a corner of a face`
+        : 'a corner of a face refers to something that is not there';
+      this.#leftOut.because(kind, () => why, this.#lineStart);
       return NOT_THERE;
     }
     const highest = this.#highest[kind];
@@ -280,6 +272,11 @@ class ObjReader {
     return read;
   }
 }
+
+/** Statements that no triangle comes of. */
+const LEFT_OUT: ReadonlyMap<string, LeftOutKind> = new Map(
+  Object.entries({ l: 'line', p: 'point', curv: 'curve', curv2: 'curve', surf: 'curve' } as const),
+);
 
 type ReferenceKind = LeftOutKind & ('face' | 'uv' | 'normal');
 

@@ -32,15 +32,11 @@ export const read: ModelReader = async (source) => {
       const withUvs = (map !== null || keMap !== null) && text.lists.uvs.length > 0;
       const geometry = await geometries.of(ranges, withUvs);
       if (geometry === null) continue;
-      const look = lookOf(definition, geometry.hasAttribute('color'));
-      const maps = withUvs
-        ? {
-            map: await textureOf(map, textures, source),
-            emissiveMap: emits(look) ? await textureOf(keMap, textures, source) : null,
-          }
-        : {};
+      const plain = lookOf(definition, geometry.hasAttribute('color'));
+      const textureOf = (named: MtlMap | null) => (named && withUvs ? mtlTexture(named, textures, source) : null);
+      const look = { ...plain, map: await textureOf(map), emissiveMap: emits(plain) ? await textureOf(keMap) : null };
       const { matrix } = text.lists.places;
-      parts.push({ name, geometry, matrix, look: { ...look, ...maps }, sides: 'double', surface });
+      parts.push({ name, geometry, matrix, look, sides: 'double', surface });
       if (slices.took(16)) await slices.pause();
     }
     text.lists.free();
@@ -53,14 +49,12 @@ export const read: ModelReader = async (source) => {
   }
 };
 
-/** Null if there is no map, or its file is missing or broken. */
-async function textureOf(
-  map: MtlMap | null,
+/** Null if its file is missing or broken. */
+function mtlTexture(
+  { file, scale, offset, clamped }: MtlMap,
   textures: ImageTextures,
   { linked }: ModelSource,
 ): Promise<Texture | null> {
-  if (map === null) return null;
-  const { file, scale, offset, clamped } = map;
   const wrap = clamped ? ClampToEdgeWrapping : RepeatWrapping;
   const sampler = { magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, wrapS: wrap, wrapT: wrap } as const;
   const load = async (): Promise<FileBytes> => ({ bytes: await linked(addressOf(file)), type: '' });
@@ -87,15 +81,12 @@ async function readLibraries(
   const used = new Set(runs.map(({ material }) => material));
   const usedPlain = new Set(Array.from(used, plainName));
   const pending = libraries.map(async (library) => {
-    const found = await optional(
-      library,
-      () => linked(addressOf(library)),
-      async (bytes) => {
-        budget.add({ text: bytes.byteLength });
-        const folder = library.slice(0, library.lastIndexOf('/') + 1);
-        return readMtl(await asUtf8(bytes, budget, slices), folder, slices);
-      },
-    );
+    const readAll = async (bytes: FileBytes['bytes']): Promise<Materials> => {
+      budget.add({ text: bytes.byteLength });
+      const folder = library.slice(0, library.lastIndexOf('/') + 1);
+      return readMtl(await asUtf8(bytes, budget, slices), folder, slices);
+    };
+    const found = await optional(library, () => linked(addressOf(library)), readAll);
     return found && [...found].filter(([name]) => usedPlain.has(plainName(name)));
   });
   const found = await Promise.all(pending);

@@ -55,8 +55,9 @@ const ENCODINGS: ReadonlyMap<string, PlyEncoding> = new Map([
   ['binary_big_endian', 'big-endian'],
 ]);
 
-/** Most bytes of a header: it is read in one piece. */
+/** Most bytes of a header, and most elements and properties: files have about ten. */
 const HEADER_LIMIT = 2 ** 20;
+const DECLARATION_LIMIT = 1000;
 
 const LF = 10;
 const CR = 13;
@@ -66,13 +67,14 @@ interface Draft {
   encoding: PlyEncoding | null;
   readonly elements: (PlyElement & { readonly properties: PlyProperty[] })[];
   hasTexture: boolean;
+  declarations: number;
 }
 
 /** @throws Error for a header that is broken, or that claims more values than the file has bytes for. */
 export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<PlyHeader> {
   const scanner = new TextScanner(bytes.subarray(0, HEADER_LIMIT));
   scanner.word(); // `ply`
-  const draft: Draft = { encoding: null, elements: [], hasTexture: false };
+  const draft: Draft = { encoding: null, elements: [], hasTexture: false, declarations: 0 };
   while (scanner.nextLine()) {
     const { at } = scanner;
     const keyword = scanner.word();
@@ -83,6 +85,7 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
       requireBytes(header, bytes.byteLength - header.end);
       return header;
     }
+    if (slices.took(1 / 2)) await slices.pause();
     try {
       readDeclaration(keyword, scanner, draft);
     } catch (cause) {
@@ -95,6 +98,8 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
 
 /** Comments, and what other programs add, are skipped. */
 function readDeclaration(keyword: string, scanner: TextScanner, draft: Draft): void {
+  if (/^(element|property)$/.test(keyword)) draft.declarations += 1;
+  if (draft.declarations > DECLARATION_LIMIT) throw new Error('its header has over 1,000 elements and properties');
   if (keyword === 'format') {
     const written = scanner.word();
     draft.encoding = ENCODINGS.get(written) ?? null;

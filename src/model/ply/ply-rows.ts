@@ -159,9 +159,7 @@ class PlyRows {
       begin: () => polygons.begin(UNSTATED, withColors ? colors.list.length / 3 : NONE),
       item: (value) => polygons.add(this.#vertexOf(value)),
       endList: () => polygons.end(),
-      end: () => {
-        if (withColors) colors.push(row);
-      },
+      ...(withColors && { end: () => colors.push(row) }),
     };
   }
 

@@ -52,9 +52,6 @@ function requireFaces(elements: readonly PlyElement[]): void {
   const vertices = countOf(elements, 'vertex');
   if (vertices === 0) throw new Error('it has no vertices');
   if (countOf(elements, 'face') + countOf(elements, 'tristrips') > 0) return;
-  throw new ModelError(
-    'bad-model',
-    `The PLY file is a cloud of ${String(vertices)} points without faces. Only surfaces can be lit.`,
-    { advice: 'Make a mesh of the points, and save that.' },
-  );
+  const fact = `The PLY file is a cloud of ${String(vertices)} points without faces. Only surfaces can be lit.`;
+  throw new ModelError('bad-model', fact, { advice: 'Make a mesh of the points, and save that.' });
 }

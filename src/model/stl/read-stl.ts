@@ -5,7 +5,8 @@ import type { Vec3 } from '../../math/vector.js';
 import { faceNormals, type ModelReader, ownedModel } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
-import { ModelBudget, requireAtMost } from '../model-budget.js';
+import { requireAtMost } from '../budget.js';
+import type { ModelBudget } from '../model-budget.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import type { ContentPart } from '../model.js';
 import { Slices } from '../slices.js';
@@ -45,7 +46,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, leftOut: LeftOut, slic
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = countOf(view);
   // Before anything is allocated.
-  new ModelBudget().add({ corners: 3 * count });
+  requireAtMost(3 * count, CORNER_LIMIT, 'triangle corners');
   const header = headerColor(view);
   const places = new Positions(3 * count);
   /** Of the triangles that are kept. */

@@ -39,10 +39,6 @@ export class TextScanner {
     this.at = mark ? 3 : at; // the byte order mark of UTF-8
   }
 
-  get atEnd(): boolean {
-    return this.at >= this.#bytes.length;
-  }
-
   /**
    * Goes to the first word of the next line that has one; false at the end. Comments may end with a backslash, so it
    * does not continue a line here. A line or gap of over 16 KiB comes in pieces: all but the first are as empty lines.
@@ -63,7 +59,7 @@ export class TextScanner {
     this.#pending = 'nothing';
     for (;;) {
       this.#skipBlanks();
-      if (this.atEnd) return false;
+      if (this.at >= this.#bytes.length) return false;
       if (this.at >= end) {
         this.#pending = 'blanks';
         return true;
@@ -101,7 +97,7 @@ export class TextScanner {
     this.#skipToken();
     return this.at - start <= 2
       ? shortWord(this.#bytes[start], this.#bytes[start + 1], this.at - start)
-      : this.latin1From(start, most);
+      : this.#latin1From(start, most);
   }
 
   /** The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before the line's end. */
@@ -234,7 +230,7 @@ export class TextScanner {
   }
 
   /** From `start` to the next byte, a character for each byte. */
-  latin1From(start: number, most: number): string {
+  #latin1From(start: number, most: number): string {
     const bytes = this.#bytes.subarray(start, Math.min(this.at, start + most));
     // A call of the decoder takes as long as reading ten numbers.
     return bytes.length > SHORT ? latin1.decode(bytes) : String.fromCharCode.apply(null, bytes as never);
@@ -244,7 +240,7 @@ export class TextScanner {
     const start = this.at;
     this.#skipToken();
     if (this.at - start > NUMBER_LENGTH) return NaN;
-    const text = this.latin1From(start, NUMBER_LENGTH);
+    const text = this.#latin1From(start, NUMBER_LENGTH);
     // `Number` also reads 0x10, Infinity and more.
     return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
   }

@@ -156,7 +156,7 @@ export function wrongCoordinate(x: number, y: number, z: number): string {
 }
 
 const FIRST_LENGTH = 1024;
-/** Longest list: 11 million vertices. Moving half of it takes 30 ms. */
+/** Longest list: 11 million vertices, 3.7 million STL triangles. Moving half of it takes 30 ms. */
 const LONGEST = 2 ** 25;
 
 /** A list of numbers of unknown length: a typed array, doubled when it is full. What is not written takes no memory. */

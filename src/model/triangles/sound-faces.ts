@@ -1,5 +1,6 @@
 // Leaves out what faces refer to and is not there, and turns around corners that run against their normals.
 import type { LeftOut } from '../left-out.js';
+import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
 import { type CornerLists, type Growing, itemAt, NONE, NOT_THERE, setItem } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
@@ -60,9 +61,6 @@ function settle(lists: CornerLists, at: number, misses: { uv: number; normal: nu
   exchange(cornerUvs, at + 1, at + 2);
   exchange(cornerNormals, at + 1, at + 2);
 }
-
-const isZero = (values: Float32Array, i: number): boolean =>
-  values[i] === 0 && values[i + 1] === 0 && values[i + 2] === 0;
 
 const face: FaceVector = { x: 0, y: 0, z: 0 };
 

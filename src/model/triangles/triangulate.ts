@@ -19,7 +19,8 @@ export class Polygons {
   #count = 0;
   #isFan = false;
   #begun = false;
-  #steps = 0;
+  /** Steps of cutting ears so far. */
+  steps = 0;
   #group = UNSTATED;
   #color = NONE;
 
@@ -49,16 +50,11 @@ export class Polygons {
     this.#count = 2;
   }
 
-  /** Steps of cutting ears so far. */
-  get steps(): number {
-    return this.#steps;
-  }
-
   /** Points and lines have no triangles. With a vertex that has not come yet it is a fan. */
   end(): void {
     const count = this.#count;
     if (this.#isFan || count < 3) return;
-    if (count > 3 && this.#steps < MODEL_STEPS && !this.#isConvex(count)) {
+    if (count > 3 && this.steps < MODEL_STEPS && !this.#isConvex(count)) {
       this.#cutEars(flattened(this.#lists.places.array, this.#v.subarray(0, count)), count);
     } else {
       this.#fan();
@@ -109,13 +105,13 @@ export class Polygons {
   }
 
   #cutEars(flat: Float64Array, count: number): void {
-    const most = this.#steps + POLYGON_STEPS;
+    const most = this.steps + POLYGON_STEPS;
     const rest = Array.from({ length: count }, (_, i) => i);
     const at = (i: number): number => rest[i % rest.length] ?? 0;
     while (rest.length > 3) {
       let ear = rest.findIndex((b, i) => {
-        this.#steps += rest.length;
-        return this.#steps > most || isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1));
+        this.steps += rest.length;
+        return this.steps > most || isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1));
       });
       if (ear < 0) ear = 1; // it crosses itself: any triangle will do
       this.#emit(at(ear + rest.length - 1), at(ear), at(ear + 1));
