@@ -13,14 +13,14 @@ export class FrameLoop {
     this.#source = source;
   }
 
-  /** Requests a frame for `picture`. Any number of requests in one task make one frame. */
-  request(picture: Viewport): void {
-    this.#waiting.add(picture);
+  /** Requests a frame for `viewport`. Any number of requests in one task make one frame. */
+  request(viewport: Viewport): void {
+    this.#waiting.add(viewport);
     if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
   }
 
-  cancel(picture: Viewport): void {
-    this.#waiting.delete(picture);
+  cancel(viewport: Viewport): void {
+    this.#waiting.delete(viewport);
     if (this.#waiting.size > 0 || this.#pending === 0) return;
     this.#source.cancelAnimationFrame(this.#pending);
     this.#pending = 0;
@@ -29,30 +29,30 @@ export class FrameLoop {
   readonly #run = (now: number): void => {
     this.#pending = 0;
     [this.#waiting, this.#running] = [this.#running, this.#waiting];
-    this.#each((picture) => picture.prepare());
-    this.#each((picture) => {
-      if (picture.advance(now)) this.request(picture);
+    this.#each((viewport) => viewport.prepare());
+    this.#each((viewport) => {
+      if (viewport.advance(now)) this.request(viewport);
     });
-    this.#each((picture) => picture.draw());
+    this.#each((viewport) => viewport.draw());
     this.#running.clear();
   };
 
   /** Draws the waiting pictures of another size between layout and paint: later they would be stretched in a frame. */
   drawResized(): void {
-    for (const picture of this.#waiting) {
-      if (!picture.resized) continue;
-      this.cancel(picture);
-      this.#running.add(picture);
+    for (const viewport of this.#waiting) {
+      if (!viewport.resized) continue;
+      this.cancel(viewport);
+      this.#running.add(viewport);
     }
-    this.#each((picture) => picture.draw());
+    this.#each((viewport) => viewport.draw());
     this.#running.clear();
   }
 
   /** One broken picture must not stop the others of the page. */
-  #each(action: (picture: Viewport) => void): void {
-    for (const picture of this.#running) {
+  #each(action: (viewport: Viewport) => void): void {
+    for (const viewport of this.#running) {
       try {
-        action(picture);
+        action(viewport);
       } catch (error) {
         reportError(error);
       }

@@ -10,14 +10,14 @@ const sampling = /* @__PURE__ */ lazyCode(
 );
 
 export class StillPicture {
-  readonly #subject: Viewport;
+  readonly #viewport: Viewport;
   readonly #settled: () => void;
   #wanted = 0;
   #converging: ConvergingPicture | null = null;
 
   /** `settled`: no more samples are to come, because all are there or cannot be drawn. */
-  constructor(subject: Viewport, settled: () => void) {
-    this.#subject = subject;
+  constructor(viewport: Viewport, settled: () => void) {
+    this.#viewport = viewport;
     this.#settled = settled;
   }
 
@@ -37,7 +37,7 @@ export class StillPicture {
     this.#converging?.dispose();
     this.#converging = null;
     if (samples > 0) void this.#fetch();
-    this.#subject.picture.invalidate();
+    this.#viewport.picture.invalidate();
   }
 
   /** Samples of the picture that is shown; 0: it is as it was drawn. */
@@ -67,15 +67,15 @@ export class StillPicture {
   /** The mean of so many samples at this size; plain without float targets. RangeError if no canvas can hold it. */
   async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
     const { captureSamples } = await sampling();
-    return captureSamples(this.#subject, size, samples);
+    return captureSamples(this.#viewport, size, samples);
   }
 
   async #fetch(): Promise<void> {
     try {
       const { ConvergingPicture } = await sampling();
       if (this.#wanted === 0 || this.#converging !== null) return;
-      this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
-      this.#subject.animate();
+      this.#converging = new ConvergingPicture(this.#viewport, this.#wanted);
+      this.#viewport.animate();
     } catch (error) {
       reportMissing(error);
       this.#wanted = 0;

@@ -12,9 +12,6 @@ export interface ElementView {
   readonly visible: boolean;
   /** The page is about to be printed, and waits until this time, as of `performance.now()`; null: it is not. */
   readonly printsAt: number | null;
-  /** CSS pixels. */
-  readonly width: number;
-  readonly height: number;
   /** Device pixels, whole. */
   readonly pixelWidth: number;
   readonly pixelHeight: number;

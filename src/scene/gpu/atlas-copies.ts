@@ -27,12 +27,12 @@ export class AtlasCopies {
   readonly #fresh = new Set<Viewport>();
 
   /** Straight from the WebGL canvas: no intermediate canvas or bitmap was faster (src/decisions/one-context.md). */
-  show(client: Viewport, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
-    const known = this.#canvases.get(client);
-    const canvas = known ?? this.#newCanvas(client);
-    this.#canvases.delete(client);
-    this.#canvases.set(client, canvas);
-    this.#fresh.add(client);
+  show(viewport: Viewport, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
+    const known = this.#canvases.get(viewport);
+    const canvas = known ?? this.#newCanvas(viewport);
+    this.#canvases.delete(viewport);
+    this.#canvases.set(viewport, canvas);
+    this.#fresh.add(viewport);
     const resized = canvas.width !== width || canvas.height !== height;
     if (resized) {
       canvas.width = width;
@@ -44,24 +44,24 @@ export class AtlasCopies {
     // For print, Chromium replays what was drawn since the last frame: `copy` would erase the CSS background there.
     context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
-    if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);
+    if (viewport.holder.firstChild !== canvas) viewport.holder.replaceChildren(canvas);
   }
 
   /** A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL context. */
-  #newCanvas(client: Viewport): HTMLCanvasElement {
-    const canvas = client.holder.ownerDocument.createElement('canvas');
+  #newCanvas(viewport: Viewport): HTMLCanvasElement {
+    const canvas = viewport.holder.ownerDocument.createElement('canvas');
     canvas.addEventListener('contextrestored', () => {
-      if (this.#canvases.get(client) === canvas) client.repaint();
+      if (this.#canvases.get(viewport) === canvas) viewport.repaint();
     });
     return canvas;
   }
 
   /** Releases one copy's pixels now. Garbage collection would release them late. */
-  drop(client: Viewport): void {
-    const canvas = this.#canvases.get(client);
+  drop(viewport: Viewport): void {
+    const canvas = this.#canvases.get(viewport);
     if (canvas === undefined) return;
-    this.#canvases.delete(client);
-    this.#fresh.delete(client);
+    this.#canvases.delete(viewport);
+    this.#fresh.delete(viewport);
     canvas.remove();
     canvas.width = 0;
     canvas.height = 0;
@@ -70,15 +70,15 @@ export class AtlasCopies {
   /** Releases the oldest invisible copies beyond the bound, but none of this frame: it may be printed. */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser
-    const isKept = (client: Viewport): boolean => client.drawable || this.#fresh.has(client);
+    const isKept = (viewport: Viewport): boolean => viewport.drawable || this.#fresh.has(viewport);
     let surplus = -KEPT_SCREENS * screenPixels();
-    for (const [client, { width, height }] of this.#canvases) if (!isKept(client)) surplus += width * height;
-    for (const [client, { width, height }] of this.#canvases) {
+    for (const [viewport, { width, height }] of this.#canvases) if (!isKept(viewport)) surplus += width * height;
+    for (const [viewport, { width, height }] of this.#canvases) {
       if (surplus <= 0) break;
-      if (isKept(client)) continue;
+      if (isKept(viewport)) continue;
       surplus -= width * height;
-      this.drop(client);
-      client.repaint();
+      this.drop(viewport);
+      viewport.repaint();
     }
     this.#fresh.clear();
   }

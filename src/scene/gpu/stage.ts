@@ -15,14 +15,14 @@ type Draw = (renderer: WebGLRenderer) => void;
 type DrawPart = (renderer: WebGLRenderer, part: Region) => void;
 
 class Stage {
-  readonly #clients = new Set<Viewport>();
+  readonly #viewports = new Set<Viewport>();
   readonly #copies = new AtlasCopies();
   readonly #context: SharedContext = new SharedContext((consequence) => {
     if (consequence === 'contextLost') {
       this.#drawn.clear();
       this.#places.clear();
     }
-    for (const client of this.#clients) client[consequence]();
+    for (const viewport of this.#viewports) viewport[consequence]();
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
   readonly #places = new Map<Viewport, Region>();
@@ -32,11 +32,11 @@ class Stage {
   #inFrame = false;
   #viewersDrawn = 0;
 
-  add(client: Viewport): void {
-    if (this.#clients.has(client)) return;
-    this.#clients.add(client);
+  add(viewport: Viewport): void {
+    if (this.#viewports.has(viewport)) return;
+    this.#viewports.add(viewport);
     // The first picture shows the shared canvas itself, and the others are about to draw on it.
-    if (this.#clients.size === 2) this.#repaintAll();
+    if (this.#viewports.size === 2) this.#repaintAll();
     this.#context.retry();
   }
 
@@ -44,16 +44,16 @@ class Stage {
     this.#context.retry();
   }
 
-  remove(client: Viewport): void {
-    if (!this.#clients.delete(client)) return;
+  remove(viewport: Viewport): void {
+    if (!this.#viewports.delete(viewport)) return;
     this.#showDrawn();
-    this.#copies.drop(client);
-    client.holder.replaceChildren();
-    if (this.#clients.size === 1) this.#repaintAll();
+    this.#copies.drop(viewport);
+    viewport.holder.replaceChildren();
+    if (this.#viewports.size === 1) this.#repaintAll();
     // The canvas may have been large only for this picture. The next frame finds the size again.
-    else if (this.#clients.size > 1) this.#context.resize({ width: 1, height: 1 });
+    else if (this.#viewports.size > 1) this.#context.resize({ width: 1, height: 1 });
     // An element that only moves within the page is back before the microtask.
-    if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
+    if (this.#viewports.size === 0) queueMicrotask(this.#closeIfEmpty);
   }
 
   get lost(): boolean {
@@ -76,29 +76,29 @@ class Stage {
   }
 
   /**
-   * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page;
-   * without `render`, opens the context only. False: there is none. All clients are notified then, and once there is.
+   * Draws one viewport's picture with `render`, which must not clear, and shows it before the browser shows the page;
+   * without `render`, opens the context only. False: there is none. All viewports are notified then, and once there is.
    */
-  draw(client: Viewport, render?: Draw): boolean {
+  draw(viewport: Viewport, render?: Draw): boolean {
     try {
       // The canvas stays in its own document: a picture in a popup is a copy too.
-      const alone = this.#clients.size === 1 && client.holder.ownerDocument === document;
-      const renderer = this.#context.open(alone ? client : this.#layOut(client).atlas);
+      const alone = this.#viewports.size === 1 && viewport.holder.ownerDocument === document;
+      const renderer = this.#context.open(alone ? viewport : this.#layOut(viewport).atlas);
       if (renderer === null) return false;
       if (render === undefined) return true;
       this.#count();
-      if (alone) this.#drawAlone(client, renderer, render);
+      if (alone) this.#drawAlone(viewport, renderer, render);
       else {
-        const place = this.#placeOf(client, renderer);
+        const place = this.#placeOf(viewport, renderer);
         drawInto(renderer, place, render);
-        this.#drawn.set(client, place);
+        this.#drawn.set(viewport, place);
       }
       this.#context.checkLinks();
       return true;
     } catch (error) {
       if (error instanceof NoWebGL2Error) {
         this.#context.refuse();
-        for (const one of this.#clients) one.contextMissing(error);
+        for (const one of this.#viewports) one.contextMissing(error);
       } else if (!this.#context.noticeLoss()) throw error; // a lost context answers null: three.js throws
       return false;
     }
@@ -106,7 +106,7 @@ class Stage {
 
   /** The renderer of the open context, which `size` opens where there is none. Throws where it is lost. */
   open(size: Size): WebGLRenderer {
-    if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
+    if (this.#viewports.size === 0) queueMicrotask(this.#closeIfEmpty);
     const renderer = this.#context.open(size);
     if (renderer === null || this.#context.noticeLoss()) throw contextLost();
     return renderer;
@@ -153,16 +153,16 @@ class Stage {
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
-  #drawAlone(client: Viewport, renderer: WebGLRenderer, render: Draw): void {
+  #drawAlone(viewport: Viewport, renderer: WebGLRenderer, render: Draw): void {
     this.#beforeOverwriting();
-    // The second time only if the browser gave less: the client's size has become smaller then.
-    if (!this.#context.resize(client)) this.#context.resize(client);
-    const { width, height } = client;
+    // The second time only if the browser gave less: the viewport's size has become smaller then.
+    if (!this.#context.resize(viewport)) this.#context.resize(viewport);
+    const { width, height } = viewport;
     clear(renderer);
     drawInto(renderer, { x: 0, y: 0, width, height }, render);
-    this.#copies.drop(client);
+    this.#copies.drop(viewport);
     const { domElement } = renderer;
-    if (client.holder.firstChild !== domElement) client.holder.replaceChildren(domElement);
+    if (viewport.holder.firstChild !== domElement) viewport.holder.replaceChildren(domElement);
   }
 
   /** Draws a capture into `target`, which has its size, tile by tile. */
@@ -183,38 +183,38 @@ class Stage {
     }
     this.#context.checkLinks();
     // The capture has overwritten the canvas that a lone picture shows.
-    if (this.#clients.size === 1) for (const client of this.#clients) client.redraw();
+    if (this.#viewports.size === 1) for (const viewport of this.#viewports) viewport.redraw();
     else this.#context.resize(before); // else it would stay large
   }
 
   #repaintAll(): void {
-    for (const client of this.#clients) client.repaint();
+    for (const viewport of this.#viewports) viewport.repaint();
   }
 
   /** The first picture of a frame starts an atlas and reserves places for all that are out of date. */
-  #placeOf(client: Viewport, renderer: WebGLRenderer): Region {
-    const reserved = this.#places.get(client);
-    this.#places.delete(client); // a second drawing needs a cleared place
-    if (reserved?.width === client.width && reserved.height === client.height) return reserved;
+  #placeOf(viewport: Viewport, renderer: WebGLRenderer): Region {
+    const reserved = this.#places.get(viewport);
+    this.#places.delete(viewport); // a second drawing needs a cleared place
+    if (reserved?.width === viewport.width && reserved.height === viewport.height) return reserved;
     this.#beforeOverwriting();
-    let { pictures, atlas } = this.#layOut(client);
+    let { pictures, atlas } = this.#layOut(viewport);
     if (!this.#makeRoom(renderer, atlas)) {
-      ({ pictures, atlas } = this.#layOut(client)); // in less room
+      ({ pictures, atlas } = this.#layOut(viewport)); // in less room
       this.#makeRoom(renderer, atlas);
     }
     // Once for all places: 20 clears of 256 × 180 cost as much as drawing a box in each (25 ms of CPU in software).
     clear(renderer);
     atlas.places.forEach((place, i) => {
       const picture = pictures[i];
-      if (picture !== undefined && picture !== client) this.#places.set(picture, place);
+      if (picture !== undefined && picture !== viewport) this.#places.set(picture, place);
     });
-    return { x: 0, y: 0, width: client.width, height: client.height }; // the first place
+    return { x: 0, y: 0, width: viewport.width, height: viewport.height }; // the first place
   }
 
-  /** The pictures that are out of date and their places, `client` first. */
-  #layOut(client: Viewport): { pictures: readonly Viewport[]; atlas: AtlasLayout } {
-    const pictures = [client];
-    for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) pictures.push(one);
+  /** The pictures that are out of date and their places, `viewport` first. */
+  #layOut(viewport: Viewport): { pictures: readonly Viewport[]; atlas: AtlasLayout } {
+    const pictures = [viewport];
+    for (const one of this.#viewports) if (one !== viewport && one.drawable && !one.upToDate) pictures.push(one);
     const { side, area } = this.#context.limit;
     return { pictures, atlas: layOutAtlas(pictures, { side, area: Math.min(area, screenPixels()) }) };
   }
@@ -243,7 +243,7 @@ class Stage {
     // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked in each frame.)
     if (this.#drawn.size === 0 || this.#context.noticeLoss()) return;
     const source = this.#context.renderer?.domElement;
-    if (source !== undefined) for (const [client, place] of this.#drawn) this.#copies.show(client, source, place);
+    if (source !== undefined) for (const [viewport, place] of this.#drawn) this.#copies.show(viewport, source, place);
     this.#drawn.clear();
   }
 
@@ -260,11 +260,11 @@ class Stage {
     this.#inFrame = false;
     this.#showDrawn();
     this.#copies.trim();
-    for (const client of this.#clients) client.shown();
+    for (const viewport of this.#viewports) viewport.shown();
   };
 
   readonly #closeIfEmpty = (): void => {
-    if (this.#clients.size === 0) this.#context.close();
+    if (this.#viewports.size === 0) this.#context.close();
   };
 }
 

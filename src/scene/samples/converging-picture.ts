@@ -27,7 +27,7 @@ const WAITS_AFTER = 8;
 const SHOWN_AGAIN = 4;
 
 export class ConvergingPicture {
-  readonly #subject: Viewport;
+  readonly #viewport: Viewport;
   readonly #wanted: number;
   /** Samples of the picture that is shown; 0: the plain one. */
   #samples = 0;
@@ -42,8 +42,8 @@ export class ConvergingPicture {
   /** Not possible on this GPU, or not with this scene. */
   #failed = false;
 
-  constructor(subject: Viewport, wanted: number) {
-    this.#subject = subject;
+  constructor(viewport: Viewport, wanted: number) {
+    this.#viewport = viewport;
     this.#wanted = wanted;
   }
 
@@ -73,7 +73,7 @@ export class ConvergingPicture {
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
     this.#aside(this.#draw);
-    if (this.#samples > before) this.#subject.show(this.converged);
+    if (this.#samples > before) this.#viewport.show(this.converged);
     return this.#run !== null;
   }
 
@@ -83,7 +83,7 @@ export class ConvergingPicture {
     const before = this.#samples;
     while (this.pending && performance.now() < deadline && this.#aside(this.#drawNow));
     this.pause();
-    if (this.#samples > before) this.#subject.show(this.converged);
+    if (this.#samples > before) this.#viewport.show(this.converged);
   }
 
   reset(): void {
@@ -103,12 +103,12 @@ export class ConvergingPicture {
 
   /** Now: scrolling changes it. */
   get inView(): boolean {
-    return this.#subject.visible;
+    return this.#viewport.visible;
   }
 
   /** A turn is free: {@link step} takes it, or {@link pause} gives it up. */
   wake(): void {
-    this.#subject.animate();
+    this.#viewport.animate();
   }
 
   dispose(): void {
@@ -119,7 +119,7 @@ export class ConvergingPicture {
 
   /** Fills the renderer's present viewport with the kept picture, or with the part of it that `part` is. */
   copy(renderer: WebGLRenderer, part?: Region): void {
-    const { width, height } = this.#subject;
+    const { width, height } = this.#viewport;
     copyPart(renderer, this.#picture!.texture, part ?? { x: 0, y: 0, width, height }, height);
   }
 
@@ -158,7 +158,7 @@ export class ConvergingPicture {
 
   /** Null where the GPU has no float targets, or no memory for them. */
   #begin(renderer: WebGLRenderer): Run | null {
-    const { width, height } = this.#subject;
+    const { width, height } = this.#viewport;
     if (this.#picture?.width !== width || this.#picture.height !== height) {
       this.#picture?.dispose();
       this.#picture = pictureTarget(width, height);
@@ -179,11 +179,11 @@ export class ConvergingPicture {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
     if (sum.count < this.#wanted && batches.ended)
-      sendBatch(batches, sum, this.#wanted, this.#subject, tile, renderer, this.#subject.picture);
+      sendBatch(batches, sum, this.#wanted, this.#viewport, tile, renderer, this.#viewport.picture);
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = shown && (isLast || (tiles.length === 1 && sum.count >= run.nextShown));
-    if (shows || (complete && !isLast)) sum.resolve(this.#picture!, fromBelow(tile, this.#subject.height));
+    if (shows || (complete && !isLast)) sum.resolve(this.#picture!, fromBelow(tile, this.#viewport.height));
     if (complete && !isLast) {
       run.tile += 1;
       if (!sum.begin(tiles[run.tile]!)) this.#fail();
@@ -224,23 +224,23 @@ let last: Promise<unknown> = Promise.resolve();
  * The mean of the samples at any size, tile by tile, in batches; also without animation frames, as in hidden documents.
  * Rejects with RangeError if no canvas can hold it, and without a context.
  */
-export function captureSamples(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
-  const picture = last.then(() => draw(subject, size, samples));
+export function captureSamples(viewport: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
+  const picture = last.then(() => draw(viewport, size, samples));
   last = picture.catch(() => undefined);
   return picture;
 }
 
-async function draw(subject: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
+async function draw(viewport: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
   for (let restarts = 0; ; restarts++) {
-    const { version } = subject.picture;
+    const { version } = viewport.picture;
     // Nothing keeps the context of a detached viewer open from one task to the next.
-    const atOnce = restarts === RESTARTS || !subject.attached;
-    const batches = drawBatches(subject.picture, size, samples, atOnce);
-    subject.releaseUnlessAttached();
+    const atOnce = restarts === RESTARTS || !viewport.attached;
+    const batches = drawBatches(viewport.picture, size, samples, atOnce);
+    viewport.releaseUnlessAttached();
     try {
-      while (atOnce || subject.picture.version === version) {
+      while (atOnce || viewport.picture.version === version) {
         const { done, value } = batches.next();
-        if (done === true) return value ?? subject.capture(size);
+        if (done === true) return value ?? viewport.capture(size);
         if (!atOnce) await new Promise((resolve) => setTimeout(resolve, PAUSE));
       }
     } finally {
