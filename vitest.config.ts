@@ -20,6 +20,7 @@ export default defineConfig({
     ],
     setupFiles: ['tests/support/quiet-lit.ts'],
     passWithNoTests: true,
+    pool: 'threads',
     maxWorkers: 2,
     testTimeout: 20_000,
     expect: { poll: { timeout: 10_000 } },

@@ -8,10 +8,7 @@ const css = 'phong-compare { display: block; width: 400px; height: 200px }';
 const viewer = (alt: string, attributes = ''): string =>
   `<phong-viewer geometry="box" alt="${alt}" ${attributes}></phong-viewer>`;
 
-test('a comparison has its viewers and the divider between them as named Tab stops, in order', async ({
-  page,
-  mount,
-}) => {
+test('a comparison has its viewers and their divider as named Tab stops, in order', async ({ page, mount }) => {
   await mount(`<phong-compare at="30">${viewer('Gouraud')}${viewer('Phong')}</phong-compare>`, { css });
   const divider = page.getByRole('separator');
   await expect(divider).toBeAttached();

@@ -62,10 +62,7 @@ test('a viewer is an application with its keys, and its description follows scri
   expect(await accessibleNodes(page)).toHaveLength(1);
 });
 
-test('only keys with an effect are listed; without any, a viewer is an image and no Tab stop', async ({
-  page,
-  mount,
-}) => {
+test('only keys with an effect are listed; without any, a viewer is an image, no Tab stop', async ({ page, mount }) => {
   const element = await mount(`${viewer('alt="A box" zoom="false"')}<a href="#next">Next</a>`);
   const keys = async (): Promise<unknown> => (await application(page)).properties['keyshortcuts'];
   expect(await keys()).toBe('ArrowLeft ArrowRight ArrowUp ArrowDown Home');
@@ -90,10 +87,7 @@ test('a fixed viewer that is decoration, or any that its author hides, is not re
   expect(await accessibleNodes(page)).toEqual([]);
 });
 
-test('aria-labelledby, aria-label, alt name the picture, in this order; all stops have names', async ({
-  page,
-  mount,
-}) => {
+test('aria-labelledby, aria-label, alt name the picture, in this order; stops have names', async ({ page, mount }) => {
   const names = 'aria-labelledby="one" aria-label="Label" alt="A box"';
   const element = await mount(`<h1 id="one">Heading</h1>${viewer(names)}`);
   const name = async (): Promise<string> => (await application(page)).name;

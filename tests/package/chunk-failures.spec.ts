@@ -18,9 +18,7 @@ async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
   if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
   if (use === 'shadeAt on') return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
   const said: string[] = [];
-  viewer.addEventListener('error', ({ detail }) => said.push(`${detail.code}: ${detail.message}`), {
-    once: true,
-  });
+  viewer.addEventListener('error', ({ detail }) => said.push(`${detail.code}: ${detail.message}`), { once: true });
   if (use === 'torus') viewer.geometry = use;
   else viewer.src = use;
   await viewer.ready;
@@ -49,11 +47,7 @@ async function open(page: Page, address: string): Promise<void> {
 const scene = '<phong-viewer geometry="box"></phong-viewer>';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`a part that could not be fetched is fetched with its next use (${usage})`, async ({
-    page,
-    site,
-    consoleGuard,
-  }) => {
+  test(`a part that failed to load is fetched with its next use (${usage})`, async ({ page, site, consoleGuard }) => {
     consoleGuard.allow(/error: Failed to load resource/);
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
@@ -66,11 +60,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     }
   });
 
-  test(`a panel or legend that could not be fetched is fetched with the next use, and the picture stays (${usage})`, async ({
-    page,
-    site,
-    consoleGuard,
-  }) => {
+  test(`a panel or legend that failed to load is fetched again (${usage})`, async ({ page, site, consoleGuard }) => {
     consoleGuard.allow(/error: Failed to load resource/);
     const said = consoleGuard.allow(/warning: <phong-viewer>: .*The code of (the control panel|views) could not/);
     await open(page, site.page(scene, usages[usage]));
@@ -99,11 +89,7 @@ for (const usage of ['standalone', 'modules'] as const) {
   });
 }
 
-test('a later attempt of the standalone file uses another address, which every browser requests', async ({
-  page,
-  site,
-  consoleGuard,
-}) => {
+test('a later attempt of the standalone file uses another address', async ({ page, site, consoleGuard }) => {
   consoleGuard.allow(/error: Failed to load resource/);
   await open(page, site.page(scene, usages.standalone));
   const asked: string[] = [];

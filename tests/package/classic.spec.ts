@@ -88,11 +88,7 @@ test('a model beside a page opened from disk is an error that names a server', a
   await expect(notice).toHaveText('A page opened from disk may not read files, such as textured.glb.');
 });
 
-test('the classic script works under a strict policy, where it draws what the module draws, and in a sandboxed frame', async ({
-  page,
-  site,
-  mount,
-}) => {
+test('the classic script draws what the module draws, also sandboxed', async ({ page, site, mount }) => {
   const head = '<script src="/dist/phong-viewer.classic.js"></script>';
   const markup = '<phong-viewer geometry="box" theta="20" gui><phong-light></phong-light></phong-viewer>';
   const expected = await pixels(await mount(markup), size);

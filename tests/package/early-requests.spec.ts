@@ -13,10 +13,7 @@ const scene = `<phong-viewer src="/fixtures/models/mask.glb">
 const css = 'phong-viewer { display: block; width: 200px; height: 150px } #far { margin-top: 9000px }';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`models in the markup are requested once, before the definitions, and no others (${usage})`, async ({
-    page,
-    site,
-  }) => {
+  test(`models in the markup alone are requested, once, before the definitions (${usage})`, async ({ page, site }) => {
     await page.addInitScript(() => {
       const steps: string[] = [];
       Object.assign(window, { steps });

@@ -89,10 +89,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
 const WITH_OTHERS = 'panel-column';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`${usage === 'modules' ? '@release ' : ''}each part is fetched with its first use (${usage})`, async ({
-    page,
-    site,
-  }) => {
+  test(`${usage === 'modules' ? '@release ' : ''}parts are fetched at first use (${usage})`, async ({ page, site }) => {
     const requests = new Requests(page);
     const scene = '<phong-viewer id="turned" geometry="box"><phong-light></phong-light></phong-viewer>';
     const css = 'body { margin: 0 } phong-viewer { display: block; width: 150px; height: 100px }';

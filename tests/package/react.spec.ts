@@ -136,10 +136,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 0, 0, 255]);
     });
 
-    test('draws changed props, restores defaults of removed ones, warns of a refused one', async ({
-      page,
-      consoleGuard,
-    }) => {
+    test('draws changed props, restores defaults, warns of refused ones', async ({ page, consoleGuard }) => {
       await page.getByText('light up').click();
       await allReady(page);
       const viewer = page.locator('phong-viewer');

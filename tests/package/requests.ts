@@ -29,10 +29,7 @@ const importMap = `<script type="importmap">${JSON.stringify({ imports })}</scri
 
 /** Options of a page for each way. An import map is an inline script, which the strict policy forbids. */
 export const usages: Readonly<Record<'standalone' | 'modules', PageOptions>> = {
-  standalone: {
-    css,
-    head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',
-  },
+  standalone: { css, head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>' },
   modules: {
     css,
     csp: '',

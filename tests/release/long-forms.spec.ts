@@ -40,21 +40,14 @@ for (const [what, kind] of [
 
 // Of element/models/fuzz-models.spec.ts, whose seeds are below 100.
 for (let seed = FIRST + 99; seed < FIRST + 105; seed++) {
-  test(`@release four hundred hostile models each end in an event within bounded memory, and the picture stays (seed ${seed})`, async ({
-    browser,
-    page,
-    mount,
-    consoleGuard,
-  }) => {
+  test(`@release 400 hostile models end in events (seed ${seed})`, async ({ browser, page, mount, consoleGuard }) => {
     test.setTimeout(HOUR / 2);
     await fuzzModels(browser, page, mount, { seed, count: 400, consoleGuard });
   });
 }
 
 // Of element/children/segments.spec.ts.
-test('@release the same markup gives the same picture of the same triangles at each of 100 loads', async ({
-  mount,
-}) => {
+test('@release the same markup gives the same picture of the same triangles at 100 loads', async ({ mount }) => {
   test.setTimeout(HOUR / 12);
   await loadAgain(mount, 100);
 });
@@ -66,10 +59,7 @@ test('@release zooms of 150 frames show no jump and no blank frame', async ({ pa
 });
 
 // Of element/frames/programs.spec.ts.
-test(`@release walks of 400 steps make one general program per feature set, from seed ${FIRST}`, async ({
-  page,
-  mount,
-}) => {
+test(`@release walks of 400 steps make a general program per feature set (seed ${FIRST})`, async ({ page, mount }) => {
   test.setTimeout(HOUR / 2);
   await logGl(page);
   for (let seed = FIRST; seed < FIRST + 5; seed++) {

@@ -91,12 +91,7 @@ for (const [what, { make, ends = 'load', isZipped = false, says }] of Object.ent
   });
 }
 
-test('@release ninety meshes of one model with textures take the memory of one', async ({
-  browser,
-  site,
-  mount,
-  consoleGuard,
-}) => {
+test('@release ninety meshes of one model take the memory of one', async ({ browser, site, mount, consoleGuard }) => {
   test.setTimeout(300_000);
   consoleGuard.allow(/is shown without KHR_materials/, 1);
   const model = readFileSync(new URL('../../demo/assets/models/real/magicleap-two.glb', import.meta.url));

@@ -27,10 +27,7 @@ export interface Tab {
   close(): Promise<void>;
 }
 
-export const STARTS: Readonly<Record<string, () => Promise<Tab>>> = {
-  Firefox: firefoxTab,
-  WebKitGTK: webkitTab,
-};
+export const STARTS: Readonly<Record<string, () => Promise<Tab>>> = { Firefox: firefoxTab, WebKitGTK: webkitTab };
 
 async function firefoxTab(): Promise<Tab> {
   const { browser, close } = await startFirefox();

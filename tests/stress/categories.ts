@@ -292,9 +292,7 @@ const spotCategories = categories(
         const cutoff = random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]);
         // From where the contract begins, 1e-3 rad from straight behind: there the base is all but gone.
         const back = Math.PI - random.magnitude(1e-3, 0.1);
-        return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]), {
-          cutoff,
-        });
+        return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]), { cutoff });
       },
     },
     'cutoff-1e4': {
@@ -431,10 +429,7 @@ function anything(random: Random): StressCase {
 const degenerateCategories = categories({
   'light-at-fragment': { title: 'a light at the fragment, or within 1e-15 of it', make: atFragment },
   'direction-zero': { title: 'a directional light of zero length', make: directionless },
-  'direction-length': {
-    title: 'directional lights of any length from 5e-324 to 1e15',
-    make: directionOfAnyLength,
-  },
+  'direction-length': { title: 'directional lights of any length from 5e-324 to 1e15', make: directionOfAnyLength },
   opposite: { title: 'light and eye exactly opposite each other', make: opposite },
   normals: { title: 'zero, cancelling, denormal, tiny and huge normals', make: normals },
   anything: {

@@ -26,10 +26,7 @@ describe('the auto radius', () => {
 
   it('is 4 for an empty scene, seen at the origin, and 4 for a single point', () => {
     expect(fitPose(null, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
-    expect(fitPose({ center: [1, NaN, 3], radius: 1 }, 45, 1)).toStrictEqual({
-      target: [0, 0, 0],
-      radius: 4,
-    });
+    expect(fitPose({ center: [1, NaN, 3], radius: 1 }, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
     expect(fitPose({ center: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
   });
 

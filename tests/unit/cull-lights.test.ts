@@ -39,11 +39,7 @@ interface BoxCase {
 function anyBox(random: Random, size = random.pick(SIZES)): BoxCase {
   const flat = random.chance(0.1);
   const side = (): number => (flat && random.chance(0.6) ? 0 : size * random.pick([1, random.magnitude(1e-4, 1)]));
-  return {
-    size,
-    middle: scale(random.unit(), size * random.pick([0, 0.5, 3])),
-    half: [side(), side(), side()],
-  };
+  return { size, middle: scale(random.unit(), size * random.pick([0, 0.5, 3])), half: [side(), side(), side()] };
 }
 
 /** The box, grown on all sides by `margin`. */

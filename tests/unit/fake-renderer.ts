@@ -47,10 +47,7 @@ export class FakeRenderer {
       },
     };
     this.renderer = {
-      state: {
-        bindTexture: (_: number, texture: object) => (this.#bound = texture),
-        pixelStorei: () => undefined,
-      },
+      state: { bindTexture: (_: number, texture: object) => (this.#bound = texture), pixelStorei: () => undefined },
       getContext: () => gl,
       extensions: { has: () => true },
       properties: { get: (material: Material) => ({ currentProgram: this.#programs.get(material) }) },

@@ -25,14 +25,7 @@ const lamp = (): FieldStore<Lamp> =>
     radius: orWord('auto', numberField(4, { above: 0, max: 10 })),
   });
 
-const defaults: Lamp = {
-  power: 60,
-  tint: [255, 255, 255],
-  on: true,
-  label: '',
-  segments: null,
-  radius: 'auto',
-};
+const defaults: Lamp = { power: 60, tint: [255, 255, 255], on: true, label: '', segments: null, radius: 'auto' };
 const keys = Object.keys(defaults) as (keyof Lamp)[];
 
 describe('a store of declared values', () => {

@@ -49,11 +49,7 @@ describe('ConsoleGuard', () => {
 });
 
 describe('pictures', () => {
-  const picture = (...data: number[]): Picture => ({
-    width: data.length / 4,
-    height: 1,
-    data: new Uint8Array(data),
-  });
+  const picture = (...data: number[]): Picture => ({ width: data.length / 4, height: 1, data: new Uint8Array(data) });
   const a = picture(10, 20, 30, 255, 0, 0, 0, 255);
   const b = picture(12, 20, 26, 255, 0, 0, 0, 255);
 

@@ -28,14 +28,7 @@ function packedBy(lighting: PhongLighting, { frame, linear }: Picture): object {
   lighting.linear = linear;
   lighting.updateFrame(frame);
   const { data, rows, active, sent, counts, features } = lighting.packed;
-  return {
-    rows,
-    active,
-    sent,
-    counts,
-    data: [...data.slice(0, rows * 4)],
-    features: [...features.slice(0, sent)],
-  };
+  return { rows, active, sent, counts, data: [...data.slice(0, rows * 4)], features: [...features.slice(0, sent)] };
 }
 
 const coordinate = fc.double({ min: -9, max: 9, noNaN: true });

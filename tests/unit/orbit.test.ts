@@ -134,10 +134,7 @@ describe('setting', () => {
   ])('refuses %o and changes nothing', (change) => {
     const orbit = new Orbit();
     const before = orbit.pose;
-    const refusal = {
-      name: 'RangeError',
-      message: expect.stringMatching(/^a camera needs .*finite/) as string,
-    };
+    const refusal = { name: 'RangeError', message: expect.stringMatching(/^a camera needs .*finite/) as string };
     expect(() => orbit.set({ theta: 1, ...change })).toThrow(expect.objectContaining(refusal));
     expect(orbit.pose).toBe(before);
   });

@@ -169,10 +169,7 @@ describe('the figure', () => {
     const size = fc.constantFrom([600, 400] as const, [120, 90] as const, [1, 1] as const);
     fc.assert(
       fc.property(position, normal, size, fc.boolean(), (position, normal, [width, height], halfway) => {
-        const drawn = figure(explained({ lights: [{ position }, THIRD], normal }), 0, {
-          alone: false,
-          halfway,
-        });
+        const drawn = figure(explained({ lights: [{ position }, THIRD], normal }), 0, { alone: false, halfway });
         const room = { left: 0, top: 0, right: width, bottom: height };
         const space = { outline: [], room, boxes: [], fontSize: 12 };
         const projection = new Projection({ pose, fov: 45, width, height });

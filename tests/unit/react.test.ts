@@ -37,11 +37,7 @@ describe('the React components on a server', () => {
     ],
     [
       'attributes by their HTML names, whatever the spelling of the prop',
-      createElement(PhongViewer, {
-        autoRotate: 5,
-        'color-interpolation': 'linear',
-        crossOrigin: 'anonymous',
-      }),
+      createElement(PhongViewer, { autoRotate: 5, 'color-interpolation': 'linear', crossOrigin: 'anonymous' }),
       '<phong-viewer auto-rotate="5" color-interpolation="linear" crossorigin="anonymous"></phong-viewer>',
     ],
     [

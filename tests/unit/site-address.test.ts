@@ -34,9 +34,7 @@ test('the longest text fits, whatever its letters, and an empty fragment is no f
 
 test('a short text that would inflate to a gigabyte is refused', async () => {
   const bomb = deflateRawSync(Buffer.alloc(100_000_000, ' ')).toString('base64url');
-  expect(await readFragment(`#scene=${bomb}`)).toEqual({
-    fault: expect.stringContaining('too long') as string,
-  });
+  expect(await readFragment(`#scene=${bomb}`)).toEqual({ fault: expect.stringContaining('too long') as string });
 });
 
 test.each([

@@ -114,10 +114,7 @@ const LIGHT = fc.record({
 });
 const GIVEN: fc.Arbitrary<Given> = fc.record({
   lights: fc.array(LIGHT, { minLength: 1, maxLength: 3 }),
-  surface: fc.record({
-    shininess: fc.constantFrom(0, 1, 8, 32.5),
-    emissive: fc.constantFrom(grey(0), grey(0.1)),
-  }),
+  surface: fc.record({ shininess: fc.constantFrom(0, 1, 8, 32.5), emissive: fc.constantFrom(grey(0), grey(0.1)) }),
   linear: fc.boolean(),
   halfway: fc.boolean(),
 });

@@ -29,7 +29,7 @@ export interface Errors {
 }
 
 /** A pixel inside one face, away from every cone's edge, with its hit. */
-export interface InnerPixel {
+interface InnerPixel {
   readonly x: number;
   readonly y: number;
   readonly hit: Hit;
@@ -65,7 +65,7 @@ export const innerPixels = remembered((scene: DeclaredScene, width: number, heig
       const inside = [-2, 0, 2].every((dy) =>
         [-2, 0, 2].every((dx) => hits[(y + dy) * width + x + dx]?.face === hit?.face),
       );
-      if (hit && inside && hit.coneMargin >= CONE_EDGE) inner.push({ x, y, hit });
+      if (hit && inside && !(hit.coneMargin < CONE_EDGE)) inner.push({ x, y, hit });
     }
   }
   return inner;
@@ -98,10 +98,10 @@ export function compareWithReference(
       errors.compared += 1;
       if (error === 0) errors.exact += 1;
       if (error > 1) error = outside(actual, [expected, ...beside(x, y, channel).filter(Number.isFinite)]);
-      if (error > errors.max) {
-        errors.max = error;
+      const max = Math.max(errors.max, error); // keeps NaN
+      if (!Object.is(max, errors.max))
         errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${color[channel]! * 255}`;
-      }
+      errors.max = max;
     }
   }
   return errors;

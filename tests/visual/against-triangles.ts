@@ -52,9 +52,10 @@ export function compareWithTriangles(
         );
         errors.snapped += 1;
       }
-      if (error > errors.max)
+      const max = Math.max(errors.max, error); // keeps NaN
+      if (!Object.is(max, errors.max))
         errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * color[channel]!}`;
-      errors.max = Math.max(errors.max, error);
+      errors.max = max;
     }
   }
   return errors;

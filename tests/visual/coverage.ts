@@ -46,13 +46,13 @@ export const markupOf = ({ theta, phi, radius, target, fov, meshes }: CoverageSc
   `${meshes.map(meshMarkup).join('')}</phong-viewer>`;
 
 /** The codes r, g, b, a of each scene's picture, one viewer after the other on this page. */
-const drawAll = (page: Page, scenes: readonly CoverageScene[], size: PictureSize): Promise<(readonly number[])[]> =>
+const drawAll = (page: Page, scenes: readonly CoverageScene[], size: PictureSize): Promise<Uint8ClampedArray[]> =>
   page.evaluate(
     async ({ markups, size: { width, height } }) => {
       const place = document.createElement('section');
       document.body.append(place);
       const surface = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!;
-      const pictures: number[][] = [];
+      const pictures: Uint8ClampedArray[] = [];
       for (const markup of markups) {
         place.innerHTML = markup;
         const viewer = place.firstElementChild as PhongViewer;
@@ -60,7 +60,7 @@ const drawAll = (page: Page, scenes: readonly CoverageScene[], size: PictureSize
         const image = await createImageBitmap(await viewer.toBlob({ width, height }));
         surface.clearRect(0, 0, width, height);
         surface.drawImage(image, 0, 0);
-        pictures.push([...surface.getImageData(0, 0, width, height).data]);
+        pictures.push(surface.getImageData(0, 0, width, height).data);
       }
       place.remove();
       return pictures;
@@ -94,13 +94,13 @@ const CLOSE = 1e-2;
  * Compares a picture with the caster's. `compared`: pixels that were compared. `holes`: those where a mesh should be and
  * nothing is. `others`: those that show another mesh, or a mesh where nothing should be.
  */
-function coverageOf(codes: readonly number[], scene: CoverageScene, { width, height }: PictureSize) {
+function coverageOf(codes: Uint8ClampedArray, scene: CoverageScene, { width, height }: PictureSize) {
   const seen = seenBy(scene, width, height);
   const result = { compared: 0, holes: 0, others: 0 };
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const expected = seen(x, y);
-      const [r, g, b, a] = codes.slice(4 * (y * width + x), 4 * (y * width + x) + 4);
+      const [r, g, b, a] = codes.subarray(4 * (y * width + x), 4 * (y * width + x) + 4);
       const color = COLORS[expected.mesh];
       const isRight = color === undefined ? a === 0 : r === color[0] && g === color[1] && b === color[2];
       // An outline may cross the pixel: in steps of half a pixel, as the tip of a box can miss all centers.

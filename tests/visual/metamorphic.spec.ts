@@ -239,8 +239,4 @@ const stretched = (scene: DeclaredScene, s: number): DeclaredScene =>
 
 /** Not equivalent: every light is 1 % brighter. */
 const brighter = (scene: DeclaredScene): DeclaredScene =>
-  lightsOf(scene, (light) => ({
-    ...light,
-    diffuse: scale(light.diffuse, 1.01),
-    ambient: scale(light.ambient, 1.01),
-  }));
+  lightsOf(scene, (light) => ({ ...light, diffuse: scale(light.diffuse, 1.01), ambient: scale(light.ambient, 1.01) }));

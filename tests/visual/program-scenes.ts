@@ -40,17 +40,12 @@ interface Look {
   readonly light?: Partial<LightValues>;
 }
 
-/** Looks for which the code of general and specialised programs differs, one at a time. */
+/** Looks for which the code of general and specialised programs differs, one at a time; the last eight stand for few. */
 export const LOOKS: Readonly<Record<string, Look>> = {
   'shininess 32': {},
   'shininess 33.5': { mesh: { shininess: 33.5 } },
-  'shininess 1e3': { mesh: { shininess: 1e3 } },
-  'shininess 64, the last that is multiplied out': { mesh: { shininess: 64 } },
-  'shininess 0': { mesh: { shininess: 0 } },
-  'shininess 1': { mesh: { shininess: 1 } },
   matte: { mesh: { ks: [0, 0, 0] } },
   'blinn-phong': { mesh: { geometry: 'box', segments: 1 }, options: { reflection: 'blinn-phong' } },
-  'blinn-phong, shininess 200': { mesh: { shininess: 200 }, options: { reflection: 'blinn-phong' } },
   gouraud: { shading: 'gouraud' },
   'gouraud, linear, blinn-phong': {
     shading: 'gouraud',
@@ -59,16 +54,21 @@ export const LOOKS: Readonly<Record<string, Look>> = {
   flat: { shading: 'flat' },
   linear: { options: { linear: true } },
   mirrored: { mesh: { scale: [-1.5, 1.7, 1.3] } },
-  'ambient alone': { options: { terms: ['ambient'] } },
   'diffuse alone': { options: { terms: ['diffuse'] } },
   'specular alone': { options: { terms: ['specular'] } },
   'no ambient': { options: { terms: ['diffuse', 'specular'] } },
-  'a cutoff that is not whole': { light: { cutoff: 2.5 } },
-  'a cutoff of 64': { light: { cutoff: 64 } },
   'a cone of more than a right angle': { light: { aperture: 120 } },
   'no cone, only decay': { light: { aperture: 180, cutoff: 7 } },
   'a cone without decay': { light: { cutoff: 0 } },
   'a spot of the camera': { light: { space: 'camera', position: [0.3, 0.3, 0, 1], axis: [0, 0, -1] } },
+  'shininess 64, the last that is multiplied out': { mesh: { shininess: 64 } },
+  'shininess 0': { mesh: { shininess: 0 } },
+  'shininess 1': { mesh: { shininess: 1 } },
+  'shininess 1e3': { mesh: { shininess: 1e3 } },
+  'blinn-phong, shininess 200': { mesh: { shininess: 200 }, options: { reflection: 'blinn-phong' } },
+  'a cutoff of 64': { light: { cutoff: 64 } },
+  'a cutoff that is not whole': { light: { cutoff: 2.5 } },
+  'ambient alone': { options: { terms: ['ambient'] } },
 };
 
 /** One of {@link LOOKS} as a scene of three lights. */

@@ -74,11 +74,7 @@ export const castSceneOf = (scene: DeclaredScene, shapeOf: (mesh: CastMesh) => C
   ...scene.options,
   camera: cameraOf(scene),
   lights: scene.lights,
-  objects: scene.meshes.map((mesh) => ({
-    shape: shapeOf(mesh),
-    matrix: matrixOf(mesh).elements,
-    material: mesh,
-  })),
+  objects: scene.meshes.map((mesh) => ({ shape: shapeOf(mesh), matrix: matrixOf(mesh).elements, material: mesh })),
 });
 
 /** Rotation order XYZ: the x rotation is applied last. */

@@ -35,11 +35,7 @@ test("the README's picture shows its snippet (`npm run readme:picture` draws it 
   const markup = readmeSnippet().replace(' antialias="full"', '');
   // Its style attribute is refused by the strict policy.
   const viewer = await mount(markup, { csp: '', width, height });
-  const drawn = await pixels(viewer, {
-    width: FREE_WIDTH,
-    height: height * README_PICTURE_SCALE,
-    samples: 4,
-  });
+  const drawn = await pixels(viewer, { width: FREE_WIDTH, height: height * README_PICTURE_SCALE, samples: 4 });
   const { width: across, height: down, data } = PNG.sync.read(readFileSync(file));
   const stored = { width: across, height: down, data: new Uint8Array(data) };
   const { share } = compare(leftOnWhite(drawn), leftOnWhite(stored), 4);

@@ -1,7 +1,7 @@
 // Does skipping work change no picture? Compares the same scenes drawn by general and by specialised programs, with and
 // without lights that reach nothing, and all of them with float64.
 
-import { fullOr } from '../support/repeats.js';
+import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, test } from '../support/test.js';
 import { drawUntilSpecialised } from '../element/frames/driving.js';
 import { logGl } from '../element/support/gl-log.js';
@@ -14,10 +14,7 @@ const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(400, 12));
 
-test(`random scenes differ by a code on few channels between the two programs, and no more from float64 (seeds from ${FIRST})`, async ({
-  page,
-  mount,
-}) => {
+test(`random scenes hardly differ between programs (seeds from ${FIRST})`, async ({ page, mount }) => {
   test.setTimeout(1_800_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
@@ -29,7 +26,7 @@ test('every kind of surface and light differs as little between the two programs
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
   const subpixelBits = await subpixelBitsOf(page);
-  const names = Object.keys(LOOKS);
+  const names = firstOf(Object.keys(LOOKS), 16);
   const sum = new DifferenceSum();
   for (let from = 0; from < names.length; from += 8) {
     const some = names.slice(from, from + 8);
@@ -62,7 +59,7 @@ test('a textured model differs as little between the two programs, under every s
   const lights =
     '<phong-light position="1 2 2 0" ambient="30" diffuse="180 170 160" specular="90"></phong-light>' +
     '<phong-light position="-2 2 1" axis="2 -2 -1" aperture="25" cutoff="4" attenuation="1 0.1 0"></phong-light>';
-  const models = ['/assets/models/bunny.glb', '/fixtures/models/textured.glb'];
+  const models = firstOf(['/fixtures/models/textured.glb', '/assets/models/bunny.glb'], 1);
   const markups = models.flatMap((src) =>
     ['shading="phong"', 'shading="gouraud"', 'shading="flat" color-interpolation="linear"'].map(
       (how) => `<phong-viewer src="${src}" ${how}>${lights}</phong-viewer>`,
@@ -71,7 +68,7 @@ test('a textured model differs as little between the two programs, under every s
   const sum = new DifferenceSum();
   for (const { general, specialised } of await bothPictures(page, markups, SIZE)) sum.add(betweenPrograms(general, specialised)); // prettier-ignore
   console.log(`textured models: ${String(sum)}`);
-  expect(sum.channels).toBeGreaterThan(10_000);
+  expect(sum.channels).toBeGreaterThan(fullOr(10_000, 3000));
   sum.expectPromise();
 });
 
@@ -88,7 +85,7 @@ test('lights that reach nothing change no bit in the same program', async ({ pag
   await mount('<phong-viewer></phong-viewer>', SIZE);
   const own = '<phong-light position="1 1 0.5" ambient="20" attenuation="1 0.2 0.1"></phong-light>';
   const declared = `<phong-light active="false" position="0 1 0" axis="0 -1 0" aperture="40" cutoff="2"></phong-light>`;
-  for (const shading of ['phong', 'gouraud', 'flat']) {
+  for (const shading of firstOf(['phong', 'gouraud', 'flat'], 2)) {
     const markup = (idle: string): string =>
       `<phong-viewer geometry="torus" segments="24" shading="${shading}" theta="20" phi="50" target="0 0 0" radius="2">${own}${declared}${idle}</phong-viewer>`;
     const viewers = await showAll(page, [

@@ -78,7 +78,7 @@ test('hard pictures converge to the exact mean over each pixel', async ({ page, 
   for (const [i, [what, { texture, rmse, within }]] of Object.entries(PICTURES).entries()) {
     const viewer = page.locator('phong-viewer').nth(i);
     const scene = await drawnScene(viewer, texture);
-    const means = await castPicture(scene, { ...size, samples: 256 });
+    const means = await castPicture(scene, { ...size, samples: 144 });
     const errors = errorsOf(await pixels(viewer), means);
     expect(errors.rmse, what).toBeLessThan(rmse);
     expect(errors.within, what).toBeGreaterThan(within);

@@ -8,7 +8,7 @@ import { type LightShare, shade } from '../../src/reference/index.js';
 import { assign, type PhongViewer, settled } from '../element/support/viewer.js';
 import { compare, expect, pixels, test } from '../support/test.js';
 import { patch } from '../support/gltf.js';
-import { firstOf, repeats } from '../support/repeats.js';
+import { firstOf, fullOr, repeats } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
 import { randomScene, sceneMarkup } from './random-scene.js';
 import { cameraOf, type DeclaredScene } from './ray-cast.js';
@@ -51,7 +51,9 @@ for (const [what, geometry, shading, scenes] of [
       const markup = sceneMarkup(scene, shading);
       await viewer.evaluate((element, text) => (element.outerHTML = text), markup);
       for (const view of QUANTITIES) {
-        for (const only of view === 'normals' ? [null] : [null, scene.lights.length - 1]) {
+        const both = [null, scene.lights.length - 1];
+        const byTurns = (seed + QUANTITIES.indexOf(view)) % 2 === 0 ? both : both.toReversed();
+        for (const only of view === 'normals' ? [null] : firstOf(byTurns, 1)) {
           const errors = await errorsOf(viewer, scene, view, only);
           compared += errors.compared;
           exact += errors.exact;
@@ -60,7 +62,7 @@ for (const [what, geometry, shading, scenes] of [
         }
       }
     }
-    expect(compared).toBeGreaterThan(5e4);
+    expect(compared).toBeGreaterThan(fullOr(5e4, 2e4));
     expect(exact / compared).toBeGreaterThan(0.98);
   });
 }
@@ -127,7 +129,7 @@ for (const shading of firstOf(['phong', 'gouraud', 'flat', 'blinn-phong'] as con
           const error = Math.max(
             ...[0, 1, 2].map((c) => Math.abs(data[4 * (y * SIZE.width + x) + c]! - Math.round(expected[c]! * 255))),
           );
-          if (error > 1) wrong += 1;
+          if (!(error <= 1)) wrong += 1;
         }
         // A pixel beside a cone's edge or a light's horizon may lie on either side of it.
         expect.soft(wrong / samples.length, `${view} of ${name}`).toBeLessThan(0.01);

@@ -4,10 +4,7 @@ import { mixedLights } from './scenes.js';
 import { pictureIsThere } from './start-viewers.js';
 
 const viewers = Array.from({ length: 64 }, () => {
-  const viewer = Object.assign(document.createElement('phong-viewer'), {
-    alt: 'A sphere',
-    geometry: 'sphere',
-  });
+  const viewer = Object.assign(document.createElement('phong-viewer'), { alt: 'A sphere', geometry: 'sphere' });
   viewer.append(...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)));
   return viewer;
 });

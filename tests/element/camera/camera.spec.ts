@@ -68,14 +68,7 @@ test('`camera` is a frozen snapshot that follows properties at once, with θ in 
   });
   expect(frozen).toBe(true);
   expect(first).toMatchObject({ theta: 30, phi: 70, radius: 5 });
-  expect(moved).toEqual({
-    theta: -180,
-    phi: 90,
-    radius: 7,
-    target: [1, 0, 0],
-    eye: [1, 0, -7],
-    up: [0, 1, 0],
-  });
+  expect(moved).toEqual({ theta: -180, phi: 90, radius: 7, target: [1, 0, 0], eye: [1, 0, -7], up: [0, 1, 0] });
   expect(last).toMatchObject({ theta: -169, phi: 70, radius: 7 });
 });
 

@@ -63,7 +63,16 @@ test('children come and go while the viewer is outside the document', async ({ m
     link.append(element.lights[1]!);
     parent?.append(element);
     await element.ready;
-    return [away, added, count()];
+    const counts = [away, added, count()];
+    const light = document.createElement('phong-light');
+    element.append(light);
+    void element.lights; // looks for children, as it does below, while the script still holds this one
+    element.remove();
+    light.remove();
+    void element.lights;
+    parent?.append(element);
+    await element.ready;
+    return counts;
   });
   expect(counts).toEqual([[1, 0, 1], [2, 1, 2], [1, 1, 1]]); // prettier-ignore
   same(await pixels(viewer), await shown(page, scene(green)));
@@ -149,13 +158,10 @@ test('many lights connected one per microtask make one frame and one search, in 
   const facts = await viewer.evaluate(async (element: PhongViewer) => {
     const { frames } = element.stats;
     let searches = 0;
-    const search: (...given: never[]) => unknown = Reflect.get(Element.prototype, 'querySelector');
-    Object.defineProperty(element, 'querySelector', {
-      value: (...given: never[]) => {
-        searches += 1;
-        return Reflect.apply(search, element, given) as unknown;
-      },
-    });
+    document.createTreeWalker = (...given) => {
+      searches += 1;
+      return Document.prototype.createTreeWalker.apply(document, given);
+    };
     for (let i = 0; i < 300; i++) {
       const light = Object.assign(document.createElement('phong-light'), { diffuse: 0.5, name: String(i) });
       if (i % 2 === 0) element.append(light);
@@ -165,9 +171,10 @@ test('many lights connected one per microtask make one frame and one search, in 
     await element.ready;
     const { stats } = element;
     const inOrder = element.lights.every((light, i) => light === element.children[i]);
-    return [inOrder, stats.lightsActive, stats.frames - frames, searches <= 1];
+    Reflect.deleteProperty(document, 'createTreeWalker');
+    return [inOrder, stats.lightsActive, stats.frames - frames, searches];
   });
-  expect(facts).toEqual([true, 300, 1, true]);
+  expect(facts).toEqual([true, 300, 1, 1]);
 });
 
 test('the head-light shines only without any phong-light, and is not in lights or toHTML', async ({ page, mount }) => {

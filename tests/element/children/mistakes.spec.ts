@@ -123,10 +123,12 @@ test('correct markup gives no warning, and does not fetch the code for mistakes'
   const inner =
     `<!-- note --><div><p>${light(foreign)}${mesh(foreign)}</p></div><template>Text</template><noscript>Text</noscript>` +
     '<div slot="error">Text<img alt=""></div><script type="text/plain">Text</script><style></style>';
+  const code = page.waitForResponse(chunkOf(site));
   await mount(
     `${scene(inner, ` ${foreign}`)}<section>${scene('<p>Only where there are no scripts</p>')}<p>Text</p></section>`,
     { ...size, csp: '' },
   );
+  await (await code).finished();
   await nextFrame(page);
   await nextFrame(page);
 });

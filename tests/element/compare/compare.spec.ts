@@ -48,13 +48,7 @@ test('two viewers fill the comparison, and a divider stands in the middle betwee
 test('a divider stays while the comparison is hidden, and is let go when the window blurs', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   const pull = (type: string, clientX: number): Promise<void> =>
-    dividers(compare).dispatchEvent(type, {
-      pointerId: 7,
-      clientX,
-      clientY: 20,
-      buttons: 1,
-      isPrimary: true,
-    });
+    dividers(compare).dispatchEvent(type, { pointerId: 7, clientX, clientY: 20, buttons: 1, isPrimary: true });
   const show = (display: string): Promise<void> =>
     compare.evaluate((element, value) => void (element.style.display = value), display);
   await pull('pointerdown', 160);
@@ -279,11 +273,7 @@ test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   expect(await compare.evaluate((element: PhongCompare) => element.toHTML())).toBe(html);
 });
 
-test('if its code cannot be fetched, the viewers are shown one after the other, with a warning', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('without its code, the viewers are shown in a row, with a warning', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/error: Failed to load resource/);
   consoleGuard.allow(/warning: <phong-viewer>: The code of <phong-compare> could not be fetched/, 1);
   await page.route(/\/comparison-/, (route) => route.abort());

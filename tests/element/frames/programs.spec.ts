@@ -121,11 +121,7 @@ test('a picture without lights in the loop gets a specialised program that shows
   }
 });
 
-test('a specialised program that does not link is reported once; the general one draws', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('if a specialised program does not link, the general one draws', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/uncaught: .*a program does not link.*broken by hand/s, 1);
   await logGl(page);
   await page.addInitScript(() => {

@@ -6,7 +6,7 @@ import type { PhongMesh, PhongViewer } from '../support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const size = { width: 24, height: 16 };
-const options = { ...size, samples: 64 };
+const options = { ...size, samples: 32 };
 
 test('toBlob({ samples }) begins again when the scene changes, whatever changes', async ({ mount }) => {
   const viewer = await mount(

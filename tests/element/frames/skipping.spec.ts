@@ -176,10 +176,7 @@ test('one to forty lights that change together cost a frame, an upload and no pr
   }
 });
 
-test('the first light of a new kind or feature compiles one program at most, the next none', async ({
-  page,
-  mount,
-}) => {
+test('the first light of a new kind or feature compiles one program at most, the next 0', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount('<phong-viewer geometry="plane"><phong-light></phong-light></phong-viewer>', size);
   const needs: Readonly<Record<string, string>> = {

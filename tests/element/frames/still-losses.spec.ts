@@ -95,12 +95,7 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
       new three.MeshBasicMaterial({ ...glass, color: 0xcc6633 }),
       new three.MeshBasicMaterial({ ...glass, blending: three.AdditiveBlending }),
       new three.MeshBasicMaterial({ ...glass, blending: three.MultiplyBlending, premultipliedAlpha: true }),
-      new three.MeshStandardMaterial({
-        color: 0xffffff,
-        emissive: 0x404040,
-        transparent: true,
-        opacity: 0.7,
-      }),
+      new three.MeshStandardMaterial({ color: 0xffffff, emissive: 0x404040, transparent: true, opacity: 0.7 }),
       new three.MeshBasicMaterial({ color: 0x22aa44, alphaMap: checks, alphaTest: 0.5 }),
       new three.ShaderMaterial({ fragmentShader: encodes }),
       new three.ShaderMaterial({ fragmentShader: encodes, transparent: true, toneMapped: false }),
@@ -153,8 +148,9 @@ test('pictures in view converge first, from the top, and those far from it wait'
   });
   const finished = await page.evaluateHandle(async () => {
     scrollTo(0, 600);
-    await new Promise((resolve) => setTimeout(resolve, 100)); // observers report the place
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
+    // Their own observers, which are older, hear of their places first.
+    await new Promise((resolve) => new IntersectionObserver(resolve).observe(viewers[0]!));
     const order: number[] = [];
     viewers.forEach((viewer, i) =>
       viewer.addEventListener('render', () => viewer.stats.samples === 16 && order.push(i)),

@@ -81,10 +81,7 @@ test('samples begin three frames sooner after a lone change than after a drag', 
   expect((await waited(5)) - (await waited(1))).toBe(3);
 });
 
-test('several viewers converge in turn, and keep their pictures when another comes or goes', async ({
-  page,
-  mount,
-}) => {
+test('several viewers converge in turn, and keep their pictures when others come or go', async ({ page, mount }) => {
   const viewer = await mount(viewerOf(full), size);
   await converged(viewer);
   const before = await pixels(viewer);

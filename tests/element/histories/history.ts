@@ -1,7 +1,7 @@
 // Plays a random history on a page and compares the page, at each look, with a new page of the same scene. A failing
 // history is reduced: tasks and steps are left out as long as it still fails.
 
-import type { Frame, Locator, Page } from '@playwright/test';
+import { expect, type Frame, type Locator, type Page } from '@playwright/test';
 import { betweenPrograms, DifferenceSum } from '../../visual/between-programs.js';
 import { type Mount, type Picture, setPixelRatio } from '../../support/test.js';
 import { type ConsoleGuard, isRemark } from '../../support/console-guard.js';
@@ -82,14 +82,7 @@ class Player {
     await this.#mount(body, { ...SIZE, csp: '', css: STYLE });
     this.#new = page.frames().find((frame) => frame.url() === begun) ?? null;
     // Every history starts with a bad value, so that what it loads does not depend on the seed.
-    const bad = {
-      what: 'set attribute',
-      viewer: 0,
-      child: 0,
-      tag: 'phong-viewer',
-      key: 'fov',
-      value: 'wide',
-    } as const;
+    const bad = { what: 'set attribute', viewer: 0, child: 0, tag: 'phong-viewer', key: 'fov', value: 'wide' } as const;
     await this.#take([bad, { ...bad, what: 'remove attribute' }]);
     this.#heard.length = 0;
     this.#warnings = 0;
@@ -254,6 +247,7 @@ export async function expectAsNew(
   }
   const { looks: looked, same, specialised, between } = player.findings;
   console.log(`Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`); // prettier-ignore
+  expect(same, 'pairs by the same programs').toBeGreaterThan(0);
   // Only over many channels: one channel of few would exceed the promised share.
   if (between.channels > 5e4) between.expectPromise();
 }

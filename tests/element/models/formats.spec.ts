@@ -23,7 +23,7 @@ async function colorAt(viewer: Locator, x: number, y: number): Promise<readonly 
 }
 
 function expectNear(color: readonly number[], wanted: readonly number[], tolerance = 1): void {
-  const far = color.filter((code, i) => Math.abs(code - (wanted[i] ?? NaN)) > tolerance);
+  const far = color.filter((code, i) => !(Math.abs(code - (wanted[i] ?? NaN)) <= tolerance));
   expect(far, `${color.join(' ')} is not ${wanted.join(' ')}`).toEqual([]);
 }
 

@@ -104,19 +104,6 @@ test('an author’s own element in the slot error takes the place of the message
   await expect(viewer.locator('[part=notice]')).toBeHidden();
 });
 
-test('without a poster the first picture does not move the page', async ({ mount }) => {
-  const other = await mount('<phong-viewer></phong-viewer>', size);
-  const pending = await other.evaluate(async (element) => {
-    const viewer = document.createElement('phong-viewer');
-    element.replaceWith(viewer);
-    return new Promise<boolean>((resolve) => {
-      const drawn = (): void => resolve(viewer.isUpdatePending);
-      viewer.addEventListener('render', drawn, { once: true });
-    });
-  });
-  expect(pending).toBe(false);
-});
-
 test('moving a viewer loads nothing again', async ({ page, mount }) => {
   const mesh = `<phong-mesh src="${model('no-normals.glb')}"></phong-mesh>`;
   const viewer = await mount(`<phong-viewer src="${bunny}">${mesh}</phong-viewer><aside></aside>`, size);

@@ -120,10 +120,8 @@ test('the picture of each kind of material is what shadeAt explains, within one 
   test.slow();
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   for (const [i, [name, options]] of Object.entries(MATERIALS).entries()) {
-    // Plain, and in each other way in turn.
-    const plain = VIEWS[0]!;
-    const other = VIEWS[1 + (i % (VIEWS.length - 1))]!;
-    for (const attributes of firstOf([...new Set([plain, other, ...VIEWS])], 2)) {
+    // In each way in turn.
+    for (const attributes of firstOf([...new Set([VIEWS[i % VIEWS.length]!, ...VIEWS])], 1)) {
       const what = `${name} ${attributes}`;
       await show(viewer, viewerOf(options, attributes));
       const compared = (await comparedWithPicture(viewer, 12)).filter(isClear);
@@ -131,7 +129,7 @@ test('the picture of each kind of material is what shadeAt explains, within one 
       // One expectation for all pixels: one for each took a quarter of the time.
       expect
         .soft(
-          compared.filter((fragment) => errorOf(fragment) > 1),
+          compared.filter((fragment) => !(errorOf(fragment) <= 1)),
           what,
         )
         .toEqual([]);

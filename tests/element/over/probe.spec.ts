@@ -123,10 +123,7 @@ test.describe('a click', () => {
     await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
-  test('elsewhere moves the pin; beside the shape or on its button removes it; drags do not', async ({
-    page,
-    mount,
-  }) => {
+  test('elsewhere moves the pin; beside the shape or on its button removes it', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await drag(page, [280, 130], [40, 0]);
     await nextFrame(page);
@@ -434,6 +431,16 @@ test('`probe-change` has the fragment, whether it is pinned, and null when there
   await assign(viewer, { kd: [9, 9, 9] });
   await nextFrame(page);
   expect(await events.evaluate((list) => list.length), 'nothing is shown').toBe(count);
+  // A listener that changes the viewer causes one event a frame.
+  const changes = viewer.evaluate(async (element: PhongViewer) => {
+    let changed = 0;
+    element.addEventListener('probe-change', () => (element.alt = String((changed += 1))));
+    element.probeAt = [0, 0, 0.5];
+    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+    return changed;
+  });
+  expect(await changes).toBeGreaterThan(0);
+  expect(await changes).toBeLessThan(10);
 });
 
 test('without `probe` none of its code is fetched; with it, one file, once', async ({ page, mount }) => {
@@ -565,5 +572,6 @@ test('follows the mouse on a mesh of 100,000 triangles without sorting it again'
   });
   expect(read[0]).toBeGreaterThan(100_000);
   // Of the runs of triangles that the ray meets.
+  expect(read[1]).toBeGreaterThan(0);
   expect(read[1]).toBeLessThan(5000);
 });

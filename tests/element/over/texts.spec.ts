@@ -134,11 +134,7 @@ test('a panel that is removed while the clipboard is written leaves nothing behi
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
-test('texts replaces announcements, and messages by their code, with cause and address; null restores them', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('texts replaces announcements and messages; null restores them', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/404/);
   const viewer = await mount('<phong-viewer alt="Nichts" src="/none.glb"></phong-viewer>');
   const alert = viewer.getByRole('alert');

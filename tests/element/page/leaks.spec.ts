@@ -38,7 +38,7 @@ test('viewers that come and go leave nothing behind', async ({ page, mount }) =>
   // The first viewers load what stays for good, such as the panel's code.
   await comeAndGo(page, kinds, kinds.length);
   const before = await ledger.read();
-  await comeAndGo(page, kinds, 4 * kinds.length);
+  await comeAndGo(page, kinds, 2 * kinds.length);
   const { counts, objects } = await ledger.read();
   expect(counts).toEqual(before.counts);
   expect(objects).toEqual(before.objects);

@@ -4,7 +4,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, strictPolicy, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
-import { cameraOf, drag, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+import { cameraOf, drag, nextFrame, type PhongViewer, set, settled } from '../support/viewer.js';
 
 const scene = `<phong-viewer geometry="box" theta="30" phi="70">
   <phong-light name="sun" position="1 2 3 0" diffuse="200 40 40"></phong-light>
@@ -234,10 +234,9 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
   const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
   await inside.evaluate((element: PhongViewer) => {
     element.style.marginTop = '5000px';
-    return new Promise((resolve) => setTimeout(resolve, 100));
+    // Its own observer, which is older, hears of the place first.
+    return new Promise((resolve) => new IntersectionObserver(resolve).observe(element));
   });
-  await nextFrame(popup);
-  await nextFrame(popup);
   await inside.evaluate((element: PhongViewer) => (element.kd = [9, 9, 9]));
   const still = await frames();
   await popup.pdf();
@@ -251,9 +250,13 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
     const { viewer, realFrame } = window as unknown as { viewer: PhongViewer; realFrame: typeof requestAnimationFrame }; // prettier-ignore
     window.requestAnimationFrame = realFrame;
     Reflect.deleteProperty(document, 'visibilityState');
-    document.querySelector('p')!.append(viewer);
+    // As picture-in-picture is ended.
+    open('', 'popup')!.addEventListener('pagehide', () => document.querySelector('p')!.append(viewer));
   });
-  await popup.close();
-  await settled(viewer);
+  await page.evaluate(() => open('', 'popup')!.close());
+  await expect(viewer).toBeAttached();
+  await set(viewer, { geometry: 'torus' });
+  expect(compare(await pixels(viewer), before).max).toBeGreaterThan(50);
+  await set(viewer, { geometry: 'box' });
   expect(compare(await pixels(viewer), before).max).toBe(0);
 });

@@ -12,7 +12,7 @@ import { assign, cameraOf, type PhongViewer } from '../support/viewer.js';
 
 const SIZE = { width: 160, height: 120 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(4, 3));
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(4, 2));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 class Tally {
@@ -28,9 +28,9 @@ class Tally {
       this.channels += 3;
       this.exact += explained.filter((x, channel) => Math.round(x) === drawn[channel]).length;
       const error = errorOf(fragment);
-      if (error <= this.max) continue;
-      this.max = error;
-      this.worst = `${what}: ${JSON.stringify(fragment)}`;
+      const max = Math.max(this.max, error); // keeps NaN
+      if (!Object.is(max, this.max)) this.worst = `${what}: ${JSON.stringify(fragment)}`;
+      this.max = max;
     }
   }
 }
@@ -55,7 +55,7 @@ test.describe('shadeAt explains the picture', () => {
     expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
     // The rest lies next to a half, within what float32 rounds: 0.15 % of the channels of 360 scenes.
     expect(tally.exact / tally.channels).toBeGreaterThan(0.995);
-    expect(tally.channels).toBeGreaterThan(3 * 500);
+    expect(tally.channels).toBeGreaterThan(3 * fullOr(500, 300));
   });
 
   test('within one code on a model', async ({ mount }) => {
@@ -67,17 +67,13 @@ test.describe('shadeAt explains the picture', () => {
     });
     // Close by, so that triangles are larger than a few pixels.
     await assign(viewer, { radius: (await cameraOf(viewer)).radius / 4 });
-    await equationExpect(viewer).toShowTheEquation({ share: 0.1, pixels: fullOr(1e4, 1000) });
+    await equationExpect(viewer).toShowTheEquation({ share: 0.1, pixels: fullOr(1e4, 300) });
   });
 
   test('within one code on stretched shapes, inside, behind others, on dense screens', async ({ mount }) => {
     const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
       <phong-light space="camera" position="0.5 0.5 0 1" axis="0 0 -1" cutoff="3" diffuse="60 90 40" specular="0"></phong-light>`;
-    const viewer = await mount('<phong-viewer></phong-viewer>', {
-      width: 40,
-      height: 30,
-      deviceScaleFactor: 2,
-    });
+    const viewer = await mount('<phong-viewer></phong-viewer>', { width: 40, height: 30, deviceScaleFactor: 2 });
     for (const meshes of [
       '<phong-mesh geometry="box" scale="2 0 2"></phong-mesh>',
       '<phong-mesh geometry="plane" scale="2 1e12 -2"></phong-mesh>',
@@ -85,14 +81,14 @@ test.describe('shadeAt explains the picture', () => {
       '<phong-mesh geometry="box"></phong-mesh><phong-mesh geometry="cone" segments="7" position="0 0.6 0.9"></phong-mesh>',
     ]) {
       await show(viewer, `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`);
-      await equationExpect(viewer, meshes).toShowTheEquation({ share: 0.2, pixels: fullOr(1e4, 1000) });
+      await equationExpect(viewer, meshes).toShowTheEquation({ share: 0.2, pixels: fullOr(1e4, 300) });
     }
   });
 
   test('within one code on textures, filtered, wrapped and moved, and on vertex colours', async ({ mount }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const tally = new Tally();
-    let blended = 0;
+    const blended: number[] = [];
     for (const magFilter of [NEAREST, LINEAR])
       for (const wrap of [MIRRORED, CLAMPED])
         for (const alphaMode of ['OPAQUE', 'BLEND']) {
@@ -101,13 +97,14 @@ test.describe('shadeAt explains the picture', () => {
           await show(viewer, markup);
           const compared = await comparedWithPicture(viewer, 10);
           if (alphaMode === 'OPAQUE') tally.add(compared, markup);
-          else blended = Math.max(blended, ...compared.map(blendedError));
+          else blended.push(...compared.map(blendedError));
         }
     await show(viewer, model('/fixtures/models/vertex-colours.glb'));
     tally.add(await comparedWithPicture(viewer, 10), 'vertex colours');
     expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
     expect(tally.channels).toBeGreaterThan(3 * 500);
-    expect(blended).toBeLessThan(1);
+    expect(blended.length).toBeGreaterThan(50);
+    expect(Math.max(...blended)).toBeLessThan(1);
   });
 
   test('within one code, or says that the picture averages a texture, at every size of it', async ({ mount }) => {

@@ -29,9 +29,10 @@ export const show = (viewer: Locator, markup: string): Promise<void> =>
 
 /**
  * Whether the pixel can be compared. The rasteriser snaps vertices to sixteenths of a pixel: so near a cone's edge or a
- * light's horizon the pixel may be on either side, and where colours change faster it may be another one's.
+ * light's horizon the pixel may be on either side, and where colours change faster it may be another one's. NaN is
+ * judged, and fails.
  */
-export const isClear = ({ edgeMargin, steepness }: Compared): boolean => edgeMargin >= 3e-3 && steepness <= 8;
+export const isClear = ({ edgeMargin, steepness }: Compared): boolean => !(edgeMargin < 3e-3) && !(steepness > 8);
 
 /** Largest difference of a channel, in codes. */
 export const errorOf = ({ drawn, explained }: Compared): number =>

@@ -153,10 +153,7 @@ test('examples are opened by the list and by their address', async ({ page }) =>
   await expect(page.locator('phong-viewer')).toHaveAttribute('view', 'n-dot-l');
 });
 
-test('a frame and one HTML file show the scene with its model, the file from disk too', async ({
-  page,
-  context,
-}, info) => {
+test('a frame and one HTML file show the scene with its model, also from disk', async ({ page, context }, info) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const scene = SCENE.replace('geometry="sphere"', 'src="../assets/models/bunny.glb" name="a &lt;b&gt;"');
   await open(page, scene);
