@@ -1,8 +1,8 @@
 // @ts-check
-// Who may import whom in src/: the one table, and the lint rule that enforces it. Arrows go down only, and two doors
+// Who may import whom in src/: the one table, which .ci/house-rules.mjs enforces. Arrows go down only, and two doors
 // are lazy: a lazily reached layer may be named in `import()` or `import type`, never in a plain import.
 
-import { posix, sep } from 'node:path';
+import { posix } from 'node:path';
 
 /**
  * @typedef {object} Layer
@@ -84,34 +84,3 @@ export function forbidden(file, specifier, isLazy) {
   const reason = layer.lazy?.includes(target) ? 'only by import() or import type' : 'not at all';
   return `src/${from} may import ${target} ${reason}.`;
 }
-
-/** @type {import('eslint').Rule.RuleModule} */
-export const layersRule = {
-  meta: { type: 'problem', schema: [] },
-  create(context) {
-    const file = context.filename.split(sep).join('/');
-    /** @param {any} node @param {any} source @param {boolean} isLazy */
-    const visit = (node, source, isLazy) => {
-      if (typeof source?.value !== 'string') return;
-      const message = forbidden(file, source.value, isLazy);
-      if (message !== undefined) context.report({ node, message });
-    };
-    /** @param {any} node */
-    const plain = (node) => {
-      visit(node, node.source, node.importKind === 'type' || node.exportKind === 'type');
-    };
-    return {
-      ImportDeclaration: plain,
-      ExportNamedDeclaration: plain,
-      ExportAllDeclaration: plain,
-      /** @param {any} node */
-      ImportExpression: (node) => {
-        visit(node, node.source, true);
-      },
-      /** @param {any} node */
-      TSImportType: (node) => {
-        visit(node, node.source, true);
-      },
-    };
-  },
-};

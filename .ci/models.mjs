@@ -67,7 +67,7 @@ function png(rows) {
 const texels = [
   [[255, 0, 0, 255], [0, 255, 0, 255]],
   [[0, 0, 255, 255], [188, 64, 20, 128]],
-]; // prettier-ignore
+]; // oxfmt-ignore
 const texture = png(texels);
 
 /** Puts blobs into one buffer, four-byte aligned, with a buffer view each. */

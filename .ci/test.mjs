@@ -1,6 +1,6 @@
 // @ts-check
-// `npm test`: every check as a named step. All steps run even where one fails; the last line is a count. Steps of one
-// thread run in two rows beside each other and print their output when they end; the others have all cores. How long
+// `npm test`: every check as a named step. All steps run even where one fails; the last line is a count. Quick
+// steps run in two rows beside each other and print their output when they end; the others have all cores. How long
 // each step took last time is kept in node_modules/.cache, to say how much time is left.
 
 import { spawn } from 'node:child_process';
@@ -56,13 +56,15 @@ const building = anyBrowser || chosen.includes('build');
 const slow = values.release && all;
 /** Rows run beside each other, the steps of a row one after the other. @type {Step[][]} */
 const rows = [
-  [[all || chosen.includes('lint'), 'lint', ['node_modules/eslint/bin/eslint.js', '.']]],
   [
+    [all || chosen.includes('format'), 'format', ['node_modules/oxfmt/bin/oxfmt', '--check']],
+    [all || chosen.includes('lint'), 'lint', ['.ci/lint.mjs']],
     [all || chosen.includes('types'), 'types', ['node_modules/typescript/bin/tsc', '--noEmit']],
+  ],
+  [
     [building, 'build', ['.ci/build.mjs']],
     [building, 'demo build', vite],
     [building, 'harness', [...vite, '--config', '.ci/vite/harness.config.ts']],
-    [all || chosen.includes('format'), 'format', ['node_modules/prettier/bin/prettier.cjs', '--check', '.']],
   ],
 ];
 /** Twenty minutes at most on four cores. @type {Step[]} */
@@ -211,7 +213,7 @@ function secondsLeft() {
 function guessedSeconds(name) {
   if (name === 'unit') return 0.5 * filesIn(nodeFolders, '.test.ts');
   if (name === 'browser') return 5 * filesIn(browserFolders, '.spec.ts');
-  return { lint: 80, types: 30, build: 25, 'demo build': 6, harness: 6, format: 25, mutation: 900 }[name] ?? 15;
+  return { format: 2, lint: 15, types: 30, build: 25, 'demo build': 6, harness: 6, mutation: 900 }[name] ?? 15;
 }
 
 /** @param {readonly string[]} folders @param {string} end */

@@ -168,7 +168,7 @@ interface SizeRow {
 
 /** What files of dist/ are for. */
 export const SIZES: readonly SizeRow[] = [
-  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 117 }, // prettier-ignore
+  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 117 }, // oxfmt-ignore
   {
     words: 'the control panel, when it is first opened',
     folder: 'chunks',
@@ -176,7 +176,7 @@ export const SIZES: readonly SizeRow[] = [
     noted: 20.3,
   },
   { words: 'the teapot, when it is first shown', folder: 'chunks', file: /^teapot-/, noted: 3.2 },
-  { words: 'the reader of glTF and GLB, with the first model of this format', folder: 'chunks', file: /^read-gltf-/, noted: 40 }, // prettier-ignore
+  { words: 'the reader of glTF and GLB, with the first model of this format', folder: 'chunks', file: /^read-gltf-/, noted: 40 }, // oxfmt-ignore
   { words: 'the reader of OBJ and MTL', folder: 'chunks', file: /^read-obj-/, noted: 4 },
   { words: 'the reader of STL', folder: 'chunks', file: /^read-stl-/, noted: 1.9 },
   { words: 'the reader of PLY', folder: 'chunks', file: /^read-ply-/, noted: 3.1 },

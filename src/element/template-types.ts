@@ -3,7 +3,7 @@
 
 // No framework is a dependency. Without it, or without its types, its import is an error that must not reach users of
 // this package, and its types below are unused. With it they need no import of their own.
-/* eslint-disable @typescript-eslint/ban-ts-comment, @typescript-eslint/no-namespace, @typescript-eslint/no-empty-object-type */
+/* oxlint-disable typescript/ban-ts-comment, typescript/no-namespace, typescript/no-empty-object-type */
 /** @ts-ignore */
 import type { ClassAttributes, HTMLAttributes } from 'react';
 /** @ts-ignore */

@@ -210,7 +210,7 @@ class Control {
 }
 
 const axisOf = (component: NonNullable<ControlValues['component']>): 0 | 1 | 2 =>
-  (({ x: 0, y: 1, z: 2, kc: 0, kl: 1, kq: 2 }) as const)[component];
+  ({ x: 0, y: 1, z: 2, kc: 0, kl: 1, kq: 2 } as const)[component];
 
 function warn(message: string): void {
   if (!warned.has(message)) console.warn(message);

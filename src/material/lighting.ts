@@ -251,7 +251,7 @@ type Axes = Pick<ShadingFrame, 'right' | 'up' | 'back'>;
 
 /** Writes the matrix from the view of an eye to the space of these axes' coordinates. */
 export function writeCamera(into: Matrix4, { right, up, back }: Axes, eye: Vec3): void {
-  // prettier-ignore
+  // oxfmt-ignore
   into.set(
     right[0], up[0], back[0], eye[0],
     right[1], up[1], back[1], eye[1],
@@ -262,7 +262,7 @@ export function writeCamera(into: Matrix4, { right, up, back }: Axes, eye: Vec3)
 
 /** Writes the inverse of {@link writeCamera}'s matrix. */
 export function writeView(into: Matrix4, { right, up, back }: Axes, eye: Vec3): void {
-  // prettier-ignore
+  // oxfmt-ignore
   into.set(
     right[0], right[1], right[2], -dot(right, eye),
     up[0], up[1], up[2], -dot(up, eye),

@@ -58,8 +58,7 @@ class NearestSearch implements BvhQuery {
     if (least >= this.nearest) return;
     writeModelViewProjection(this.view, elements, this.#matrix);
     const { isInstancedMesh, isSprite } = object as Partial<InstancedMesh> & { isSprite?: boolean };
-    if (isSprite === true)
-      this.#consider(depthOf(this.#matrix, ball.x, ball.y, ball.z)); // it faces the eye
+    if (isSprite === true) this.#consider(depthOf(this.#matrix, ball.x, ball.y, ball.z)); // it faces the eye
     else if (!hasKnownVertices(object)) this.#consider(Math.max(least, unknownDepth(this.view)));
     else if (isInstancedMesh === true) this.#instances(object as InstancedMesh);
     else this.#geometry(object.geometry, object);

@@ -157,8 +157,7 @@ export class Viewport {
 
   draw(): void {
     if (!this.drawable) return;
-    if (this.#signals.awaited())
-      stage.draw(this); // opens the context meanwhile
+    if (this.#signals.awaited()) stage.draw(this); // opens the context meanwhile
     else if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.still.step()) return;
     if (this.#moving || this.still.converging?.pending === true) this.animate();

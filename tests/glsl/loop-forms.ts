@@ -138,9 +138,8 @@ function withoutFeatures(declared: number): string[] {
 function loopProgram(form: LoopForm, variant: Defines): LoopProgram {
   // The masks of a specialised program's lights say more than what was declared.
   const declared = form === 'general' ? variant['DECLARED_FEATURES'] : String(EVERYTHING);
-  const defines = Object.entries({ ...variant, DECLARED_FEATURES: declared, ...AT_RUN_TIME }).flatMap(
-    ([name, value]) =>
-      name in variant && typeof value === 'string' ? [`${name} ${value.replace(/\n\s*/g, ' ')}`] : [],
+  const defines = Object.entries({ ...variant, DECLARED_FEATURES: declared, ...AT_RUN_TIME }).flatMap(([name, value]) =>
+    name in variant && typeof value === 'string' ? [`${name} ${value.replace(/\n\s*/g, ' ')}`] : [],
   );
   const name = [form, ...Object.keys(variant).filter(isTrait), ...withoutFeatures(Number(declared))].join(' ');
   return { form, name, defines };

@@ -13,7 +13,7 @@ const SIZE = { width: 300, height: 200 };
 const MB = 2 ** 20;
 
 const base64Gltf = (size: number): Buffer => {
-  const json = '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,'; // prettier-ignore
+  const json = '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,'; // oxfmt-ignore
   return Buffer.concat([Buffer.from(json), Buffer.alloc(size - 1000, 'A'), Buffer.from('"}]}')]);
 };
 

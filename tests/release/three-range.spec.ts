@@ -39,7 +39,7 @@ const range = manifest.peerDependencies['three']!;
 const oldest = /^>=(\d+\.\d+\.\d+) /.exec(range)![1]!;
 
 /** Pixels that are compared with `shadeAt`. */
-const PLACES = [[150, 75], [140, 60], [165, 85]] as const; // prettier-ignore
+const PLACES = [[150, 75], [140, 60], [165, 85]] as const; // oxfmt-ignore
 
 const asked = process.env['PHONG_VIEWER_THREE'];
 

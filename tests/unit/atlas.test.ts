@@ -35,7 +35,7 @@ describe('an atlas of pictures', () => {
     fc.assert(
       fc.property(fc.integer({ min: 9, max: 200 }), fc.integer({ min: 1, max: 80 }), side, (count, w, h) => {
         const one = { width: w, height: Math.min(h, 2 * w, 80) };
-        const { places, width, height } = layOutAtlas(Array.from({ length: count }, () => one), limit); // prettier-ignore
+        const { places, width, height } = layOutAtlas(Array.from({ length: count }, () => one), limit); // oxfmt-ignore
         expect(places.length * one.width * one.height).toBeGreaterThanOrEqual(0.7 * width * height);
       }),
     );

@@ -28,7 +28,8 @@ interface Vector {
   readonly want: {
     readonly sum: Vec3;
     readonly shares: readonly (
-      (Readonly<Record<(typeof FACTS)[number], number>> & { readonly inside: boolean }) | null
+      | (Readonly<Record<(typeof FACTS)[number], number>> & { readonly inside: boolean })
+      | null
     )[];
     /** Sum over the lights of the brightest channels of Ia, Id and Is. */
     readonly intensity: number;

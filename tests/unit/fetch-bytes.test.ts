@@ -91,7 +91,7 @@ describe('a download', () => {
     for (const announced of ['', '3', '7', '9']) {
       const body = new ReadableStream<Uint8Array>({
         start: (controller) => {
-          for (const piece of [[1, 2], [3, 4, 5], [6, 7]]) controller.enqueue(new Uint8Array(piece)); // prettier-ignore
+          for (const piece of [[1, 2], [3, 4, 5], [6, 7]]) controller.enqueue(new Uint8Array(piece)); // oxfmt-ignore
           controller.close();
         },
       });

@@ -59,7 +59,7 @@ describe('a field', () => {
     ['vector', 'numbers', [1, 2, 3], '3 numbers, each a number from -10 to 10'],
     ['homogeneous', 'numbers', [1, 1, 1, 0], '3 or 4 numbers x y z w, each a number from -10 to 10, w 0 or 1'],
     ['scale', 'numbers', [1, 1, 1], '1 or 3 numbers, each a number from -2 to 2'],
-    ['color', 'color', [0, 0, 0], 'r g b (or one number), each a number from 0 to 1e6 with 255 full, or a CSS colour in sRGB'], // prettier-ignore
+    ['color', 'color', [0, 0, 0], 'r g b (or one number), each a number from 0 to 1e6 with 255 full, or a CSS colour in sRGB'], // oxfmt-ignore
     ['ascending', 'numbers', [], 'places from 0 to 1'],
     ['boolean', 'boolean', true, 'true or false'],
     ['presence', 'presence', false, 'true or false'],

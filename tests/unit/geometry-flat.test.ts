@@ -47,7 +47,7 @@ describe('flatGeometry', () => {
     const flat = flatGeometry(source);
     const position = flat.getAttribute('position');
     const places = [0, 1, 2].map((i) => [position.getX(i), position.getY(i), position.getZ(i)]);
-    expect(places).toEqual([[0, 0, 0], [1, 0, 0], [0, 1, 0]]); // prettier-ignore
+    expect(places).toEqual([[0, 0, 0], [1, 0, 0], [0, 1, 0]]); // oxfmt-ignore
     expect(listed(flat, 'normal').slice(0, 3)).toEqual([0, 0, 1]);
   });
 

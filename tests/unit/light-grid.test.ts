@@ -43,7 +43,7 @@ function divided(lights: readonly LightValues[], box: Box) {
   return { into, size, step: [0, 1, 2].map((k) => (box[k + 3]! - box[k]!) / size[k]!) as unknown as Vec3 };
 }
 
-const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // prettier-ignore
+const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // oxfmt-ignore
 const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
 const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
 
@@ -64,7 +64,7 @@ function rowsOf({ counts }: PackedLights): number[][] {
 /** The rows of the lights that the GLSL adds at p, computed as cellSpots and listedRow do, in float32. */
 function addedAt(into: PackedLights, p: Vec3): number[] {
   const grid = gridOf(into);
-  const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // prettier-ignore
+  const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // oxfmt-ignore
   const cell = low.map((from, k) => {
     const at = Math.floor(Math.fround(Math.fround(Math.fround(p[k]!) - from) * scales[k]!));
     return Math.min(Math.max(at, 0), size[k]! - 1);

@@ -82,7 +82,7 @@ describe('the custom elements manifest', () => {
 
   it('lists properties without an attribute, once', () => {
     const writable = (tag: string) =>
-      declared(tag).members!.filter((member) => member.kind === 'field' && !member.readonly && !('attribute' in member)); // prettier-ignore
+      declared(tag).members!.filter((member) => member.kind === 'field' && !member.readonly && !('attribute' in member)); // oxfmt-ignore
     expect(writable('phong-viewer')).toMatchObject([
       { name: 'texts', type: { text: 'ViewerTexts | null' } },
       { name: 'maxTriangles', type: { text: 'number' } },

@@ -79,7 +79,7 @@ describe('an image', () => {
     ['without any source', { images: [{}] }, /images\[0\]/],
     ['on another origin', { images: [{ uri: 'https://other.example/x.png' }] }, /crossorigin/],
     ['that is no address', { images: [{ uri: 'https://:/x.png' }] }, /no valid address/],
-    ['that only an unknown extension has', { textures: [{ extensions: { MSFT_texture_dds: { source: 0 } } }] }, /textures\[0\] needs the glTF extension MSFT_texture_dds/], // prettier-ignore
+    ['that only an unknown extension has', { textures: [{ extensions: { MSFT_texture_dds: { source: 0 } } }] }, /textures\[0\] needs the glTF extension MSFT_texture_dds/], // oxfmt-ignore
     ['that a texture lacks', { textures: [{}] }, /textures\[0\] has no image/],
   ])('%s is left out of a glTF', async (_, parts, reason) => {
     const model = await loadFiles({ 'a.gltf': gltf(parts) });

@@ -154,7 +154,7 @@ describe('an animation with a mistake is left out, and named', () => {
     ['an unknown accessor', withOne(channel({ input: 999, output: vectors })), 1],
     ['an unknown sampler', withOne({ ...channel({}), samplers: [] }), 1],
     ['an unknown node', withOne(channel({ input, output: vectors }, { node: 99, path: 'scale' })), 1],
-    ['values of another type', withOne(channel({ input, output: vectors }, { node: 0, path: 'rotation' })), 1], // prettier-ignore
+    ['values of another type', withOne(channel({ input, output: vectors }, { node: 0, path: 'rotation' })), 1], // oxfmt-ignore
     ['an unknown interpolation', withOne(channel({ input, output: vectors, interpolation: 'WILD' })), 1],
     ['times that are vectors', withOne(channel({ input: vectors, output: vectors })), 1],
     ['times that go back', bar({ times: [0, 2, 1] }), 3],

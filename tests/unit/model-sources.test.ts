@@ -119,7 +119,7 @@ describe('formats', () => {
 
   it('include binary STL by its size, whatever it begins with', () => {
     expect(formatOf(url('x'), oneTriangle).name).toBe('STL');
-    expect(formatOf(url('x.bin'), Uint8Array.from([...ascii('solid'), ...oneTriangle.subarray(5)])).name).toBe('STL'); // prettier-ignore
+    expect(formatOf(url('x.bin'), Uint8Array.from([...ascii('solid'), ...oneTriangle.subarray(5)])).name).toBe('STL'); // oxfmt-ignore
   });
 
   it('are named by `type` before the extension, and by the extension before the media type', () => {
@@ -135,7 +135,7 @@ describe('formats', () => {
     ['solid x', 'x', supported],
     ['', 'x.glb', /empty/],
     ['<!doctype html>', 'x.obj', /web page/],
-    ['Kaydara FBX Binary  \0', 'x', /^It is an FBX file, .*Export it as glTF \(\.glb\), or as PLY, STL or OBJ/], // prettier-ignore
+    ['Kaydara FBX Binary  \0', 'x', /^It is an FBX file, .*Export it as glTF \(\.glb\), or as PLY, STL or OBJ/], // oxfmt-ignore
     ['; FBX 7.3.0 project file', 'x', /FBX/],
     ['PK\x03\x04\x14\0\0\0\0\0scene.usdc', 'x.usdz', /USD file/],
     ['PK\x03\x04\x14\0\0\0\0\0a.txt', 'x', /archive.*Unpack/],

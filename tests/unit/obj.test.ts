@@ -29,7 +29,7 @@ const warnings = heardWarnings();
 describe('the geometry of an OBJ file', () => {
   it('splits a polygon into triangles in its own order', async () => {
     const model = await obj(`${QUAD}f 1 2 3 4\n`);
-    expect(cornersOf(model, 'position')).toEqual([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]]); // prettier-ignore
+    expect(cornersOf(model, 'position')).toEqual([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]]); // oxfmt-ignore
     expect(numbersOf(model, 'normal')).toEqual(FACING_Z);
     expect(warnings).toEqual([]);
   });
@@ -81,7 +81,7 @@ describe('the geometry of an OBJ file', () => {
 
   it('has the colours of its vertices as they are written, white where there is none', async () => {
     const model = await obj('v 0 0 0\nv 1 0 0 0.5 0.25 2\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4');
-    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [0.5, 0.25, 1], [0, 1, 0]]); // prettier-ignore
+    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [0.5, 0.25, 1], [0, 1, 0]]); // oxfmt-ignore
     expect(cornersOf(model, 'color')[5]).toEqual([1, 1, 1]);
     expect((await obj(`${QUAD}f 1 2 3`)).parts[0]?.geometry.hasAttribute('color')).toBe(false);
   });
@@ -91,7 +91,7 @@ describe('the geometry of an OBJ file', () => {
     const table = `o table\nusemtl oak\n${faces}usemtl iron\n${faces}usemtl oak\n${faces}`;
     const model = await obj(`${QUAD}${table}o lamp\ng shade\n${faces}`);
     const parts = model.parts.map(({ name, geometry }) => [name, geometry.index?.count]);
-    expect(parts).toEqual([['table', 12], ['table', 6], ['lamp', 6]]); // prettier-ignore
+    expect(parts).toEqual([['table', 12], ['table', 6], ['lamp', 6]]); // oxfmt-ignore
   });
 
   it('becomes one part per material where it has thousands of objects', async () => {
@@ -100,7 +100,7 @@ describe('the geometry of an OBJ file', () => {
     expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([1800, 1800]);
   });
 
-  // prettier-ignore
+  // oxfmt-ignore
   it.each([
     ['missing texture coordinates and normals', 'vt 0 0\nf 1/1 2/2 3/3/9 4/-7',
       /: 1 face's texture coordinates \(line 6: .*\), 1 face's normals \(/],
@@ -247,7 +247,7 @@ describe('the materials of an OBJ file', () => {
 
   it('name what they leave out once, if a face uses them', async () => {
     const text = `mtllib a.mtl\n${QUAD}usemtl m\nf 1 2 3\nusemtl n\nf 1 2 4\nusemtl none\nf 2 3 4`;
-    const mtl = 'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png'; // prettier-ignore
+    const mtl = 'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png'; // oxfmt-ignore
     await loadFiles({ 'a.obj': text, 'a.mtl': mtl });
     expect(warnings).toEqual(['a.obj is shown without 1 material that no library has (none), map_bump, Tf.']);
   });

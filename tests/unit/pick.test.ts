@@ -99,7 +99,7 @@ describe('the pick', () => {
         foreign.position.set(x, 0, z);
         return look() === null;
       };
-      const places = [[0, 1], [0, -1], [0.8, 1]] as const; // prettier-ignore
+      const places = [[0, 1], [0, -1], [0.8, 1]] as const; // oxfmt-ignore
       expect(places.map(isNull), foreign.type).toEqual([true, false, false]);
       foreign.removeFromParent();
     }

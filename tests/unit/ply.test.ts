@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { cross, subtract, type Vec3 } from '../../src/math/vector.js';
 import { cornersOf, failureOf, heardWarnings, indexOf, loadFiles, numbersOf } from './model-files.js';
 
-const header = (...lines: readonly string[]): string => ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n'); // prettier-ignore
+const header = (...lines: readonly string[]): string => ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n'); // oxfmt-ignore
 const axes = (prefix: string): string[] => ['x', 'y', 'z'].map((axis) => `property float ${prefix}${axis}`);
 const xyz = axes('');
 const list = 'property list uchar int vertex_indices';
@@ -39,7 +39,7 @@ function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
     view.setUint8(at + 28, 255);
     view.setUint16(at + 29, 13107, little);
     at += 31;
-  }); // prettier-ignore
+  }); // oxfmt-ignore
   view.setUint8(at, 7);
   view.setUint8(at + 1, 4);
   [0, 1, 2, 3].forEach((vertex, i) => view.setUint16(at + 2 + 2 * i, vertex, little));
@@ -72,7 +72,7 @@ describe('a PLY file', () => {
       ) + '2 9 9 3 0 1 2\n0 3 0 2 3\n0 0 0 1 0 0\n1 0 0 0 0.5 0\n1 1 0 0 0 7\n0 1 0 0 0 0\n';
     const model = await loadFiles({ 'a.ply': text });
     expect(indexOf(model)).toEqual(TWO_TRIANGLES);
-    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 0, 0], [0, 0.5, 0], [0, 0, 1]]); // prettier-ignore
+    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 0, 0], [0, 0.5, 0], [0, 0, 1]]); // oxfmt-ignore
   });
 
   it('without normals is smooth, with edges where faces meet at a sharp angle', async () => {
@@ -82,13 +82,13 @@ describe('a PLY file', () => {
       '4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n';
     const edged = await loadFiles({ 'a.ply': cube });
     expect(edged.parts[0]?.geometry.getAttribute('position').count).toBe(24);
-    expect(cornersOf(edged, 'normal').slice(0, 3)).toEqual([[0, 0, -1], [0, 0, -1], [0, 0, -1]]); // prettier-ignore
+    expect(cornersOf(edged, 'normal').slice(0, 3)).toEqual([[0, 0, -1], [0, 0, -1], [0, 0, -1]]); // oxfmt-ignore
     const ridge = mesh(4, 2) + '0 0 0\n1 0 0\n0 1 0\n-1 0 -0.2\n3 0 1 2\n3 0 2 3\n';
     expect((await loadFiles({ 'a.ply': ridge })).parts[0]?.geometry.getAttribute('position').count).toBe(4);
   });
 
   it('may have strips of triangles, every second one reversed', async () => {
-    const text = header('element vertex 4', ...xyz, 'element tristrips 1', 'property list int int vertex_indices') + `${SQUARE}8 0 1 3 2 -1 0 1 2`; // prettier-ignore
+    const text = header('element vertex 4', ...xyz, 'element tristrips 1', 'property list int int vertex_indices') + `${SQUARE}8 0 1 3 2 -1 0 1 2`; // oxfmt-ignore
     expect(indexOf(await loadFiles({ 'a.ply': text }))).toEqual([0, 1, 2, 2, 1, 3, 0, 1, 3]);
   });
 

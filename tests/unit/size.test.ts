@@ -16,9 +16,9 @@ const linesOf = (folder: string, ends: RegExp): number =>
     }, 0);
 
 it.each([
-  ['src', /\.ts$/, 32152],
-  ['shaders', /\.glsl$/, 798],
-  ['tests', /\.(ts|tsx|mjs|js|py)$/, 46_000],
+  ['src', /\.ts$/, 32_216],
+  ['shaders', /\.glsl$/, 788],
+  ['tests', /\.(ts|tsx|mjs|js|py)$/, 45_846],
 ])('%s has no more lines than it needs', (folder, ends, most) => {
   const lines = linesOf(folder, ends);
   expect(lines).toBeLessThanOrEqual(most);

@@ -39,7 +39,7 @@ it('takes places and directions through a matrix', () => {
   expect(transformed(matrix, 4, 2, 3, 0)).toStrictEqual([8 + 14 + 51, 12 + 22 + 57, 20 + 26 + 69]);
 });
 
-// prettier-ignore
+// oxfmt-ignore
 it.each<[Vec3, Vec3]>([
   [[1, 2, 3], [0, 3, -2]],
   [[-2, 1, 3], [-3, 0, -2]],

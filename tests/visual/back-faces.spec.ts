@@ -50,7 +50,7 @@ for (const shape of ['sphere', 'box'] as const) {
       for (const pixel of insideOutline(whole, SIZE.width))
         for (let c = 0; c < 4; c++)
           if (whole.codes[4 * pixel + c] !== culled.codes[4 * pixel + c])
-            expect.soft(culled.codes.slice(4 * pixel, 4 * pixel + 4), `${scale}, ${view}, pixel ${String(pixel)}`).toEqual(whole.codes.slice(4 * pixel, 4 * pixel + 4)); // prettier-ignore
+            expect.soft(culled.codes.slice(4 * pixel, 4 * pixel + 4), `${scale}, ${view}, pixel ${String(pixel)}`).toEqual(whole.codes.slice(4 * pixel, 4 * pixel + 4)); // oxfmt-ignore
     });
   });
 }

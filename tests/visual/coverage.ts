@@ -30,7 +30,7 @@ interface PictureSize {
 }
 
 /** Ka of each mesh; its colour in the picture. */
-const COLORS: readonly Vec3[] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0], [0, 255, 255], [255, 0, 255], [255, 255, 255]]; // prettier-ignore
+const COLORS: readonly Vec3[] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0], [0, 255, 255], [255, 0, 255], [255, 255, 255]]; // oxfmt-ignore
 
 const meshMarkup = ({ geometry, position, rotation, scale }: CoverageMesh, i: number): string =>
   `<phong-mesh geometry="${geometry}" ka="${COLORS[i]!.join(' ')}" kd="0" ks="0"` +

@@ -26,18 +26,18 @@ for (const [lighting, light] of lightings) {
   test(`shapes stand out from white and black, and faces from each other, ${lighting}`, async ({ page, mount }) => {
     const kinds = GEOMETRIES.map((geometry) => `geometry="${geometry}"`);
     const matte = 'geometry="box" ks="0"';
-    await mount([...kinds, matte].map((kind) => `<phong-viewer ${kind}>${light}</phong-viewer>`).join(''), size); // prettier-ignore
+    await mount([...kinds, matte].map((kind) => `<phong-viewer ${kind}>${light}</phong-viewer>`).join(''), size); // oxfmt-ignore
     const tonesAt = async (i: number) => tones(await pixels(page.locator('phong-viewer').nth(i)));
     for (const [i, kind] of kinds.entries()) {
       const found = await tonesAt(i);
       expect(found.length, kind).toBeGreaterThan(1000);
       // A highlight may reach white: a streak along a cone is the largest, at 9 %.
-      expect(share(found, (tone) => tone === 255), `${kind} is white`).toBeLessThan(0.1); // prettier-ignore
-      expect(share(found, (tone) => tone < 24), `${kind} is black`).toBeLessThan(0.03); // prettier-ignore
+      expect(share(found, (tone) => tone === 255), `${kind} is white`).toBeLessThan(0.1); // oxfmt-ignore
+      expect(share(found, (tone) => tone < 24), `${kind} is black`).toBeLessThan(0.03); // oxfmt-ignore
     }
     const counts = new Map<number, number>();
     for (const tone of await tonesAt(kinds.length)) counts.set(tone, (counts.get(tone) ?? 0) + 1);
-    const faces = [...counts].sort(([, a], [, b]) => b - a).slice(0, 3).map(([tone]) => tone); // prettier-ignore
+    const faces = [...counts].sort(([, a], [, b]) => b - a).slice(0, 3).map(([tone]) => tone); // oxfmt-ignore
     const [dark, middle, bright] = faces.sort((a, b) => a - b);
     expect(middle! - dark!).toBeGreaterThan(20);
     expect(bright! - middle!).toBeGreaterThan(20);

@@ -51,7 +51,7 @@ function lamp(dice: Dice, height: number): LightValues {
     axis: spot ? [dice.from(-1, 1), -1, dice.from(-1, 1)] : [0, 0, -1],
     aperture: spot ? dice.pick([20, 45, 80]) : 180,
     cutoff: spot ? dice.pick([0, 1, 4, 20]) : 0,
-    attenuation: dice.pick([[1, 0.2, 0.3], [1, 0, 1], [1, 0.5, 0]] as const), // prettier-ignore
+    attenuation: dice.pick([[1, 0.2, 0.3], [1, 0, 1], [1, 0.5, 0]] as const), // oxfmt-ignore
     space: 'world',
   };
 }

@@ -25,7 +25,7 @@ const SLANTED = Math.round(200 * ((1 + Math.SQRT1_2) / 2) ** 2);
 /** What the table says; a light; the codes in the middle and aside, null where the table says nothing. */
 type Row = readonly [says: string, light: string, middle: number, aside: number | null, mesh?: string, view?: string];
 
-// prettier-ignore
+// oxfmt-ignore
 const ROWS: readonly Row[] = [
   ['shininess 0 makes the specular term constant where light arrives',
     `position="5 1 0 0" ${GLOSS}`, 100, 100, `${MIRROR}="100" shininess="0"`],

@@ -12,7 +12,7 @@ import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 export const SIZE = { width: 84, height: 60 };
 
-// prettier-ignore
+// oxfmt-ignore
 const LIGHTS: readonly LightValues[] = ([
   { ambient: [20, 25, 30], diffuse: [120, 110, 100], specular: [90, 90, 90], position: [1, 2, 1, 0] },
   { ambient: [5, 0, 0], diffuse: [90, 120, 160], specular: [120, 60, 60], position: [-1.5, 1.2, 1, 1],
@@ -112,7 +112,7 @@ export async function compareRandomScenes(page: Page, first: number, count: numb
   expect(subpixelBits).toBeGreaterThanOrEqual(4); // what OpenGL ES promises
   const errors = { compared: 0, exact: 0, snapped: 0 };
   for (let from = first; from < first + count; from += A_PAGE) {
-    const drawn = Array.from({ length: Math.min(A_PAGE, first + count - from) }, (_, i) => drawnScene(from + i)); // prettier-ignore
+    const drawn = Array.from({ length: Math.min(A_PAGE, first + count - from) }, (_, i) => drawnScene(from + i)); // oxfmt-ignore
     const pictures = await bothPictures(
       page,
       drawn.map(({ scene, shading }) => sceneMarkup(scene, shading)),
@@ -137,7 +137,7 @@ export async function compareRandomScenes(page: Page, first: number, count: numb
     }
   }
   const exactly = ((100 * errors.exact) / errors.compared).toFixed(2);
-  console.log(`Seeds ${first} to ${first + count - 1}, two programs each: ${String(sum)}; ${errors.compared} against float64, ${exactly} % exact`); // prettier-ignore
+  console.log(`Seeds ${first} to ${first + count - 1}, two programs each: ${String(sum)}; ${errors.compared} against float64, ${exactly} % exact`); // oxfmt-ignore
   sum.expectPromise();
   expect(errors.exact / errors.compared).toBeGreaterThan(0.98);
   // Of spheres alone 1.2e-4 were measured, where vertices lie on sixteenths of a pixel.

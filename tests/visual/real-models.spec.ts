@@ -62,7 +62,7 @@ async function compared(item: Element) {
   const blob = await (item.querySelector('phong-viewer') as ViewerLike).toBlob(size);
   const pictures = [texels(await createImageBitmap(blob)), texels(image)] as const;
   let [both, either] = [0, 0];
-  const sums = [[0, 0, 0], [0, 0, 0]] as const satisfies readonly number[][]; // prettier-ignore
+  const sums = [[0, 0, 0], [0, 0, 0]] as const satisfies readonly number[][]; // oxfmt-ignore
   for (let i = 3; i < pictures[0].length; i += 4) {
     const [ours, other] = pictures.map((data) => data[i]! > 127) as [boolean, boolean];
     if (ours || other) either += 1;

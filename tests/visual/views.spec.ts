@@ -99,7 +99,7 @@ const file = patch({
     normalTexture: { index: 0, scale: 0.8 },
     pbrMetallicRoughness: { baseColorFactor: [0.9, 0.5, 0.2, 1], metallicFactor: 0.5, roughnessFactor: 0.6 },
   },
-  textures: [[[128, 128, 255], [160, 140, 240], [100, 128, 250], [128, 90, 245]]], // prettier-ignore
+  textures: [[[128, 128, 255], [160, 140, 240], [100, 128, 250], [128, 90, 245]]], // oxfmt-ignore
 });
 
 const lights = `

@@ -266,8 +266,7 @@ function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
 /** The picture that was pressed, of a viewer whose camera is linked to those of the comparison. */
 function linkedSurface(event: Event): Element | null {
   const path = event.composedPath();
-  const viewer = path.find((node) => (node as Partial<Element>).localName === 'phong-viewer') as
-    PhongViewer | undefined;
+  const viewer = path.find((node): node is PhongViewer => (node as Partial<Element>).localName === 'phong-viewer');
   const surface = viewer?.shadowRoot?.querySelector('[part=surface]') ?? null;
   return viewer?.cameraGroup === '' && surface !== null && path.includes(surface) ? surface : null;
 }

@@ -13,7 +13,8 @@ export interface Decoded<Result> {
 
 /** A worker's answer to a message. The first message is the setup, the others are jobs. */
 export type WorkerAnswer<Result> =
-  { readonly result: Result } | { readonly error: { readonly name: string; readonly message: string } };
+  | { readonly result: Result }
+  | { readonly error: { readonly name: string; readonly message: string } };
 
 /** Answers the messages of DecoderThread in the worker, in order. */
 export function answerJobs<Job, Result>(create: CreateDecoder<Job, Result>): void {

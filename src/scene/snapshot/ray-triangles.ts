@@ -71,7 +71,7 @@ export function forEachHit(
       const depth = dot(weights, [az, bz, cz]);
       if (!(depth >= ray.near && depth <= ray.far)) continue;
       const front = area > 0 !== mirrored;
-      const rayPlaces = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] as const; // prettier-ignore
+      const rayPlaces = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] as const; // oxfmt-ignore
       visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front, rayPlaces });
     }
   };

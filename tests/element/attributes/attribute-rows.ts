@@ -46,7 +46,7 @@ const vector = (attribute: string, fallback: unknown, limit: number, low = -limi
     `0 0 ${low === 0 ? -1 : low * 1.1}`,
   ],
   refused: {
-    RangeError: [[1, 2, NaN], [limit * 1.1, 0, 0]], // prettier-ignore
+    RangeError: [[1, 2, NaN], [limit * 1.1, 0, 0]], // oxfmt-ignore
     TypeError: [[1, 2], ['1', '2', '3'], { x: 1 }, '1 2'],
   },
 });
@@ -74,7 +74,7 @@ const color = (attribute: string, fallback: unknown): Row => ({
     ...['color(display-p3 1 0 0)', 'oklch(0.7 0.4 140)', 'color(srgb 1.5 0 0)'],
   ],
   refused: {
-    RangeError: [[1, 2, -1], [1, 2, 2e6]], // prettier-ignore
+    RangeError: [[1, 2, -1], [1, 2, 2e6]], // oxfmt-ignore
     TypeError: [[1, 2], 'nocolor', {}],
   },
 });
@@ -82,7 +82,7 @@ const color = (attribute: string, fallback: unknown): Row => ({
 const choice = (attribute: string, fallback: string | null, ...choices: readonly string[]): Row => ({
   attribute,
   fallback,
-  valid: Object.fromEntries(choices.flatMap((name) => [[name, name], [` ${name.toUpperCase()} `, name]])), // prettier-ignore
+  valid: Object.fromEntries(choices.flatMap((name) => [[name, name], [` ${name.toUpperCase()} `, name]])), // oxfmt-ignore
   bad: ['', 'nothing', `${choices[0] ?? ''}x`, '1'],
   refused: { RangeError: ['nothing'], TypeError: [1, [choices[0]]] },
 });

@@ -74,7 +74,7 @@ test('children come and go while the viewer is outside the document', async ({ m
     await element.ready;
     return counts;
   });
-  expect(counts).toEqual([[1, 0, 1], [2, 1, 2], [1, 1, 1]]); // prettier-ignore
+  expect(counts).toEqual([[1, 0, 1], [2, 1, 2], [1, 1, 1]]); // oxfmt-ignore
   same(await pixels(viewer), await shown(page, scene(green)));
 });
 

@@ -23,7 +23,7 @@ async function reported(page: Page, warnings: readonly string[], count: number):
 const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
   consoleGuard.allow(/^warning: (<p|A <phong-viewer>)/, count);
 
-const LITE = '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?'; // prettier-ignore
+const LITE = '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?'; // oxfmt-ignore
 const ALONE = 'is not inside a <phong-viewer>, so it has no effect.';
 const NO_END = 'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
 const MARKDOWN = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
@@ -32,11 +32,11 @@ const MARKDOWN = 'In Markdown an empty line ends the HTML: leave none between <p
 const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
   // Unknown attributes, one of each kind of advice; unit/attribute-advice.test.ts has the others.
   [scene(light('difuse="red"').repeat(50)), '<phong-light> has no attribute difuse. Did you mean diffuse?'],
-  [scene(light('pos="1 2 3"')), '<phong-light> has no attribute pos. Write position="x y z w": w = 1 for a place, w = 0 for a direction to the light.'], // prettier-ignore
+  [scene(light('pos="1 2 3"')), '<phong-light> has no attribute pos. Write position="x y z w": w = 1 for a place, w = 0 for a direction to the light.'], // oxfmt-ignore
   [scene(mesh('diffuse="red"')), '<phong-mesh> has no attribute diffuse. Write kd="…".'],
-  [scene('', ' width="300"'), '<phong-viewer> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // prettier-ignore
-  [scene(light('shininess="9"')), '<phong-light> has no attribute shininess. It belongs to <phong-mesh> and <phong-viewer>.'], // prettier-ignore
-  [`<phong-compare lables="a"></phong-compare>`, '<phong-compare> has no attribute lables. Did you mean labels?'], // prettier-ignore
+  [scene('', ' width="300"'), '<phong-viewer> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // oxfmt-ignore
+  [scene(light('shininess="9"')), '<phong-light> has no attribute shininess. It belongs to <phong-mesh> and <phong-viewer>.'], // oxfmt-ignore
+  [`<phong-compare lables="a"></phong-compare>`, '<phong-compare> has no attribute lables. Did you mean labels?'], // oxfmt-ignore
   // Elements at the wrong place.
   [
     `<p>${light('name="lamp"')}${mesh('')}</p>${scene(light(''))}`,

@@ -79,7 +79,7 @@ test('looks as the value asks: switch, choice, colour, component, stepper throug
   expect(
     await viewer.evaluate(({ shading, orbit, terms, lights, meshes }: PhongViewer) => [
       shading, orbit, terms, lights[0]!.active, lights[0]!.diffuse, lights[0]!.position, meshes[0]!.segments,
-    ]), // prettier-ignore
+    ]), // oxfmt-ignore
   ).toEqual(['flat', false, ['ambient', 'diffuse'], false, [10, 20, 30], [1.5, 2, 0, 1], 7]);
   await expect(page.locator('output')).toHaveText('ambient diffuse');
   await page.getByRole('button', { name: 'the sum forward' }).click();
@@ -112,7 +112,7 @@ test('turns two viewers together, as one step of each, and follows the camera in
     await new Promise((resolve) => setTimeout(resolve));
     element.setAttribute('attribute', 'phi');
     document.body.append(element);
-  }); // prettier-ignore
+  }); // oxfmt-ignore
   await expect(page.getByRole('spinbutton', { name: 'φ polar' })).toBeVisible();
 });
 

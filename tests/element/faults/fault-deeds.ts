@@ -144,7 +144,7 @@ export function installFaultDeeds(): void {
     for (const viewer of all) viewer.remove();
     await wait(20);
     expect('contexts are open without viewers', faults.open, 0);
-    expect('viewers hold a canvas outside the page', all.filter(({ shadowRoot }) => shadowRoot?.querySelector('canvas')).length, 0); // prettier-ignore
+    expect('viewers hold a canvas outside the page', all.filter(({ shadowRoot }) => shadowRoot?.querySelector('canvas')).length, 0); // oxfmt-ignore
     return found.join('; ');
   }
 

@@ -28,7 +28,7 @@ const CHOICES: readonly Choice[] = [
   { weight: 4, what: 'restore', values: [''] },
   { weight: 3, what: 'lose after calls', values: ['0', '1', '5', '20', '60', '150', '400'] },
   { weight: 3, what: 'opening', values: ['null', 'throws', 'lost', 'works', 'works', 'works'] },
-  { weight: 3, what: 'requests', values: ['models aborted', 'models missing', 'models cut', 'chunks aborted', 'answered', 'answered'] }, // prettier-ignore
+  { weight: 3, what: 'requests', values: ['models aborted', 'models missing', 'models cut', 'chunks aborted', 'answered', 'answered'] }, // oxfmt-ignore
   { weight: 4, what: 'take away', values: [''] },
   { weight: 4, what: 'bring back', values: [''] },
   { weight: 2, what: 'another viewer', values: VIEWERS },
@@ -41,7 +41,7 @@ const CHOICES: readonly Choice[] = [
   { weight: 2, what: 'explain', values: ['60 45', '1 1'] },
   { weight: 3, what: 'ready', values: [''] },
   { weight: 2, what: 'draw', values: [''] },
-  { weight: 2, what: 'set', key: 'src', values: ['/fixtures/models/textured.glb', '/assets/models/bunny.glb', '/nowhere.glb', ''] }, // prettier-ignore
+  { weight: 2, what: 'set', key: 'src', values: ['/fixtures/models/textured.glb', '/assets/models/bunny.glb', '/nowhere.glb', ''] }, // oxfmt-ignore
   { weight: 2, what: 'set', key: 'geometry', values: ['sphere', 'teapot', 'torus-knot', ''] },
   { weight: 2, what: 'set', key: 'shading', values: ['flat', 'gouraud', 'phong'] },
   { weight: 1, what: 'set', key: 'autoRotate', values: ['40', '0'] },

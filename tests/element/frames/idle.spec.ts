@@ -74,7 +74,7 @@ const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => v
 
 test('nothing happens out of sight; changes are drawn once when the viewer is visible', async ({ page, mount }) => {
   const turning = box.replace('geometry', 'auto-rotate="45" geometry');
-  await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, { ...size, css: '[hidden] { display: none !important }' }); // prettier-ignore
+  await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, { ...size, css: '[hidden] { display: none !important }' }); // oxfmt-ignore
   const place = page.locator('section');
   const [still, turned] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
   for (const [how, hide] of Object.entries(UNSEEN)) {
@@ -84,8 +84,8 @@ test('nothing happens out of sight; changes are drawn once when the viewer is vi
     await nextFrame(page);
     await nextFrame(page);
     const drawn = await framesOf(still);
-    for (const diffuse of [[1, 2, 3], [255, 255, 255], [200, 90, 0]]) // prettier-ignore
-      await still.evaluate((element: PhongViewer, value) => (element.lights[0]!.diffuse = value as [number, number, number]), diffuse); // prettier-ignore
+    for (const diffuse of [[1, 2, 3], [255, 255, 255], [200, 90, 0]]) // oxfmt-ignore
+      await still.evaluate((element: PhongViewer, value) => (element.lights[0]!.diffuse = value as [number, number, number]), diffuse); // oxfmt-ignore
     expect(await spentIn(page, A_WHILE), how).toEqual(NOTHING);
     await place.evaluate(hide as (place: Element, hidden: boolean) => void, false);
     await expect.poll(() => framesOf(still), how).toBe(drawn + 1);
@@ -135,7 +135,7 @@ test('a viewer alone on its page shows the WebGL canvas itself, after others wen
     else await page.evaluate(() => document.querySelector('phong-viewer + phong-viewer')?.remove());
     await allReady(page);
     await nextFrame(page);
-    const isDirect = await viewer.evaluate((element: PhongViewer) => element.shadowRoot?.querySelector('canvas')?.getContext('webgl2') instanceof WebGL2RenderingContext); // prettier-ignore
+    const isDirect = await viewer.evaluate((element: PhongViewer) => element.shadowRoot?.querySelector('canvas')?.getContext('webgl2') instanceof WebGL2RenderingContext); // oxfmt-ignore
     expect(isDirect).toBe(count === 1);
     expect(Buffer.compare(await viewer.screenshot(), alone)).toBe(0);
   }

@@ -4,7 +4,7 @@
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { drawFrames, drawUntilSpecialised } from './driving.js';
-import { drawnWith, glPrograms, glSpent, isSpecialised, isLit, logGl, type GlProgram } from '../support/gl-log.js'; // prettier-ignore
+import { drawnWith, glPrograms, glSpent, isSpecialised, isLit, logGl, type GlProgram } from '../support/gl-log.js'; // oxfmt-ignore
 import { settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
@@ -44,14 +44,14 @@ const SCENES: Readonly<Record<string, readonly [markup: string, needs: string]>>
   'a sun without highlights': ['geometry="box"><phong-light specular="0">', 'directional diffuse'],
   'no terms': ['geometry="box" terms=""><phong-light ambient="9">', 'directional'],
   'a point': ['geometry="box"><phong-light position="1 2 3">', 'point diffuse specular'],
-  'attenuation that is none': ['geometry="box"><phong-light position="1 2 3" attenuation="0.5 0 0">', 'point diffuse specular'], // prettier-ignore
-  'a decay': ['geometry="box"><phong-light position="1 2 3" axis="-1 -2 -3" cutoff="3">', 'spot decay diffuse specular'], // prettier-ignore
-  'an inactive spot beside a sun': ['geometry="box"><phong-light></phong-light><phong-light active="false" position="1 2 3" axis="-1 -2 -3" aperture="30">', `${SUN} spot cone`], // prettier-ignore
+  'attenuation that is none': ['geometry="box"><phong-light position="1 2 3" attenuation="0.5 0 0">', 'point diffuse specular'], // oxfmt-ignore
+  'a decay': ['geometry="box"><phong-light position="1 2 3" axis="-1 -2 -3" cutoff="3">', 'spot decay diffuse specular'], // oxfmt-ignore
+  'an inactive spot beside a sun': ['geometry="box"><phong-light></phong-light><phong-light active="false" position="1 2 3" axis="-1 -2 -3" aperture="30">', `${SUN} spot cone`], // oxfmt-ignore
   gouraud: ['geometry="box" shading="gouraud"><phong-light>', `${SUN} gouraud`],
   'blinn-phong': ['geometry="box" reflection="blinn-phong"><phong-light>', `${SUN} blinn-phong`],
   linear: ['geometry="box" color-interpolation="linear"><phong-light>', `${SUN} linear`],
   'a textured model': ['src="/fixtures/models/textured.glb" ks="90"><phong-light>', `${SUN} texture`],
-  'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', `${SUN} colours`], // prettier-ignore
+  'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', `${SUN} colours`], // oxfmt-ignore
 };
 
 /** Whether `more` declares everything that `less` declares, in the same variant, and something that adds code. */
@@ -96,7 +96,7 @@ test('scenes with the same needs have the same program, and only further needs a
 test('ten meshes reached by different lights get a specialised program each', async ({ page, mount }) => {
   await logGl(page);
   // Each lit by one more light than the one before, so that no two share a program.
-  const meshes = Array.from({ length: 10 }, (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`); // prettier-ignore
+  const meshes = Array.from({ length: 10 }, (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`); // oxfmt-ignore
   const lights = Array.from({ length: 10 }, (_, i) =>
     `<phong-light position="${3 * i} 1 0" axis="0 -1 0" aperture="30"></phong-light>`.repeat(i + 1),
   );

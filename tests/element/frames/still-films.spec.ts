@@ -14,7 +14,7 @@ test('a converging picture keeps its brightness, changes in outlines only, never
     ['alone', ''],
     ['beside another', viewerOf(16)],
   ] as const) {
-    // prettier-ignore
+    // oxfmt-ignore
     const viewer = await mount(viewerOf(64) + other, { ...size, waitForReady: false });
     await expect.poll(async () => (await statsOf(viewer)).frames).toBeGreaterThan(0);
     const rolling = await film(viewer, 40);
@@ -115,7 +115,7 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
       watch.disconnect();
       element.removeEventListener('render', count);
       const { frames, programs, samples } = element.stats;
-      return { renders, changed, samples, frames: frames - before.frames, programs: programs - before.programs }; // prettier-ignore
+      return { renders, changed, samples, frames: frames - before.frames, programs: programs - before.programs }; // oxfmt-ignore
     }, antialias);
   const edges = await seen('edges');
   expect(edges.changed.length).toBeGreaterThan(0);

@@ -34,7 +34,7 @@ const either =
   (dice) =>
     dice.pick(values)(dice);
 
-const color = either(numbers(3, 0, 200), numbers(3, 0, 200), numbers(1, 0, 255), of('0', '0 0 0', '255', '#fc8', 'rebeccapurple', '300 20 500', '90 90 90')); // prettier-ignore
+const color = either(numbers(3, 0, 200), numbers(3, 0, 200), numbers(1, 0, 255), of('0', '0 0 0', '255', '#fc8', 'rebeccapurple', '300 20 500', '90 90 90')); // oxfmt-ignore
 const dim = either(numbers(3, 0, 30), of('0', '20 20 20', '0 0 9'));
 const place = numbers(3, -2, 2);
 const bad = of('nonsense', '', '1 2', '-3', 'NaN', '1e99', '1 2 3 4 5', 'currentColor');
@@ -44,7 +44,7 @@ const LIGHT: Readonly<Record<string, Values>> = {
   ambient: dim,
   diffuse: color,
   specular: color,
-  position: either(place, (dice) => `${place(dice)} 0`, (dice) => `${place(dice)} 1`, of('0 0 0 0', '0 0 0 1', '0 3 0 1')), // prettier-ignore
+  position: either(place, (dice) => `${place(dice)} 0`, (dice) => `${place(dice)} 1`, of('0 0 0 0', '0 0 0 1', '0 3 0 1')), // oxfmt-ignore
   axis: either(place, place, of('0 -1 0', '0 0 0', '0 0 -1')),
   aperture: either(numbers(1, 0, 180), of('0', '3', '20', '60', '120', '180')),
   cutoff: either(numbers(1, 0, 40), of('0', '0.5', '1', '7', '64', '300')),
@@ -59,9 +59,9 @@ const SURFACE: Readonly<Record<string, Values>> = {
   shininess: either(numbers(1, 0, 90), of('0', '1', '32', '33.5', '1000')),
 };
 const SHAPE: Readonly<Record<string, Values>> = {
-  geometry: of('box', 'sphere', 'plane', 'box', 'sphere', 'plane', 'cylinder', 'cone', 'pyramid', 'torus', 'teapot'), // prettier-ignore
+  geometry: of('box', 'sphere', 'plane', 'box', 'sphere', 'plane', 'cylinder', 'cone', 'pyramid', 'torus', 'teapot'), // oxfmt-ignore
   segments: of('1', '3', '8', '16', '24'),
-  src: of('', '', '/fixtures/models/textured.glb', '/fixtures/models/vertex-colours.glb', '/fixtures/models/mask.glb'), // prettier-ignore
+  src: of('', '', '/fixtures/models/textured.glb', '/fixtures/models/vertex-colours.glb', '/fixtures/models/mask.glb'), // oxfmt-ignore
 };
 const SHADING: Readonly<Record<string, Values>> = {
   shading: of('phong', 'gouraud', 'flat'),
@@ -112,9 +112,9 @@ const lights = (dice: Dice, count: number, each: Values = light): string =>
 
 /** Small spots above a floor, for light grids. */
 const smallSpot: Values = (dice) =>
-  `<phong-light position="${dice.from(-2, 2)} ${dice.from(0.2, 0.6)} ${dice.from(-2, 2)} 1" axis="${dice.from(-0.2, 0.2)} -1 0" aperture="${dice.from(15, 40)}" diffuse="${color(dice)}" specular="40"></phong-light>`; // prettier-ignore
+  `<phong-light position="${dice.from(-2, 2)} ${dice.from(0.2, 0.6)} ${dice.from(-2, 2)} 1" axis="${dice.from(-0.2, 0.2)} -1 0" aperture="${dice.from(15, 40)}" diffuse="${color(dice)}" specular="40"></phong-light>`; // oxfmt-ignore
 
-const faint: Values = (dice) => light(dice).replace(/ (diffuse|specular)="[^"]*"/g, '').replace('>', ` diffuse="${dice.from(1, 9)} 5 4" specular="6">`); // prettier-ignore
+const faint: Values = (dice) => light(dice).replace(/ (diffuse|specular)="[^"]*"/g, '').replace('>', ` diffuse="${dice.from(1, 9)} 5 4" specular="6">`); // oxfmt-ignore
 
 const FLOOR = '<phong-mesh geometry="plane" scale="4"></phong-mesh>';
 
@@ -125,16 +125,16 @@ const MOVING: readonly Values[] = [1, 3, 6].map(
 );
 const SCENES: readonly Values[] = [
   (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 3)}</phong-viewer>`,
-  (dice) => `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${lights(dice, 16, faint)}</phong-viewer>`, // prettier-ignore
+  (dice) => `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${lights(dice, 16, faint)}</phong-viewer>`, // oxfmt-ignore
   (dice) => `<phong-viewer geometry="box">${light(dice)}</phong-viewer>`,
   () => '<phong-viewer geometry="sphere" segments="16"></phong-viewer>',
-  (dice) => `<phong-viewer>${element(dice, 'phong-mesh', 0.4)}${element(dice, 'phong-mesh', 0.4)}${lights(dice, 5)}</phong-viewer>`, // prettier-ignore
-  (dice) => `<phong-viewer>${FLOOR}<phong-mesh geometry="box" position="${place(dice)}"></phong-mesh>${lights(dice, 4)}</phong-viewer>`, // prettier-ignore
+  (dice) => `<phong-viewer>${element(dice, 'phong-mesh', 0.4)}${element(dice, 'phong-mesh', 0.4)}${lights(dice, 5)}</phong-viewer>`, // oxfmt-ignore
+  (dice) => `<phong-viewer>${FLOOR}<phong-mesh geometry="box" position="${place(dice)}"></phong-mesh>${lights(dice, 4)}</phong-viewer>`, // oxfmt-ignore
 ];
 const MANY: readonly Values[] = [
   (dice) => `<phong-viewer phi="40">${FLOOR}${lights(dice, 150, smallSpot)}</phong-viewer>`,
   (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 70, faint)}</phong-viewer>`,
-  (dice) => `<phong-viewer phi="50">${FLOOR}<phong-mesh geometry="box" scale="0.5"></phong-mesh>${lights(dice, 40, smallSpot)}</phong-viewer>`, // prettier-ignore
+  (dice) => `<phong-viewer phi="50">${FLOOR}<phong-mesh geometry="box" scale="0.5"></phong-mesh>${lights(dice, 40, smallSpot)}</phong-viewer>`, // oxfmt-ignore
 ];
 
 interface Maker {
@@ -155,8 +155,8 @@ function styled(dice: Dice): Partial<Step> {
 }
 
 function written(dice: Dice, tag: Tag): Partial<Step> {
-  const [name, value] = dice.pick(Object.entries<Values>(VALUES[tag]).filter(([key]) => key !== 'src' || dice.chance(0.2))); // prettier-ignore
-  const what = dice.pick(['set attribute', 'set property', 'set property', 'set attribute', 'remove attribute', 'clear property']); // prettier-ignore
+  const [name, value] = dice.pick(Object.entries<Values>(VALUES[tag]).filter(([key]) => key !== 'src' || dice.chance(0.2))); // oxfmt-ignore
+  const what = dice.pick(['set attribute', 'set property', 'set property', 'set attribute', 'remove attribute', 'clear property']); // oxfmt-ignore
   const key = what.endsWith('property') ? property(name) : name;
   const isBad = dice.chance(0.04) && !['src', 'alt', 'segments'].includes(name);
   const again = dice.chance(0.3) ? { child: -1 } : {};
@@ -171,27 +171,27 @@ const MAKERS: readonly Maker[] = [
   { weight: 8, make: (dice) => written(dice, 'phong-viewer') },
   { weight: 1, more: { motion: 10 }, make: styled },
   { weight: 4, more: { lights: 2 }, make: (dice) => ({ what: 'add', value: light(dice) }) },
-  { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // prettier-ignore
+  { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // oxfmt-ignore
   { weight: 5, make: (dice) => ({ what: 'remove', tag: child(dice) }) },
   { weight: 4, make: (dice) => ({ what: dice.pick(['to the end', 'to the front']), tag: child(dice) }) },
   { weight: 4, more: { page: 2 }, make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }) },
   { weight: 3, make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }) },
-  { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // prettier-ignore
-  { weight: 6, more: { 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // prettier-ignore
-  { weight: 2, more: { motion: 3, 'many lights': 3 }, make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }) }, // prettier-ignore
-  { weight: 4, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // prettier-ignore
+  { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // oxfmt-ignore
+  { weight: 6, more: { 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // oxfmt-ignore
+  { weight: 2, more: { motion: 3, 'many lights': 3 }, make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }) }, // oxfmt-ignore
+  { weight: 4, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // oxfmt-ignore
   { weight: 1, make: (dice) => ({ what: 'turn', value: dice.pick(['50', '-300']) }) },
   { weight: 3, more: { motion: 2 }, make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }) },
   { weight: 2, make: (dice) => ({ what: 'wheel', value: String(dice.from(-300, 300)) }) },
   { weight: 1, make: () => ({ what: 'reset camera' }) },
-  { weight: 3, more: { page: 4 }, make: (dice) => ({ what: 'style', key: dice.pick(['width', 'height']), value: `${Math.round(dice.from(20, 140))}px` }) }, // prettier-ignore
-  { weight: 2, more: { page: 4 }, make: (dice) => ({ what: 'style', key: 'display', value: dice.pick(['none', '', 'block']) }) }, // prettier-ignore
-  { weight: 1, more: { page: 2 }, make: (dice) => ({ what: 'style', key: 'visibility', value: dice.pick(['hidden', '']) }) }, // prettier-ignore
-  { weight: 2, more: { page: 4 }, make: (dice) => ({ what: 'scroll', value: dice.pick(['0', '0', '60', '2000']) }) }, // prettier-ignore
+  { weight: 3, more: { page: 4 }, make: (dice) => ({ what: 'style', key: dice.pick(['width', 'height']), value: `${Math.round(dice.from(20, 140))}px` }) }, // oxfmt-ignore
+  { weight: 2, more: { page: 4 }, make: (dice) => ({ what: 'style', key: 'display', value: dice.pick(['none', '', 'block']) }) }, // oxfmt-ignore
+  { weight: 1, more: { page: 2 }, make: (dice) => ({ what: 'style', key: 'visibility', value: dice.pick(['hidden', '']) }) }, // oxfmt-ignore
+  { weight: 2, more: { page: 4 }, make: (dice) => ({ what: 'scroll', value: dice.pick(['0', '0', '60', '2000']) }) }, // oxfmt-ignore
   { weight: 2, more: { page: 4 }, make: () => ({ what: 'to another parent' }) },
   { weight: 1.5, more: { page: 4 }, make: () => ({ what: 'take away' }) },
   { weight: 2.5, more: { page: 4 }, make: () => ({ what: 'bring back' }) },
-  { weight: 1.5, more: { page: 4 }, make: (dice) => ({ what: 'another viewer', value: dice.pick(SCENES)(dice) }) }, // prettier-ignore
+  { weight: 1.5, more: { page: 4 }, make: (dice) => ({ what: 'another viewer', value: dice.pick(SCENES)(dice) }) }, // oxfmt-ignore
   { weight: 1, more: { page: 2 }, make: () => ({ what: 'clone viewer' }) },
   { weight: 2, more: { page: 4 }, make: () => ({ what: 'no viewer' }) },
   { weight: 0.7, more: { page: 2, motion: 4 }, make: () => ({ what: 'lose' }) },
@@ -201,9 +201,9 @@ const MAKERS: readonly Maker[] = [
   { weight: 1, make: () => ({ what: 'draw again' }) },
   { weight: 0.7, make: (dice) => ({ what: 'an own object', value: place(dice) }) },
   { weight: 0.7, make: () => ({ what: 'own object away' }) },
-  { weight: 0.7, make: (dice) => ({ what: 'set attribute', tag: 'phong-viewer', key: 'gui', value: dice.pick(['', 'false', 'false']) }) }, // prettier-ignore
+  { weight: 0.7, make: (dice) => ({ what: 'set attribute', tag: 'phong-viewer', key: 'gui', value: dice.pick(['', 'false', 'false']) }) }, // oxfmt-ignore
   { weight: 0.3, more: { page: 2 }, make: () => ({ what: 'print' }) },
-  { weight: 0.3, more: { page: 2 }, make: (dice) => ({ what: 'ratio', value: dice.pick(['1', '1.5', '2']) }) }, // prettier-ignore
+  { weight: 0.3, more: { page: 2 }, make: (dice) => ({ what: 'ratio', value: dice.pick(['1', '1.5', '2']) }) }, // oxfmt-ignore
 ];
 
 const made = (dice: Dice): Step => ({
@@ -244,7 +244,7 @@ function anything(dice: Dice, mix: Mix): Task[] {
 /** Motion until specialised programs have taken over, then changes, then perhaps more motion. */
 function afterMotion(dice: Dice, mix: Mix): Task[] {
   const { viewer } = made(dice);
-  const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // prettier-ignore
+  const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // oxfmt-ignore
   const changes = dice.chance(0.5) ? [{ ...made(dice), ...styled(dice), viewer }] : several(dice, mix, [1, 1, 2]);
   return [
     { steps: [moving('45')], then: 'at once' },

@@ -176,7 +176,7 @@ const JUNK = [
   ...['constructor', '__proto__', 'auto', 'none', 'null', '[object Object]', '0x10', '1 2 3 0', '1e6', '0 0 0'],
   '1e15 -1e15 1e15',
 ];
-const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // prettier-ignore
+const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // oxfmt-ignore
 const STRAYS = ['difuse', 'shadng', 'color', 'constructor', '__proto__', 'autorotate', 'x'.repeat(300)];
 
 /** A random step. `keys`: attributes that may have any value. */
@@ -185,7 +185,7 @@ export function treeStep(dice: Dice, keys: readonly string[]): Partial<Step> {
     key: dice.pick(['0', '0', '0', '1']),
     value: `${dice.pick(HOW)} ${Math.floor(dice.from(0, 60))}`,
   };
-  const what = dice.pick('make make make make carry carry carry carry copy nest adopt unwrap wrapper-away reverse junk junk junk'.split(' ')); // prettier-ignore
+  const what = dice.pick('make make make make carry carry carry carry copy nest adopt unwrap wrapper-away reverse junk junk junk'.split(' ')); // oxfmt-ignore
   if (what === 'make') return { what, ...where, value: `${where.value} ${dice.pick(KINDS)}` };
   if (what !== 'junk') return { what, ...where };
   const key = dice.pick(keys);

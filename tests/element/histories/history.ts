@@ -137,7 +137,7 @@ class Player {
         faults.push(`camera ${String(camera)}, not ${String(began.camera)}`);
     });
     const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
-      JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // prettier-ignore
+      JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // oxfmt-ignore
     if (cost(stats) !== cost(began.stats)) faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
     if (seen !== null && stats['samples'] !== samples)
       faults.push(`${String(stats['samples'])} samples, not ${String(samples)}`);
@@ -155,7 +155,7 @@ class Player {
     if (a.programs.includes('specialised')) this.findings.specialised += 1;
     // In a small picture one channel is more than the promised share.
     if (max <= (same ? 0 : 1) && differing <= Math.max(2, 2e-3 * channels)) return [];
-    return [`${which} differ by ${max} codes on ${differing} of ${channels} channels, drawn by ${a.programs || '?'} and ${b.programs || '?'}`]; // prettier-ignore
+    return [`${which} differ by ${max} codes on ${differing} of ${channels} channels, drawn by ${a.programs || '?'} and ${b.programs || '?'}`]; // oxfmt-ignore
   }
 }
 
@@ -246,7 +246,7 @@ export async function expectAsNew(
     if (fault !== null) await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
   }
   const { looks: looked, same, specialised, between } = player.findings;
-  console.log(`Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`); // prettier-ignore
+  console.log(`Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`); // oxfmt-ignore
   expect(same, 'pairs by the same programs').toBeGreaterThan(0);
   // Only over many channels: one channel of few would exceed the promised share.
   if (between.channels > 5e4) between.expectPromise();

@@ -62,7 +62,7 @@ test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixel
   const limited = await mount(box.replace(' ', ' pixel-ratio="1" '), { ...size, deviceScaleFactor: 2 });
   expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
   expect(compare(await pixels(limited), expected).max).toBe(0);
-  expect(await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p)).toEqual(place); // prettier-ignore
+  expect(await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p)).toEqual(place); // oxfmt-ignore
   expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain('pixel-ratio="1"');
 });
 

@@ -98,7 +98,7 @@ test('the context opens with the first visible picture, at its size', async ({ p
 });
 
 test('pictures of any sizes side by side look the same as alone', async ({ page, mount }) => {
-  const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // prettier-ignore
+  const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // oxfmt-ignore
   const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
   const markup = sizes.map(
     ([w], i) => `<phong-viewer id="v${i}" geometry="sphere" segments="16" theta="${w}"></phong-viewer>`,
@@ -140,7 +140,7 @@ test('viewers scrolled past free their pixels, and get them back; all are printe
 
 test('the shared canvas shrinks when a large viewer is removed or out of view', async ({ page, mount }) => {
   const css = '#large { width: 900px; height: 600px } #low { margin-top: 2000px }';
-  const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // prettier-ignore
+  const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // oxfmt-ignore
   const ofOne = small.width * small.height;
   const sheet = async (): Promise<number> => (await countsOf(page)).sheetPixels;
   expect(await sheet()).toBeGreaterThanOrEqual(900 * 600);

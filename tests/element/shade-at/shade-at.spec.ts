@@ -277,7 +277,7 @@ test('rejects invalid positions with TypeError or RangeError', async ({ mount })
     const bad: unknown[][] = [[NaN, 1], [1, Infinity], ['1', 1], [1], [null, 1], [1, {}]];
     return Promise.all(
       bad.map((at) =>
-        (element.shadeAt as (...given: unknown[]) => Promise<unknown>).apply(element, at).then(
+        (element.shadeAt as (...given: unknown[]) => Promise<unknown>)(...at).then(
           () => 'no error',
           (error: unknown) => `${(error as Error).name}: ${(error as Error).message}`,
         ),

@@ -150,7 +150,7 @@ test('the figures of the article behave as their captions say', async ({ page })
 });
 
 test('turning one picture of a figure turns the others too; the guide prints its figures', async ({ page }) => {
-  const figures = [['guide/spots/', 'main'], ['shapes/', 'geometries']] as const; // prettier-ignore
+  const figures = [['guide/spots/', 'main'], ['shapes/', 'geometries']] as const; // oxfmt-ignore
   for (const [path, id] of firstOf(figures, 1)) {
     await open(page, path);
     await expectTurnedTogether(page, id);

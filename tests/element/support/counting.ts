@@ -173,7 +173,7 @@ function wrapEverything(): void {
     if (isGlobal(target)) listen(target, type, listener, false);
   });
 
-  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
+  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // oxfmt-ignore
   const takeCounts = (): Counts => {
     let canvasPixels = 0;
     let sheetPixels = 0;
