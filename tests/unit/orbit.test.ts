@@ -122,6 +122,8 @@ describe('setting', () => {
     expect(orbit.pose).toStrictEqual({ theta: 750, phi: 0, radius: LARGEST_LENGTH, target });
     orbit.set({ phi: 181 });
     expect(orbit.phi).toBe(180);
+    const zero = new Orbit({ theta: -0, phi: -0, radius: 1, target: [-0, 1, -0] });
+    expect(zero.pose).toStrictEqual({ theta: 0, phi: 0, radius: 1, target: [0, 1, 0] });
   });
 
   it.each([
