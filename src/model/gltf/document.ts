@@ -55,16 +55,7 @@ const DEPTH_LIMIT = 1000;
  */
 export async function readDocument(value: unknown, budget: ModelBudget, slices: Slices): Promise<GltfDocument> {
   const json = objectAt(value, 'the document');
-  const version = textAt(optionalObject(json['asset'], 'asset')['version']);
-  if (!version.startsWith('2.')) {
-    const fact = `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`;
-    throw new ModelError('bad-model', fact);
-  }
-  const required = unreadable(json);
-  if (required !== undefined) {
-    const fact = `The model needs the glTF extension ${clip(required)}, which is not supported.`;
-    throw new ModelError('bad-model', fact, { advice: 'Save it without that extension.' });
-  }
+  requireReadable(json);
   budget.add({ nodes: listAt(json['nodes'], 'nodes').length });
   const dropped = new Set(extensionsLeftOut(json));
   const bufferDefs = objectsAt(json['buffers'], 'buffers');
@@ -125,6 +116,19 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
     instances: nodes.map((node) => node.instances),
     draco,
   };
+}
+
+function requireReadable(json: JsonObject): void {
+  const version = textAt(optionalObject(json['asset'], 'asset')['version']);
+  if (!version.startsWith('2.')) {
+    const fact = `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`;
+    throw new ModelError('bad-model', fact);
+  }
+  const required = unreadable(json);
+  if (required !== undefined) {
+    const fact = `The model needs the glTF extension ${clip(required)}, which is not supported.`;
+    throw new ModelError('bad-model', fact, { advice: 'Save it without that extension.' });
+  }
 }
 
 interface Skin {
