@@ -168,7 +168,7 @@ interface SizeRow {
 
 /** What files of dist/ are for. */
 export const SIZES: readonly SizeRow[] = [
-  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 117 }, // oxfmt-ignore
+  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 118 }, // oxfmt-ignore
   {
     words: 'the control panel, when it is first opened',
     folder: 'chunks',

@@ -112,7 +112,7 @@ function lightNames({ lights, viewLight }: PhongViewer): readonly string[] {
 /** Lights without a name have a number, in the page's words. */
 function lightText(name: string, { lights }: PhongViewer, say: Say): string {
   if (name === '') return say('all, or the first');
-  const index = lights.findIndex((light) => light.name === name);
+  const index = lights.findIndex((light, i) => LIGHTS.title(light, i, null) === name);
   const named = lights[index] === undefined || fieldsOf(lights[index]).store.values.name !== '';
   return named ? name : say('light {number}', { number: String(index + 1) });
 }

@@ -36,11 +36,17 @@ function disposeFlat({ target }: { readonly target: BufferGeometry }): void {
   made.get(target)?.dispose();
 }
 
-/** Call when positions, tangents and bounds of `source` have changed: updates its flat copy, if there is one. */
+/** Call when positions, tangents, index or bounds of `source` have changed: updates its flat copy, if there is one. */
 export function updateFlatGeometry(source: BufferGeometry): void {
   const flat = made.get(source);
   if (!flat) return;
-  const { attributes } = separateTriangles(source, ['position', 'tangent']);
+  // Joints that mirror triangles turn them: their corners change places.
+  const isTurned = source.index !== null && flat.userData['order'] !== source.index.version;
+  const { attributes, userData } = separateTriangles(
+    source,
+    isTurned ? Object.keys(source.attributes) : ['position', 'tangent'],
+  );
+  flat.userData = userData;
   for (const [name, { array }] of Object.entries(attributes)) {
     const own = flat.getAttribute(name) as BufferAttribute;
     own.array.set(array);
@@ -64,6 +70,7 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
   const positions = flat.getAttribute('position').array;
   const normals = new Float32Array(positions.length);
   writeFaceNormals(positions, normals, 0, Math.floor(positions.length / 9));
+  flat.userData['order'] = index?.version;
   return flat.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 

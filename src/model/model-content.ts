@@ -12,6 +12,7 @@ import { neededCode, type ReadOptional } from './model-reader.js';
 import { asUtf8 } from './encodings.js';
 import { type Content, ModelError } from './model.js';
 import { measureInSlices } from './geometry-size.js';
+import { isMoving } from './moving-copy.js';
 import { Slices } from './slices.js';
 
 export { Slices };
@@ -58,9 +59,10 @@ export async function modelContent(
     const model = await reader.read({ url, bytes, signal, linked, optional, budget });
     free(bytes);
     try {
-      // All bounds that framing and culling will need: the first frame would find them in one task.
+      // The bounds that framing and culling will need: the first frame would find them in one task. A mesh whose
+      // vertices move measures its copy in its first pose.
       const geometries = new Set(model.parts.map(({ geometry }) => geometry));
-      for (const geometry of geometries) await measureInSlices(geometry, slices);
+      for (const geometry of geometries) if (!isMoving(geometry)) await measureInSlices(geometry, slices);
     } catch (error) {
       model.dispose();
       throw error;

@@ -2,7 +2,7 @@
 import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
 import type { Content } from './model.js';
 
-/** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index of its own not. */
+/** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index and bounds of its own not. */
 export function movingValues({ parts }: Content): number {
   let values = parts.length * 32;
   for (const geometry of new Set(parts.map((part) => part.geometry)))
@@ -18,8 +18,7 @@ export function movingCopy(content: Content): Content {
   const copies = new Map<BufferGeometry, Vertices>();
   const parts = content.parts.map((part) => {
     const { geometry } = part;
-    const moves = movingAttributes(geometry).length > 0;
-    const copy = copies.get(geometry) ?? (moves ? new Vertices(geometry) : null);
+    const copy = copies.get(geometry) ?? (isMoving(geometry) ? new Vertices(geometry) : null);
     if (copy !== null) copies.set(geometry, copy);
     return { ...part, geometry: copy?.geometry ?? geometry, matrix: part.matrix.clone() };
   });
@@ -78,7 +77,7 @@ class Vertices {
     const { index } = source;
     if (index !== null && index.version !== this.#indexVersion) {
       if (this.#indexVersion === 0) geometry.setIndex(index.clone());
-      else copyItems(geometry.index!, index);
+      copyItems(geometry.index!, index);
       this.#indexVersion = index.version;
     }
     const [one, other] = this.#boxes;
@@ -106,6 +105,8 @@ function copyItems(own: BufferAttribute, { array }: BufferAttribute): void {
   own.array.set(array);
   own.needsUpdate = true;
 }
+
+export const isMoving = (geometry: BufferGeometry): boolean => movingAttributes(geometry).length > 0;
 
 const movingAttributes = ({ attributes }: BufferGeometry): [string, BufferAttribute][] =>
   Object.entries(attributes as Record<string, BufferAttribute>).filter(([, { usage }]) => usage === DynamicDrawUsage);

@@ -1,7 +1,7 @@
 // Does a flat copy carry each triangle's own normal, whatever form the source's attributes have?
 import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { flatGeometry } from '../../src/material/flat-geometry.js';
+import { flatGeometry, updateFlatGeometry } from '../../src/material/flat-geometry.js';
 
 const TRIANGLE = [0, 0, 0, 2, 0, 0, 0, 3, 0];
 
@@ -38,6 +38,11 @@ describe('flatGeometry', () => {
     expect(listed(flat, 'uv')).toEqual([0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 1]);
     const color = flat.getAttribute('color');
     expect([color.getX(4), color.getY(4), color.getZ(4)]).toEqual([0.2, 0.2, 0.2]);
+    // Joints that mirror a triangle turn it.
+    source.index!.array.set([0, 2, 1]);
+    source.index!.needsUpdate = true;
+    updateFlatGeometry(source);
+    expect(listed(flat, 'uv')).toEqual([0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1]);
   });
 
   it('reads interleaved and normalised positions', () => {

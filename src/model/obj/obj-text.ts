@@ -222,6 +222,7 @@ class ObjReader {
     const written = this.#scanner.integerHere();
     const index = written > 0 ? written - 1 : count + written;
     if (!(written !== 0 && index >= 0 && index < CORNER_LIMIT)) {
+      // Read now, not by the reason: it steps over the word.
       const why = Number.isNaN(written)
         ? `${this.#scanner.quotedWord()} is not a corner of a face`
         : 'a corner of a face refers to something that is not there';

@@ -70,6 +70,7 @@ export class Handles {
       });
     const entries = lights.flatMap(handlesOf);
     const kept = new Set(entries.map(({ shown }) => shown));
+    const hadFocus = this.#list.matches(':focus-within');
     // First: an element that moves in the tree loses focus and pointer.
     for (const shown of this.#shown.values()) if (!kept.has(shown)) this.#remove(shown);
     let before: Element | null = null;
@@ -81,6 +82,8 @@ export class Handles {
     }
     this.#list.hidden = kept.size === 0;
     if (this.#current === null) this.#choose(this.#shown.values().next().value);
+    // All lights were replaced by others.
+    if (hadFocus && !this.#list.matches(':focus-within')) this.#current?.element.focus({ preventScroll: true });
   }
 
   hide(): void {

@@ -51,10 +51,16 @@ class ViewExtra implements Extra {
     if (!this.#warned.has(values.viewLight) && unknownLightText(this.#host) !== null) this.#warnLater();
   }
 
-  /** After the task and its microtasks, in which frameworks add the lights. Once per value. */
+  /** After the task and its microtasks, in which frameworks add the lights, and after the page's markup. Once per value. */
   #warnLater(): void {
     this.#warning ??= setTimeout(() => {
       this.#warning = undefined;
+      if (document.readyState === 'loading') {
+        document.addEventListener('DOMContentLoaded', () => this.#place.isConnected && this.#warnLater(), {
+          once: true,
+        });
+        return;
+      }
       const text = unknownLightText(this.#host);
       if (text === null) return;
       this.#warned.add(this.#host.values.viewLight);

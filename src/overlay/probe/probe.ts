@@ -14,11 +14,10 @@ import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
 
 /**
- * Another surface hides a pinned point if it is nearer to the eye by more than this share of the distance. Nearer by
- * less, it is the same surface at the centre of the pixel: half a pixel away (about a tenth of this) a surface can
- * still lean by more than 80 degrees.
+ * Another surface hides a pinned point if it is nearer to the eye by more than so many pixels are wide there. Nearer by
+ * less, it is the same surface at the centre of the pixel, at most 0.71 pixels away: it can lean by 80 degrees.
  */
-const IN_FRONT = 0.005;
+const IN_FRONT = 4;
 
 /** CSS pixels per press of an arrow key, and with Shift. */
 const STEP = { fine: 1, coarse: 10 } as const;
@@ -196,10 +195,11 @@ class Probe implements Extra {
       if (this.#acted) this.#view.announce();
       this.#acted = false;
       if (shown !== before) this.#notify(shown);
-      // Not at once: a listener may have changed the viewer, which would never end.
-      requestAnimationFrame(() => {
+      // Not at once: a listener may have changed the viewer, which would never end. By the frames of the window that
+      // shows the viewer: the opener of a popup may be hidden.
+      this.#host.viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
         this.#busy = false;
-        if (this.#again) this.#explain();
+        if (this.#again && !this.#listening.signal.aborted) this.#explain();
       });
     });
   }
@@ -257,7 +257,8 @@ class Probe implements Extra {
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
     if (fragment === null) return message !== '' ? shown : viewer.loaded ? without(NO_SURFACE) : null;
-    if (projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point)) return without(HIDDEN);
+    const depth = projection.depthOf(point);
+    if (projection.depthOf(fragment.p) < depth - IN_FRONT / projection.pixelsPerUnit(depth)) return without(HIDDEN);
     // Who asks for numbers gets those of the very point: the pixel's centre is beside it.
     const exact = this.#host.values.probe === true ? null : await viewer.explain(point);
     return exact === null ? shown : { ...shown, fragment: exact };

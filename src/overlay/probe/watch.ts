@@ -7,16 +7,19 @@ import { projectionOf } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {
   const { viewer, values } = host;
-  let [isGone, isBusy, again] = [false, false, false];
+  let [isGone, isBusy, again, isReported] = [false, false, false, false];
   const update = (): void => {
     const { probeAt } = values;
     again = isBusy;
     if (isBusy || probeAt === null || viewer.stats.frames === 0) return;
     isBusy = true;
-    const explained = viewer.explain(probeAt).catch(reportMissing);
+    const explained = viewer.explain(probeAt).catch((error: unknown) => {
+      if (!isReported) reportMissing(error);
+      isReported = true;
+    });
     void explained.then((fragment) => {
-      // Not at once: a listener may change the viewer, which would never end.
-      requestAnimationFrame(() => {
+      // As in the probe.
+      viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
         isBusy = false;
         if (again && !isGone) update();
       });

@@ -220,6 +220,14 @@ test('a name that no light has is black with a warning; a later light shows', as
     await Promise.resolve();
     element.append(Object.assign(document.createElement('phong-light'), { name: 'late' }));
     await new Promise((resolve) => setTimeout(resolve, 20));
+    // Nor are those that the parser has not come to.
+    Object.defineProperty(document, 'readyState', { value: 'loading', configurable: true });
+    element.viewLight = 'last';
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    element.append(Object.assign(document.createElement('phong-light'), { name: 'last' }));
+    Reflect.deleteProperty(document, 'readyState');
+    document.dispatchEvent(new Event('DOMContentLoaded'));
+    await new Promise((resolve) => setTimeout(resolve, 20));
     return element.ready;
   });
   expect(await brightest()).toBeGreaterThan(100);

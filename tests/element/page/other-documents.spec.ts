@@ -230,6 +230,16 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
   expect(await cameraOf(inside)).toMatchObject({ theta: -6, phi: 52 });
   const turned = await pixels(inside);
   expect(compare(turned, before).max).toBeGreaterThan(50);
+  // The probe follows by the popup's frames, too.
+  await inside.evaluate((element: PhongViewer) => {
+    element.addEventListener('probe-change', () => (element.title += '.'));
+    element.probe = true;
+  });
+  let x = box.x + 60;
+  await expect
+    .poll(() => popup.mouse.move((x += 3), box.y + 75).then(() => inside.getAttribute('title')))
+    .toMatch(/^\.{3}/);
+  await inside.evaluate((element: PhongViewer) => Object.assign(element, { title: '', probe: false }));
   // Below the fold it is drawn for print.
   const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
   await inside.evaluate((element: PhongViewer) => {
