@@ -191,7 +191,20 @@ function setUp(axes: PictureAxes = [1, 0, 0, 1]) {
 }
 
 describe('a drag', () => {
-  it('continues from a property write, a resize or a new field of view during the drag', () => {
+  it.each([{ height: 800 }, { fov: 20 }])('goes on like a new one after a change to %o', (change) => {
+    const [{ orbit, gesture, world }, other] = [setUp(), setUp()];
+    gesture.press(1, 0, 0, 'shift');
+    gesture.move(1, 60, 0);
+    Object.assign(world, change);
+    Object.assign(other.world, change);
+    other.orbit.set(orbit.pose);
+    other.gesture.press(1, 60, 0, 'shift');
+    for (const each of [gesture, other.gesture]) each.move(1, 60, 90);
+    expect(orbit.pose).toEqual(other.orbit.pose);
+    expect(orbit.pose.target[1]).toBeGreaterThan(0);
+  });
+
+  it('continues from a property write or a resize during the drag', () => {
     const { orbit, gesture, world } = setUp();
     gesture.press(1, 0, 0, 'turn');
     gesture.move(1, 60, 0);
@@ -284,6 +297,17 @@ describe('a picture that is rotated, skewed or mirrored', () => {
 });
 
 describe('two fingers', () => {
+  it('zoom from where they are when zoom is allowed again', () => {
+    const { orbit, gesture, world } = setUp();
+    world.zoom = false;
+    gesture.press(1, 0, 0, 'turn');
+    gesture.press(2, 100, 0, 'turn');
+    gesture.move(2, 200, 0);
+    world.zoom = true;
+    gesture.move(2, 400, 0);
+    expect(orbit.radius).toBeCloseTo(2);
+  });
+
   it('zoom by the ratio of their distances and shift by the travel of their middle', () => {
     const { orbit, gesture } = setUp();
     orbit.set({ theta: 0, phi: 90 });

@@ -18,7 +18,7 @@ const linesOf = (folder: string, ends: RegExp): number =>
 it.each([
   ['src', /\.ts$/, 32_244],
   ['shaders', /\.glsl$/, 788],
-  ['tests', /\.(ts|tsx|mjs|js|py)$/, 45_876],
+  ['tests', /\.(ts|tsx|mjs|js|py)$/, 45_899],
 ])('%s has no more lines than it needs', (folder, ends, most) => {
   const lines = linesOf(folder, ends);
   expect(lines).toBeLessThanOrEqual(most);
