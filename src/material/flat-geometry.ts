@@ -70,7 +70,7 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
   const positions = flat.getAttribute('position').array;
   const normals = new Float32Array(positions.length);
   writeFaceNormals(positions, normals, 0, Math.floor(positions.length / 9));
-  flat.userData['order'] = index?.version;
+  flat.userData['order'] = index?.version; // of its corners
   return flat.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 

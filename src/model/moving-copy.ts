@@ -77,7 +77,7 @@ class Vertices {
     const { index } = source;
     if (index !== null && index.version !== this.#indexVersion) {
       if (this.#indexVersion === 0) geometry.setIndex(index.clone());
-      copyItems(geometry.index!, index);
+      copyItems(geometry.index!, index); // a clone, too: its version tells a flat copy that it is another one
       this.#indexVersion = index.version;
     }
     const [one, other] = this.#boxes;

@@ -54,18 +54,17 @@ class ViewExtra implements Extra {
   /** After the task and its microtasks, in which frameworks add the lights, and after the page's markup. Once per value. */
   #warnLater(): void {
     this.#warning ??= setTimeout(() => {
-      this.#warning = undefined;
-      if (document.readyState === 'loading') {
-        document.addEventListener('DOMContentLoaded', () => this.#place.isConnected && this.#warnLater(), {
-          once: true,
-        });
-        return;
-      }
-      const text = unknownLightText(this.#host);
-      if (text === null) return;
-      this.#warned.add(this.#host.values.viewLight);
-      console.warn(text);
+      if (document.readyState !== 'loading') this.#warn();
+      else document.addEventListener('DOMContentLoaded', () => this.#warn(), { once: true });
     });
+  }
+
+  #warn(): void {
+    this.#warning = undefined;
+    const text = this.#place.isConnected ? unknownLightText(this.#host) : null;
+    if (text === null) return;
+    this.#warned.add(this.#host.values.viewLight);
+    console.warn(text);
   }
 
   dispose(): void {

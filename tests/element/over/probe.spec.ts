@@ -173,9 +173,8 @@ test.describe('`probe-at`', () => {
     await assign(viewer, { probeAt: [0.7, 0, 0] });
     await expect(box(viewer)).toHaveText(/No surface there\./);
     // Few pixels, and a surface that leans away: the pixel's centre is nearer than the point.
-    const floor = await mount('<phong-viewer geometry="plane" probe probe-at="0 0 0"></phong-viewer>', {
-      ...{ width: 300, height: 150 },
-    });
+    const small = { width: 300, height: 150 };
+    const floor = await mount('<phong-viewer geometry="plane" probe probe-at="0 0 0"></phong-viewer>', small);
     await expect(codes(floor)).toHaveText(/^\d/);
   });
 
