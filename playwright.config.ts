@@ -10,7 +10,7 @@ const executablePath = await findTestBrowser();
 
 export default defineConfig({
   testDir: 'tests',
-  testMatch: '{element,visual,a11y,glsl,package,release}/**/*.spec.ts',
+  testMatch: '{element,extras,visual,a11y,glsl,package,release}/**/*.spec.ts',
   outputDir: outputFolder('test-results'),
   reporter: 'list',
   workers: 2,

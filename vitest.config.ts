@@ -15,6 +15,7 @@ export default defineConfig({
     environment: 'node',
     include: [
       'tests/unit/**/*.test.ts',
+      'tests/extras/**/*.test.ts',
       'tests/stress/**/*.test.ts',
       ...(release ? ['tests/release/**/*.test.ts'] : []),
     ],

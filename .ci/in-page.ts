@@ -4,9 +4,9 @@
 import { fileURLToPath } from 'node:url';
 import { build, type Plugin, type Rolldown } from 'vite';
 
-const entry = fileURLToPath(new URL('../src/playwright/in-page.ts', import.meta.url));
+const entry = fileURLToPath(new URL('../src/extras/playwright/in-page.ts', import.meta.url));
 
-/** Replaces src/playwright/in-page.ts by the module of its bundled functions. */
+/** Replaces src/extras/playwright/in-page.ts by the module of its bundled functions. */
 export function inPage(): Plugin {
   return {
     name: 'in-page',

@@ -12,53 +12,75 @@ import { posix } from 'node:path';
  * @property {string[]} types     npm packages for types only
  */
 
+const phong = ['phong/material', 'phong/camera', 'phong/light', 'phong/fields', 'phong/math'];
+const viewer = ['viewer/element', 'viewer/scene', 'viewer/model', ...phong];
+
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
-  math: {},
-  fields: { layers: ['math'] },
-  light: { layers: ['fields', 'math'] },
-  reference: { layers: ['light', 'fields', 'math'] },
-  camera: { layers: ['math'] },
-  material: { layers: ['light', 'fields', 'math', 'shaders'], packages: ['three'] },
-  model: { layers: ['material', 'light', 'fields', 'math'], packages: ['three'] },
-  scene: { layers: ['model', 'material', 'camera', 'light', 'fields', 'math'], packages: ['three'] },
-  element: {
-    layers: ['core', 'scene', 'model', 'material', 'camera', 'light', 'fields', 'math'],
-    lazy: ['overlay', 'reference'],
+  'phong/math': {},
+  'phong/fields': { layers: ['phong/math'] },
+  'phong/light': { layers: ['phong/fields', 'phong/math'] },
+  'phong/reference': { layers: ['phong/light', 'phong/fields', 'phong/math'] },
+  'phong/camera': { layers: ['phong/math'] },
+  'phong/material': { layers: ['phong/light', 'phong/fields', 'phong/math', 'shaders'], packages: ['three'] },
+  phong: { layers: phong, packages: ['three'] },
+  'viewer/model': {
+    layers: ['phong/material', 'phong/light', 'phong/fields', 'phong/math'],
+    lazy: ['extras/models'],
+    packages: ['three'],
+  },
+  'viewer/scene': { layers: ['viewer/model', ...phong], lazy: ['extras/samples'], packages: ['three'] },
+  'viewer/element': {
+    layers: ['viewer/scene', 'viewer/model', ...phong],
+    lazy: [
+      'extras/overlay',
+      'extras/compare',
+      'extras/diagnosis',
+      'extras/explain',
+      'extras/panel',
+      'extras/samples',
+      'phong/reference',
+    ],
     packages: ['lit'],
     types: ['three', 'react', 'solid-js', 'svelte', 'vue'],
   },
-  overlay: {
-    layers: ['element', 'scene', 'model', 'material', 'camera', 'light', 'fields', 'math'],
-    lazy: ['reference'],
-    packages: ['three', 'lit'],
-  },
-  gui: {
-    layers: ['element', 'scene', 'model', 'material', 'camera', 'light', 'fields', 'math'],
-    packages: ['lil-gui'],
-  },
-  core: { layers: ['material', 'camera', 'light', 'fields', 'math'], packages: ['three'] },
-  index: {
-    layers: ['element', 'scene', 'model', 'material', 'camera', 'light', 'fields', 'math'],
-    lazy: ['gui', 'reference'],
+  viewer: {
+    layers: viewer,
+    lazy: ['extras/panel', 'extras/frameworks', 'extras/samples', 'phong/reference'],
     types: ['three'],
   },
-  classic: { layers: ['index'] },
-  react: { layers: ['index', 'element'], packages: ['react'] },
+  'extras/models': { layers: ['viewer/model', ...phong], packages: ['three'] },
+  'extras/samples': { layers: viewer, packages: ['three'] },
+  'extras/explain': { layers: viewer, lazy: ['phong/reference'], packages: ['three'] },
+  'extras/compare': { layers: viewer, packages: ['lit'] },
+  'extras/diagnosis': { layers: viewer },
+  'extras/overlay': {
+    layers: ['extras/explain', ...viewer],
+    lazy: ['extras/samples', 'phong/reference'],
+    packages: ['three', 'lit'],
+  },
+  'extras/panel': { layers: viewer, packages: ['lil-gui'] },
+  'extras/frameworks': {
+    layers: ['viewer', 'viewer/element'],
+    lazy: ['extras/panel', 'viewer/scene', 'phong/light'],
+    packages: ['react'],
+    types: ['react', 'solid-js', 'svelte', 'vue'],
+  },
   // Runs in Node and sends functions into pages: the elements are types to it.
-  playwright: {
-    layers: ['reference', 'light', 'math'],
-    lazy: ['index'],
+  'extras/playwright': {
+    layers: ['phong/reference', 'phong/light', 'phong/math'],
+    lazy: ['viewer'],
     packages: ['@playwright/test'],
   },
 };
 
 /**
- * The layer of a file: its first folder under src/, the entry's name, or `shaders`; undefined outside of both.
+ * The layer of a file: its first two folders under src/, the first alone for an entry, or `shaders`; undefined outside
+ * of both.
  * @param {string} file path with forward slashes
  */
 function layerOf(file) {
-  const match = /(?:^|\/)(?:src\/([^/.]+)|(shaders)\/)/.exec(file);
+  const match = /(?:^|\/)(?:src\/([^/.]+(?:\/[^/.]+(?=\/))?)|(shaders)\/)/.exec(file);
   return match?.[1] ?? match?.[2];
 }
 

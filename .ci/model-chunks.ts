@@ -5,15 +5,15 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/model\/(slices|model-budget|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
+    test: /\/src\/extras\/models\/(slices|model-budget|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
   // What helpers and comparison have in common with the panel. Before its rows, which would take it with them.
-  { name: 'followed-drag', test: /\/src\/element\/page\/followed-drag\.ts$/ },
-  { name: 'round-number', test: /\/src\/(element\/viewer\/history|math\/round-number)\.ts$/ },
+  { name: 'followed-drag', test: /\/src\/viewer\/element\/page\/followed-drag\.ts$/ },
+  { name: 'round-number', test: /\/src\/(viewer\/element\/viewer\/history|phong\/math\/round-number)\.ts$/ },
   // What <phong-control> has in common with the panel.
   {
     name: 'panel-rows',
-    test: /\/src\/gui\/(?!(panel|flat-rows|full-screen|control|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
+    test: /\/src\/extras\/panel\/(?!(panel|flat-rows|full-screen|control|control-fields|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
   },
-  { name: 'model-triangles', test: /\/src\/model\/(left-out|(text|triangles)\/[^/]+)\.ts$/ },
+  { name: 'model-triangles', test: /\/src\/extras\/models\/(left-out|(text|triangles)\/[^/]+)\.ts$/ },
 ];

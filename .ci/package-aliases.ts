@@ -6,9 +6,9 @@ const source = (path: string): string => fileURLToPath(new URL(`../src/${path}`,
 
 /** The order does not matter: each pattern matches one whole specifier. */
 export const packageAliases = [
-  { find: /^phong-viewer$/, replacement: source('index.ts') },
-  { find: /^phong-viewer\/core$/, replacement: source('core.ts') },
-  { find: /^phong-viewer\/reference$/, replacement: source('reference/index.ts') },
-  { find: /^phong-viewer\/react$/, replacement: source('react.ts') },
-  { find: /^phong-viewer\/playwright$/, replacement: source('playwright.ts') },
+  { find: /^phong-viewer$/, replacement: source('viewer/index.ts') },
+  { find: /^phong-viewer\/core$/, replacement: source('phong/core.ts') },
+  { find: /^phong-viewer\/reference$/, replacement: source('phong/reference/index.ts') },
+  { find: /^phong-viewer\/react$/, replacement: source('extras/frameworks/react.ts') },
+  { find: /^phong-viewer\/playwright$/, replacement: source('extras/playwright/index.ts') },
 ];

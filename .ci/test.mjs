@@ -10,13 +10,13 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readCommandLine, timeText } from '../tests/support/command-line.mjs';
 
-const nodeFolders = ['unit', 'stress'];
-const browserFolders = ['element', 'visual', 'a11y', 'glsl', 'package'];
+const nodeFolders = ['unit', 'extras', 'stress'];
+const browserFolders = ['element', 'extras', 'visual', 'a11y', 'glsl', 'package'];
 const checks = ['format', 'lint', 'types', 'build', 'browser', 'release', 'mutation'];
 
 const USAGE = `
 npm test -- [steps] [--release]: all checks, or only the named ones
-  steps       ${[...checks, ...nodeFolders, ...browserFolders].join(', ')}
+  steps       ${[...new Set([...checks, ...nodeFolders, ...browserFolders])].join(', ')}
   --release   adds the slow tests and a sample of mutants (npm run test:release)
   --help
 Which step answers which question: tests/README.md`;

@@ -9,7 +9,7 @@ import { outputFolder } from './output-folder.mjs';
 
 /** By heading, then by key. @type {Readonly<Record<string, Readonly<Record<string, Readonly<Record<string, string>>>>>>} */
 const sections = JSON.parse(
-  readFileSync(fileURLToPath(new URL('../src/element/fields/texts.json', import.meta.url)), 'utf8'),
+  readFileSync(fileURLToPath(new URL('../src/viewer/element/fields/texts.json', import.meta.url)), 'utf8'),
 );
 
 const table = Object.assign({}, ...Object.values(sections));
@@ -25,7 +25,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) writeAll();
 function writeAll() {
   const target = join(outputFolder('dist'), 'texts');
   mkdirSync(target, { recursive: true });
-  const module = `import type { CompleteTexts } from '../types/element/fields/texts.js';
+  const module = `import type { CompleteTexts } from '../types/viewer/element/fields/texts.js';
 declare const texts: CompleteTexts;
 export default texts;
 `;
@@ -36,7 +36,7 @@ export default texts;
     writeFileSync(join(target, `${name}.d.ts`), module);
   }
   // The table itself is not in the package: its keys take the place of its type.
-  const types = join(outputFolder('dist'), 'types/element/fields/texts.d.ts');
+  const types = join(outputFolder('dist'), 'types/viewer/element/fields/texts.d.ts');
   const keys = Object.keys(table).map((key) => JSON.stringify(key));
   const declared = readFileSync(types, 'utf8')
     .replace(/^import type table .*\n/m, '')

@@ -3,7 +3,7 @@
 
 /**
  * The exponent for a roughness of 0–1. Burley's alpha = roughness², Blinn–Phong's 2/alpha² - 2 (Walter and others
- * 2007), a quarter of it for R·V (Fisher and Woo 1994). src/material/file-surface.ts has the same function in float64.
+ * 2007), a quarter of it for R·V (Fisher and Woo 1994). src/phong/material/file-surface.ts has the same function in float64.
  */
 float exponentOfRoughness(float roughness) {
   float alpha = max(roughness, LEAST_ROUGHNESS);

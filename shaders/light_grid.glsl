@@ -1,4 +1,4 @@
-// The spots of one cell of a light grid (src/light/light-grid.ts). Needs light_rows.
+// The spots of one cell of a light grid (src/phong/light/light-grid.ts). Needs light_rows.
 
 /** A range of the grid's list of spots: those that can reach one cell. */
 struct CellSpots {

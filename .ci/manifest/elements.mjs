@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 
 /**
- * @typedef {import('../../src/fields/field.js').Field<unknown>} Field
+ * @typedef {import('../../src/phong/fields/field.js').Field<unknown>} Field
  * @typedef {{ name: string, description: string }} Named
  * @typedef {Named & { type: string }} Typed
  * @typedef {Typed & { optional: boolean }} Parameter
@@ -31,7 +31,7 @@ import ts from 'typescript';
  */
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-const folder = join(repository, 'src/element');
+const folder = join(repository, 'src/viewer/element');
 
 /**
  * @param {typeof import('./tables.js')} tables

@@ -1,14 +1,14 @@
 // The parts of the source that the manifests import and run: the tables of fields by tag, and the functions that write
 // a field's value as an attribute.
 
-import type { Field } from '../../src/fields/field.js';
-import { COMPARE_FIELDS } from '../../src/element/fields/compare-fields.js';
-import { CONTROL_FIELDS } from '../../src/element/fields/control-fields.js';
-import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
-import { LIGHT_FIELDS } from '../../src/light/light-state.js';
-import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
+import type { Field } from '../../src/phong/fields/field.js';
+import { COMPARE_FIELDS } from '../../src/viewer/element/fields/compare-fields.js';
+import { CONTROL_FIELDS } from '../../src/extras/panel/control-fields.js';
+import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
+import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
+import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
-export { attributeOf, formatValue } from '../../src/element/fields/attribute-text.js';
+export { attributeOf, formatValue } from '../../src/viewer/element/fields/attribute-text.js';
 
 export const fields: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
   'phong-viewer': VIEWER_FIELDS,

@@ -32,7 +32,7 @@ export default defineConfig({
     target: 'es2022',
     chunkSizeWarningLimit: 2048,
     lib: {
-      entry: { 'phong-viewer.classic': fileURLToPath(new URL('../../src/classic.ts', import.meta.url)) },
+      entry: { 'phong-viewer.classic': fileURLToPath(new URL('../../src/viewer/classic.ts', import.meta.url)) },
       formats: ['iife'],
       // Required, but unused: the entry exports nothing, so there is no global.
       name: 'phongViewer',

@@ -33,7 +33,7 @@ function staysImport(specifier: string): boolean {
 const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
   name: 'beside',
   enforce: 'pre',
-  resolveId: (specifier) => (specifier === './index.js' ? { id, external: 'relative' } : null),
+  resolveId: (specifier) => (specifier.endsWith('/viewer/index.js') ? { id, external: 'relative' } : null),
   generateBundle(_options, bundle) {
     for (const file of Object.values(bundle)) {
       if (file.type !== 'chunk' || !file.isEntry) continue;
@@ -63,13 +63,13 @@ const beforeLit: Plugin = {
 
 /** Built one by one: each is a single file, which compresses better than several files with shared parts. */
 const entries: Readonly<Record<string, string>> = {
-  index: source('index.ts'),
-  'trusted-types': source('element/page/trusted-types.ts'),
-  core: source('core.ts'),
-  reference: source('reference/index.ts'),
-  react: source('react.ts'),
-  'react-standalone': source('react.ts'),
-  playwright: source('playwright.ts'),
+  index: source('viewer/index.ts'),
+  'trusted-types': source('viewer/element/page/trusted-types.ts'),
+  core: source('phong/core.ts'),
+  reference: source('phong/reference/index.ts'),
+  react: source('extras/frameworks/react.ts'),
+  'react-standalone': source('extras/frameworks/react.ts'),
+  playwright: source('extras/playwright/index.ts'),
 };
 
 const workerPlugins = (): Plugin[] => [dracoDecoder(), basisTranscoder(), licences({ listed: false })];

@@ -40,7 +40,7 @@ export default defineConfig({
     target: 'es2022',
     chunkSizeWarningLimit: 1024,
     lib: {
-      entry: { 'phong-viewer.standalone': fileURLToPath(new URL('../../src/index.ts', import.meta.url)) },
+      entry: { 'phong-viewer.standalone': fileURLToPath(new URL('../../src/viewer/index.ts', import.meta.url)) },
       formats: ['es'],
       fileName: (_format, name) => `${name}.js`,
     },

@@ -2,7 +2,7 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { opened } from '../element/panel/panel-rows.js';
+import { opened } from '../extras/panel/panel-rows.js';
 import { assign, drag, type PhongViewer } from '../element/support/viewer.js';
 
 const scene = (attributes = ''): string =>

@@ -1,9 +1,9 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
-import { TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { LARGEST_MILD_CUTOFF, LIMIT_OPEN } from '../../src/light/precision.js';
-import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
-import { srgbDecode, srgbEncode } from '../../src/math/color.js';
-import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
+import { TEXTURE_ROWS_LOG2 } from '../../src/phong/light/light-layout.js';
+import { LARGEST_MILD_CUTOFF, LIMIT_OPEN } from '../../src/phong/light/precision.js';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
+import { srgbDecode, srgbEncode } from '../../src/phong/math/color.js';
+import { dot, normalize, scale, type Vec3 } from '../../src/phong/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
 import { FloatPass, type PassResult, type PassSource, type Uniforms } from './float-pass.js';
 import { type Edit, edited } from './edit.js';

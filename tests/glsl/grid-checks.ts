@@ -1,9 +1,9 @@
 // A grid's lists, which the shader finds by place, against the sum over all lights in float64.
-import type { Box } from '../../src/light/cull-lights.js';
-import { divideLights } from '../../src/light/light-grid.js';
-import type { LightValues } from '../../src/light/light-state.js';
-import { emptyPack } from '../../src/light/pack-lights.js';
-import { subtract, type Vec3 } from '../../src/math/vector.js';
+import type { Box } from '../../src/phong/light/cull-lights.js';
+import { divideLights } from '../../src/phong/light/light-grid.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { emptyPack } from '../../src/phong/light/pack-lights.js';
+import { subtract, type Vec3 } from '../../src/phong/math/vector.js';
 import { lightWith } from '../stress/case.js';
 import { float32, Random } from '../stress/random.js';
 import type { Check } from './chunk-checks.js';

@@ -1,13 +1,13 @@
 // The programs that a stress case can be drawn by: the defines of the shipped general and specialised variants for its
 // lights and surface. What differs from light to light (feature masks, an integer exponent) is read at run time instead
 // of being written into the text, so that cases with other lights share a program.
-import { declaredFeatures } from '../../src/light/light-features.js';
-import { isIntegerPower, isMildPower } from '../../src/light/precision.js';
-import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
-import { PLAIN_LOOK } from '../../src/material/file-surface.js';
-import { type Form, FORMS, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
-import { DEFAULT_STYLE, type Reflection } from '../../src/material/material-values.js';
-import { TERMS } from '../../src/light/light-state.js';
+import { declaredFeatures } from '../../src/phong/light/light-features.js';
+import { isIntegerPower, isMildPower } from '../../src/phong/light/precision.js';
+import { LIGHT_FEATURES } from '../../src/phong/light/light-layout.js';
+import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
+import { type Form, FORMS, generalVariant, specialisedVariant } from '../../src/phong/material/program/variant.js';
+import { DEFAULT_STYLE, type Reflection } from '../../src/phong/material/material-values.js';
+import { TERMS } from '../../src/phong/light/light-state.js';
 import { lightWith, pack, type StressCase, type Variant } from '../stress/case.js';
 
 export type LoopForm = 'general' | Form;

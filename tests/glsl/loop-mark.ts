@@ -1,5 +1,5 @@
 // Tells whether a measurement is of the light loop as it is now.
-import { LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
+import { LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
 
 /** Eight hexadecimal digits (FNV-1a, 32 bits) of a GLSL text, its comments and spaces aside. */
 export function markOf(glsl: string): string {

@@ -4,12 +4,12 @@ import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import type { LoopForm } from './loop-forms.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
-import { kindFeatures } from '../../src/light/light-features.js';
-import { KINDS } from '../../src/light/light-state.js';
-import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
-import type { PackedLights } from '../../src/light/pack-lights.js';
-import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
-import { srgbDecode } from '../../src/math/color.js';
+import { kindFeatures } from '../../src/phong/light/light-features.js';
+import { KINDS } from '../../src/phong/light/light-state.js';
+import { GRID, HEADER, ROWS } from '../../src/phong/light/light-layout.js';
+import type { PackedLights } from '../../src/phong/light/pack-lights.js';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
+import { srgbDecode } from '../../src/phong/math/color.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';
 
 const INPUTS = ['place', 'side', 'seer', 'ka', 'kd', 'ks', 'matrix0', 'matrix1', 'matrix2'] as const;

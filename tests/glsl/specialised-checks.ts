@@ -1,14 +1,14 @@
-// What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and
+// What the programs of src/phong/material/program/variant.ts add up to, in each form: the general loops, counted loops and
 // inlined lights. Also the lobes that a program with a known exponent has. Each against the same law in float64.
-import { declaredFeatures } from '../../src/light/light-features.js';
-import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/light/precision.js';
-import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
-import { type LightValues, type Term, TERMS } from '../../src/light/light-state.js';
-import { PLAIN_LOOK } from '../../src/material/file-surface.js';
-import { type Form, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
-import { DEFAULT_STYLE, type Reflection } from '../../src/material/material-values.js';
-import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
-import { shade } from '../../src/reference/equation.js';
+import { declaredFeatures } from '../../src/phong/light/light-features.js';
+import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';
+import { emptyPack, type PackedLights, packLights } from '../../src/phong/light/pack-lights.js';
+import { type LightValues, type Term, TERMS } from '../../src/phong/light/light-state.js';
+import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
+import { type Form, generalVariant, specialisedVariant } from '../../src/phong/material/program/variant.js';
+import { DEFAULT_STYLE, type Reflection } from '../../src/phong/material/material-values.js';
+import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
+import { shade } from '../../src/phong/reference/equation.js';
 import { lightWith } from '../stress/case.js';
 import { BRANCHES } from '../stress/contract.js';
 import { white } from '../stress/fragments.js';

@@ -17,12 +17,12 @@ import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
 
 /** Each folder's files; those of `shaders` are listed by glsl.mjs. @type {Record<string, readonly string[]>} */
 const FOLDERS = {
-  math: ['src/math/**/*.ts'],
-  fields: ['src/fields/**/*.ts'],
-  light: ['src/light/**/*.ts'],
-  reference: ['src/reference/**/*.ts'],
-  camera: ['src/camera/**/*.ts'],
-  parser: ['src/element/fields/attribute-text.ts'],
+  math: ['src/phong/math/**/*.ts'],
+  fields: ['src/phong/fields/**/*.ts'],
+  light: ['src/phong/light/**/*.ts'],
+  reference: ['src/phong/reference/**/*.ts'],
+  camera: ['src/phong/camera/**/*.ts'],
+  parser: ['src/viewer/element/fields/attribute-text.ts'],
   shaders: [],
 };
 

@@ -11,7 +11,7 @@ import config from '../../vitest.config.js';
  * itself, tools and files.
  */
 const ABOVE =
-  /from '(three|\.\/(explained|model-files)|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values|tiles|travel))|[^']*\/bench\/|node:)/;
+  /from '(three|[^']*\/(explained|model-files)|[^']*src\/(phong\/material|viewer\/scene|viewer\/element|extras\/panel)\/(?![^']*(fields|values|tiles|travel))|[^']*\/bench\/|node:)/;
 
 /** Longest time that a file has taken, in ms: a run that only needs a part of a file says little. */
 const longest = new Map<string, number>();
@@ -29,9 +29,9 @@ class QuickestFirst extends BaseSequencer {
   }
 }
 
-const pure = readdirSync('tests/unit')
-  .filter((name) => name.endsWith('.test.ts'))
-  .map((name) => `tests/unit/${name}`)
+const pure = ['tests/unit', 'tests/extras']
+  .flatMap((folder) => readdirSync(folder, { recursive: true }).map((name) => `${folder}/${String(name)}`))
+  .filter((file) => file.endsWith('.test.ts'))
   .filter((file) => !ABOVE.test(readFileSync(file, 'utf8')));
 
 export default mergeConfig(

@@ -5,7 +5,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import { allReady, expect, test } from '../support/test.js';
 import { usages } from './requests.js';
 

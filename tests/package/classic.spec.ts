@@ -4,7 +4,7 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:f
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { allReady, compare, expect, pixelAt, pixels, test } from '../support/test.js';
 

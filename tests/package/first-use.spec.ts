@@ -1,7 +1,7 @@
 // Is each lazy chunk fetched with its first use and not before? For the standalone file and the ES modules.
 
 import type { Locator, Page } from '@playwright/test';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import { allReady, expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support/viewer.js';
 import { chunkName, Requests, usages } from './requests.js';

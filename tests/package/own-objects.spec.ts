@@ -2,7 +2,7 @@
 // work in `viewer.scene` if they have their own shaders; three.js's materials give a clear error.
 
 import type * as Three from 'three';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import { allReady, compare, expect, pixels, test } from '../support/test.js';
 
 const box = '<phong-viewer geometry="box" radius="4"></phong-viewer>';

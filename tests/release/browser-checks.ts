@@ -3,8 +3,8 @@
 // at the page's top left unless a check says otherwise.
 import { expect } from '@playwright/test';
 import { inPageModule } from '../../.ci/in-page.js';
-import type * as InPage from '../../src/playwright/in-page.js';
-import { verdictOf } from '../../src/playwright/verdict.js';
+import type * as InPage from '../../src/extras/playwright/in-page.js';
+import { verdictOf } from '../../src/extras/playwright/verdict.js';
 import type { PhongViewer } from '../element/support/viewer.js';
 import { decodePng, type Picture } from '../support/picture.js';
 import { named, wasmPolicy } from '../support/site.js';

@@ -9,7 +9,7 @@ import { expect, test } from '@playwright/test';
 import type { Page } from 'puppeteer-core';
 import { startFirefox } from '../../.ci/firefox.mjs';
 import { outputFolder } from '../../.ci/output-folder.mjs';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import type { Report } from '../glsl/page/page.js';
 import { decodePng, type Picture } from '../support/picture.js';
 import { startSite, testMounts, type Site } from '../support/site.js';

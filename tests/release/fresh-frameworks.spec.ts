@@ -5,7 +5,7 @@
 
 import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
-import type { PhongLight, PhongViewer } from '../../src/index.js';
+import type { PhongLight, PhongViewer } from '../../src/viewer/index.js';
 import { allReady, expect, pixelAt, pixels, strictPolicy, test } from '../support/test.js';
 import { pageOf, readmeSample, strictOptions, useFreshProject } from './fresh-project.js';
 

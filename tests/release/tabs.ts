@@ -2,7 +2,7 @@
 // Positions are CSS pixels of the page.
 import { startFirefox } from '../../.ci/firefox.mjs';
 import { startWebkit } from '../../.ci/webkit.mjs';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 
 type Place = readonly [x: number, y: number];
 

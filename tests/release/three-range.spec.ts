@@ -4,7 +4,7 @@
 
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
-import type { PhongViewer } from '../../src/index.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
 import { expect, pixelAt, pixels, test } from '../support/test.js';
 import { manifest, repository, strictOptions, useFreshProject } from './fresh-project.js';
 

@@ -1,11 +1,11 @@
 // What one stress case is: a fragment in shading space, as the rasteriser would give it, a surface, and lights in world
 // space, as authors would. Everything that the shader is given is exact in float32, so reference and shader see the
 // same.
-import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
-import { emptyPack, packLights, type PackedLights } from '../../src/light/pack-lights.js';
-import { add, type Mat4, type Vec3 } from '../../src/math/vector.js';
-import { type CameraAxes, shade, type Shaded, type Surface } from '../../src/reference/equation.js';
-import type { Reflection } from '../../src/material/material-values.js';
+import { LIGHT_FIELDS, type LightValues } from '../../src/phong/light/light-state.js';
+import { emptyPack, packLights, type PackedLights } from '../../src/phong/light/pack-lights.js';
+import { add, type Mat4, type Vec3 } from '../../src/phong/math/vector.js';
+import { type CameraAxes, shade, type Shaded, type Surface } from '../../src/phong/reference/equation.js';
+import type { Reflection } from '../../src/phong/material/material-values.js';
 
 export interface Variant {
   readonly reflection: Reflection;

@@ -2,8 +2,8 @@
 // shader?
 import { serialize } from 'node:v8';
 import { describe, expect, it } from 'vitest';
-import { SURFACE_FIELDS } from '../../src/material/material-values.js';
-import { LIGHT_FIELDS } from '../../src/light/light-state.js';
+import { SURFACE_FIELDS } from '../../src/phong/material/material-values.js';
+import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
 import { CATEGORIES } from './categories.js';
 import type { StressCase, Variant } from './case.js';
 import { branch, coneMargin, CONE_EDGE } from './contract.js';

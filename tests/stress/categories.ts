@@ -1,13 +1,13 @@
 // All adversarial categories: what each attacks, and the bound that the contract gives it.
 import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
-import { parseText } from '../../src/element/fields/attribute-text.js';
-import type { Field } from '../../src/fields/field.js';
-import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
-import { LARGEST_MILD_POWER } from '../../src/light/precision.js';
-import { SURFACE_FIELDS, type SurfaceValues } from '../../src/material/material-values.js';
-import { normalMatrix } from '../../src/material/normal-matrix.js';
-import { radians } from '../../src/math/angle.js';
-import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
+import { parseText } from '../../src/viewer/element/fields/attribute-text.js';
+import type { Field } from '../../src/phong/fields/field.js';
+import { LIGHT_FIELDS, type LightValues } from '../../src/phong/light/light-state.js';
+import { LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';
+import { SURFACE_FIELDS, type SurfaceValues } from '../../src/phong/material/material-values.js';
+import { normalMatrix } from '../../src/phong/material/normal-matrix.js';
+import { radians } from '../../src/phong/math/angle.js';
+import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
 import { lightWith, ORIGIN, type StressCase, type Variant } from './case.js';
 import { BOUNDS } from './contract.js';
 import {

@@ -1,10 +1,10 @@
 // The numerical contract: how far a picture may be from the equation in float64, and beside which points nothing is
 // promised, because there the equation itself jumps or is infinitely steep.
-import type { LightValues } from '../../src/light/light-state.js';
-import { LEAST_EXPONENT, NEAREST } from '../../src/light/precision.js';
-import { radians } from '../../src/math/angle.js';
-import { add, cross, dot, length, normalize, type Vec3 } from '../../src/math/vector.js';
-import type { LightShare, Shaded } from '../../src/reference/equation.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { LEAST_EXPONENT, NEAREST } from '../../src/phong/light/precision.js';
+import { radians } from '../../src/phong/math/angle.js';
+import { add, cross, dot, length, normalize, type Vec3 } from '../../src/phong/math/vector.js';
+import type { LightShare, Shaded } from '../../src/phong/reference/equation.js';
 import type { StressCase, Variant } from './case.js';
 
 /**

@@ -1,8 +1,8 @@
 // Fragments and lights to build adversarial cases from: ordinary ones, and ones placed where a formula is weakest.
-import type { LightValues } from '../../src/light/light-state.js';
-import { LIMITS } from '../../src/light/light-state.js';
-import { add, dot, normalize, scale, subtract, type Vec3, type Vec4 } from '../../src/math/vector.js';
-import type { Surface } from '../../src/reference/equation.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { LIMITS } from '../../src/phong/light/light-state.js';
+import { add, dot, normalize, scale, subtract, type Vec3, type Vec4 } from '../../src/phong/math/vector.js';
+import type { Surface } from '../../src/phong/reference/equation.js';
 import { CAMERA, lightWith, ORIGIN, type StressCase, type Variant } from './case.js';
 import { float32, type Random } from './random.js';
 

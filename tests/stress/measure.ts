@@ -1,7 +1,7 @@
 // How far what a driver made of stress cases is from float64: errors, wrong codes, numbers that are none.
 import type { PassResult } from '../glsl/float-pass.js';
 import type { Category } from './categories.js';
-import type { Shaded } from '../../src/reference/equation.js';
+import type { Shaded } from '../../src/phong/reference/equation.js';
 import { intensity, reference, type StressCase, type Variant } from './case.js';
 import { branch, coneMargin } from './contract.js';
 

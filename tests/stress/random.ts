@@ -1,6 +1,6 @@
 // Random numbers from a seed, in the shapes that adversarial cases need. Everything that goes to the GPU as a float32
 // is rounded here, so that reference and shader are given the same input.
-import { add, cross, normalize, scale, type Vec3 } from '../../src/math/vector.js';
+import { add, cross, normalize, scale, type Vec3 } from '../../src/phong/math/vector.js';
 
 export class Random {
   readonly #next: () => number;

@@ -2,8 +2,8 @@
 // Knows only what a light's values may be, never how they are used.
 
 import fc from 'fast-check';
-import { LIGHT_FIELDS, type LightValues, LIMITS } from '../../src/light/light-state.js';
-import type { Vec3, Vec4 } from '../../src/math/vector.js';
+import { LIGHT_FIELDS, type LightValues, LIMITS } from '../../src/phong/light/light-state.js';
+import type { Vec3, Vec4 } from '../../src/phong/math/vector.js';
 
 /** Every light of a test is written as what differs from the defaults. */
 export function light(values: Partial<LightValues> = {}): LightValues {

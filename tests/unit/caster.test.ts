@@ -2,9 +2,9 @@
 // pictures than in a release run.
 import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { LightState, type Vec3 } from '../../src/reference/index.js';
-import { add, dot, normalize, scale, subtract } from '../../src/math/vector.js';
-import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
+import { LightState, type Vec3 } from '../../src/phong/reference/index.js';
+import { add, dot, normalize, scale, subtract } from '../../src/phong/math/vector.js';
+import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
 import { castPicture } from '../support/caster/cast.mjs';
 import { castHere } from '../support/caster/picture.js';
 import type { CastMaterial, CastObject, CastScene, TrueShape } from '../support/caster/scene.js';

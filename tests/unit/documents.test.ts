@@ -6,11 +6,11 @@ import { existsSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import { attributeOf, formatValue } from '../../src/element/fields/attribute-text.js';
-import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
-import type { Field } from '../../src/fields/field.js';
-import { LIGHT_FIELDS } from '../../src/light/light-state.js';
-import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
+import { attributeOf, formatValue } from '../../src/viewer/element/fields/attribute-text.js';
+import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
+import type { Field } from '../../src/phong/fields/field.js';
+import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
+import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Every page of the repository. */

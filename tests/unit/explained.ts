@@ -1,9 +1,9 @@
 // The fragment at the origin of a floor, as shadeAt explains it.
 import { Mesh } from 'three';
-import type { FragmentExplanation } from '../../src/element/explanation.js';
-import type { PhongViewer } from '../../src/element/phong-viewer.js';
-import type { LightValues } from '../../src/light/light-state.js';
-import { coefficientsOf, type ReferenceOptions, shade, type Surface } from '../../src/reference/index.js';
+import type { FragmentExplanation } from '../../src/viewer/element/explanation.js';
+import type { PhongViewer } from '../../src/viewer/element/phong-viewer.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { coefficientsOf, type ReferenceOptions, shade, type Surface } from '../../src/phong/reference/index.js';
 import { light } from './arbitraries.js';
 
 export interface Explained extends ReferenceOptions {

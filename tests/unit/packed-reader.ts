@@ -1,10 +1,10 @@
 // Packed lights read back as the GLSL reads them: rows by the layout, and the loop over them in float64. Shading
 // space, radians nowhere, colours where 1 is full. Knows the layout, not how rows came about.
 
-import { HEADER, ROWS } from '../../src/light/light-layout.js';
-import { emptyPack, type PackedLights, packLights, type PackSpace } from '../../src/light/pack-lights.js';
-import type { LightValues } from '../../src/light/light-state.js';
-import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
+import { HEADER, ROWS } from '../../src/phong/light/light-layout.js';
+import { emptyPack, type PackedLights, packLights, type PackSpace } from '../../src/phong/light/pack-lights.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 

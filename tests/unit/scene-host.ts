@@ -1,10 +1,10 @@
 // What a viewer is to its meshes, and meshes in it.
 import type { Scene } from 'three';
-import { FieldStore } from '../../src/fields/field-store.js';
-import { LightSet } from '../../src/light/light-set.js';
-import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
-import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
-import { Picture } from '../../src/scene/picture.js';
+import { FieldStore } from '../../src/phong/fields/field-store.js';
+import { LightSet } from '../../src/phong/light/light-set.js';
+import { MESH_FIELDS, type MeshValues } from '../../src/viewer/scene/mesh/mesh-fields.js';
+import { type MeshHost, SceneMesh } from '../../src/viewer/scene/mesh/scene-mesh.js';
+import { Picture } from '../../src/viewer/scene/picture.js';
 
 const quiet = (): void => undefined;
 

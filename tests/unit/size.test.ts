@@ -16,9 +16,9 @@ const linesOf = (folder: string, ends: RegExp): number =>
     }, 0);
 
 it.each([
-  ['src', /\.ts$/, 32_244],
+  ['src', /\.ts$/, 32_293],
   ['shaders', /\.glsl$/, 788],
-  ['tests', /\.(ts|tsx|mjs|js|py)$/, 45_899],
+  ['tests', /\.(ts|tsx|mjs|js|py)$/, 45_971],
 ])('%s has no more lines than it needs', (folder, ends, most) => {
   const lines = linesOf(folder, ends);
   expect(lines).toBeLessThanOrEqual(most);

@@ -1,6 +1,6 @@
 // Does the worst lawful driver replace what it should, and nothing else?
 import { expect, it } from 'vitest';
-import { LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
+import { LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
 import { divisionsAsCalls, onDriver } from '../glsl/worst-driver.js';
 
 it.each([

@@ -1,5 +1,5 @@
 // How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away from cones' edges.
-import type { Vec3 } from '../../src/math/vector.js';
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import type { Picture } from '../support/picture.js';
 import { caster, type DeclaredScene, type Hit } from './ray-cast.js';
 

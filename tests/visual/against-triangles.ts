@@ -1,11 +1,11 @@
 // How far is a picture from its own triangles in float64? In 8-bit codes. Under Gouraud shading the colours of their
 // vertices are interpolated.
 import { BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
-import { flatGeometry } from '../../src/material/flat-geometry.js';
-import { srgbEncode } from '../../src/math/color.js';
-import { add, map, scale, type Vec3 } from '../../src/math/vector.js';
-import { shade } from '../../src/reference/equation.js';
-import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
+import { flatGeometry } from '../../src/phong/material/flat-geometry.js';
+import { srgbEncode } from '../../src/phong/math/color.js';
+import { add, map, scale, type Vec3 } from '../../src/phong/math/vector.js';
+import { shade } from '../../src/phong/reference/equation.js';
+import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
 import { coneMargin } from '../stress/contract.js';
 import { Tracer } from '../support/caster/tracer.js';
 import type { Picture } from '../support/test.js';

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import type { Drawn, Step } from '../glsl/page/core.js';
-import type { LightValues } from '../../src/light/light-state.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
 import { expect } from '../support/test.js';
 import { Dice, dimmed, randomLight } from './random-scene.js';
 

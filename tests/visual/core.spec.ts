@@ -1,7 +1,7 @@
 // Does `phong-viewer/core` draw the same with every program and storage, with and without back faces?
 
 import type { Step } from '../glsl/page/core.js';
-import type { LightValues } from '../../src/light/light-state.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
 import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, test } from '../support/test.js';
 import { lightWith } from '../stress/case.js';

@@ -2,8 +2,8 @@
 // by one colour each, without shading. Pixels at an outline, and those where two meshes are too close for a depth
 // buffer, are left out.
 import { expect, type Page } from '@playwright/test';
-import type { PhongViewer } from '../../src/index.js';
-import type { Vec3 } from '../../src/math/vector.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import { type CastMesh, caster } from './ray-cast.js';
 
 /** A scene of shapes, told apart by colour. */

@@ -1,7 +1,7 @@
 // Are large floors and walls right where the eye and the lamps are near? Against the equation at points of rays in
 // float64.
-import type { LightValues } from '../../src/light/light-state.js';
-import type { Vec3 } from '../../src/math/vector.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import { expect, pixels, test } from '../support/test.js';
 import { innerPixels } from './against-reference.js';
 import { Dice, randomLight, sceneMarkup } from './random-scene.js';

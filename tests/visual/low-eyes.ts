@@ -1,6 +1,6 @@
 // Scenes that a near plane may cut: eyes just above floors, inside rooms, beside walls and boxes, many of them far
 // larger than the distance of the eye.
-import type { Vec3 } from '../../src/math/vector.js';
+import type { Vec3 } from '../../src/phong/math/vector.js';
 import type { CoverageMesh, CoverageScene } from './coverage.js';
 import { Dice } from './random-scene.js';
 

@@ -2,7 +2,7 @@
 // reach? Pictures are compared with float64 at samples, and with the loop over all lights.
 
 import type { Page } from '@playwright/test';
-import type { LightValues } from '../../src/light/light-state.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
 import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';

@@ -1,10 +1,10 @@
 // Which changes of the markup must not change a picture? Random scenes and equivalent scenes on one page: equal to the
 // bit if the GPU gets the same numbers (or powers of two of them), else within the difference of two programs.
 import { Euler, Matrix4, Vector3 } from 'three';
-import { kindOf } from '../../src/light/light-features.js';
-import type { LightValues } from '../../src/light/light-state.js';
-import { srgbDecode, srgbEncode } from '../../src/math/color.js';
-import { add, scale, type Vec3, type Vec4 } from '../../src/math/vector.js';
+import { kindOf } from '../../src/phong/light/light-features.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { srgbDecode, srgbEncode } from '../../src/phong/math/color.js';
+import { add, scale, type Vec3, type Vec4 } from '../../src/phong/math/vector.js';
 import { compare, expect, type Mount, type Picture, pixels, test } from '../support/test.js';
 import { innerPixels } from './against-reference.js';
 import { Dice, randomLight, randomMesh, randomScene, sceneMarkup } from './random-scene.js';

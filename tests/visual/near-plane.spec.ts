@@ -1,8 +1,8 @@
 // Nothing in view is cut away by the near plane, and the largest shapes are drawn from close by: pictures against a
 // float64 ray caster.
-import { basisOf } from '../../src/camera/orbit.js';
-import type { PhongViewer } from '../../src/index.js';
-import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
+import { basisOf } from '../../src/phong/camera/orbit.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
+import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
 import { Tracer } from '../support/caster/tracer.js';
 import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, type Picture, pixels, test } from '../support/test.js';

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { expect } from '../support/test.js';
-import type { LightValues } from '../../src/light/light-state.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
 import { lightWith } from '../stress/case.js';
 import { compareWithReference } from './against-reference.js';
 import { compareWithTriangles } from './against-triangles.js';

@@ -1,7 +1,7 @@
 // Random scenes as data and as markup, from a seed that failures print. Values are what authors write: moderate
 // numbers with a few decimals.
-import type { LightValues } from '../../src/light/light-state.js';
-import { scale, type Vec3, type Vec4 } from '../../src/math/vector.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { scale, type Vec3, type Vec4 } from '../../src/phong/math/vector.js';
 import { Random } from '../stress/random.js';
 import type { CastMesh, DeclaredScene } from './ray-cast.js';
 

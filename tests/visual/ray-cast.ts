@@ -1,11 +1,11 @@
 // What the element must draw, pixel by pixel, in float64: a camera ray through each pixel's centre, the first face of
 // a declared mesh that it hits, and the equation there. World space; knows nothing of WebGL.
 import { BoxGeometry, type BufferGeometry, Euler, Matrix4, Quaternion, Vector3 } from 'three';
-import { basisOf, type Pose } from '../../src/camera/orbit.js';
-import type { LightValues } from '../../src/light/light-state.js';
-import { radians } from '../../src/math/angle.js';
-import { add, scale, type Vec3 } from '../../src/math/vector.js';
-import type { ReferenceOptions, Shaded, Surface } from '../../src/reference/equation.js';
+import { basisOf, type Pose } from '../../src/phong/camera/orbit.js';
+import type { LightValues } from '../../src/phong/light/light-state.js';
+import { radians } from '../../src/phong/math/angle.js';
+import { add, scale, type Vec3 } from '../../src/phong/math/vector.js';
+import type { ReferenceOptions, Shaded, Surface } from '../../src/phong/reference/equation.js';
 import { coneMargin } from '../stress/contract.js';
 import type { CastCamera, CastScene, CastShape } from '../support/caster/scene.js';
 import { Tracer } from '../support/caster/tracer.js';

@@ -1,10 +1,10 @@
 // Do views show the quantities of the equation? Compared with float64 pixel by pixel, in 8-bit codes.
 
 import type { Locator } from '@playwright/test';
-import { srgbEncode } from '../../src/math/color.js';
-import { map, type Vec3 } from '../../src/math/vector.js';
-import { VIEWS, type View } from '../../src/material/views.js';
-import { type LightShare, shade } from '../../src/reference/index.js';
+import { srgbEncode } from '../../src/phong/math/color.js';
+import { map, type Vec3 } from '../../src/phong/math/vector.js';
+import { VIEWS, type View } from '../../src/phong/material/views.js';
+import { type LightShare, shade } from '../../src/phong/reference/index.js';
 import { assign, type PhongViewer, settled } from '../element/support/viewer.js';
 import { compare, expect, pixels, test } from '../support/test.js';
 import { patch } from '../support/gltf.js';

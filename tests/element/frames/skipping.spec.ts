@@ -2,8 +2,8 @@
 // `stats`, and compares pictures with the float64 equation over all declared lights.
 
 import type { Locator } from '@playwright/test';
-import { HEADER, ROWS } from '../../../src/light/light-layout.js';
-import type { LightValues } from '../../../src/light/light-state.js';
+import { HEADER, ROWS } from '../../../src/phong/light/light-layout.js';
+import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { lightWith } from '../../stress/case.js';
 import { expect, pixels, test } from '../../support/test.js';
 import { compareWithReference } from '../../visual/against-reference.js';

@@ -3,7 +3,7 @@
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
-import { VIEWS } from '../../../src/material/views.js';
+import { VIEWS } from '../../../src/phong/material/views.js';
 import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { assign, nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer.js';

@@ -4,7 +4,7 @@
 import type { Page } from '@playwright/test';
 import { usages } from '../../package/requests.js';
 import { expect, type Site, strictPolicy, test } from '../../support/test.js';
-import { button, panelOf } from '../panel/panel-rows.js';
+import { button, panelOf } from '../../extras/panel/panel-rows.js';
 import type { PhongViewer } from '../support/viewer.js';
 
 const trusted = (policies: string): string => `require-trusted-types-for 'script'; trusted-types ${policies}`;

@@ -2,7 +2,7 @@
 // outside, and input by mouse and fingers. Positions are CSS pixels of the page.
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
-import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../../src/index.js';
+import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../../src/viewer/index.js';
 import { pixels, type Picture } from '../../support/test.js';
 
 export type { CameraState, PhongLight, PhongMesh, PhongViewer };

@@ -19,8 +19,8 @@ import {
   type ShadingStyle,
   type Sides,
   type SurfaceValues,
-} from '../../../src/core.js';
-import type { Vec3 } from '../../../src/math/vector.js';
+} from '../../../src/phong/core.js';
+import type { Vec3 } from '../../../src/phong/math/vector.js';
 
 const SHAPES = {
   sphere: () => new SphereGeometry(0.5, 48, 24),

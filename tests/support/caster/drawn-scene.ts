@@ -1,8 +1,8 @@
 // What a viewer draws, for the ray caster: its meshes' triangles, its camera and its lights.
 import type { Locator } from '@playwright/test';
-import { basisOf } from '../../../src/camera/orbit.js';
-import type { PhongViewer } from '../../../src/index.js';
-import { LIGHT_FIELDS, type LightValues } from '../../../src/light/light-state.js';
+import { basisOf } from '../../../src/phong/camera/orbit.js';
+import type { PhongViewer } from '../../../src/viewer/index.js';
+import { LIGHT_FIELDS, type LightValues } from '../../../src/phong/light/light-state.js';
 import type { CastScene, CastTexture } from './scene.js';
 
 /** What a mesh of a viewer's scene has, and other objects have not. */

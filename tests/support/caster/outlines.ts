@@ -1,6 +1,6 @@
 // How far are the outlines of one scene from those of another, in pixels? Inner outlines count too, where something
 // hides what is behind it: both are jumps of depth along a row or a column of the picture.
-import { dot, type Vec3 } from '../../../src/math/vector.js';
+import { dot, type Vec3 } from '../../../src/phong/math/vector.js';
 import type { Tracer } from './tracer.js';
 
 interface OutlineErrors {

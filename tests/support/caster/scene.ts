@@ -1,6 +1,6 @@
 // What the ray caster casts: a scene as plain data, so that a page can send it to Node, and Node to its threads. World
 // space unless a field says otherwise; colours as in the reference: 255 is full for Ka, Kd, Ks and lights.
-import type { LightValues, ReferenceOptions, Surface, Vec3 } from '../../../src/reference/index.js';
+import type { LightValues, ReferenceOptions, Surface, Vec3 } from '../../../src/phong/reference/index.js';
 
 /** A perspective camera. `right`, `up` and `back` are unit vectors; `back` points from the target to the eye. */
 export interface CastCamera {

@@ -1,5 +1,5 @@
 // Pixels and directions of a picture's rays. Pixels count from the top left corner, with fractions.
-import { add, dot, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
+import { add, dot, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import type { CastCamera } from './scene.js';
 
 export class Screen {

@@ -1,5 +1,5 @@
 // A base colour between the texels of its largest level.
-import type { Vec3 } from '../../../src/math/vector.js';
+import type { Vec3 } from '../../../src/phong/math/vector.js';
 import type { CastTexture, Wrap } from './scene.js';
 
 /** Bilinear, 0–1; texel centres are at halves. */

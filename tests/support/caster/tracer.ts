@@ -1,6 +1,6 @@
 // What a ray from the eye sees of a scene: the nearest surface, and its colour by the reference equation.
-import { type LightShare, shade, type Shaded, type Surface } from '../../../src/reference/index.js';
-import { add, cross, dot, length, multiply, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
+import { type LightShare, shade, type Shaded, type Surface } from '../../../src/phong/reference/index.js';
+import { add, cross, dot, length, multiply, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import { type Hit, type Intersect, newHit } from './hit.js';
 import type { CastScene } from './scene.js';
 import { Screen } from './screen.js';

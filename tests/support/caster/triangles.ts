@@ -1,7 +1,7 @@
 // Rays from the eye against triangles. All rays share their origin, so a triangle's three signed volumes are linear in
 // the direction; neighbours use the same numbers with opposite signs, so there are no gaps. A list for each pixel
 // names the triangles whose box meets it.
-import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
+import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import type { Hit } from './hit.js';
 import type { TrianglesShape } from './scene.js';
 import type { Screen } from './screen.js';

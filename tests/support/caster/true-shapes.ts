@@ -1,5 +1,5 @@
 // Rays against the true round shapes, in closed form and in the shapes' own space.
-import { add, dot, scale, type Vec3 } from '../../../src/math/vector.js';
+import { add, dot, scale, type Vec3 } from '../../../src/phong/math/vector.js';
 import type { Hit, Intersect } from './hit.js';
 import { rootsIn } from './polynomial.js';
 import type { TrueShape } from './scene.js';

@@ -1,0 +1,204 @@
+// Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64.
+import { type Intersection, Matrix3, type Object3D, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
+import { cullsBackFaces } from '../../phong/material/back-faces.js';
+import type { ShadingFrame } from '../../phong/material/lighting.js';
+import { normalMatrix } from '../../phong/material/normal-matrix.js';
+import { radians } from '../../phong/math/angle.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  perpendicular,
+  scale,
+  subtract,
+  type Vec3,
+  type Vec4,
+} from '../../phong/math/vector.js';
+import type { OwnDrawn, SceneSnapshot } from '../../viewer/scene/scene-snapshot.js';
+import type { PixelSlopes } from './sample.js';
+import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
+import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
+
+/** The point of a Phong-lit surface seen through a pixel. */
+export interface Hit<Owner = unknown> extends TriangleHit {
+  readonly drawn: OwnDrawn<Owner>;
+  readonly frame: ShadingFrame;
+  /** Place relative to the frame's origin. */
+  readonly p: Vec3;
+  readonly base: BaseColor;
+  /** The picture averages a texture that is read at one point here. */
+  readonly filtered: boolean;
+}
+
+/**
+ * The point seen through the centre of a device pixel, counted from the top left corner; fractions are places beside
+ * the centre. Null if there is none, or if a page author's own mesh or sprite is nearer; lines, points and culled back
+ * faces are ignored. Of blended surfaces the nearest counts, whatever its opacity.
+ */
+export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
+  const { width, height, camera, frame } = snapshot;
+  if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
+  const { near, far, aspect } = camera;
+  const tan = Math.tan(radians(camera.fov) / 2);
+  const across = (column + 0.5) / width;
+  const down = (row + 0.5) / height;
+  const ray: ViewRay = { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
+  const pixel: PixelSlopes = [(2 * tan * aspect) / width, (-2 * tan) / height];
+  let nearest: Hit<Owner> | null = null;
+  let depth = Infinity;
+  // Of what a mask cuts out here, and may not cut out in the picture.
+  let cutOut = Infinity;
+  for (const drawn of snapshot.objects) {
+    if (drawn.phong !== null) {
+      for (const hit of phongHits(drawn, ray, camera, pixel)) {
+        if (hit.base.discarded) cutOut = hit.filtered ? Math.min(cutOut, hit.depth) : cutOut;
+        // As the depth test does: of two at the same depth the later one stays.
+        else if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
+      }
+    } else {
+      const foreign = foreignDepth(drawn.object, camera, ray);
+      if (foreign < depth) [nearest, depth] = [null, foreign];
+    }
+  }
+  return nearest === null || cutOut > depth ? nearest : { ...nearest, filtered: true };
+}
+
+/** Distance of the nearest surface of any mesh from a place along a unit vector in world space, or Infinity. */
+export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3): number {
+  const ray = rayAlong(from, ORIGIN, along);
+  let nearest = Infinity;
+  for (const drawn of snapshot.objects) {
+    if (drawn.phong === null) nearest = Math.min(nearest, foreignDepth(drawn.object, snapshot.camera, ray));
+    else
+      forEachSurface(drawn, ray, ({ depth }, { discarded }) => {
+        if (!discarded) nearest = Math.min(nearest, depth);
+      });
+  }
+  return nearest;
+}
+
+/** Of all surfaces on the line from the eye through a point, drawn or not, the nearest to it; null if none is near. */
+export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point: Vec3): Hit<Owner> | null {
+  const place = subtract(point, frame.origin);
+  const toPoint = subtract(place, frame.eye);
+  const along = normalize(toPoint);
+  let nearest: Hit<Owner> | null = null;
+  let distance = NEAR * length(toPoint);
+  for (const drawn of objects)
+    if (drawn.phong !== null)
+      forEachSurface(drawn, rayAlong(frame.origin, frame.eye, along), (hit, base) => {
+        const p = add(frame.eye, scale(along, hit.depth));
+        const away = length(subtract(p, place));
+        if (base.discarded || away > distance) return;
+        nearest = { ...hit, drawn, base, filtered: false, frame, p };
+        distance = away;
+      });
+  return nearest;
+}
+
+/** A share of the distance from the eye: curved shapes are made of flat triangles. */
+const NEAR = 0.005;
+
+function rayAlong(origin: Vec3, eye: Vec3, along: Vec3): ViewRay {
+  const right = perpendicular(along);
+  const frame = { origin, eye, right, up: cross(right, along), back: scale(along, -1) };
+  return { frame, slopeX: 0, slopeY: 0, near: 0, far: Infinity };
+}
+
+const ORIGIN: Vec3 = [0, 0, 0];
+
+/** Relative. Faces in one plane differ in depth by a few roundings of float64, 1e-16 each. */
+const COPLANAR = 1e-12;
+
+function phongHits<Owner>(
+  drawn: OwnDrawn<Owner>,
+  ray: ViewRay,
+  camera: PerspectiveCamera,
+  pixel: PixelSlopes,
+): Hit<Owner>[] {
+  const { geometry, matrixWorld, phong } = drawn;
+  const culled = cullsBackFaces(phong.sides, geometry, matrixWorld, camera);
+  const hits: Hit<Owner>[] = [];
+  forEachSurface(drawn, ray, (hit, base) => {
+    if (culled && !hit.front) return;
+    const filtered = isFiltered(phong, geometry, hit, pixel);
+    const p = add(ray.frame.eye, scale(directionOf(ray), hit.depth));
+    hits.push({ ...hit, drawn, base, filtered, frame: ray.frame, p });
+  });
+  return hits;
+}
+
+/** All of an object, what its texture cuts out included, from either side. */
+function forEachSurface(
+  { geometry, matrixWorld, phong }: OwnDrawn,
+  ray: ViewRay,
+  visit: (hit: TriangleHit, base: BaseColor) => void,
+): void {
+  const { index, drawRange } = geometry;
+  const count = (index ?? geometry.getAttribute('position')).count;
+  const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
+  forEachHit(ray, geometry, matrixWorld, range, (hit) =>
+    visit(hit, baseColorAt(phong.look, geometry, hit, phong.linear)),
+  );
+}
+
+const directionOf = ({ frame: { right, up, back }, slopeX, slopeY }: ViewRay): Vec3 =>
+  subtract(add(scale(right, slopeX), scale(up, slopeY)), back);
+
+/** Depth of a page author's own mesh or sprite, by three.js's raycaster; Infinity where it is not hit. */
+function foreignDepth(object: Object3D, camera: PerspectiveCamera, ray: ViewRay): number {
+  const { isMesh, isSprite } = object as { isMesh?: boolean; isSprite?: boolean };
+  if (isMesh !== true && isSprite !== true) return Infinity;
+  const { frame } = ray;
+  const caster = new Raycaster();
+  caster.camera = camera;
+  caster.ray.origin.set(...add(frame.origin, frame.eye));
+  caster.ray.direction.set(...directionOf(ray)).normalize();
+  const hits: Intersection[] = [];
+  object.raycast(caster, hits);
+  let nearest = Infinity;
+  for (const { point } of hits) {
+    const depth = -dot(subtract(subtract(point.toArray(), frame.origin), frame.eye), frame.back);
+    if (depth >= ray.near && depth <= ray.far) nearest = Math.min(nearest, depth);
+  }
+  return nearest;
+}
+
+/** A corner in shading space. */
+export interface Corner {
+  /** Place relative to the frame's origin. */
+  readonly p: Vec3;
+  /** Unit length, or zero; flipped on back faces. */
+  readonly N: Vec3;
+  /** Unit, along the u of a normal map; w is the side of its v. Null where the geometry has none. Not flipped. */
+  readonly tangent: Vec4 | null;
+}
+
+/** The corners of the triangle that was hit, as the vertex shader computes them. */
+export function cornersOf({ drawn, corners, front, frame }: Hit): readonly [Corner, Corner, Corner] {
+  const { geometry, matrixWorld } = drawn;
+  const toShading = matrixWorld.clone();
+  const e = toShading.elements;
+  for (let i = 0; i < 3; i++) e[12 + i]! -= frame.origin[i]!;
+  const turn = new Matrix3();
+  normalMatrix(toShading, turn);
+  const place = geometry.getAttribute('position');
+  const normal = geometry.hasAttribute('normal') ? geometry.getAttribute('normal') : null;
+  const tangents = geometry.hasAttribute('tangent') ? geometry.getAttribute('tangent') : null;
+  const sign = toShading.determinant() < 0 ? -1 : 1;
+  const linear = new Matrix3().setFromMatrix4(toShading);
+  const tangentOf = (vertex: number): Vec4 | null => {
+    if (tangents === null) return null;
+    const T = new Vector3().fromBufferAttribute(tangents, vertex).applyMatrix3(linear);
+    return [...normalize(T.toArray()), sign * tangents.getW(vertex)];
+  };
+  const corner = (vertex: number): Corner => {
+    const p = new Vector3().fromBufferAttribute(place, vertex).applyMatrix4(toShading);
+    const N = new Vector3();
+    if (normal !== null) N.fromBufferAttribute(normal, vertex).applyMatrix3(turn);
+    return { p: p.toArray(), N: scale(normalize(N.toArray()), front ? 1 : -1), tangent: tangentOf(vertex) };
+  };
+  return [corner(corners[0]), corner(corners[1]), corner(corners[2])];
+}

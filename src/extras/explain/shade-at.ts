@@ -1,0 +1,155 @@
+// Explains one fragment of a viewer's picture, with each light's terms by the equation in float64: at the fragment, or
+// under Gouraud shading at the triangle's corners, interpolated.
+import type { Mesh } from 'three';
+import type { LightValues, Term } from '../../phong/light/light-state.js';
+import { add, map, scale, subtract, type Vec3, type Vec4 } from '../../phong/math/vector.js';
+import type * as Reference from '../../phong/reference/index.js';
+import type { LightShare, Shaded } from '../../phong/reference/index.js';
+import { lazyCode } from '../../viewer/model/lazy-code.js';
+import { cornersOf, type Hit, pick, pickNear } from './pick.js';
+import type { SceneSnapshot } from '../../viewer/scene/scene-snapshot.js';
+import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
+import type { PhongLight, PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
+import type { FragmentExplanation, ShadeOptions } from '../../viewer/element/explanation.js';
+
+/** What is explained, copied at the call: this code may have to be fetched, and the scene changes meanwhile. */
+export interface ViewerSnapshot {
+  /** Null while the picture has no box on the page. */
+  readonly scene: SceneSnapshot<PhongMesh | PhongViewer> | null;
+  /** Size of the picture, in the CSS pixels of pointer events. */
+  readonly width: number;
+  readonly height: number;
+  readonly lights: readonly {
+    /** Null for the head-light. */
+    readonly light: PhongLight | null;
+    readonly name: string;
+    readonly values: LightValues;
+  }[];
+}
+
+const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
+
+/** Rejects with TypeError or RangeError unless x and y are finite numbers. */
+export async function shadeAt(
+  { scene, width, height, lights }: ViewerSnapshot,
+  x: number,
+  y: number,
+  { exact = false }: ShadeOptions = {},
+): Promise<FragmentExplanation | null> {
+  const column = pixel('x', x, width, scene?.width ?? 0, exact);
+  const row = pixel('y', y, height, scene?.height ?? 0, exact);
+  return explained(scene === null ? null : pick(scene, column, row), lights);
+}
+
+/** The same of a point in world space. */
+export async function explain({ scene, lights }: ViewerSnapshot, point: unknown): Promise<FragmentExplanation | null> {
+  if (!Array.isArray(point) || point.length !== 3 || !point.every((x) => typeof x === 'number'))
+    throw new TypeError(`explain: expected a point of three numbers, got ${String(point)}`);
+  if (!point.every(Number.isFinite)) throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
+  return explained(scene === null ? null : pickNear(scene, point as unknown as Vec3), lights);
+}
+
+async function explained(
+  hit: Hit<PhongMesh | PhongViewer> | null,
+  lights: ViewerSnapshot['lights'],
+): Promise<FragmentExplanation | null> {
+  if (hit === null) return null;
+  const { object, owner, phong } = hit.drawn;
+  const equation = await referenceCode();
+  const lightsHere = lights.map(({ values }) => relative(values, hit.frame.origin));
+  const { surface, shaded } = shadeHit(equation, hit, lightsHere);
+  const { ka, kd, ks } = equation.coefficientsOf(surface, phong.linear);
+  const { color: baseColor, opacity } = hit.base;
+  return Object.freeze({
+    p: frozen(add(hit.frame.origin, hit.p)),
+    N: frozen(shaded.N),
+    V: frozen(shaded.V),
+    mesh: owner,
+    object: object as Mesh,
+    triangle: hit.triangle,
+    ka: frozen(ka),
+    kd: frozen(kd),
+    ks: frozen(ks),
+    shininess: surface.shininess,
+    baseColor: frozen(baseColor),
+    emissive: frozen(surface.emissive),
+    metalness: surface.metalness,
+    unlit: surface.unlit,
+    filtered: hit.filtered,
+    opacity,
+    shares: Object.freeze(
+      shaded.shares.map((share, i) => {
+        const { light, name } = lights[i]!;
+        return share === null ? null : Object.freeze({ light, name, ...frozenVectors(share) });
+      }),
+    ),
+    sum: frozen(shaded.sum),
+    color: frozen(shaded.color),
+  });
+}
+
+/** The device pixel at CSS pixel `at`; the GPU draws the fragment at its centre. `exact`: the place from there. */
+function pixel(name: string, at: unknown, size: number, pixels: number, exact: boolean): number {
+  if (typeof at !== 'number') throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
+  if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
+  const place = (at * pixels) / size;
+  return exact ? place - 0.5 : Math.floor(place);
+}
+
+/** Adding 0 turns -0 into 0, so that equal vectors print alike. */
+const frozen = (v: Vec3): Vec3 => Object.freeze(map(v, (x) => x + 0));
+
+const frozenVectors = (share: LightShare): LightShare => ({
+  ...share,
+  L: frozen(share.L),
+  ambient: frozen(share.ambient),
+  diffuse: frozen(share.diffuse),
+  specular: frozen(share.specular),
+});
+
+/** The surface at a hit, and what the picture shows there. Lights are relative to the frame's origin, like the hit. */
+function shadeHit(
+  equation: Pick<typeof Reference, 'shade' | 'sumOf'>,
+  hit: Hit,
+  lights: readonly LightValues[],
+): { readonly surface: SurfaceHere; readonly shaded: Shaded } {
+  const { frame, weights } = hit;
+  const { phong, geometry } = hit.drawn;
+  const corners = cornersOf(hit);
+  const surface = surfaceAt(phong, geometry, hit, hit.base);
+  const { style, linear } = phong;
+  const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
+  const at = (p: Vec3, normal: Vec3): Shaded => equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
+  const [a, b, c] = corners;
+  const N = weighted(weights, [a.N, b.N, c.N]);
+  const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));
+  if (style.shading !== 'gouraud') return { surface, shaded: here };
+  // Only terms and sum come from the corners, which use the fragment's base colour, so that it is not interpolated.
+  const shaded = [at(a.p, a.N), at(b.p, b.N), at(c.p, c.N)] as const;
+  const shares = here.shares.map((share, i) => {
+    if (share === null) return null;
+    const term = (name: Term): Vec3 => {
+      const [x, y, z] = shaded;
+      return weighted(weights, [x.shares[i]![name], y.shares[i]![name], z.shares[i]![name]]);
+    };
+    return { ...share, ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
+  });
+  return { surface, shaded: { ...here, shares, ...equation.sumOf(shares, surface, linear) } };
+}
+
+/** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
+function relative(values: LightValues, origin: Vec3): LightValues {
+  const [x, y, z, w] = values.position;
+  if (w === 0 || values.space === 'camera') return values;
+  return { ...values, position: [...subtract([x, y, z], origin), 1] };
+}
+
+const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
+  add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
+
+function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
+  const [a, b, c] = corners.map(({ tangent }) => tangent);
+  if (!a || !b || !c) return null;
+  const mix = (i: 0 | 1 | 2 | 3): number => a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];
+  return [mix(0), mix(1), mix(2), mix(3)];
+}

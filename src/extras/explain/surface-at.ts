@@ -1,0 +1,121 @@
+// A file's surface values at one point, with its textures: in float64, as phong.frag.glsl computes them.
+import type { BufferGeometry, Texture } from 'three';
+import {
+  type BaseLook,
+  exponentOfRoughness,
+  hasMetalness,
+  lobeScale,
+  usesRoughnessMap,
+} from '../../phong/material/file-surface.js';
+import type { SurfaceValues } from '../../phong/material/material-values.js';
+import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
+import { add, cross, map, multiply, negate, normalize, scale, type Vec3, type Vec4 } from '../../phong/math/vector.js';
+import type { DrawnLook } from '../../viewer/scene/scene-snapshot.js';
+import type { TriangleHit } from './ray-triangles.js';
+import { interpolated, isMinified, type PixelSlopes, sampleAt } from './sample.js';
+
+/** A surface as the reference equation takes it. */
+export interface SurfaceHere extends Readonly<SurfaceValues> {
+  readonly baseColor: Vec3;
+  readonly metalness: number;
+  readonly lobeScale: number;
+  readonly emissive: Vec3;
+  readonly unlit: boolean;
+}
+
+/** The surface at a hit. Under Gouraud shading the exponent has no texture. */
+export function surfaceAt(
+  { look, style, linear, surface }: DrawnLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  base: BaseColor,
+): SurfaceHere {
+  const { unlit, emissiveMap, metalRoughMap, roughness } = look;
+  const metalRough = metalRoughMap === null ? WHITE : texelAt(metalRoughMap, geometry, hit);
+  const varies = metalRoughMap !== null && style.shading !== 'gouraud';
+  const shininess = roughness !== null && varies ? exponentOfRoughness(roughness * metalRough[1]) : surface.shininess;
+  const light = emissiveMap === null ? WHITE : texelAt(emissiveMap, geometry, hit);
+  const emissive = linear
+    ? map(multiply(map(look.emissive, srgbDecode), map(light, srgbDecode)), srgbEncode)
+    : multiply(look.emissive, light);
+  return {
+    ...surface,
+    shininess,
+    baseColor: base.color,
+    metalness: look.metalness * metalRough[2],
+    lobeScale: roughness === null ? 1 : lobeScale(shininess),
+    emissive: unlit ? BLACK : emissive,
+    unlit,
+  };
+}
+
+/** Whether the GPU averages texels of a texture that the surface is read from at one point. */
+export function isFiltered(
+  { look, style }: DrawnLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  pixel: PixelSlopes,
+): boolean {
+  const { unlit, map, emissiveMap, metalRoughMap, normalMap } = look;
+  const textures = [
+    map,
+    unlit ? null : emissiveMap,
+    hasMetalness(look) || usesRoughnessMap(look, style) ? metalRoughMap : null,
+    unlit || style.shading !== 'phong' ? null : normalMap,
+  ];
+  return textures.some((texture) => texture !== null && isMinified(texture, geometry, hit, pixel));
+}
+
+/** N by the normal map, if any; `N` and `tangent` are those of the visible side, in shading space. */
+export function mappedNormalAt(
+  { look, style }: DrawnLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  N: Vec3,
+  tangent: Vec4 | null,
+): Vec3 {
+  const { normalMap, normalScale, unlit } = look;
+  if (normalMap === null || tangent === null || style.shading !== 'phong' || unlit) return N;
+  const front = normalize(hit.front ? N : negate(N));
+  const T: Vec3 = [tangent[0], tangent[1], tangent[2]];
+  const B = scale(cross(front, T), tangent[3]);
+  const [x, y, z] = map(texelAt(normalMap, geometry, hit), (c) => 2 * c - 1);
+  const mapped = add(scale(add(scale(T, x), scale(B, y)), normalScale), scale(front, z));
+  return hit.front ? mapped : negate(mapped);
+}
+
+const BLACK: Vec3 = [0, 0, 0];
+const WHITE: Vec3 = [1, 1, 1];
+
+function texelAt(texture: Texture, geometry: BufferGeometry, hit: TriangleHit): Vec3 {
+  const [r, g, b] = sampleAt(texture, geometry, hit);
+  return [r, g, b];
+}
+
+export interface BaseColor {
+  /** Encoded sRGB, 0–1. */
+  readonly color: Vec3;
+  /** 0–1; 1 where the look does not blend. */
+  readonly opacity: number;
+  readonly discarded: boolean;
+}
+
+/** Colour, texture and vertex colours multiplied: under `linear` decoded before and encoded after. */
+export function baseColorAt(look: BaseLook, geometry: BufferGeometry, hit: TriangleHit, linear: boolean): BaseColor {
+  const factors: Vec4[] = [[...look.baseColor, look.opacity]];
+  if (look.map !== null) factors.push(sampleAt(look.map, geometry, hit));
+  if (look.vertexColors) {
+    const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit);
+    factors.push([r, g, b, a]);
+  }
+  const product = (channel: 0 | 1 | 2): number => {
+    if (!linear) return factors.reduce((all, factor) => all * factor[channel], 1);
+    return srgbEncode(factors.reduce((all, factor) => all * srgbDecode(factor[channel]), 1));
+  };
+  const alpha = factors.reduce((all, factor) => all * factor[3], 1);
+  return {
+    color: [product(0), product(1), product(2)],
+    opacity: look.alphaMode === 'blend' ? alpha : 1,
+    discarded: look.alphaMode === 'mask' && alpha < look.alphaCutoff,
+  };
+}

@@ -1,0 +1,114 @@
+// Finds the format of a file's bytes. The content decides, then the element's `type`, the file extension and the media
+// type. A new format is a row here and one in format-names.ts.
+import { FORMAT_NAMES, type FormatKey, type FormatNames } from '../../viewer/model/format-names.js';
+import { ModelError } from '../../viewer/model/model.js';
+import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
+
+/** Whether the bytes are those of a format and no other. In the order in which they are tested: the strictest first. */
+const CONTENT: Readonly<Record<FormatKey, (bytes: Uint8Array) => boolean>> = {
+  gltf: (bytes) => /^(glTF|(ï»¿)?\s*\{)/.test(latin1(bytes, 256)),
+  ply: (bytes) => /^ply[\r\n]/.test(latin1(bytes, 4)),
+  stl: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
+  obj: isObj,
+};
+
+const FORMATS: readonly FormatNames[] = Object.values(FORMAT_NAMES);
+
+/** What is known about a file besides its bytes. */
+interface FormatHints {
+  /** What the element's `type` says: a word such as `obj` or a media type; empty for nothing. */
+  readonly type?: string;
+  /** The media type that came with the file; empty for none. */
+  readonly mediaType?: string;
+  /** The whole address, for the extension; by default the name. */
+  readonly address?: string;
+}
+
+/** @param name for messages. @throws ModelError `bad-model` that says what the file seems to be. */
+export function formatOf(
+  name: string,
+  bytes: Uint8Array,
+  { type = '', mediaType = '', address = name }: FormatHints = {},
+): FormatNames {
+  if (bytes.byteLength === 0) throw new ModelError('bad-model', `The file ${name} is empty.`);
+  const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(address)?.[1]?.toLowerCase() ?? '';
+  const byContent = (Object.keys(CONTENT) as FormatKey[]).find((key) => CONTENT[key](bytes));
+  if (byContent !== undefined) return FORMAT_NAMES[byContent];
+  const byType = (written: string): FormatNames | undefined =>
+    FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
+  const foreign = foreignContent(bytes, extension);
+  const byHint = byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
+  if (foreign === undefined && byHint) return byHint;
+  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign ?? foreignExtension(extension) ?? {};
+  if (what !== undefined)
+    throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, { advice: cure });
+  const advice = `These are: ${supportedFormats}.`;
+  throw new ModelError('bad-model', `The format is not supported: ${name}.`, { advice });
+}
+
+/** For messages: names and extensions. */
+export const supportedFormats = FORMATS.map(({ name, extensions }) => `${name} (.${extensions.join(', .')})`).join(
+  ', ',
+);
+
+/** Extensions of files that can be shown, lower case. */
+export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
+
+const OTHERS = FORMATS.slice(1)
+  .map(({ name }) => name)
+  .join(', ')
+  .replace(/, (\w+)$/, ' or $1');
+
+/** A media type without its parameters, or a word, as in the table. */
+const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
+
+/** The first bytes, a character each: a browser's decoder reads windows-1252. A byte order mark of UTF-8 is `ï»¿`. */
+const latin1 = (bytes: Uint8Array, most: number): string => String.fromCharCode(...bytes.subarray(0, most));
+
+/** Whether each of the first lines begins with a word of OBJ, and one of them is a vertex, a name or a library. */
+function isObj(bytes: Uint8Array): boolean {
+  const start = new TextDecoder().decode(bytes.subarray(0, 4096)).split(/\r?\n|\r/);
+  if (bytes.byteLength > 4096) start.pop(); // cut in the middle
+  const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
+  const known = words.every((word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'));
+  return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
+}
+
+/** A format that people bring and that cannot be read. */
+interface ForeignFormat {
+  /** For messages. */
+  readonly what: string;
+  /** What to do about it, as a sentence; by default it is to be exported in a supported format. */
+  readonly cure?: string;
+  /** Lower case, without the dot. */
+  readonly extensions: readonly string[];
+  /** A beginning that no other format has, as Latin-1. */
+  readonly start: RegExp;
+}
+
+const ARCHIVE: ForeignFormat = {
+  what: 'an archive',
+  cure: 'Unpack it, and use the model in it.',
+  extensions: ['zip'],
+  start: /^(PK\x03\x04|\x1f\x8b)/,
+};
+
+const FOREIGN: readonly ForeignFormat[] = [
+  { what: 'an FBX file', extensions: ['fbx'], start: /^(Kaydara FBX Binary|; FBX)/ },
+  { what: 'a Blender file (BLEND)', extensions: ['blend'], start: /^BLENDER/ },
+  { what: 'a USD file', extensions: ['usd', 'usda', 'usdc', 'usdz'], start: /^(#usda|PXR-USDC)/ },
+  { what: 'a COLLADA file (DAE)', extensions: ['dae'], start: /^(ï»¿)?\s*(<[^]*)?<COLLADA\b/ },
+  // Many servers answer with a web page when a file is missing.
+  { what: 'a web page or XML, not a model', cure: 'Check the address.', extensions: [], start: /^(ï»¿)?\s*</ },
+  ARCHIVE,
+];
+
+function foreignContent(bytes: Uint8Array, extension: string): ForeignFormat | undefined {
+  const start = latin1(bytes, 2048);
+  const found = FOREIGN.find((format) => format.start.test(start));
+  // A USDZ file is an archive.
+  return found === ARCHIVE ? (foreignExtension(extension) ?? ARCHIVE) : found;
+}
+
+const foreignExtension = (extension: string): ForeignFormat | undefined =>
+  FOREIGN.find(({ extensions }) => extensions.includes(extension));

@@ -1,0 +1,78 @@
+// The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
+import { requireAtMost } from '../../../viewer/model/budget.js';
+import { lazyCode } from '../../../viewer/model/lazy-code.js';
+import { isDataUri } from '../../../viewer/model/request-model.js';
+import { type FileBytes, type ModelSource, neededCode } from '../model-reader.js';
+import { BYTE_LIMIT } from '../../../viewer/model/limits.js';
+import type { Container } from './container.js';
+import type { GltfDocument } from './document.js';
+import { indexAt, textAt } from './json.js';
+import type { MeshoptView } from './accessors.js';
+
+export type GltfBytes = ReturnType<typeof gltfBytes>;
+
+export function gltfBytes(document: GltfDocument, { body, data }: Container, source: ModelSource) {
+  const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
+  let copied = 0;
+
+  const bytesOf = async (uri: string): Promise<Uint8Array<ArrayBuffer>> =>
+    isDataUri(uri) ? (await data(uri)).bytes : source.linked(uri);
+
+  const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const buffer = document.buffers[index];
+    const bytes = buffer?.uri === undefined ? body : await bytesOf(buffer.uri);
+    const name = `buffers[${String(index)}]`;
+    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) throw new Error(`${name} has no bytes`);
+    if (bytes.byteLength >= buffer.byteLength) return bytes;
+    throw new Error(`${name} is truncated: ${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`);
+  };
+
+  const buffer = (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const pending = buffers.get(index) ?? load(index);
+    buffers.set(index, pending);
+    return pending;
+  };
+
+  const slice = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const definition = document.bufferViews[index];
+    if (!definition) throw new Error(`bufferViews[${String(index)}] is missing`);
+    const view = definition.meshopt ?? definition;
+    const bytes = await buffer(view.buffer);
+    const end = view.byteOffset + view.byteLength;
+    if (end > bytes.byteLength) throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
+    return bytes.subarray(view.byteOffset, end);
+  };
+
+  return {
+    /** A copy of the view's bytes, padded by the view's stride after the last element. */
+    view: async (index: number): Promise<ArrayBuffer> => {
+      const view = document.bufferViews[index];
+      const meshopt = view?.meshopt;
+      const bytes = await slice(index);
+      const length = meshopt ? meshopt.count * meshopt.stride : bytes.byteLength;
+      const size = length + (view?.byteStride ?? 0);
+      copied += size;
+      // Views may overlap or be compressed, so a small file can claim any size.
+      requireAtMost(copied, BYTE_LIMIT, 'bytes once they are unpacked');
+      const copy = new Uint8Array(size);
+      copy.set(meshopt ? await unpacked(bytes, meshopt) : bytes);
+      return copy.buffer;
+    },
+    image: async (index: number): Promise<FileBytes> => {
+      const image = document.images[index] ?? {};
+      const uri = textAt(image['uri']);
+      const type = textAt(image['mimeType']);
+      if (isDataUri(uri)) return data(uri);
+      if (uri !== '') return { bytes: await bytesOf(uri), type };
+      const view = indexAt(image['bufferView'], document.bufferViews.length, `images[${String(index)}].bufferView`);
+      return { bytes: await slice(view), type };
+    },
+  };
+}
+
+const meshoptCode = lazyCode(() => import('./meshopt.js'), 'the meshopt decoder');
+
+async function unpacked(bytes: Uint8Array, view: MeshoptView): Promise<Uint8Array> {
+  const { decodeMeshopt } = await neededCode(meshoptCode(), 'The meshopt decoder');
+  return decodeMeshopt(bytes, view);
+}

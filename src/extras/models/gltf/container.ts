@@ -1,0 +1,227 @@
+// The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of the file. A document's
+// lists can be millions of values long, so they are parsed in pieces of some objects each, with pauses in between.
+import { requireAtMost } from '../../../viewer/model/budget.js';
+import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
+import { JSON_LIMIT, JSON_PIECE_BYTES, JSON_PIECE_LIMIT, JSON_TEXT_LIMIT } from '../../../viewer/model/limits.js';
+import type { ModelBudget } from '../model-budget.js';
+import type { FileBytes } from '../model-reader.js';
+import { isDataUri } from '../../../viewer/model/request-model.js';
+import type { Slices } from '../slices.js';
+
+export interface Container {
+  readonly json: unknown;
+  /** The data behind a data: URI in the JSON, long ones of which are only keys. Decoded once. */
+  readonly data: (uri: string) => Promise<FileBytes>;
+  /** The binary chunk, which is the first buffer, or null. */
+  readonly body: Uint8Array<ArrayBuffer> | null;
+}
+
+const MAGIC = 0x46546c67;
+const CHUNK_JSON = 0x4e4f534a;
+const CHUNK_BIN = 0x004e4942;
+const HEADER = 12;
+const CHUNK_HEADER = 8;
+
+/** Values in a piece of JSON, and bytes: a few milliseconds. */
+const PIECE = 2 ** 14;
+const PIECE_BYTES = 2 ** 20;
+
+/** Bytes between two looks at the clock. Strings are skipped by the engine's own search. */
+const STEP = 2 ** 18;
+
+const [QUOTE, BACKSLASH, COMMA] = [0x22, 0x5c, 0x2c];
+const [OPEN_LIST, CLOSE_LIST, OPEN_OBJECT, CLOSE_OBJECT] = [0x5b, 0x5d, 0x7b, 0x7d];
+
+/** @param budget gets the values of the JSON. */
+export async function openContainer(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<Container> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.byteLength < HEADER || view.getUint32(0, true) !== MAGIC) {
+    return { ...(await parseText(bytes, budget, slices)), body: null };
+  }
+  const version = view.getUint32(4, true);
+  if (version !== 2) throw new Error(`it is a GLB of version ${String(version)}; only version 2 is supported`);
+  const claimed = view.getUint32(8, true);
+  if (claimed > bytes.byteLength) {
+    throw new Error(`it is truncated: ${String(bytes.byteLength)} of ${String(claimed)} bytes`);
+  }
+  let parsed: Omit<Container, 'body'> | undefined;
+  let body: Uint8Array<ArrayBuffer> | null = null;
+  for (let at = HEADER; at + CHUNK_HEADER <= claimed;) {
+    const size = view.getUint32(at, true);
+    const type = view.getUint32(at + 4, true);
+    const start = at + CHUNK_HEADER;
+    if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
+    const chunk = bytes.subarray(start, start + size);
+    if (type === CHUNK_JSON) parsed ??= await parseText(chunk, budget, slices);
+    if (type === CHUNK_BIN && body === null) body = chunk;
+    at = start + size;
+  }
+  if (parsed === undefined) throw new Error('it has no JSON chunk');
+  return { ...parsed, body };
+}
+
+/**
+ * Parses JSON without its data in base64: they stay bytes, and a key stands for each.
+ * @param budget gets its values, counted by brackets and commas.
+ * @throws ModelError `too-large`, a plain Error if it is no JSON.
+ */
+async function parseText(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<Omit<Container, 'body'>> {
+  const cuts: Cut[] = [];
+  const lists: unknown[][] = [];
+  // The document without the items of the lists directly in it: such a list holds its place in `lists` instead.
+  let rest = '';
+  let list: unknown[] | null = null;
+  // What is in no piece yet: `pending`, then the bytes from `from` on.
+  let pending = '';
+  let from = 0;
+  let depth = 0;
+  let values = 0;
+  let cutBytes = 0;
+  const take = (to: number): string => {
+    const text = pending + textOf(bytes, from, to);
+    pending = '';
+    return text;
+  };
+  const claim = (): void => {
+    requireAtMost(values, JSON_PIECE_LIMIT, 'values in one part of its JSON');
+    budget.add({ json: values });
+    values = 0;
+  };
+  const requireShort = (at: number): void =>
+    requireAtMost(at - cutBytes, JSON_TEXT_LIMIT, 'bytes of JSON, without data in base64');
+  /** Where the string begins that is being read; -1 between strings. */
+  let start = -1;
+  let next = STEP;
+  for (let at = 0; at < bytes.length; at += 1) {
+    if (at >= next) {
+      next = at + STEP;
+      // A text that ends no list or string is refused before all of it is read.
+      if (start < 0) requireShort(at);
+      requireAtMost(values, JSON_LIMIT, 'values in its JSON');
+      await slices.pauseIfDue();
+    }
+    if (start >= 0) {
+      at = bytes.indexOf(QUOTE, at);
+      if (at < 0) break; // a text that ends in a string
+      if (isEscaped(bytes, at)) continue;
+      const cut = at - start < LEAST_CUT ? null : await base64In(bytes.subarray(start, at), slices);
+      if (cut !== null) {
+        pending = take(start) + keyOf(cuts.length);
+        from = at;
+        cutBytes += at - start;
+        cuts.push(cut);
+      }
+      start = -1;
+      continue;
+    }
+    const byte = bytes[at];
+    if (byte === QUOTE) start = at + 1;
+    const opens = byte === OPEN_LIST || byte === OPEN_OBJECT;
+    const closes = byte === CLOSE_LIST || byte === CLOSE_OBJECT;
+    if (opens) depth += 1;
+    if (closes) depth -= 1;
+    if (opens || byte === COMMA) values += 1;
+    const isLong = values > PIECE || at - from > PIECE_BYTES;
+    if (list !== null && ((closes && depth === 1) || (byte === COMMA && depth === 2 && isLong))) {
+      claim();
+      for (const item of parsed(`[${take(at)}]`) as unknown[]) list.push(item);
+      if (closes) list = null;
+      from = closes ? at : at + 1;
+      await slices.pauseIfDue();
+    } else if (list === null && byte === OPEN_LIST && depth === 2) {
+      rest += `${take(at + 1)}${String(lists.length)}`;
+      lists.push((list = []));
+      from = at + 1;
+    }
+  }
+  requireShort(bytes.length);
+  budget.add({ text: bytes.length - cutBytes });
+  claim();
+  const document = parsed(rest + take(bytes.length));
+  return { json: withLists(document, lists), data: dataByKey(cuts, slices) };
+}
+
+function withLists(document: unknown, lists: readonly unknown[][]): unknown {
+  if (typeof document !== 'object' || document === null || Array.isArray(document)) return document;
+  return Object.fromEntries(
+    Object.entries(document).map(([key, value]: [string, unknown]) => [
+      key,
+      Array.isArray(value) ? lists[Number(value[0])] : value,
+    ]),
+  );
+}
+
+/** Whether the character is preceded by an odd number of backslashes. */
+function isEscaped(bytes: Uint8Array, at: number): boolean {
+  let first = at;
+  while (bytes[first - 1] === BACKSLASH) first -= 1;
+  return (at - first) % 2 === 1;
+}
+
+function textOf(bytes: Uint8Array, from: number, to: number): string {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes.subarray(from, to));
+  } catch (cause) {
+    throw new Error('its JSON is broken', { cause });
+  }
+}
+
+function parsed(text: string): unknown {
+  requireAtMost(text.length, JSON_PIECE_BYTES, 'bytes in one part of its JSON');
+  try {
+    return JSON.parse(text) as unknown;
+  } catch (cause) {
+    throw new Error('its JSON is broken', { cause });
+  }
+}
+
+/** A data: URI in base64, as bytes of the file. */
+interface Cut {
+  readonly header: string;
+  readonly text: Uint8Array<ArrayBuffer>;
+}
+
+const keyOf = (index: number): string => `data:;part-of-file,${String(index)}`;
+
+function dataByKey(cuts: readonly Cut[], slices: Slices): Container['data'] {
+  const decoded = new Map<string, Promise<FileBytes>>();
+  return (key) => {
+    const known = decoded.get(key);
+    if (known !== undefined) return known;
+    const cut = cuts.find((_, i) => keyOf(i) === key);
+    const data =
+      cut === undefined
+        ? decodeDataUri(key, slices)
+        : fromBase64(cut.text, slices).then((bytes) => ({ ...dataHeader(cut.header), bytes }));
+    decoded.set(key, data);
+    return data;
+  };
+}
+
+/** Bytes of a string; shorter ones may be text. */
+const LEAST_CUT = 2 ** 12;
+
+/** Null for any other text, and where the data are escaped. */
+async function base64In(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<Cut | null> {
+  const start = new TextDecoder('latin1').decode(text.subarray(0, 256));
+  const comma = start.indexOf(',');
+  const header = start.slice(0, comma);
+  if (comma < 0 || !isDataUri(header) || !dataHeader(header).base64) return null;
+  for (let from = 0; from < text.length; from += PIECE_BYTES) {
+    const piece = text.subarray(from, from + PIECE_BYTES);
+    if (ESCAPES.some((character) => piece.includes(character))) return null;
+    await slices.pauseIfDue();
+  }
+  return { header, text: text.subarray(comma + 1) };
+}
+
+/** Backslash, percent sign, and the hash of a fragment. */
+const ESCAPES = [BACKSLASH, 0x25, 0x23];

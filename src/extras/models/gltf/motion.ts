@@ -1,0 +1,249 @@
+// The motion of a glTF model: float64 keyframes set nodes, nodes move parts and joints, joints deform geometries.
+import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
+import type { ContentPart, Motion } from '../../../viewer/model/model.js';
+import { clip, listed } from '../../../phong/fields/clip.js';
+import type { Slices } from '../slices.js';
+import type { Accessor } from './accessors.js';
+import type { ChannelPath, GltfAnimation, Interpolation } from './animations.js';
+import { type Attribute, gathered } from './attributes.js';
+import type { Deformation, JointPose } from './deformation.js';
+
+/** The parts of a model that can move. */
+export interface Movable {
+  readonly scene: Object3D;
+  /** Parts that follow a node, in the model's order. */
+  readonly rigid: readonly RigidPart[];
+  readonly joints: readonly JointPose[];
+  readonly deformations: readonly Deformation[];
+  /** The weights of each node with morph targets, by the node's index; overwritten when it moves. */
+  readonly weights: ReadonlyMap<number, Float64Array>;
+}
+
+export interface RigidPart {
+  readonly part: ContentPart;
+  readonly mesh: Mesh;
+  /** The place of an instance within its node; null for the node's own. */
+  readonly within: Matrix4 | null;
+}
+
+/**
+ * Null if nothing can be animated.
+ * @param file its name, for warnings.
+ * @param dropped receives the animations with times or values that are not numbers.
+ */
+export async function readMotion(
+  file: string,
+  animations: readonly GltfAnimation[],
+  source: {
+    readonly node: (index: number) => Promise<Object3D>;
+    readonly accessor: (accessor: Accessor) => Promise<Attribute>;
+  },
+  movable: Movable,
+  { dropped, slices }: { readonly dropped: Set<string>; readonly slices: Slices },
+): Promise<Motion | null> {
+  const clips: Clip[] = [];
+  const numbers = new Map<Attribute, Promise<Numbers>>();
+  const numbersOf = async (accessor: Accessor): Promise<Numbers> => {
+    const attribute = await source.accessor(accessor);
+    const known = numbers.get(attribute) ?? readNumbers(attribute, slices);
+    numbers.set(attribute, known);
+    return known;
+  };
+  for (const [i, { name, channels }] of animations.entries()) {
+    const tracks: Track[] = [];
+    for (const channel of channels) {
+      const { path, width, interpolation } = channel;
+      const times = await numbersOf(channel.input);
+      const values = await numbersOf(channel.output);
+      if (!times.ordered || !values.finite) break;
+      const rotation = path === 'rotation';
+      const keyframes = { times: times.array, values: values.array, width, interpolation, rotation };
+      const node = await source.node(channel.node);
+      const weights = movable.weights.get(channel.node) ?? new Float64Array(width);
+      const target = targetOf(node, path, weights);
+      tracks.push({ keyframes, ...target, value: target.rest.slice() });
+      await slices.pauseIfDue();
+    }
+    const duration = tracks.reduce((end, { keyframes }) => Math.max(end, keyframes.times.at(-1) ?? 0), 0);
+    if (tracks.length === channels.length) clips.push({ name, tracks, duration });
+    else dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
+  }
+  return clips.length === 0 ? null : motionOf(file, clips, movable);
+}
+
+function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motion {
+  const { scene, rigid, joints, deformations } = movable;
+  // Their vertices are in the parts' geometries by now.
+  scene.traverse((object) => {
+    if (object instanceof Mesh) object.geometry = EMPTY;
+  });
+  for (const deformation of deformations) deformation.keep();
+  const tracks = clips.flatMap(({ tracks: own }) => own);
+  const matrix = new Matrix4();
+  let posed: Clip | null = null;
+  const unknown = new Set<string>();
+  const quoted = (name: string): string => JSON.stringify(clip(name));
+  const clipOf = (wanted: string): Clip => {
+    const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
+    if (found === undefined && !unknown.has(wanted)) {
+      const names = listed(clips.map(({ name }) => quoted(name)));
+      console.warn(`${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`);
+      unknown.add(wanted);
+    }
+    return found ?? clips[0]!;
+  };
+  return {
+    names: clips.map(({ name }) => name),
+    durationOf: (name) => clipOf(name).duration,
+    pose: (name, seconds) => {
+      const next = name === null ? null : clipOf(name);
+      if (next !== posed) for (const { rest, set } of tracks) set(rest);
+      posed = next;
+      if (next !== null) {
+        const time = next.duration > 0 ? seconds % next.duration : 0;
+        for (const { keyframes, value, set } of next.tracks) {
+          sampleTrack(keyframes, time, value);
+          set(value);
+        }
+      }
+      scene.updateMatrixWorld();
+      for (const { part, mesh, within } of rigid) {
+        if (within === null) matrix.copy(mesh.matrixWorld);
+        else matrix.multiplyMatrices(mesh.matrixWorld, within);
+        // Scales inside scales can leave the range of numbers. The part then stays where it was.
+        if (matrix.elements.every(Number.isFinite)) part.matrix.copy(matrix);
+      }
+      for (const pose of joints) pose.update();
+      for (const deformation of deformations) deformation.update();
+    },
+  };
+}
+
+const EMPTY = /* @__PURE__ */ new BufferGeometry();
+
+interface Track {
+  readonly keyframes: Keyframes;
+  /** Without animation. */
+  readonly rest: Float64Array;
+  /** At the time that was set last. */
+  readonly value: Float64Array;
+  readonly set: (value: Float64Array) => void;
+}
+
+interface Clip {
+  readonly name: string;
+  readonly tracks: readonly Track[];
+  readonly duration: number;
+}
+
+function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Pick<Track, 'rest' | 'set'> {
+  if (path === 'weights') return { rest: weights.slice(), set: (value) => weights.set(value) };
+  const property = { translation: node.position, rotation: node.quaternion, scale: node.scale }[path];
+  return { rest: Float64Array.from(property.toArray()), set: (value) => property.fromArray(value) };
+}
+
+/** The numbers of an accessor as plain floats. */
+interface Numbers {
+  readonly array: Float32Array;
+  readonly finite: boolean;
+  /** Finite, at least 0, and none smaller than the one before. */
+  readonly ordered: boolean;
+}
+
+async function readNumbers(source: Attribute, slices: Slices): Promise<Numbers> {
+  const array = (await gathered(source, null, slices)).array as Float32Array;
+  const numbers = { array, finite: true, ordered: true };
+  await slices.over(array.length, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      const isFinite = Number.isFinite(array[i]);
+      numbers.finite &&= isFinite;
+      numbers.ordered &&= isFinite && array[i]! >= (i === 0 ? 0 : array[i - 1]!);
+    }
+  });
+  return numbers;
+}
+
+interface Keyframes {
+  /** Seconds, none smaller than the one before; at least one. */
+  readonly times: Float32Array;
+  /** `width` numbers per keyframe; with `CUBICSPLINE` in-tangent, value and out-tangent, `width` numbers each. */
+  readonly values: Float32Array;
+  readonly width: number;
+  readonly interpolation: Interpolation;
+  /** Values are unit quaternions. */
+  readonly rotation: boolean;
+}
+
+/** Writes the value at `seconds` to `out`. Before the first and after the last keyframe, theirs. */
+function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): void {
+  const { times, values, width, interpolation, rotation } = keyframes;
+  const cubic = interpolation === 'CUBICSPLINE';
+  const stride = cubic ? 3 * width : width;
+  const first = cubic ? width : 0;
+  const from = lastAtOrBefore(times, seconds);
+  const to = from + 1;
+  if (from < 0 || to >= times.length || interpolation === 'STEP') {
+    const at = first + Math.max(from, 0) * stride;
+    for (let c = 0; c < width; c += 1) out[c] = values[at + c]!;
+    if (rotation) normalize(out);
+    return;
+  }
+  const step = times[to]! - times[from]!;
+  const t = (seconds - times[from]!) / step;
+  const a = first + from * stride;
+  const b = first + to * stride;
+  if (cubic) {
+    const [p, m, q, n] = hermite(t, step);
+    for (let c = 0; c < width; c += 1) {
+      const leaving = values[a + width + c]!;
+      const arriving = values[b - width + c]!;
+      out[c] = p * values[a + c]! + m * leaving + q * values[b + c]! + n * arriving;
+    }
+  } else {
+    const [p, q] = rotation ? slerp(values, a, b, t) : ([1 - t, t] as const);
+    for (let c = 0; c < width; c += 1) out[c] = p * values[a + c]! + q * values[b + c]!;
+  }
+  if (rotation) normalize(out);
+}
+
+/** The index of the last time that is not after `seconds`; −1 if all are. */
+function lastAtOrBefore(times: Float32Array, seconds: number): number {
+  let low = -1;
+  let high = times.length;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle]! <= seconds) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/** Factors of value, out-tangent, next value and its in-tangent (glTF 2.0, appendix C.5). */
+function hermite(t: number, step: number): readonly [number, number, number, number] {
+  const t2 = t * t;
+  const t3 = t2 * t;
+  return [2 * t3 - 3 * t2 + 1, step * (t3 - 2 * t2 + t), 3 * t2 - 2 * t3, step * (t3 - t2)];
+}
+
+/** Rotations closer than this, as the sine of half the angle between them, are blended linearly: equal to 1e-12. */
+const NEARLY_EQUAL = 1e-6;
+
+/** Factors of two quaternions for the shorter way between them (glTF 2.0, appendix C.4). */
+function slerp(values: Float32Array, a: number, b: number, t: number): readonly [number, number] {
+  let dot = 0;
+  for (let c = 0; c < 4; c += 1) dot += values[a + c]! * values[b + c]!;
+  const sign = dot < 0 ? -1 : 1;
+  const angle = Math.acos(Math.min(Math.abs(dot), 1));
+  const sine = Math.sin(angle);
+  if (sine < NEARLY_EQUAL) return [1 - t, sign * t];
+  return [Math.sin((1 - t) * angle) / sine, (sign * Math.sin(t * angle)) / sine];
+}
+
+/** A quaternion without length becomes no rotation. */
+function normalize(q: Float64Array): void {
+  const length = Math.hypot(q[0]!, q[1]!, q[2]!, q[3]!);
+  if (!(length > 0)) q.set(NO_ROTATION);
+  else for (let c = 0; c < 4; c += 1) q[c]! /= length;
+}
+
+const NO_ROTATION = [0, 0, 0, 1];

@@ -1,0 +1,21 @@
+// What one model claims. Apart from the viewer's budget because no first frame needs it.
+import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from '../../viewer/model/budget.js';
+
+/** Adds up what a model claims. One instance per model. */
+export class ModelBudget {
+  #claimed = NO_CLAIMS;
+  readonly #onClaim: ((claimed: Amounts) => void) | undefined;
+
+  /** @param onClaim called with all that is claimed so far. What it throws ends the load. */
+  constructor(onClaim?: (claimed: Amounts) => void) {
+    this.#onClaim = onClaim;
+  }
+
+  /** @throws ModelError `too-large` past a limit. Call before allocating. */
+  add(claims: Claims): void {
+    const claimed = plus(this.#claimed, claims);
+    requireWithin(claimed);
+    this.#onClaim?.(claimed);
+    this.#claimed = claimed;
+  }
+}

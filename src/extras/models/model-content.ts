@@ -1,0 +1,171 @@
+// Loads a model: downloads it, detects the format and reads it. Works under a strict CSP: fetches no blob: or data: URL,
+// needs no worker and no eval. Entry point of the code that reads models, fetched with the first one.
+import { clip, listed } from '../../phong/fields/clip.js';
+import type { Amounts } from '../../viewer/model/budget.js';
+import { free, isOutOfMemory } from '../../viewer/model/limits.js';
+import { ModelBudget } from './model-budget.js';
+import { byteFetcher } from './fetch-bytes.js';
+import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
+import { nameOf, type CrossOrigin, type FileRequest } from '../../viewer/model/request-model.js';
+import { formatOf } from './format.js';
+import { neededCode, type ReadOptional } from './model-reader.js';
+import { asUtf8 } from './encodings.js';
+import { type Content, ModelError } from '../../viewer/model/model.js';
+import { measureInSlices } from '../../viewer/model/geometry-size.js';
+import { isMoving } from './moving-copy.js';
+import { Slices } from './slices.js';
+
+export { Slices };
+
+export { droppedModel } from './user-files.js';
+export { movingCopy, movingValues } from './moving-copy.js';
+
+export interface LoadOptions {
+  /** Aborts the load; the promise then rejects with the signal's reason. */
+  readonly signal: AbortSignal;
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
+  readonly onProgress?: (loaded: number, total: number) => void;
+  /** Called with all that the model claims so far, before anything is allocated; what it throws ends the load. */
+  readonly onClaim?: (claimed: Amounts) => void;
+  /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
+  readonly crossOrigin: CrossOrigin;
+  /** The format, as a word such as `obj` or a media type. Empty, the default: as content, extension and server tell. */
+  readonly type?: string;
+}
+
+/**
+ * Loads a model and the files it refers to. `data:` addresses are decoded, not fetched.
+ * @param from the request of the file at `url`, if there is one already; or a file, whose `url` is for messages.
+ * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
+ */
+export async function modelContent(
+  url: URL,
+  options: LoadOptions,
+  from: FileRequest | Blob | null = null,
+): Promise<Content> {
+  const { signal, type = '' } = options;
+  const budget = new ModelBudget(options.onClaim);
+  const isRequest = from === null || 'response' in from;
+  const { name, read, linked } = isRequest ? openAddress(url, options, budget, from) : openFile(from, budget);
+  const missing = new Map<string, string>();
+  const optional = optionalReader(signal, missing);
+  try {
+    const file = await read();
+    const slices = new Slices(signal);
+    const bytes = await asUtf8(file.bytes, budget, slices);
+    const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
+    const reader = await neededCode(format.code(), `The code that reads ${format.name} files`);
+    signal.throwIfAborted();
+    const model = await reader.read({ url, bytes, signal, linked, optional, budget });
+    free(bytes);
+    try {
+      // The bounds that framing and culling will need: the first frame would find them in one task. A mesh whose
+      // vertices move measures its copy in its first pose.
+      const geometries = new Set(model.parts.map(({ geometry }) => geometry));
+      for (const geometry of geometries) if (!isMoving(geometry)) await measureInSlices(geometry, slices);
+    } catch (error) {
+      model.dispose();
+      throw error;
+    }
+    if (missing.size > 0) warnOfMissing(name, missing);
+    const dropped = [...(model.dropped ?? [])];
+    if (dropped.length > 0) console.warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
+    return { ...model, missing: [...missing.keys()] };
+  } catch (cause) {
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    if (isOutOfMemory(cause))
+      throw new ModelError('too-large', `There is not enough memory to read ${name}.`, { cause });
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new ModelError('bad-model', `The model cannot be read: ${reason} (${name}).`, { cause });
+  }
+}
+
+function openAddress(url: URL, options: LoadOptions, budget: ModelBudget, request: FileRequest | null): OpenedModel {
+  const fetchBytes = byteFetcher(options, budget);
+  const anywhere = options.crossOrigin !== null;
+  return {
+    name: nameOf(url),
+    read: () => fetchBytes(url, 'follow', request),
+    // A redirect could lead out of the folder. If any address is allowed, it does no harm.
+    linked: async (uri) => (await fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error')).bytes,
+  };
+}
+
+/** @param missing gets the reason for everything that is left out, by its name. */
+function optionalReader(signal: AbortSignal, missing: Map<string, string>): ReadOptional {
+  return async (name, read, use) => {
+    const leaveOut = (error: unknown): null => {
+      signal.throwIfAborted();
+      if (isOutOfMemory(error)) throw error;
+      missing.set(clip(name), reasonOf(name, error));
+      return null;
+    };
+    let bytes: Awaited<ReturnType<typeof read>>;
+    try {
+      bytes = await read();
+    } catch (error) {
+      if (error instanceof ModelError && /^(too-large|csp)$/.test(error.code)) throw error;
+      return leaveOut(error);
+    }
+    try {
+      return await use(bytes);
+    } catch (error) {
+      if (error instanceof ModelError) throw error;
+      return leaveOut(error);
+    }
+  };
+}
+
+/** A sentence. Messages of decoders go on from the file's name. */
+function reasonOf(name: string, error: unknown): string {
+  if (error instanceof MissingFileError) return DROP_TOGETHER;
+  if (error instanceof ModelError) return error.message;
+  return `${clip(name)} ${error instanceof Error ? error.message : String(error)}.`;
+}
+
+/** Most reasons in the warning. A material library can name thousands of images. */
+const MOST_REASONS = 10;
+
+function warnOfMissing(model: string, missing: ReadonlyMap<string, string>): void {
+  const names = [...missing.keys()];
+  const reasons = [...new Set(missing.values())].slice(0, MOST_REASONS);
+  console.warn(
+    `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`,
+  );
+}
+
+// Some servers treat an escaped slash as a slash, after the URL parser has resolved `..`.
+const ESCAPED_SLASH = /%(2f|5c)/i;
+
+/**
+ * The address of the file that the model at `model` refers to as `uri`.
+ * @param anywhere whether any http(s) origin and folder is allowed (`crossorigin` is set).
+ * @throws ModelError `load-failed` if it is not allowed, or no address.
+ */
+export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
+  const url = parsed(uri, model);
+  if (!url)
+    throw new ModelError('load-failed', `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`);
+  if (anywhere && /^https?:$/.test(url.protocol)) return url;
+  const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
+  const below =
+    url.origin === model.origin &&
+    url.protocol === model.protocol &&
+    url.username === model.username &&
+    url.password === model.password &&
+    /^(https?|file):$/.test(url.protocol) &&
+    url.pathname.startsWith(folder) &&
+    !ESCAPED_SLASH.test(url.pathname.slice(folder.length));
+  if (below) return url;
+  const fact = `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`;
+  throw new ModelError('load-failed', fact, { advice: 'Put it beside the model, or set crossorigin to allow it.' });
+}
+
+function parsed(uri: string, base: URL): URL | null {
+  try {
+    return new URL(uri, base);
+  } catch {
+    return null;
+  }
+}

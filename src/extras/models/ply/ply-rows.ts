@@ -1,0 +1,308 @@
+// Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each.
+import { clip } from '../../../phong/fields/clip.js';
+import type { LeftOut } from '../left-out.js';
+import { CORNER_LIMIT } from '../../../viewer/model/limits.js';
+import type { Slices } from '../slices.js';
+import { TextScanner } from '../text/text-scanner.js';
+import { CornerLists, type Growing, NONE, NOT_THERE, UNSTATED, wrongCoordinate } from '../triangles/corner-lists.js';
+import { Polygons } from '../triangles/triangulate.js';
+import { countOf, type PlyElement, type PlyHeader, type PlyType } from './ply-header.js';
+
+/**
+ * @param byLines whether each row of a text is a line, and may have more values than its header names.
+ * @throws Error for broken data; ModelError `too-large`.
+ */
+export async function readRows(
+  bytes: Uint8Array<ArrayBuffer>,
+  { encoding, elements, end }: PlyHeader,
+  byLines: boolean,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<CornerLists> {
+  const values =
+    encoding === 'text' ? textValues(bytes, end, byLines) : binaryValues(bytes, end, encoding === 'little-endian');
+  const rows = new PlyRows(elements, values, leftOut, slices);
+  for (const element of elements) if (element.properties.length > 0) await rows.read(element);
+  return rows.finish();
+}
+
+/** The numbers of a row that are used, by property. x y z come first, then the normal, then the colour. */
+const SLOTS: ReadonlyMap<string, number> = new Map([
+  ...['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'].map((name, slot) => [name, slot] as const),
+  ...['r', 'g', 'b', 'a'].map((name, i) => [name, 6 + i] as const),
+  ...['diffuse_red', 'diffuse_green', 'diffuse_blue'].map((name, i) => [name, 6 + i] as const),
+]);
+const [PLACE, NORMAL, COLOR, ALPHA, UNUSED] = [0, 3, 6, 9, 10] as const;
+
+type Row = Float64Array;
+
+/** What becomes of the rows of an element. Whatever else they have is skipped. */
+interface RowTaker {
+  /** Name of the list of vertices. */
+  readonly list?: RegExp;
+  readonly begin?: () => void;
+  readonly item?: (value: number) => void;
+  readonly endList?: () => void;
+  readonly end?: () => void;
+}
+
+class PlyRows {
+  readonly #values: PlyValues;
+  readonly #leftOut: LeftOut;
+  readonly #slices: Slices;
+  readonly #lists: CornerLists;
+  readonly #polygons: Polygons;
+  readonly #ofVertices: Colors;
+  readonly #ofFaces: Colors;
+  /** The largest number of a vertex that a face refers to. */
+  #highestVertex = -1;
+  /** Position and steps that were counted as work. */
+  #at = 0;
+  #steps = 0;
+
+  constructor(elements: readonly PlyElement[], values: PlyValues, leftOut: LeftOut, slices: Slices) {
+    this.#values = values;
+    this.#leftOut = leftOut;
+    this.#slices = slices;
+    this.#lists = new CornerLists(countOf(elements, 'vertex'), countOf(elements, 'face'));
+    this.#polygons = new Polygons(this.#lists);
+    this.#ofVertices = new Colors(this.#lists.colors, 0);
+    this.#ofFaces = new Colors(this.#lists.faceColors, 1);
+  }
+
+  async read(element: PlyElement): Promise<void> {
+    const values = this.#values;
+    const slices = this.#slices;
+    const row: Row = new Float64Array(UNUSED + 1);
+    row[ALPHA] = 1;
+    const taker = this.#takerOf(element, row);
+    const columns = element.properties.map(({ name, type, countType }) => {
+      const slot = SLOTS.get(name) ?? UNUSED;
+      return { type, countType, slot, full: slot < COLOR ? 1 : type.full, taken: taker.list?.test(name) === true };
+    });
+    for (let i = 0; i < element.count;) {
+      if (values.beginRow()) {
+        taker.begin?.();
+        for (const { type, countType, slot, full, taken } of columns) {
+          if (countType === null) {
+            const value = values.next(type);
+            row[slot] = value / full;
+            if (slot < NORMAL && Number.isNaN(value)) this.#leftOut.because('vertex', () => values.problem());
+            continue;
+          }
+          for (let left = this.#listLength(countType); left > 0; left -= 1) {
+            const value = values.next(type);
+            if (taken) taker.item?.(value);
+            if (this.#took()) await slices.pause();
+          }
+          if (taken) taker.endList?.();
+        }
+        taker.end?.();
+        if (values.endRow()) this.#leftOut.add('surplus');
+        i += 1;
+      }
+      if (this.#took()) await slices.pause();
+    }
+  }
+
+  /** Counts the work since the last call. */
+  #took(): boolean {
+    const { at } = this.#values;
+    const { steps } = this.#polygons;
+    const work = (at - this.#at) / 8 + (steps - this.#steps) / 16;
+    this.#at = at;
+    this.#steps = steps;
+    return this.#slices.took(work);
+  }
+
+  finish(): CornerLists {
+    this.#chooseColors();
+    const { count } = this.#lists.places;
+    const highest = this.#highestVertex;
+    if (highest >= count)
+      this.#leftOut.because('face', () => `a face refers to vertex ${String(highest)} of ${String(count)}`);
+    return this.#lists;
+  }
+
+  #takerOf({ name, count, properties }: PlyElement, row: Row): RowTaker {
+    const found = new Set(properties.map((property) => (property.countType === null ? SLOTS.get(property.name) : -1)));
+    const has = (first: number): boolean => [0, 1, 2].every((i) => found.has(first + i));
+    if (name === 'vertex') {
+      if (!has(PLACE)) throw new Error('its vertices have no x, y and z');
+      return this.#vertices(row, has(NORMAL), has(COLOR));
+    }
+    if (name === 'face') return this.#faces(row, has(COLOR));
+    if (name === 'tristrips') return this.#strips();
+    if (count > 0) this.#leftOut.feature(`the element ${clip(name, 40)}`);
+    return {};
+  }
+
+  #vertices(row: Row, withNormals: boolean, withColors: boolean): RowTaker {
+    const { places } = this.#lists;
+    const end = (): void => {
+      const [x, y, z] = [row[0]!, row[1]!, row[2]!];
+      if (!places.push(x, y, z)) {
+        this.#leftOut.add('vertex');
+        this.#leftOut.because('vertex', () => wrongCoordinate(x, y, z));
+      }
+      if (withNormals) this.#lists.pushNormal(row[NORMAL]!, row[NORMAL + 1]!, row[NORMAL + 2]!);
+      if (withColors) this.#ofVertices.push(row);
+    };
+    return { end };
+  }
+
+  #faces(row: Row, withColors: boolean): RowTaker {
+    const colors = this.#ofFaces;
+    const polygons = this.#polygons;
+    return {
+      list: /^vertex_ind(ices|ex)$/,
+      begin: () => polygons.begin(UNSTATED, withColors ? colors.list.length / 3 : NONE),
+      item: (value) => polygons.add(this.#vertexOf(value)),
+      endList: () => polygons.end(),
+      ...(withColors && { end: () => colors.push(row) }),
+    };
+  }
+
+  /** Each vertex makes a triangle with the two before it, every second one turned around; -1 begins a new strip. */
+  #strips(): RowTaker {
+    const lists = this.#lists;
+    let length = 0;
+    let before = 0;
+    let last = 0;
+    const item = (value: number): void => {
+      if (value === -1) {
+        length = 0;
+        return;
+      }
+      const next = this.#vertexOf(value);
+      if (length >= 2) {
+        const even = length % 2 === 0;
+        lists.beginTriangle(false);
+        lists.pushCorner(even ? before : last);
+        lists.pushCorner(even ? last : before);
+        lists.pushCorner(next);
+      }
+      before = last;
+      last = next;
+      length += 1;
+    };
+    return { list: /^vertex_indices$/, item, endList: () => (length = 0) };
+  }
+
+  /** The vertex with this number, which may come later. */
+  #vertexOf(value: number): number {
+    if (Number.isInteger(value) && value >= 0 && value < CORNER_LIMIT) {
+      this.#highestVertex = Math.max(this.#highestVertex, value);
+      return value;
+    }
+    this.#leftOut.because('face', () => `a face refers to the vertex ${String(value)}`);
+    return NOT_THERE;
+  }
+
+  #listLength(type: PlyType): number {
+    const count = this.#values.next(type);
+    if (Number.isNaN(count)) throw new Error(this.#values.problem());
+    if (Number.isInteger(count) && count >= 0) return count;
+    throw new Error('a list has no length');
+  }
+
+  /** A geometry has one kind of colours: those of faces, unless those of vertices say more, as in other viewers. */
+  #chooseColors(): void {
+    const [ofVertices, ofFaces] = [this.#ofVertices, this.#ofFaces];
+    const both = ofVertices.count > 0 && ofFaces.count > 0;
+    const byFace = ofFaces.count > 0 && !(both && ofVertices.differ);
+    if (both) this.#leftOut.feature(byFace ? 'the colours of its vertices' : 'the colours of its faces');
+    if (!byFace) this.#lists.faceColors.length = this.#lists.triangleColors.length = 0;
+    if ((byFace ? ofFaces : ofVertices).hasAlpha) this.#leftOut.feature('alpha');
+  }
+}
+
+/** Colours of vertices or of faces. */
+class Colors {
+  readonly list: Growing<Float32Array>;
+  /** Whether they are not all the same. */
+  differ = false;
+  hasAlpha = false;
+  readonly #first: number;
+
+  /** @param first number of the first one in the list; white ones come before it. */
+  constructor(list: Growing<Float32Array>, first: number) {
+    this.list = list;
+    this.#first = 3 * first;
+    list.fillTo(this.#first, 1);
+  }
+
+  get count(): number {
+    return (this.list.length - this.#first) / 3;
+  }
+
+  push(row: Row): void {
+    const { list } = this;
+    for (let c = 0; c < 3; c += 1) {
+      const value = row[COLOR + c]!;
+      list.push(value > 0 ? Math.min(value, 1) : 0);
+      this.differ ||= list.array[this.#first + c] !== list.array[list.length - 1];
+    }
+    this.hasAlpha ||= row[ALPHA]! < 1;
+  }
+}
+
+/** The values after a header, one after another, text or binary of either byte order. */
+interface PlyValues {
+  /** Position of the next byte. */
+  readonly at: number;
+  /** Goes to the next row. False where it is not there yet: call again. @throws Error at the end of the file. */
+  beginRow(): boolean;
+  /** Whether values are left that no property names. */
+  endRow(): boolean;
+  /** @throws Error at the end of the file, or of the row if rows are lines. Text that is no number is NaN. */
+  next(type: PlyType): number;
+  /** Why the last value is no number, in words. */
+  problem(): string;
+}
+
+const truncated = (): Error => new Error('it is truncated: it ends before its last value');
+
+/** `c` and `#`: no number begins with them. */
+const COMMENTS: ReadonlySet<number> = new Set([0x63, 0x23]);
+
+function textValues(bytes: Uint8Array, start: number, byLines: boolean): PlyValues {
+  const scanner = new TextScanner(bytes, start);
+  let begun = false;
+  return {
+    get at() {
+      return scanner.at;
+    },
+    beginRow: () => {
+      if (!byLines) return true;
+      if (!(begun ? scanner.nextLine() : scanner.nextWord())) throw truncated();
+      begun = true;
+      return !scanner.atLineEnd() && !COMMENTS.has(scanner.peek());
+    },
+    endRow: () => byLines && !scanner.atLineEnd(),
+    next: () => {
+      if (byLines ? scanner.atLineEnd() : !scanner.nextWord()) throw truncated();
+      return scanner.number();
+    },
+    problem: () => `${scanner.quotedWord()} is not a number`,
+  };
+}
+
+function binaryValues(bytes: Uint8Array<ArrayBuffer>, start: number, little: boolean): PlyValues {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  let at = start;
+  return {
+    get at() {
+      return at;
+    },
+    beginRow: () => true,
+    endRow: () => false,
+    problem: () => 'a value is not a number',
+    next: (type) => {
+      const from = at;
+      at += type.bytes;
+      if (at > view.byteLength) throw truncated();
+      return type.read(view, from, little);
+    },
+  };
+}

@@ -1,0 +1,307 @@
+// Words and numbers of a text file's bytes, read in one pass without turning the file into strings. Numbers are read
+// exactly as `Number` reads them. Lines end with LF, CR LF or CR; a backslash at the end of a line continues it.
+import { clip } from '../../../phong/fields/clip.js';
+import type { Slices } from '../slices.js';
+
+const LF = 10;
+const CR = 13;
+const SPACE = 32;
+const BACKSLASH = 92;
+const NOTHING = -1;
+
+const latin1 = new TextDecoder('latin1');
+const utf8 = new TextDecoder();
+
+/** 10^0 to 10^22, which float64 holds exactly: one product or quotient with them is rounded once. */
+const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${String(exponent)}`));
+/** Most digits of a whole number that float64 always holds exactly. */
+const EXACT_DIGITS = 15;
+/** A token longer than this is no number: longer ones only cost time. */
+const NUMBER_LENGTH = 400;
+/** Most bytes that one call skips, so that no line, token or gap makes a long task. */
+const PIECE = 2 ** 14;
+
+/** Bytes of a word that is not worth a call of the decoder. */
+const SHORT = 32;
+
+/** What the next call goes on to skip, because it is longer than {@link PIECE}. */
+type Pending = 'nothing' | 'line' | 'blanks';
+
+export class TextScanner {
+  readonly #bytes: Uint8Array;
+  /** Position of the next byte. */
+  at: number;
+  #pending: Pending = 'nothing';
+
+  constructor(bytes: Uint8Array, at = 0) {
+    this.#bytes = bytes;
+    const mark = at === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+    this.at = mark ? 3 : at; // the byte order mark of UTF-8
+  }
+
+  /**
+   * Goes to the first word of the next line that has one; false at the end. Comments may end with a backslash, so it
+   * does not continue a line here. A line or gap of over 16 KiB comes in pieces: all but the first are as empty lines.
+   */
+  nextLine(): boolean {
+    if (this.#pending !== 'blanks') {
+      const end = this.#pieceEnd;
+      while (this.at < end && !isLineEnd(this.#bytes[this.at] ?? NOTHING)) this.at += 1;
+      this.#pending = this.#stoppedAt(end) ? 'line' : 'nothing';
+      if (this.#pending === 'line') return true;
+    }
+    return this.nextWord();
+  }
+
+  /** Goes to the next word, on this line or a later one. False at the end of the file. */
+  nextWord(): boolean {
+    const end = this.#pieceEnd;
+    this.#pending = 'nothing';
+    for (;;) {
+      this.#skipBlanks();
+      if (this.at >= this.#bytes.length) return false;
+      if (this.at >= end) {
+        this.#pending = 'blanks';
+        return true;
+      }
+      if (!isLineEnd(this.#bytes[this.at] ?? NOTHING)) return true;
+      this.at += 1;
+    }
+  }
+
+  get #pieceEnd(): number {
+    return Math.min(this.#bytes.length, this.at + PIECE);
+  }
+
+  #stoppedAt(end: number): boolean {
+    return this.at >= end && end < this.#bytes.length;
+  }
+
+  /** Whether no word follows on this line. Skips the blanks before it. */
+  atLineEnd(): boolean {
+    if (this.#pending === 'nothing') this.#skipBlanks();
+    if (this.#pending !== 'nothing') return true;
+    const byte = this.#bytes[this.at];
+    return byte === undefined || isLineEnd(byte);
+  }
+
+  /** The next byte of this line after blanks; -1 at its end. Stays before it. */
+  peek(): number {
+    return this.atLineEnd() ? NOTHING : (this.#bytes[this.at] ?? NOTHING);
+  }
+
+  /** The next word of this line; empty at its end. Words longer than `most` bytes are cut. */
+  word(most = 256): string {
+    if (this.atLineEnd()) return '';
+    const start = this.at;
+    this.#skipToken();
+    return this.at - start <= 2
+      ? shortWord(this.#bytes[start], this.#bytes[start + 1], this.at - start)
+      : this.#latin1From(start, most);
+  }
+
+  /** The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before the line's end. */
+  rest(most = 4096): string {
+    if (this.atLineEnd()) return '';
+    const bytes = this.#bytes;
+    const start = this.at;
+    const end = this.#pieceEnd;
+    while (this.at < end && !isLineEnd(bytes[this.at] ?? NOTHING)) this.at += 1;
+    return this.textFrom(start, most);
+  }
+
+  /** The next word of this line as a number; NaN if there is none or it is not a number. */
+  number(): number {
+    if (this.atLineEnd()) return NaN;
+    const bytes = this.#bytes;
+    const start = this.at;
+    let i = start;
+    const sign = bytes[i];
+    if (sign === 45 || sign === 43) i += 1;
+    let mantissa = 0;
+    let digits = 0;
+    let seen = 0;
+    let exponent = 0;
+    let digit = digitOf(bytes[i]);
+    for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
+      if (mantissa > 0 || digit > 0) digits += 1;
+      mantissa = mantissa * 10 + digit;
+      seen += 1;
+    }
+    if (bytes[i] === 46) {
+      digit = digitOf(bytes[++i]);
+      for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
+        if (mantissa > 0 || digit > 0) digits += 1;
+        mantissa = mantissa * 10 + digit;
+        exponent -= 1;
+        seen += 1;
+      }
+    }
+    if (seen > 0 && (bytes[i] === 101 || bytes[i] === 69)) {
+      const sign = bytes[i + 1];
+      let power = 0;
+      let at = i + (sign === 45 || sign === 43 ? 2 : 1);
+      const first = at;
+      for (digit = digitOf(bytes[at]); digit >= 0 && at < first + 4; digit = digitOf(bytes[++at])) {
+        power = power * 10 + digit;
+      }
+      if (at > first) {
+        exponent += sign === 45 ? -power : power;
+        i = at;
+      }
+    }
+    if (seen === 0 || digits > EXACT_DIGITS || Math.abs(exponent) > 22 || !isBreak(bytes[i])) {
+      return this.#slowNumber();
+    }
+    this.at = i;
+    const scale = POWERS[Math.abs(exponent)] ?? NaN;
+    const size = exponent < 0 ? mantissa / scale : mantissa * scale;
+    return sign === 45 ? -size : size;
+  }
+
+  /** Why the `count` words from `start` on are no numbers; null if they are. Stays where it is. */
+  problemOf(start: number, count: number): string | null {
+    const { at } = this;
+    this.at = start;
+    this.#pending = 'nothing';
+    let problem: string | null = null;
+    for (let i = 0; i < count && problem === null; i += 1) {
+      const from = this.atLineEnd() ? NOTHING : this.at;
+      if (!Number.isNaN(this.number())) continue;
+      problem = from === NOTHING ? 'a number is missing' : `${this.#quoted(from)} is not a number`;
+    }
+    this.at = at;
+    return problem;
+  }
+
+  /** The word around this byte of the line, quoted for messages. */
+  quotedWord(): string {
+    let start = this.at;
+    const least = Math.max(0, start - NUMBER_LENGTH);
+    while (start > least && !isBreak(this.#bytes[start - 1])) start -= 1;
+    this.#skipToken();
+    return this.#quoted(start);
+  }
+
+  /** The whole number at this very byte, with a sign or without; NaN if there is none. */
+  integerHere(): number {
+    const bytes = this.#bytes;
+    const negative = bytes[this.at] === 45;
+    let i = this.at + (negative || bytes[this.at] === 43 ? 1 : 0);
+    let digit = digitOf(bytes[i]);
+    if (digit < 0) return NaN;
+    let value = 0;
+    const end = i + NUMBER_LENGTH;
+    for (; digit >= 0 && i < end; digit = digitOf(bytes[++i])) value = value * 10 + digit;
+    this.at = i;
+    return negative ? -value : value;
+  }
+
+  /** Steps over this byte if it is the next one. */
+  take(byte: number): boolean {
+    if (this.#bytes[this.at] !== byte) return false;
+    this.at += 1;
+    return true;
+  }
+
+  nextIs(byte: number): boolean {
+    return this.#bytes[this.at] === byte;
+  }
+
+  /** Whether a word ends before the next byte. */
+  get atBreak(): boolean {
+    return isBreak(this.#bytes[this.at]);
+  }
+
+  #quoted(start: number): string {
+    return JSON.stringify(clip(utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + 4096)))));
+  }
+
+  /** The text from `start` to the next byte as UTF-8 without blanks at its ends, cut after `most` bytes. */
+  textFrom(start: number, most: number): string {
+    return most === 0 ? '' : utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
+  }
+
+  /** The next bytes of this line, a character each. Stays before them. */
+  ahead(most: number): string {
+    const bytes = this.#bytes.subarray(this.at, this.at + most);
+    const end = bytes.findIndex(isLineEnd);
+    return latin1.decode(end < 0 ? bytes : bytes.subarray(0, end));
+  }
+
+  /** From `start` to the next byte, a character for each byte. */
+  #latin1From(start: number, most: number): string {
+    const bytes = this.#bytes.subarray(start, Math.min(this.at, start + most));
+    // A call of the decoder takes as long as reading ten numbers.
+    return bytes.length > SHORT ? latin1.decode(bytes) : String.fromCharCode.apply(null, bytes as never);
+  }
+
+  #slowNumber(): number {
+    const start = this.at;
+    this.#skipToken();
+    if (this.at - start > NUMBER_LENGTH) return NaN;
+    const text = this.#latin1From(start, NUMBER_LENGTH);
+    // `Number` also reads 0x10, Infinity and more.
+    return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
+  }
+
+  #skipToken(): void {
+    const bytes = this.#bytes;
+    const end = this.#pieceEnd;
+    while (this.at < end && !isBreak(bytes[this.at])) this.at += 1;
+    if (this.#stoppedAt(end)) this.#pending = 'line';
+  }
+
+  #skipBlanks(): void {
+    const bytes = this.#bytes;
+    const end = this.#pieceEnd;
+    for (;;) {
+      const byte = bytes[this.at];
+      if (byte === undefined) return;
+      if (this.at >= end) {
+        this.#pending = 'line';
+        return;
+      }
+      if (byte === BACKSLASH) {
+        const next = bytes[this.at + 1];
+        if (next === LF) this.at += 2;
+        else if (next === CR) this.at += bytes[this.at + 2] === LF ? 3 : 2;
+        else return;
+      } else if (byte <= SPACE && !isLineEnd(byte)) {
+        this.at += 1;
+      } else {
+        return;
+      }
+    }
+  }
+}
+
+/** Most lines begin with a word of one or two letters. Decoding each would make as much garbage as the file is long. */
+const shortWords = new Map<number, string>();
+
+function shortWord(first = 0, second = 0, length = 1): string {
+  const key = length === 1 ? first : 256 * second + first;
+  let word = shortWords.get(key);
+  if (word === undefined) {
+    word = length === 1 ? String.fromCharCode(first) : String.fromCharCode(first, second);
+    shortWords.set(key, word);
+  }
+  return word;
+}
+
+const isLineEnd = (byte: number): boolean => byte === LF || byte === CR;
+/** White space, other control characters, and the end of the file. */
+const isBreak = (byte: number | undefined): boolean => byte === undefined || byte <= SPACE;
+
+function digitOf(byte: number | undefined): number {
+  return byte !== undefined && byte >= 48 && byte <= 57 ? byte - 48 : -1;
+}
+
+/** Which line a position is in, counted from 1. In slices: a file can have millions of lines. */
+export async function lineOf(bytes: Uint8Array, position: number, slices: Slices): Promise<number> {
+  let line = 1;
+  await slices.over(Math.min(position, bytes.length), (from, to) => {
+    for (let i = from; i < to; i += 1) if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) line += 1;
+  });
+  return line;
+}

@@ -1,0 +1,229 @@
+// Normals for corners that have none: the mean, in float64, of the faces around a vertex that are smoothed together,
+// weighted by their angles there, so that it does not depend on how polygons are cut into triangles.
+import { free } from '../../../viewer/model/limits.js';
+import type { Slices } from '../slices.js';
+import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
+import { faceVector, type FaceVector } from './triangulate.js';
+
+/** Faces without a group are smoothed below 40°: icosahedra keep edges (41.8°), ten-sided cylinders (36°) are round. */
+const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
+/** Faces that are less than half of that from their mean are all smoothed together. A little less, for rounding. */
+const HALF_CREASE_COSINE = Math.cos((19.9 * Math.PI) / 180);
+
+/** Most corners at a vertex that are compared in pairs. With more, each triangle has its own normal there. */
+const FAN_LIMIT = 256;
+
+/** Pairs in one model, about a second, after which only as many corners are compared as a vertex usually has. */
+const PAIR_LIMIT = 2 ** 28;
+const USUAL_FAN = 16;
+
+/** Faces whose sum is no longer than this share of its terms cancel: what is left is rounding of float32 normals. */
+const CANCELLED = 1e-5;
+
+/** Appends normals to `lists.normals` and sets them in `lists.cornerNormals`. */
+export async function smoothNormals(lists: CornerLists, slices: Slices): Promise<void> {
+  const { starts, around } = await cornersByVertex(lists, slices);
+  if (around.length === 0) return;
+  const faces = await measuredFaces(lists, slices);
+  const fan = new Fan();
+  let pairs = 0;
+  for (let vertex = 0; vertex + 1 < starts.length; vertex += 1) {
+    const start = starts[vertex] ?? 0;
+    const end = starts[vertex + 1] ?? 0;
+    const smoothed = end - start <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
+    if (smoothed) pairs += (end - start) ** 2;
+    for (let from = start; from < end; from += FAN_LIMIT) {
+      const corners = around.subarray(from, Math.min(from + FAN_LIMIT, end));
+      if (slices.took(corners.length * (1 + corners.length / 64))) await slices.pause();
+      fan.load(corners, lists, faces);
+      fan.write(corners, lists, smoothed);
+    }
+    if (start === end && slices.took(1 / 64)) await slices.pause();
+  }
+  free(starts, around, faces.normals, faces.angles);
+}
+
+/** The corners around a vertex, copied out of the lists: each is compared with every other. */
+class Fan {
+  readonly #x = new Float64Array(FAN_LIMIT);
+  readonly #y = new Float64Array(FAN_LIMIT);
+  readonly #z = new Float64Array(FAN_LIMIT);
+  readonly #angles = new Float64Array(FAN_LIMIT);
+  readonly #triangles = new Int32Array(FAN_LIMIT);
+  readonly #groups = new Int32Array(FAN_LIMIT);
+  /** The mean normal of the faces that are smoothed with the last one asked for; any length. */
+  readonly #sum: FaceVector = { x: 0, y: 0, z: 0 };
+
+  load(corners: Uint32Array, { groups }: CornerLists, { normals, angles }: Faces): void {
+    for (let i = 0; i < corners.length; i += 1) {
+      const corner = corners[i] ?? 0;
+      const triangle = Math.floor(corner / 3);
+      this.#triangles[i] = triangle;
+      this.#x[i] = normals[3 * triangle] ?? 0;
+      this.#y[i] = normals[3 * triangle + 1] ?? 0;
+      this.#z[i] = normals[3 * triangle + 2] ?? 0;
+      this.#angles[i] = angles[corner] ?? 0;
+      this.#groups[i] = itemAt(groups, triangle);
+    }
+  }
+
+  /** Gives each of the corners a normal. @param smoothed whether it may be that of several faces. */
+  write(corners: Uint32Array, lists: CornerLists, smoothed: boolean): void {
+    const first = lists.normals.length / 3;
+    const sum = this.#sum;
+    let isOne = false;
+    for (let i = 0; i < corners.length; i += 1) {
+      if (!isOne) {
+        if (smoothed) this.#smooth(i, corners.length);
+        else this.#takeOwn(i);
+        lists.pushNormal(sum.x, sum.y, sum.z);
+      }
+      lists.cornerNormals.array[corners[i] ?? 0] = isOne ? first : mergedWithLast(lists, first);
+      if (i === 0) isOne = smoothed && this.#areOne(corners.length);
+    }
+  }
+
+  /** Whether the sum is that of all faces, for each of them: so it is around most vertices. */
+  #areOne(count: number): boolean {
+    const { x, y, z } = this.#sum;
+    const least = HALF_CREASE_COSINE * Math.sqrt(x * x + y * y + z * z);
+    const group = this.#groups[0] ?? FACETED;
+    for (let i = 0; i < count; i += 1) {
+      const along = x * (this.#x[i] ?? 0) + y * (this.#y[i] ?? 0) + z * (this.#z[i] ?? 0);
+      if (!(along >= least) || this.#groups[i] !== group || group === FACETED) return false;
+    }
+    return least > 0;
+  }
+
+  #smooth(i: number, count: number): void {
+    const x = this.#x[i] ?? 0;
+    const y = this.#y[i] ?? 0;
+    const z = this.#z[i] ?? 0;
+    const triangle = this.#triangles[i] ?? 0;
+    const group = this.#groups[i] ?? UNSTATED;
+    let sumX = 0;
+    let sumY = 0;
+    let sumZ = 0;
+    let weights = 0;
+    for (let j = 0; j < count; j += 1) {
+      const otherX = this.#x[j] ?? 0;
+      const otherY = this.#y[j] ?? 0;
+      const otherZ = this.#z[j] ?? 0;
+      if (this.#triangles[j] !== triangle) {
+        if (group === FACETED || this.#groups[j] !== group) continue;
+        if (group === UNSTATED && x * otherX + y * otherY + z * otherZ < CREASE_COSINE) continue;
+      }
+      const angle = this.#angles[j] ?? 0;
+      sumX += angle * otherX;
+      sumY += angle * otherY;
+      sumZ += angle * otherZ;
+      weights += angle;
+    }
+    // Faces of both sides in one group cancel, and a face that is folded over would be lit from behind.
+    const along = sumX * x + sumY * y + sumZ * z;
+    if (x * x + y * y + z * z > 0 && !(along > CANCELLED * weights)) {
+      this.#takeOwn(i);
+      return;
+    }
+    this.#sum.x = sumX;
+    this.#sum.y = sumY;
+    this.#sum.z = sumZ;
+  }
+
+  #takeOwn(i: number): void {
+    this.#sum.x = this.#x[i] ?? 0;
+    this.#sum.y = this.#y[i] ?? 0;
+    this.#sum.z = this.#z[i] ?? 0;
+  }
+}
+
+/** The corners without a normal, sorted by vertex: those of vertex i are from `starts[i]` to `starts[i + 1]`. */
+async function cornersByVertex(
+  lists: CornerLists,
+  slices: Slices,
+): Promise<{ readonly starts: Uint32Array; readonly around: Uint32Array }> {
+  const { corners, cornerNormals, places } = lists;
+  const starts = new Uint32Array(places.count + 1);
+  let missing = 0;
+  for (let corner = 0; corner < corners.length; corner += 1) {
+    if (slices.took(1 / 16)) await slices.pause();
+    // Every corner gets an item, to be overwritten.
+    if (corner >= cornerNormals.length) cornerNormals.push(NONE);
+    const vertex = corners.array[corner] ?? 0;
+    if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
+    starts[vertex] = (starts[vertex] ?? 0) + 1;
+    missing += 1;
+  }
+  const around = new Uint32Array(missing);
+  if (missing === 0) return { starts, around };
+  for (let vertex = 1; vertex < starts.length; vertex += 1) {
+    if (slices.took(1 / 64)) await slices.pause();
+    starts[vertex] = (starts[vertex] ?? 0) + (starts[vertex - 1] ?? 0);
+  }
+  // `starts` holds the ends now. Filling from the last corner down moves them to the starts.
+  for (let corner = corners.length - 1; corner >= 0; corner -= 1) {
+    if (slices.took(1 / 16)) await slices.pause();
+    const vertex = corners.array[corner] ?? 0;
+    if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
+    const place = (starts[vertex] ?? 0) - 1;
+    starts[vertex] = place;
+    around[place] = corner;
+  }
+  return { starts, around };
+}
+
+interface Faces {
+  /** Unit normal of each triangle, or zero. */
+  readonly normals: Float32Array;
+  /** Angle of the triangle at each corner, in radians. */
+  readonly angles: Float32Array;
+}
+
+async function measuredFaces({ corners, places }: CornerLists, slices: Slices): Promise<Faces> {
+  const count = corners.length / 3;
+  const normals = new Float32Array(3 * count);
+  const angles = new Float32Array(3 * count);
+  const position = places.array;
+  const face: FaceVector = { x: 0, y: 0, z: 0 };
+  for (let i = 0; i < count; i += 1) {
+    if (slices.took(1 / 4)) await slices.pause();
+    const a = 3 * (corners.array[3 * i] ?? 0);
+    const b = 3 * (corners.array[3 * i + 1] ?? 0);
+    const c = 3 * (corners.array[3 * i + 2] ?? 0);
+    const doubleArea = faceVector(position, a, b, c, face);
+    if (!(doubleArea > 0)) continue;
+    normals[3 * i] = face.x / doubleArea;
+    normals[3 * i + 1] = face.y / doubleArea;
+    normals[3 * i + 2] = face.z / doubleArea;
+    angles[3 * i] = Math.atan2(doubleArea, edgesDot(position, a, b, c));
+    angles[3 * i + 1] = Math.atan2(doubleArea, edgesDot(position, b, c, a));
+    angles[3 * i + 2] = Math.atan2(doubleArea, edgesDot(position, c, a, b));
+  }
+  return { normals, angles };
+}
+
+/** Dot product of the edges from `a` to `b` and to `c`. */
+function edgesDot(position: Float32Array, a: number, b: number, c: number): number {
+  let sum = 0;
+  for (let axis = 0; axis < 3; axis += 1) {
+    const origin = position[a + axis] ?? 0;
+    sum += ((position[b + axis] ?? 0) - origin) * ((position[c + axis] ?? 0) - origin);
+  }
+  return sum;
+}
+
+/** The number of the last normal, or of an equal one from `first` on: then the last is removed. */
+function mergedWithLast({ normals }: CornerLists, first: number): number {
+  const { array } = normals;
+  const last = normals.length / 3 - 1;
+  for (let i = Math.max(first, last - FAN_LIMIT); i < last; i += 1) {
+    const same =
+      array[3 * i] === array[3 * last] &&
+      array[3 * i + 1] === array[3 * last + 1] &&
+      array[3 * i + 2] === array[3 * last + 2];
+    if (!same) continue;
+    normals.length -= 3;
+    return i;
+  }
+  return last;
+}

@@ -1,0 +1,115 @@
+// Draws the helpers over a viewer's picture after each frame, as SVG, or in a picture file as the same list.
+import { sameValue } from '../../../phong/fields/field-store.js';
+import { create as createElement } from '../../../viewer/element/dom.js';
+import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
+import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { PictureOptions } from '../../samples/picture-blob.js';
+import { drawList, fileSize } from '../drawing/canvas-drawing.js';
+import { listOf, NO_DRAWING, whole } from '../drawing/label-layout.js';
+import { type Projection, projectionOf } from '../drawing/projection.js';
+import { Room } from '../drawing/room.js';
+import { SvgLayer } from '../drawing/svg-layer.js';
+import styles from './helpers.css?inline';
+import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
+import type { SceneBall } from './light-marks.js';
+import { SceneHelpers } from './scene-helpers.js';
+
+export const create = (host: ExtraHost): Extra => new Helpers(host);
+
+class Helpers implements Extra {
+  readonly #host: ExtraHost;
+  readonly #root: ShadowRoot;
+  readonly #element = createElement('div', { class: 'helpers' });
+  readonly #svg = new SvgLayer();
+  readonly #lights: LightHelpers;
+  readonly #objects: SceneHelpers;
+  readonly #room: Room;
+  #view: Projection | null = null;
+  /** What the view and the scene's ball depend on. */
+  #seen: readonly unknown[] = [];
+  #scene: SceneBall;
+
+  constructor(host: ExtraHost) {
+    this.#host = host;
+    this.#scene = ballOf(host);
+    this.#root = host.tree.layer.getRootNode() as ShadowRoot;
+    addStyles(this.#root, styles);
+    this.#element.append(this.#svg.element);
+    const changed = (): void => this.#show(false);
+    this.#lights = new LightHelpers(host, this.#element, changed);
+    this.#objects = new SceneHelpers(host, changed);
+    host.tree.room.before(this.#element);
+    this.#room = new Room(host.tree, changed, LIGHT_NAME);
+  }
+
+  update(): void {
+    this.#show(true);
+  }
+
+  #show(isFrame: boolean): void {
+    const view = this.#look();
+    const helpers = view === null ? [] : this.#host.values.helpers;
+    const hasLights = helpers.includes('lights');
+    const hasObjects = helpers.some((name) => name !== 'lights');
+    if (!hasLights) this.#lights.hide();
+    if (!hasObjects) this.#objects.hide();
+    const objects = hasObjects ? this.#objects.show(view!, this.#scene, helpers) : NO_DRAWING;
+    const lights = hasLights ? this.#lights.show(view!, this.#scene, isFrame) : NO_DRAWING;
+    const { box, fontSize, boxes } = this.#room;
+    const { list, placed } = listOf([objects, lights], box, fontSize, boxes);
+    this.#host.names.placed = placed;
+    this.#svg.show(list);
+  }
+
+  /** The same at the picture's size: as large in it, in proportion, as on the page. */
+  drawOver(canvas: HTMLCanvasElement, options: PictureOptions): void {
+    const context = canvas.getContext('2d');
+    if (options.helpers !== true || context === null) return;
+    const { scale, ...size } = fileSize(canvas, this.#host.size().height);
+    const view = projectionOf(this.#host.viewport, size, size.width / size.height);
+    const scene = ballOf(this.#host);
+    const { helpers } = this.#host.values;
+    const objects = this.#objects.drawingAt(view, scene, helpers);
+    const lights = helpers.includes('lights') ? this.#lights.drawingAt(view, scene) : NO_DRAWING;
+    const { fontSize } = this.#room;
+    const { list, placed } = listOf([objects, lights], whole(view), fontSize);
+    drawList(context, list, scale, fontSize);
+    // For the probe, which draws next.
+    const { names } = this.#host;
+    const shown = names.placed;
+    names.placed = placed;
+    queueMicrotask(() => (names.placed = shown));
+  }
+
+  dispose(): void {
+    this.#lights.hide();
+    this.#objects.hide();
+    this.#room.dispose();
+    this.#host.names.placed = [];
+    this.#element.remove();
+    removeStyles(this.#root, styles);
+  }
+
+  /** The projection of the picture as it is now; the same object while that stays. Null without a picture. */
+  #look(): Projection | null {
+    const size = this.#host.size();
+    if (!(size.width > 0 && size.height > 0)) return null;
+    const { width, height, picture } = this.#host.viewport;
+    const { orbit, fit } = picture;
+    const bounds = picture.measure();
+    const seen = [bounds, fit.fov, orbit.pose, width, height, size.width, size.height];
+    if (this.#view === null || !sameValue(seen, this.#seen)) {
+      this.#seen = seen;
+      this.#scene = ballOf(this.#host);
+      this.#svg.over(size);
+      this.#view = projectionOf(this.#host.viewport, size);
+    }
+    return this.#view;
+  }
+}
+
+/** Of a scene that shows nothing: as its camera assumes. */
+function ballOf({ viewport }: ExtraHost): SceneBall {
+  const { center = [0, 0, 0], radius = 0 } = viewport.picture.measure() ?? {};
+  return { center, radius: radius || 1 };
+}

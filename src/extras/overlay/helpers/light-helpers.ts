@@ -1,0 +1,104 @@
+// The helpers of a viewer's lights: their marks, names and handles. Marks are computed again only after changes.
+import { sameValue } from '../../../phong/fields/field-store.js';
+import { fieldsOf } from '../../../viewer/element/internals.js';
+import type { PhongLight } from '../../../viewer/element/elements.js';
+import { numberedName } from '../../../viewer/element/phong-light.js';
+import { lightNameText } from '../../../viewer/element/viewer/description.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import { distanceAlong } from '../../explain/pick.js';
+import { boxAround, type Drawing } from '../drawing/label-layout.js';
+import type { Projection } from '../drawing/projection.js';
+import { Handles } from './handles.js';
+import { type LightMarks, lightMarks, type SceneBall } from './light-marks.js';
+import { isBehind, type RayTest, RayTests } from './occlusion.js';
+
+/** Between a light's place and its name, CSS pixels. */
+const GAP = 12;
+
+export const LIGHT_NAME = 'light-name';
+
+/** Opacity of the name of a light that is off. */
+const DIMMED = 0.75;
+
+export class LightHelpers {
+  readonly #host: ExtraHost;
+  readonly #handles: Handles;
+  readonly #hidden: RayTests<PhongLight, boolean>;
+  /** Distances along the axes of spots to the first surface. */
+  readonly #surfaces: RayTests<PhongLight, number>;
+  /** With what they were computed from. */
+  readonly #marks = new WeakMap<PhongLight, { readonly seen: readonly unknown[]; readonly marks: LightMarks }>();
+
+  /** `changed` is called when marks look different although nothing was drawn. */
+  constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
+    this.#host = host;
+    this.#handles = new Handles(host, place, this.#surfaceOf);
+    this.#hidden = new RayTests(host, changed);
+    this.#surfaces = new RayTests(host, changed);
+  }
+
+  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn, in which a mesh may have moved. */
+  show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
+    const { lights } = this.#host.viewer;
+    const marks = this.#marksOf(lights, view, scene);
+    this.#handles.show(lights, marks, view, scene);
+    if (isFrame) {
+      const places = new Map<PhongLight, RayTest<boolean>>();
+      const axes = new Map<PhongLight, RayTest<number>>();
+      lights.forEach((light, i) => {
+        const { spot, place } = marks[i]!.placed;
+        places.set(light, isBehind(place, view));
+        if (spot !== null) axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
+      });
+      this.#hidden.follow(places);
+      this.#surfaces.follow(axes);
+    }
+    return this.#drawing(lights, marks);
+  }
+
+  /** The same for another size, without handles. */
+  drawingAt(view: Projection, scene: SceneBall): Drawing {
+    const { lights } = this.#host.viewer;
+    return this.#drawing(lights, this.#marksOf(lights, view, scene));
+  }
+
+  hide(): void {
+    this.#handles.hide();
+    this.#hidden.stop();
+    this.#surfaces.stop();
+  }
+
+  /** Distance along a spot's axis, as last known; Infinity before that. */
+  readonly #surfaceOf = (light: PhongLight): number => this.#surfaces.answer(light) ?? Infinity;
+
+  #marksOf(lights: readonly PhongLight[], view: Projection, scene: SceneBall): LightMarks[] {
+    return lights.map((light) => {
+      const { values } = fieldsOf(light).store;
+      const [isHidden, surface] = [this.#hidden.answer(light) === true, this.#surfaceOf(light)];
+      const seen = [view, isHidden, surface, ...Object.values(values)];
+      const before = this.#marks.get(light);
+      if (before !== undefined && sameValue(before.seen, seen)) return before.marks;
+      const marks = lightMarks(values, view, scene, isHidden, surface);
+      this.#marks.set(light, { seen, marks });
+      return marks;
+    });
+  }
+
+  #drawing(lights: readonly PhongLight[], marks: readonly LightMarks[]): Drawing {
+    const { texts } = this.#host.viewer;
+    return {
+      list: marks.flatMap(({ list }) => list),
+      names: lights.map((light, i) => {
+        const { values } = fieldsOf(light).store;
+        return {
+          text: lightNameText(texts, values.name || numberedName(i, texts), values),
+          center: marks[i]!.handles[0]!.at,
+          gap: GAP,
+          part: LIGHT_NAME,
+          opacity: values.active ? 1 : DIMMED,
+        };
+      }),
+      covered: marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
+    };
+  }
+}

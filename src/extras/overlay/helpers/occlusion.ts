@@ -1,0 +1,89 @@
+// Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one. Nothing
+// waits for them: marks are drawn as before until the answers are known.
+import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { Vec3 } from '../../../phong/math/vector.js';
+import { pick } from '../../explain/pick.js';
+import type { SceneSnapshot } from '../../../viewer/scene/scene-snapshot.js';
+import type { Projection } from '../drawing/projection.js';
+
+/** Milliseconds between a change and the rays: several changes in a row, as in a drag, cost one series. */
+const PAUSE = 100;
+
+/** Milliseconds of rays in one task. */
+const SLICE = 4;
+
+/** Relative. A place on a surface, such as a lamp's on its shade, is not behind it. */
+const TOLERANCE = 1e-3;
+
+export type RayTest<Answer> = (scene: SceneSnapshot) => Answer;
+
+/** Runs tests by rays some time after a frame, in slices, and keeps their answers by key. */
+export class RayTests<Key, Answer> {
+  readonly #host: ExtraHost;
+  readonly #changed: () => void;
+  readonly #answers = new Map<Key, Answer>();
+  /** What the next series of rays tests; null if nothing waits. */
+  #waiting: ReadonlyMap<Key, RayTest<Answer>> | null = null;
+  #timer = 0;
+
+  /** `changed` is called when an answer differs from the one before. */
+  constructor(host: ExtraHost, changed: () => void) {
+    this.#host = host;
+    this.#changed = changed;
+  }
+
+  /** As last known; undefined before that. */
+  answer(key: Key): Answer | undefined {
+    return this.#answers.get(key);
+  }
+
+  follow(tests: ReadonlyMap<Key, RayTest<Answer>>): void {
+    this.#waiting = tests;
+    if (this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
+  }
+
+  stop(): void {
+    clearTimeout(this.#timer);
+    this.#timer = 0;
+    this.#waiting = null;
+    this.#answers.clear();
+  }
+
+  readonly #start = (): void => {
+    this.#timer = 0;
+    const tests = this.#waiting;
+    this.#waiting = null;
+    const { scene } = this.#host.snapshot();
+    if (tests === null || scene === null) return;
+    for (const key of this.#answers.keys()) if (!tests.has(key)) this.#answers.delete(key);
+    this.#slice(scene, [...tests], false);
+  };
+
+  /** Answers a slice of the questions that are left; `differs`: some answers before were found to differ. */
+  #slice(scene: SceneSnapshot, left: (readonly [Key, RayTest<Answer>])[], differs: boolean): void {
+    this.#timer = 0;
+    const end = performance.now() + SLICE;
+    let differ = differs;
+    for (let next = left.pop(); next !== undefined; next = performance.now() < end ? left.pop() : undefined) {
+      const [key, test] = next;
+      const answer = test(scene);
+      if (answer !== this.#answers.get(key)) differ = true;
+      this.#answers.set(key, answer);
+    }
+    if (left.length > 0) this.#timer = window.setTimeout(() => this.#slice(scene, left, differ));
+    else {
+      if (this.#waiting !== null) this.follow(this.#waiting);
+      if (differ) this.#changed();
+    }
+  }
+}
+
+export const isBehind =
+  (place: Vec3, view: Projection): RayTest<boolean> =>
+  (scene) => {
+    const point = view.point(place);
+    if (point === null) return false;
+    const { width, height } = scene;
+    const hit = pick(scene, (point.x / view.width) * width - 0.5, (point.y / view.height) * height - 0.5);
+    return hit !== null && hit.depth < view.depthOf(place) * (1 - TOLERANCE);
+  };

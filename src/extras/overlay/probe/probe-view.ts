@@ -1,0 +1,230 @@
+// Shows a probed point: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and announcements.
+import { html, render } from 'lit';
+import { create, write } from '../../../viewer/element/dom.js';
+import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { FragmentExplanation } from '../../../viewer/element/explanation.js';
+import { drawList, fileSize } from '../drawing/canvas-drawing.js';
+import type { DrawnItem } from '../drawing/display-list.js';
+import { whole } from '../drawing/label-layout.js';
+import { type Point, type Projection, projectionOf } from '../drawing/projection.js';
+import { Room } from '../drawing/room.js';
+import { SvgLayer } from '../drawing/svg-layer.js';
+import { equationsOf } from './equations.js';
+import { drawingOf, figureOf, markOf, type Surroundings, trianglePlaces } from './figure.js';
+import { type BoxContent, ProbeBox } from './probe-box.js';
+import styles from './probe.css?inline';
+import { byShare, type Sum, type SumRow, probeSum, fragmentText } from './sum.js';
+
+export interface ProbedPoint {
+  /** Null: outside the picture. */
+  readonly at: Point | null;
+  /** Null if nothing can be explained there; `message` gives the reason. */
+  readonly fragment: FragmentExplanation | null;
+  readonly message: string;
+  /** A point of the scene, rather than what is under the mouse or the cross-hair. */
+  readonly pinned: boolean;
+}
+
+/** Milliseconds between two announcements. */
+const PAUSE = 1000;
+
+const KEYS = 'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
+
+export class ProbeView {
+  /** What is drawn, below boxes and notices. */
+  readonly root = create('div', { class: 'probe' });
+  /** The cross-hair. The mark that is seen is part of the drawing. */
+  readonly cursor: HTMLElement;
+  shown: ProbedPoint | null = null;
+  readonly #host: ExtraHost;
+  readonly #drawing = new SvgLayer();
+  readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
+  readonly #room: Room;
+  readonly #box: ProbeBox;
+  #releasable = false;
+  /** Runs after an announcement. */
+  #pause: number | undefined;
+  #unsaid = false;
+
+  /** `release` is called by the button that removes the pin. */
+  constructor(host: ExtraHost, release: () => void) {
+    this.#host = host;
+    this.#room = new Room(host.tree, () => this.#show());
+    this.#box = new ProbeBox(
+      this.#room,
+      () => this.#show(),
+      release,
+      (detail) => host.viewer.dispatchEvent(new CustomEvent('answer', { detail })),
+    );
+    addStyles(host.viewer.shadowRoot!, styles);
+    host.tree.room.before(this.root);
+    host.tree.free.append(this.place);
+    this.#show();
+    this.cursor = this.root.querySelector('.cursor')!;
+  }
+
+  /** Holds the box. */
+  get place(): HTMLElement {
+    return this.#box.place;
+  }
+
+  /** Cross-hair, table or button has the focus. */
+  get hasFocus(): boolean {
+    return this.root.contains(this.#focus) || this.place.contains(this.#focus);
+  }
+
+  /** CSS pixels of the layer; at least one. */
+  get size(): { readonly width: number; readonly height: number } {
+    const { width, height } = this.#host.size();
+    return { width: Math.max(width, 1), height: Math.max(height, 1) };
+  }
+
+  get middle(): Point {
+    const { width, height } = this.size;
+    return { x: width / 2, y: height / 2 };
+  }
+
+  get projection(): Projection {
+    return projectionOf(this.#host.viewport, this.size);
+  }
+
+  /** Draws the arrows of a fragment into the file of a picture that was captured in this task. */
+  drawerOf(picture: HTMLCanvasElement): (fragment: FragmentExplanation) => void {
+    const { scale, ...size } = fileSize(picture, this.#host.size().height);
+    const projection = projectionOf(this.#host.viewport, size, size.width / size.height);
+    const names = this.#host.names.placed;
+    return (fragment) => {
+      const at = projection.point(fragment.p);
+      const context = picture.getContext('2d');
+      if (at === null || context === null) return;
+      const list = this.#drawingOf(fragment, at, projection, { room: whole(size), boxes: names });
+      drawList(context, list, scale, this.#room.fontSize);
+    };
+  }
+
+  /** `releasable`: the user has pinned the point. */
+  show(shown: ProbedPoint | null, releasable: boolean): void {
+    this.shown = shown;
+    this.#releasable = releasable;
+    const focused = this.hasFocus && this.#focus !== this.cursor;
+    this.#show();
+    // The focused row, button or box may have been removed.
+    const gone = shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();
+    if (focused && gone) this.cursor.focus({ preventScroll: true });
+  }
+
+  /** Says what is shown to screen readers: the first change at once, then the newest at most once a second. */
+  announce(): void {
+    this.#unsaid = true;
+    if (this.#pause === undefined) this.#say();
+  }
+
+  dispose(): void {
+    clearTimeout(this.#pause);
+    this.#room.dispose();
+    this.root.remove();
+    this.place.remove();
+    removeStyles(this.#host.viewer.shadowRoot!, styles);
+  }
+
+  get #texts(): ViewerTexts | null {
+    return this.#host.viewer.texts;
+  }
+
+  get #focus(): Element | null {
+    return this.#host.viewer.shadowRoot?.activeElement ?? null;
+  }
+
+  #sumOf(fragment: FragmentExplanation): Sum {
+    return probeSum(fragment, this.#host.values.colorInterpolation === 'linear');
+  }
+
+  readonly #say = (): void => {
+    this.#pause = undefined;
+    if (!this.#unsaid) return;
+    this.#unsaid = false;
+    this.#pause = window.setTimeout(this.#say, PAUSE);
+    const { fragment = null, message = '' } = this.shown ?? {};
+    // It would tell the answers.
+    if (fragment !== null && this.#host.values.probe === 'ask') return;
+    write(this.#region, fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)));
+  };
+
+  #show(): void {
+    const { at, fragment, message } = this.shown ?? { at: null, fragment: null, message: null };
+    const texts = this.#texts;
+    const { x, y } = at ?? this.middle;
+    const covered = this.#box.show({
+      content: fragment === null ? message : this.#contentOf(fragment),
+      at: { x, y },
+      pinned: this.shown?.pinned === true,
+      releasable: this.#releasable,
+      texts,
+    });
+    this.#drawing.over(this.size);
+    if (at === null) this.#drawing.show([]);
+    else if (fragment === null) this.#drawing.show(markOf(at, true));
+    else {
+      const space = { room: this.#room.box, boxes: [covered, ...this.#host.names.placed] };
+      this.#drawing.show(this.#drawingOf(fragment, at, this.projection, space));
+    }
+    const probe = html`
+      ${this.#drawing.element}
+      <div
+        class="cursor"
+        tabindex="0"
+        role="application"
+        aria-label=${phrase(texts, 'Probe')}
+        aria-roledescription=${phrase(texts, 'cross-hair')}
+        aria-description=${phrase(texts, KEYS)}
+        .style=${`translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`}
+      ></div>
+      ${this.#region}
+    `;
+    render(probe, this.root);
+  }
+
+  #contentOf(fragment: FragmentExplanation): BoxContent {
+    const { probe, colorInterpolation, terms } = this.#host.values;
+    const sum = this.#sumOf(fragment);
+    const halfway = this.#isHalfway(fragment);
+    const gouraud = this.#isGouraud(fragment);
+    const content = { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
+    // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
+    if (typeof probe === 'boolean' || fragment.unlit || gouraud) return { ...content, equations: null, asks: false };
+    const lights = this.#host.snapshot().lights.map(({ values }) => values);
+    const options = { lights, linear: colorInterpolation === 'linear', halfway, terms };
+    return { ...content, equations: equationsOf(fragment, options, this.#texts), asks: probe === 'ask' };
+  }
+
+  /** The arrows at `at`, with labels in the space. */
+  #drawingOf(
+    fragment: FragmentExplanation,
+    at: Point,
+    projection: Projection,
+    space: Pick<Surroundings, 'room' | 'boxes'>,
+  ): readonly DrawnItem[] {
+    const sum = this.#sumOf(fragment);
+    const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
+    const figure = figureOf(fragment, sum, this.#rowOf(sum), look, this.#texts);
+    const outline = this.#isGouraud(fragment) ? trianglePlaces(fragment) : [];
+    const { fontSize } = this.#room;
+    return drawingOf(projection, fragment.p, at, figure, { outline, ...space, fontSize });
+  }
+
+  /** The row that the figure shows. */
+  #rowOf({ rows }: Sum): SumRow | null {
+    const { chosen } = this.#box;
+    return (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null;
+  }
+
+  #isHalfway({ mesh }: FragmentExplanation): boolean {
+    return (mesh.reflection ?? this.#host.viewer.reflection) === 'blinn-phong';
+  }
+
+  #isGouraud({ mesh }: FragmentExplanation): boolean {
+    return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
+  }
+}

@@ -1,0 +1,40 @@
+// Reports the point of `probe-at` where no probe shows it.
+import { zoomOf } from '../../../viewer/element/dom.js';
+import type { ProbeDetail } from '../../../viewer/element/events.js';
+import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import { reportMissing } from '../../../viewer/model/lazy-code.js';
+import { projectionOf } from '../drawing/projection.js';
+
+export function create(host: ExtraHost): Extra {
+  const { viewer, values } = host;
+  let [isGone, isBusy, again, isReported] = [false, false, false, false];
+  const update = (): void => {
+    const { probeAt } = values;
+    again = isBusy;
+    if (isBusy || probeAt === null || viewer.stats.frames === 0) return;
+    isBusy = true;
+    const explained = viewer.explain(probeAt).catch((error: unknown) => {
+      if (!isReported) reportMissing(error);
+      isReported = true;
+    });
+    void explained.then((fragment) => {
+      // As in the probe.
+      viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
+        isBusy = false;
+        if (again && !isGone) update();
+      });
+      if (isGone || fragment === undefined) return;
+      const at = fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
+      const zoom = zoomOf(host.tree.layer);
+      const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
+      const detail: ProbeDetail = { fragment, x, y, pinned: true };
+      viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
+    });
+  };
+  return {
+    update,
+    dispose() {
+      isGone = true;
+    },
+  };
+}

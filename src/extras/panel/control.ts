@@ -1,0 +1,327 @@
+// What a <phong-control> does: it finds its elements and shows the row that the panel has for their value, in a line of
+// text or alone. Loaded with the first one on a page.
+import { GUI } from 'lil-gui';
+import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
+import { CONTROL_FIELDS, type ControlValues } from './control-fields.js';
+import { attributesOf, bindingOf, defineProperties, FieldBinding } from '../../viewer/element/fields/field-binding.js';
+import { phrase, type ViewerTexts } from '../../viewer/element/fields/texts.js';
+import { addStyles, removeStyles } from '../../viewer/element/page/style-sheets.js';
+import { PhongControl } from '../../viewer/element/phong-control.js';
+import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
+import { historyOf, type Undoable } from '../../viewer/element/viewer/history.js';
+import { clip } from '../../phong/fields/clip.js';
+import type { Field } from '../../phong/fields/field.js';
+import { FieldStore, sameValue } from '../../phong/fields/field-store.js';
+import { nearest } from '../../phong/fields/nearest.js';
+import { bound, type Bound } from './bound.js';
+import { rowOf, stepper } from './control-rows.js';
+import styles from './control.css?inline';
+import { LIGHT_ROWS } from './light-rows.js';
+import { MESH_ROWS } from './mesh-rows.js';
+import { declared, type Editable, type Rows, type Source } from './rows.js';
+import { SceneRange, type SliderScale } from './travel.js';
+import { listenForUndo } from './undo.js';
+import { VIEWER_ROWS } from './viewer-rows.js';
+
+const ROWS = {
+  'phong-viewer': VIEWER_ROWS,
+  'phong-light': LIGHT_ROWS,
+  'phong-mesh': MESH_ROWS,
+} as unknown as Readonly<Record<string, Rows<Editable>>>;
+
+/** Milliseconds in which a missing element may come with a later script. */
+const PATIENCE = 2000;
+
+const controls = new WeakMap<PhongControl, Control>();
+const warned = new Set<string>();
+
+defineProperties(PhongControl.prototype, CONTROL_FIELDS);
+
+/** The control has come to the page. It sees by itself when it leaves. */
+export function follow(element: PhongControl): void {
+  const control = controls.get(element) ?? new Control(element);
+  controls.set(element, control);
+  control.stop();
+  if (element.isConnected) control.start();
+}
+
+class Control {
+  readonly #element: PhongControl;
+  readonly #binding: FieldBinding<ControlValues>;
+  readonly #root: ShadowRoot;
+  readonly #attributes = new MutationObserver((records) => this.#changed(records));
+  readonly #elements = new MutationObserver(() => this.#find());
+  /** What is edited; empty while it is waited for. */
+  #targets: readonly Editable[] | null = null;
+  #texts: ViewerTexts | null = null;
+  #gui: GUI | null = null;
+  #stops: (() => void)[] = [];
+  #timer = 0;
+  /** Ids that an element has had. */
+  readonly #met = new Set<string>();
+
+  constructor(element: PhongControl) {
+    this.#element = element;
+    this.#binding = new FieldBinding(element, new FieldStore(CONTROL_FIELDS));
+    this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
+    Object.defineProperty(element, 'texts', { get: () => this.#texts }); // for the labels
+    const all = { childList: true, subtree: true, attributes: true, characterData: true };
+    this.#attributes.observe(element, all); // also while it is not on the page
+    for (const name of element.getAttributeNames()) this.#binding.attributeChanged(name, element.getAttribute(name));
+    this.#binding.upgrade();
+    this.#binding.store.listen(() => this.#rebuild());
+  }
+
+  start(): void {
+    const element = this.#element;
+    addStyles(this.#root, styles);
+    for (const root of new Set([element.getRootNode(), element.ownerDocument]))
+      this.#elements.observe(root, { childList: true, subtree: true, attributeFilter: ['id'] });
+    this.#rebuild();
+  }
+
+  stop(): void {
+    this.#elements.disconnect();
+    clearTimeout(this.#timer);
+    this.#clear();
+    this.#targets = null;
+  }
+
+  #changed(records: readonly MutationRecord[]): void {
+    const element = this.#element;
+    for (const { target, attributeName } of records)
+      if (target === element && attributeName !== null)
+        this.#binding.attributeChanged(attributeName, element.getAttribute(attributeName));
+    if (records.some(({ type }) => type !== 'attributes')) this.#rebuild();
+  }
+
+  get #ids(): readonly string[] {
+    return this.#element.for.split(/\s+/).filter((id) => id !== '');
+  }
+
+  #byId(id: string): Element | null {
+    const root = this.#element.getRootNode() as Document | ShadowRoot;
+    return root.getElementById(id) ?? this.#element.ownerDocument.getElementById(id);
+  }
+
+  #find(): void {
+    if (!this.#element.isConnected) {
+      this.stop();
+      return;
+    }
+    const found = this.#ids.map((id) => this.#byId(id));
+    for (const one of found) if (one !== null) this.#met.add(one.id);
+    const targets = found.filter((one) => one !== null && one.localName in ROWS && viewerOf(one) !== null);
+    if (!sameValue(targets, this.#targets)) this.#build(targets as Editable[]);
+  }
+
+  #rebuild(): void {
+    this.#targets = null;
+    this.#find();
+    clearTimeout(this.#timer);
+    if (this.#element.isConnected) this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
+  }
+
+  #complain(): void {
+    const { for: ids, attribute } = this.#element;
+    const tag = `<phong-control for="${clip(ids)}" attribute="${clip(attribute)}">`;
+    if (ids.trim() === '') warn(`${tag}: write for="…", the id of a viewer, a light or a mesh.`);
+    const known = Array.from(document.querySelectorAll(Object.keys(ROWS).join()), (one) => one.id);
+    for (const id of this.#ids) {
+      const found = this.#byId(id);
+      const meant = nearest(id, known);
+      const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
+      if (found === null) {
+        if (!this.#met.has(id)) warn(`${tag}: no element has the id "${clip(id)}".${hint}`);
+      } else if (!(found.localName in ROWS))
+        warn(`${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`);
+      else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
+        const word = nearest(attribute, attributesOf(bindingOf(found as Editable).store.fields));
+        const cure = word === undefined ? 'Write attribute="…", one of its attributes.' : `Did you mean "${word}"?`;
+        warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}". ${cure}`);
+      }
+    }
+  }
+
+  #clear(): void {
+    for (const stop of this.#stops) stop();
+    this.#stops = [];
+    this.#gui?.destroy();
+    this.#gui = null;
+    this.#root.replaceChildren(document.createElement('slot'));
+  }
+
+  #build(targets: readonly Editable[]): void {
+    this.#clear();
+    this.#targets = targets;
+    const { attribute, component, values, min, max, step, type } = this.#element;
+    const having = targets.filter((target) => keyOf(target, attribute) !== undefined);
+    const [element] = having;
+    if (element === undefined) return;
+    const key = keyOf(element, attribute)!;
+    const viewer = viewerOf(element)!;
+    this.#texts = viewer.texts;
+    const field = (bindingOf(element).store.fields as Readonly<Record<string, Field<unknown>>>)[key]!;
+    const own = ROWS[element.localName]![key] ?? null;
+    const row = values !== '' ? stepper(key, field, values, own) : rowOf(key, field, own);
+    const range = new SceneRange(viewer);
+    const axis = component === null ? null : axisOf(component);
+    const scale = (travel: SliderScale) => travel.within(min, max, step);
+    const inText = type === null ? isInText(this.#element) : type === 'number';
+    const box = document.createElement('span');
+    box.className = inText ? 'text' : 'line';
+    (inText ? removeStyles : addStyles)(this.#root, ':host { display: block }');
+    this.#root.replaceChildren(box);
+    const gui = (this.#gui = new GUI({ container: box, injectStyles: false }));
+    const sources = having.map((target) => row.source?.(target) ?? declared(target, key));
+    row.add(gui, { element, viewer, range, title: () => '', scale, axis }, joined(having, sources) as never);
+    dress(gui, key, this.#element);
+    this.#listen(gui, having, range);
+  }
+
+  #listen(gui: GUI, targets: readonly Editable[], range: SceneRange): void {
+    const refresh = (): void => {
+      const { texts } = viewerOf(targets[0]!) ?? { texts: null };
+      if (texts !== this.#texts) {
+        this.#rebuild();
+        return;
+      }
+      for (const control of gui.controllers) control.updateDisplay();
+      updateWidthsAndPrint(gui, this.#texts);
+    };
+    const box = gui.domElement;
+    for (const viewer of new Set(targets.map((target) => viewerOf(target)!))) {
+      const events = new AbortController();
+      const listen = (type: string, act: () => void): void =>
+        viewer.addEventListener(type, act, { signal: events.signal });
+      for (const type of ['camera-change', 'light-change', 'render']) listen(type, refresh);
+      listen('load', () => range.expire());
+      const updates = { hostUpdated: refresh };
+      viewer.addController(updates);
+      const history = historyOf(viewer);
+      this.#stops.push(history.listen(refresh), listenForUndo(viewer, box, history), () => {
+        events.abort();
+        viewer.removeController(updates);
+      });
+    }
+    box.addEventListener('input', () => updateWidthsAndPrint(gui, this.#texts));
+    updateWidthsAndPrint(gui, this.#texts);
+  }
+}
+
+const axisOf = (component: NonNullable<ControlValues['component']>): 0 | 1 | 2 =>
+  ({ x: 0, y: 1, z: 2, kc: 0, kl: 1, kq: 2 } as const)[component];
+
+function warn(message: string): void {
+  if (!warned.has(message)) console.warn(message);
+  warned.add(message);
+}
+
+/** The viewer that shows `element`, through shadow trees; null if it is not defined yet or stands outside of any. */
+function viewerOf(element: Element): PhongViewer | null {
+  if (!element.matches(':defined')) return null;
+  const around = element.closest('phong-viewer:defined');
+  const { host } = element.getRootNode() as Partial<ShadowRoot>;
+  return around === null && host !== undefined ? viewerOf(host) : (around as PhongViewer | null);
+}
+
+const keyOf = (element: Editable, attribute: string): string | undefined =>
+  Object.keys(bindingOf(element).store.fields).find((key) => attributeOf(key) === attribute.trim().toLowerCase());
+
+/** Writes to all sources: one step for each viewer. Shows the first. */
+function joined(elements: readonly Editable[], sources: readonly Source[]): Bound<unknown> {
+  const viewers = elements.map((element) => viewerOf(element)!);
+  const value: Bound<unknown> = bound(
+    () => sources[0]!.get(),
+    (next) => {
+      for (const viewer of new Set(viewers)) {
+        const own = sources.filter((_, i) => viewers[i] === viewer);
+        const subject = together(own.map((source) => source.subject));
+        historyOf(viewer).edit(subject, () => own.forEach((source) => source.set(next)), value);
+      }
+    },
+  );
+  return value;
+}
+
+const together = (subjects: readonly Undoable<unknown>[]): Undoable<readonly unknown[]> => ({
+  read: () => subjects.map((subject) => subject.read()),
+  same: (a, b) => subjects.every((subject, i) => subject.same(a[i], b[i])),
+  restore: (from, to) => subjects.forEach((subject, i) => subject.restore(from[i], to[i])),
+});
+
+/** The unit in a row's name, as it is written behind a number. */
+const UNIT = /\s*°$/;
+
+/** What the panel's rows lack outside of it: parts, the author's label, units, and what is printed. */
+function dress(gui: GUI, key: string, element: PhongControl): void {
+  const rows = gui.controllers;
+  const box = gui.domElement;
+  const hasLabel = element.textContent.trim() !== '' || element.firstElementChild !== null;
+  for (const { $name, $widget, domElement } of rows) {
+    $name.part.add('label');
+    for (const input of $widget.querySelectorAll<HTMLElement>('input, select, button, output')) input.part.add('input');
+    if (domElement.classList.contains('lil-number')) {
+      const unit = key === 'autoRotate' ? '°/s' : UNIT.test($name.textContent) ? '°' : '';
+      $name.textContent = $name.textContent.replace(UNIT, '');
+      const behind = document.createElement('span');
+      behind.part.add('unit');
+      behind.textContent = unit;
+      $widget.append(behind);
+      const slider = $widget.querySelector<HTMLInputElement>('[type="range"]')!;
+      slider.tabIndex = 0; // alone, without the panel's other rows to pass by
+      const field = $widget.querySelector<HTMLInputElement>('.number')!;
+      if (field.type === 'text') field.role = 'spinbutton';
+    }
+    const printed = document.createElement('span');
+    printed.className = 'printed';
+    domElement.append(printed);
+  }
+  if (!hasLabel) return;
+  let name = rows[0]!.$name;
+  if (rows.length > 1) {
+    name = document.createElement('span');
+    name.id = 'label';
+    name.part.add('label');
+    box.role = 'group';
+    box.setAttribute('aria-labelledby', name.id);
+    box.prepend(name);
+  }
+  name.replaceChildren(document.createElement('slot'));
+}
+
+/** After each change: the width of numbers, and the text for paper. */
+function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
+  for (const { $widget, domElement } of gui.controllers) {
+    const inputs = $widget.querySelectorAll<HTMLInputElement>(
+      'output, select, input:not([type="range"], [type="color"])',
+    );
+    const said = Array.from(inputs, (input) => {
+      if (input.classList.contains('number')) {
+        input.style.setProperty('--digits', String(Math.max(input.value.length, 1)));
+        if (input.role === 'spinbutton') input.ariaValueNow = input.value;
+      }
+      if (input.type === 'checkbox') return phrase(texts, input.checked ? 'on' : 'off');
+      if (input.localName === 'select') return (input as unknown as HTMLSelectElement).selectedOptions[0]?.text ?? '';
+      return input.value;
+    });
+    const unit = $widget.querySelector('[part="unit"]')?.textContent ?? '';
+    domElement.querySelector('.printed')!.textContent = said.join(' ') + unit;
+  }
+}
+
+/** Whether text stands beside `element` in its line, up to a line break or a block. */
+function isInText(element: Element): boolean {
+  for (const side of ['previousSibling', 'nextSibling'] as const)
+    for (let node = element[side]; node !== null; node = node[side]) {
+      if (node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '') return true;
+      if (node.nodeType !== Node.ELEMENT_NODE) continue;
+      const { localName, textContent } = node as Element;
+      if (localName === 'br' || !isInline(node as Element)) break;
+      if (localName !== 'phong-control' && textContent.trim() !== '') return true;
+    }
+  const parent = element.parentElement;
+  return parent !== null && isInline(parent) && isInText(parent);
+}
+
+const isInline = (element: Element): boolean => /^(inline|contents)/.test(getComputedStyle(element).display);

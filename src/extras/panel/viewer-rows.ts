@@ -1,0 +1,118 @@
+// The rows of the viewer's own folders: camera, shading, what is shown beside the shaded picture, and its own surface.
+import type { Pose } from '../../phong/camera/orbit.js';
+import { HELPERS, type ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
+import { fieldsOf, viewerCameras } from '../../viewer/element/internals.js';
+import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
+import { cameraOf, historyOf } from '../../viewer/element/viewer/history.js';
+import { REFLECTIONS, SHADINGS } from '../../phong/material/material-values.js';
+import { TERMS } from '../../phong/light/light-state.js';
+import { VIEWS } from '../../phong/material/views.js';
+import type { Say } from './label.js';
+import { LIGHTS } from './light-rows.js';
+import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-rows.js';
+import {
+  button,
+  flag,
+  flags,
+  mapped,
+  inFolder,
+  NO_ROW,
+  number,
+  oneName,
+  oneOf,
+  readout,
+  type Row,
+  type RowTable,
+  vector,
+} from './rows.js';
+import { linear, logarithmic, numberText } from './travel.js';
+
+/** Edits the camera as it is now, as a drag does: reset returns to the declared values. Nothing fits it afterwards. */
+const ofCamera = <K extends keyof Pose>(key: K, row: Row<Pose[K], PhongViewer>): Row<ViewerValues[K], PhongViewer> => ({
+  ...(row as Row<ViewerValues[K], PhongViewer>),
+  source: (viewer) => ({
+    subject: cameraOf(viewer),
+    get: () => viewer.camera[key],
+    set(value) {
+      const checked = fieldsOf(viewer).store.fields[key].check(value);
+      const camera = viewerCameras.get(viewer);
+      camera?.place({ pose: { ...camera.placement().pose, [key]: checked }, framing: null }, 'panel');
+    },
+  }),
+});
+
+export const VIEWER_ROWS = {
+  ...inFolder('Camera', {
+    theta: ofCamera('theta', number('θ azimuth °', linear(-180, 180, 1))),
+    phi: ofCamera('phi', number('φ polar °', linear(0, 180, 1))),
+    radius: ofCamera(
+      'radius',
+      number('radius', ({ range }) => logarithmic(range.reach / 100, range.reach * 10)),
+    ),
+    eye: readout('eye', eyeText),
+    target: ofCamera(
+      'target',
+      vector('target', ({ range }, axis) => range.place(axis)),
+    ),
+    fov: number('fov °', linear(1, 170, 1)),
+    autoRotate: number('auto-rotate', linear(-90, 90, 1), 'Degrees per second about y'),
+    resetCamera: button<PhongViewer>('reset camera', ({ viewer }) =>
+      historyOf(viewer).edit(cameraOf(viewer), () => viewerCameras.get(viewer)?.reset('panel')),
+    ),
+  }),
+  ...inFolder('Shading', {
+    shading: oneOf('shading', SHADINGS),
+    reflection: oneOf('reflection', REFLECTIONS),
+    terms: flags(TERMS, (term) => `${term} term`),
+    colorInterpolation: oneOf('colour space', ['srgb', 'linear']),
+    antialias: oneOf('antialias', ['edges', 'full']),
+    samples: number('samples', linear(16, 1024, 1), 'Per pixel, with antialias full'),
+  }),
+  ...inFolder('Show', {
+    view: oneOf('view', VIEWS),
+    viewLight: oneName('view light', lightNames, lightText),
+    helpers: flags(HELPERS, (helper) => `show ${helper}`),
+    probe: mapped<boolean, ViewerValues['probe'], unknown>(
+      flag('probe'),
+      (probe) => probe !== false,
+      (wanted, before) => wanted && (before || true),
+    ),
+  }),
+  ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
+  // The row of files opens models.
+  src: NO_ROW,
+  type: NO_ROW,
+  geometry: NO_ROW,
+  autoplay: NO_ROW,
+  animationName: NO_ROW,
+  alt: NO_ROW,
+  poster: NO_ROW,
+  loading: NO_ROW,
+  droppable: NO_ROW,
+  crossOrigin: NO_ROW,
+  orbit: NO_ROW,
+  zoom: NO_ROW,
+  pixelRatio: NO_ROW,
+  probeAt: NO_ROW,
+  cameraGroup: NO_ROW,
+  gui: NO_ROW,
+} satisfies RowTable<ViewerValues, PhongViewer, 'eye' | 'resetCamera' | 'resetMaterial'>;
+
+/** Rounded to a thousandth of the distance, which removes rounding noise. */
+function eyeText({ camera: { eye, radius } }: PhongViewer): string {
+  const unit = 10 ** (Math.floor(Math.log10(radius)) - 3);
+  return eye.map((n) => numberText(Math.round(n / unit) * unit, unit)).join(', ');
+}
+
+/** Values of `view-light`; a name that no light has is kept while it is selected. */
+function lightNames({ lights, viewLight }: PhongViewer): readonly string[] {
+  return [...new Set(['', ...lights.map((light, i) => LIGHTS.title(light, i, null)), viewLight])];
+}
+
+/** Lights without a name have a number, in the page's words. */
+function lightText(name: string, { lights }: PhongViewer, say: Say): string {
+  if (name === '') return say('all, or the first');
+  const index = lights.findIndex((light, i) => LIGHTS.title(light, i, null) === name);
+  const named = lights[index] === undefined || fieldsOf(lights[index]).store.values.name !== '';
+  return named ? name : say('light {number}', { number: String(index + 1) });
+}

@@ -1,0 +1,145 @@
+// The sum of a picture's samples on the GPU. Each is drawn without multisampling into 8 bits, which clamp as the canvas
+// does. Its codes are added in float32, which holds 1,024 × 255 exactly; half floats lose 8 bits over 64 samples.
+import {
+  FloatType,
+  NearestFilter,
+  SRGBColorSpace,
+  WebGLArrayRenderTarget,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
+import { ScreenPass } from './screen-pass.js';
+
+/** Most pixels of one sum, at 52 bytes each: 218 MB, and 108 MB at 1080p. Larger pictures have tiles. */
+export const MOST_SUMMED = 2 ** 22;
+
+/** Added at once. Adding single ones takes 1.3 times as long as drawing (sphere, 1080p, H200), blending 4.7 times. */
+const LAYERS = 4;
+
+export const canSum = (renderer: WebGLRenderer): boolean => renderer.extensions.has('EXT_color_buffer_float');
+
+export class SampleSum {
+  readonly #renderer: WebGLRenderer;
+  readonly #add = new ScreenPass(`color = texel;
+  for (int i = 0; i < int(uCount); i++) color += floor(texelFetch(uLayers, ivec3(at, i), 0) * 255.0 + 0.5);`);
+  readonly #mean = new ScreenPass('color = floor(texel / uCount + 0.5) / 255.0;');
+  #targets: ReturnType<typeof targetsOf> | null = null;
+  #count = 0;
+  /** Samples that are drawn and not added yet. */
+  #layers = 0;
+
+  constructor(renderer: WebGLRenderer) {
+    this.#renderer = renderer;
+  }
+
+  get count(): number {
+    return this.#count;
+  }
+
+  /** Starts at no sample. False: the GPU has no memory for a sum of this size. */
+  begin({ width, height }: Size): boolean {
+    const renderer = this.#renderer;
+    this.#count = this.#layers = 0;
+    if (this.#targets?.samples.width !== width || this.#targets.samples.height !== height) {
+      this.free();
+      this.#targets = targetsOf(width, height);
+      renderer.setRenderTarget(this.#targets.sum);
+      const gl = renderer.getContext();
+      if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+        renderer.setRenderTarget(null);
+        this.free();
+        return false;
+      }
+    }
+    clear(renderer, this.#targets.sum);
+    // Drivers allocate with the first use: better now than in a later batch, which would be late.
+    clear(renderer, this.#targets.spare);
+    return true;
+  }
+
+  /** Adds the sample that `paint` draws into the renderer's present target, which it must not clear. */
+  add(paint: () => void): void {
+    clear(this.#renderer, this.#targets!.samples, this.#layers);
+    paint();
+    this.#layers += 1;
+    this.#count += 1;
+    if (this.#layers === LAYERS) this.#addLayers();
+  }
+
+  /** Returns once the GPU has drawn all of it. */
+  wait(): void {
+    const renderer = this.#renderer;
+    this.#addLayers();
+    renderer.setRenderTarget(this.#targets!.sum);
+    const gl = renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
+  }
+
+  /** Writes the mean of the samples so far, in 8 bits, to this place of `picture`: pixels from its bottom left. */
+  resolve(picture: WebGLRenderTarget, { x, y, width, height }: Region): void {
+    const renderer = this.#renderer;
+    this.#addLayers();
+    picture.viewport.set(x, y, width, height);
+    renderer.setRenderTarget(picture);
+    const { uOrigin, uCount } = this.#mean.uniforms;
+    uOrigin.value.set(x, y);
+    uCount.value = this.#count;
+    this.#mean.draw(renderer, this.#targets!.sum.texture);
+  }
+
+  /** Frees the buffers; programs stay. */
+  free(): void {
+    const { samples, sum, spare } = this.#targets ?? {};
+    this.#targets = null;
+    for (const target of [samples, sum, spare]) target?.dispose();
+  }
+
+  dispose(): void {
+    this.free();
+    this.#add.dispose();
+    this.#mean.dispose();
+  }
+
+  #addLayers(): void {
+    if (this.#layers === 0) return;
+    const { samples, sum, spare } = this.#targets!;
+    this.#renderer.setRenderTarget(spare);
+    this.#add.uniforms.uCount.value = this.#layers;
+    this.#add.draw(this.#renderer, sum.texture, samples.texture);
+    this.#targets = { samples, sum: spare, spare: sum };
+    this.#layers = 0;
+  }
+}
+
+/** Each layer of `samples` takes a sample, and `spare` the next sum. */
+const targetsOf = (width: number, height: number) => {
+  const options = { ...NEAREST, type: FloatType, depthBuffer: false };
+  return {
+    samples: sampleTarget(width, height),
+    sum: new WebGLRenderTarget(width, height, options),
+    spare: new WebGLRenderTarget(width, height, options),
+  };
+};
+
+/**
+ * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials only for the canvas and what
+ * stands for it, as in WebXR. The internal format must not decode: the texels are the codes.
+ */
+function sampleTarget(width: number, height: number): WebGLArrayRenderTarget {
+  const options = { ...NEAREST, internalFormat: 'RGBA8', colorSpace: SRGBColorSpace } as const;
+  const target = new WebGLArrayRenderTarget(width, height, LAYERS, options);
+  return Object.assign(target, { isXRRenderTarget: true });
+}
+
+/** A target that holds the picture in 8 bits. */
+export const pictureTarget = (width: number, height: number): WebGLRenderTarget =>
+  new WebGLRenderTarget(width, height, { ...NEAREST, depthBuffer: false });
+
+const NEAREST = { minFilter: NearestFilter, magFilter: NearestFilter } as const;
+
+function clear(renderer: WebGLRenderer, target: WebGLRenderTarget, layer = 0): void {
+  renderer.setRenderTarget(target, layer);
+  renderer.setClearColor(0x000000, 0);
+  renderer.clear(true, target.depthBuffer, false);
+}

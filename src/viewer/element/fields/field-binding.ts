@@ -1,0 +1,143 @@
+// How attributes and properties reach a FieldStore: a bad attribute warns and gives the default, a bad property throws.
+import { show } from '../../../phong/fields/field.js';
+import type { FieldStore } from '../../../phong/fields/field-store.js';
+import { nearest } from '../../../phong/fields/nearest.js';
+import { attributeOf, parseText } from './attribute-text.js';
+
+/** For each set of fields, its keys by attribute name. */
+const keysByAttribute = new WeakMap<object, ReadonlyMap<string, string>>();
+
+function keysOf(fields: object): ReadonlyMap<string, string> {
+  const known = keysByAttribute.get(fields);
+  if (known !== undefined) return known;
+  const keys = new Map(Object.keys(fields).map((key) => [attributeOf(key), key]));
+  keysByAttribute.set(fields, keys);
+  return keys;
+}
+
+export const attributesOf = (fields: object): string[] => [...keysOf(fields).keys()];
+
+/** Private to the package: users of an element see its properties only. */
+const bindings = new WeakMap<HTMLElement, unknown>();
+
+/** The binding of an element with values `V`; see `fieldsOf` for the typed form. */
+export const bindingOf = <V extends object>(element: HTMLElement): FieldBinding<V> =>
+  bindings.get(element) as FieldBinding<V>;
+
+/** Warnings that an element remembers, in order to give each once. More are forgotten together: they cost 50 kB. */
+const WARNINGS_KEPT = 100;
+
+export class FieldBinding<V extends object> {
+  readonly store: FieldStore<V>;
+  readonly #element: HTMLElement;
+  readonly #assigned: ((key: keyof V, store: FieldStore<V>) => void) | null;
+  /** Null before the first warning: pages have thousands of elements. */
+  #warned: Set<string> | null = null;
+
+  /** `assigned` is called after each successful assignment, even if the value stays the same. */
+  constructor(element: HTMLElement, store: FieldStore<V>, assigned?: (key: keyof V, store: FieldStore<V>) => void) {
+    this.store = store;
+    this.#element = element;
+    this.#assigned = assigned ?? null;
+    bindings.set(element, this);
+  }
+
+  /** For `attributeChangedCallback`. False if the attribute belongs to no field. */
+  attributeChanged(attribute: string, text: string | null): boolean {
+    const key = keysOf(this.store.fields).get(attribute) as (keyof V & string) | undefined;
+    if (key === undefined) return false;
+    if (text === null) this.store.set(key, null);
+    else this.#setOrWarn(key, text);
+    this.#assigned?.(key, this.store);
+    return true;
+  }
+
+  /** For a property's getter. Lists are frozen here, not when they are written: a moving light is rarely read. */
+  get<K extends keyof V>(key: K): V[K] {
+    const value = this.store.values[key];
+    return Array.isArray(value) ? (Object.freeze(value) as V[K]) : value;
+  }
+
+  /** For a property's setter. Throws TypeError or RangeError for a bad value and then changes nothing. */
+  set(key: keyof V & string, value: unknown): void {
+    const field = this.store.fields[key];
+    const typed = typeof value === 'string' ? parseText(value, field) : value;
+    if (typed === undefined && typeof value === 'string')
+      throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));
+    try {
+      this.store.set(key, typed);
+    } catch (error) {
+      if (error instanceof Error) error.message = this.#about(key, error.message);
+      throw error;
+    }
+    this.#assigned?.(key, this.store);
+  }
+
+  /** Properties set before the upgrade would hide the accessors: moves them to the store, treated like attributes. */
+  upgrade(): void {
+    // Few elements have properties of their own at all.
+    for (const name of Object.keys(this.#element)) {
+      if (!Object.hasOwn(this.store.fields, name)) continue;
+      const key = name as keyof V & string;
+      const value: unknown = Reflect.get(this.#element, key);
+      Reflect.deleteProperty(this.#element, key);
+      this.#setOrWarn(key, value);
+      this.#assigned?.(key, this.store);
+    }
+  }
+
+  #setOrWarn(key: keyof V & string, value: unknown): void {
+    const field = this.store.fields[key];
+    const typed = typeof value === 'string' ? parseText(value, field) : value;
+    if (typed !== undefined || value === undefined) {
+      try {
+        this.store.set(key, typed);
+        return;
+      } catch {
+        // The warning below says what the error says.
+      }
+    }
+    this.store.set(key, null);
+    this.#warn(key, value);
+  }
+
+  /** One warning per element, attribute and value. */
+  #warn(key: keyof V & string, value: unknown): void {
+    const { expected, fallback, choices } = this.store.fields[key];
+    const instead = (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
+    const meant = typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
+    const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
+    const tag = this.#element.localName;
+    const message = `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
+    const warned = (this.#warned ??= new Set());
+    if (warned.has(message)) return;
+    if (warned.size >= WARNINGS_KEPT) warned.clear();
+    warned.add(message);
+    console.warn(message);
+  }
+
+  #about(key: string, message: string): string {
+    return `<${this.#element.localName}>.${key}: ${message}`;
+  }
+}
+
+/** Gives a class one accessor per field, unless it has its own. `find`: for lights, which take a tenth of the time. */
+export function defineProperties(
+  prototype: HTMLElement,
+  fields: object,
+  find: (element: HTMLElement) => FieldBinding<Record<string, unknown>> = bindingOf,
+): void {
+  for (const key of Object.keys(fields)) {
+    if (Object.hasOwn(prototype, key)) continue;
+    Object.defineProperty(prototype, key, {
+      configurable: true,
+      enumerable: true,
+      get(this: HTMLElement): unknown {
+        return find(this).get(key);
+      },
+      set(this: HTMLElement, value: unknown) {
+        find(this).set(key, value);
+      },
+    });
+  }
+}

@@ -1,0 +1,34 @@
+// What this package's own code, the panel included, can reach on an element while users cannot.
+import type { LightValues } from '../../phong/light/light-state.js';
+import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { CompareValues } from './fields/compare-fields.js';
+import { bindingOf, type FieldBinding } from './fields/field-binding.js';
+import type { ViewerValues } from './fields/viewer-fields.js';
+import type { SceneMesh } from '../scene/mesh/scene-mesh.js';
+import type { PhongMesh, PhongViewer } from './elements.js';
+import type { Vec3 } from '../../phong/math/vector.js';
+import type { ViewerCamera } from './viewer/camera.js';
+
+interface ValuesByTag {
+  'phong-light': LightValues;
+  'phong-mesh': MeshValues;
+  'phong-viewer': ViewerValues;
+  'phong-compare': CompareValues;
+}
+
+/** The declared values of an element, with checks as for its properties. */
+export const fieldsOf = <T extends keyof ValuesByTag>(
+  element: HTMLElement & { readonly localName: T },
+): FieldBinding<ValuesByTag[T]> => bindingOf(element);
+
+export const viewerCameras = new WeakMap<PhongViewer, ViewerCamera>();
+
+/** What an element shows: a <phong-mesh>, or a viewer by its own attributes. */
+export const sceneMeshes = new WeakMap<PhongMesh | PhongViewer, SceneMesh>();
+
+/** The point that the user has pinned a viewer's probe to, in world space. */
+export const viewerPins = new WeakMap<PhongViewer, Vec3>();
+
+/** A viewer has got its place in a comparison, which observers report only after a frame. */
+export const placed = (viewer: PhongViewer & { connectedMoveCallback?(): void }): void =>
+  viewer.connectedMoveCallback?.();

@@ -1,0 +1,49 @@
+// Reads the texts of a page from its scripts, with one warning for each bad one. Fetched by pages that have one.
+import { clip } from '../../../phong/fields/clip.js';
+import { nearest } from '../../../phong/fields/nearest.js';
+import known from '../fields/texts.json';
+import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
+import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
+
+const NAMED = 5;
+
+const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);
+
+let sources: readonly string[] = [];
+
+/** Reads all scripts, unless they are as they were. A key in a later script replaces that in an earlier one. */
+export function readTexts(): void {
+  const found = Array.from(document.querySelectorAll<HTMLScriptElement>(TEXT_SCRIPTS), ({ text }) => text);
+  const isNew = (text: string): boolean => !sources.includes(text);
+  if (found.length === sources.length && !found.some(isNew)) return;
+  const all: ViewerTexts[] = [];
+  for (const text of found) {
+    const texts = textsIn(text);
+    const mistake = typeof texts === 'string' ? texts : unknownKeys(texts);
+    if (mistake !== null && isNew(text)) console.warn(`<script data-phong-viewer-texts> ${mistake}`);
+    if (typeof texts === 'object') all.push(texts);
+  }
+  sources = found;
+  declareTexts(Object.freeze(Object.assign({}, ...all) as ViewerTexts));
+}
+
+function textsIn(script: string): ViewerTexts | string {
+  try {
+    return checkedTexts(JSON.parse(script)) ?? {};
+  } catch (error) {
+    return error instanceof SyntaxError
+      ? `is not JSON, so it is not used: ${error.message}`
+      : 'must be an object of texts by English text, so it is not used. Write {"Try again": "…"}.';
+  }
+}
+
+function unknownKeys(texts: ViewerTexts): string | null {
+  const unknown = Object.keys(texts).filter((key) => !KEYS.includes(key));
+  if (unknown.length === 0) return null;
+  const named = unknown.slice(0, NAMED).map((key) => {
+    const meant = nearest(key, KEYS);
+    return `"${clip(key)}"${meant === undefined ? '' : ` (did you mean "${meant}"?)`}`;
+  });
+  const more = unknown.length > NAMED ? `, and ${String(unknown.length - NAMED)} more` : '';
+  return `has texts that no viewer shows: ${named.join(', ')}${more}. TEXTS.md in the package lists the keys.`;
+}

@@ -1,0 +1,290 @@
+// <phong-viewer>: turns attributes and children into the picture's state, input into camera moves, changes into events.
+import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
+import type { Scene } from 'three';
+import { FieldStore } from '../../phong/fields/field-store.js';
+import { lazyCode } from '../model/lazy-code.js';
+import type { CameraState, PhongLight, PhongMesh, PhongViewer as PublicViewer, ViewerClass } from './elements.js';
+import { create, renderWhereShown } from './dom.js';
+import type { Listen, PhongViewerEventMap } from './events.js';
+import type { FragmentExplanation, ShadeOptions } from './explanation.js';
+import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
+import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
+import { RETRY_KEYS, VIEWER_FIELDS, type ViewerProperties, type ViewerValues } from './fields/viewer-fields.js';
+import { viewerCameras } from './internals.js';
+import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
+import { addStyles } from './page/style-sheets.js';
+import { Visibility } from './page/visibility.js';
+import styles from './phong-viewer.css?inline';
+import { CAMERA_KEYS, ViewerCamera } from './viewer/camera.js';
+import { ViewerChildren } from './viewer/children.js';
+import { ViewerContext } from './viewer/viewer-context.js';
+import { ViewerDisplay } from './viewer/display.js';
+import { EventQueue } from './viewer/event-queue.js';
+import { ViewerExtras } from './viewer/extras.js';
+import { ViewerFailure } from './viewer/failure.js';
+import { ViewerLoading } from './viewer/loading.js';
+import { ViewerPanel } from './viewer/viewer-panel.js';
+import type { PictureOptions } from '../../extras/samples/picture-blob.js';
+import { NAMING } from './viewer/description.js';
+import { Readiness } from './viewer/readiness.js';
+import { sceneMarkup } from './viewer/to-html.js';
+
+const explanationCode = /* @__PURE__ */ lazyCode(() => import('../../extras/explain/shade-at.js'), 'shadeAt');
+
+// The accessors come from the table of fields.
+interface ViewerElement extends ViewerProperties {
+  readonly localName: 'phong-viewer';
+  addEventListener: Listen<this, PhongViewerEventMap>;
+  removeEventListener: Listen<this, PhongViewerEventMap>;
+}
+
+/**
+ * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its end tag. CSS sets
+ * its size, 300 × 150 pixels if it sets none. Where nothing is drawn the canvas is transparent. Properties have the
+ * attributes' names in camel case. A bad attribute value warns and gives the default; a bad property value throws.
+ *
+ * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is displayed
+ * @slot progress - shown instead of the element's own progress bar, while something has been loading for more than 300
+ *   ms
+ * @slot error - shown instead of the element's own message and button when something fails
+ * @csspart surface - the picture, without the panel
+ * @csspart poster - the image shown before the first picture
+ * @csspart progress - the element's own progress bar; its `color` is that of the share that has arrived
+ * @csspart notice - the element's own message when something fails
+ * @csspart retry - the button under that message, which tries again what failed
+ * @csspart dismiss - the same button beside a message about a file of the user's own, which removes the message
+ * @csspart panel - the control panel's place
+ * @csspart legend - what the colours of `view` mean
+ * @csspart probe - the box of `probe`: a point's colour and the table of its sum
+ * @csspart light-name - the name of a light that `helpers` draws
+ * @cssState loading - something requested has not arrived yet
+ * @cssState error - something has failed and still does
+ * @cssState empty - nothing to show is declared, and `scene` holds no object
+ */
+class ViewerElement extends LitElement implements PublicViewer {
+  static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
+  static override get observedAttributes(): string[] {
+    return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
+  }
+
+  static get texts(): ViewerTexts | null {
+    return pageTexts();
+  }
+
+  static set texts(texts: ViewerTexts | null | undefined) {
+    assignTexts(texts);
+  }
+
+  readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
+  readonly #binding = new FieldBinding<ViewerValues>(this, this.#store, (key) => {
+    this.#camera.assigned(key);
+    if (RETRY_KEYS.has(key)) this.requestUpdate(key);
+  });
+
+  readonly #holder = create('div', { class: 'holder' });
+  readonly #context = new ViewerContext(this, this.#store, this.#holder);
+  readonly #events = new EventQueue(this, this.#context.signals.lightsReported);
+  readonly #panel = new ViewerPanel(this.#context);
+  readonly #failure = new ViewerFailure(this.#context, this.#events);
+  readonly #readiness = new Readiness(this.#context.signals, () => this.#settled());
+  readonly #loading = new ViewerLoading(this.#context, this.#events, this.#failure);
+  readonly #children = new ViewerChildren(this.#context, this.#loading);
+  readonly #camera: ViewerCamera = new ViewerCamera(this.#context);
+  readonly #visibility = new Visibility(this, this.#holder, this.#context.signals.viewChanged);
+  readonly #extras = new ViewerExtras(this.#context, this.#camera, this.#visibility);
+  readonly #display = new ViewerDisplay(this.#context, this.#loading, this.#failure, this.#extras);
+
+  constructor() {
+    super();
+    const { signals } = this.#context;
+    this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
+    signals.layoutNeeded.listen(() => this.#visibility.look());
+    signals.lightChanged.listen((light) => this.#events.enqueueLight(light));
+    signals.cameraMoved.listen(({ source, linked }) => {
+      // The first framing is not a move.
+      if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
+    });
+    // Visibility first: it brings the holder into the element's document.
+    for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
+    viewerCameras.set(this, this.#camera);
+    renderWhereShown(this);
+  }
+
+  get lights(): readonly PhongLight[] {
+    return this.#children.lights;
+  }
+
+  get meshes(): readonly PhongMesh[] {
+    return this.#children.meshes;
+  }
+
+  get camera(): CameraState {
+    this.#update();
+    return this.#camera.state();
+  }
+
+  get loaded(): boolean {
+    this.#update();
+    return this.#loading.loaded;
+  }
+
+  get texts(): ViewerTexts | null {
+    return this.#display.texts;
+  }
+
+  set texts(texts: ViewerTexts | null | undefined) {
+    this.#display.texts = texts;
+  }
+
+  get scene(): Scene {
+    return this.#context.picture.scene;
+  }
+
+  get maxTriangles(): number {
+    return this.#context.picture.budget.limit;
+  }
+
+  set maxTriangles(triangles: number | null | undefined) {
+    this.#context.picture.budget.limit = triangles ?? null;
+    this.#context.picture.invalidate(); // other levels of detail may fit
+    if (this.hasUpdated) this.#loading.retry();
+  }
+
+  get stats(): PublicViewer['stats'] {
+    return { lightsDeclared: this.lights.length, ...this.#context.viewport.stats };
+  }
+
+  get ready(): Promise<void> {
+    // Observers report what was just shown only after a frame.
+    if (!this.#context.viewport.drawable) this.#visibility.look();
+    return this.#readiness.promise;
+  }
+
+  requestRender(): void {
+    this.#context.picture.invalidate();
+  }
+
+  refit(): void {
+    this.#context.picture.refit();
+  }
+
+  async toBlob(options: PictureOptions = {}): Promise<Blob> {
+    this.#update();
+    return this.#extras.toBlob(options);
+  }
+
+  async shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null> {
+    this.#update();
+    const snapshot = this.#extras.snapshot();
+    return (await explanationCode()).shadeAt(snapshot, x, y, options);
+  }
+
+  async explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null> {
+    this.#update();
+    const snapshot = this.#extras.snapshot();
+    return (await explanationCode()).explain(snapshot, point);
+  }
+
+  toHTML(): string {
+    return sceneMarkup(this);
+  }
+
+  resetCamera(): void {
+    this.#camera.reset();
+  }
+
+  override connectedCallback(): void {
+    if (this.ownerDocument.defaultView === null) return; // a document that no window shows
+    super.connectedCallback();
+    addStyles(this.renderRoot as ShadowRoot, styles);
+    useTexts(this);
+    this.#binding.upgrade();
+    upgradeProperty(this, 'texts');
+    upgradeProperty(this, 'maxTriangles');
+    // At once rather than at the end of the task: scripts may ask for the camera right after.
+    this.performUpdate();
+    this.#children.connected();
+    this.#context.viewport.attach();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    leaveTexts(this);
+    this.#context.viewport.detach();
+    this.#readiness.check();
+  }
+
+  /** After `moveBefore`, instead of disconnecting and connecting; and when a comparison has placed the viewer. */
+  connectedMoveCallback(): void {
+    this.#visibility.look();
+    this.#extras.apply();
+  }
+
+  override attributeChangedCallback(name: string, old: string | null, text: string | null): void {
+    super.attributeChangedCallback(name, old, text);
+    if (!this.#binding.attributeChanged(name, text)) this.requestUpdate();
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    if (changed.size > 0) this.#apply(changed as ReadonlyMap<string, unknown>);
+    if (this.hasUpdated) this.#display.keepFocus(this.renderRoot);
+  }
+
+  protected override render(): TemplateResult {
+    return this.#display.template();
+  }
+
+  protected override firstUpdated(): void {
+    this.#camera.listenTo(this.#display.connect(this.renderRoot));
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (changed.has('gui')) void this.#panel.toggle(this.#store.values.gui, this.#display.panel);
+    if (changed.size > 0) this.#panel.changed('viewer');
+    this.#display.updated(changed.size > 0);
+  }
+
+  #apply(changed: { has(key: string): boolean }): void {
+    const { values } = this.#store;
+    const { viewport, picture } = this.#context;
+    const { shading, reflection, terms } = values;
+    picture.fit.fov = values.fov;
+    picture.linear = values.colorInterpolation === 'linear';
+    viewport.still.wanted = values.antialias === 'full' ? values.samples : 0;
+    if (STYLE_KEYS.some((key) => changed.has(key))) picture.style = { shading, reflection, terms };
+    if (changed.has('src')) this.#readiness.supersede();
+    this.#loading.apply(changed);
+    if (changed.has('loading')) this.#visibility.shown();
+    this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
+    if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
+  }
+
+  /** Applies now what was written in this task and would otherwise wait for its end. */
+  #update(): void {
+    if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
+    else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
+    if (this.#visibility.connected && !this.#visibility.looked) this.#visibility.look();
+    this.#children.sort();
+    this.#children.flush();
+  }
+
+  #settled(): boolean {
+    this.#update();
+    if (!this.#visibility.connected) return true;
+    if (this.#loading.pending || this.#extras.pending !== null || isUnplaced(this)) return false;
+    const { viewport } = this.#context;
+    const converging = viewport.still.pending && !this.#camera.moving;
+    return !viewport.drawable || (viewport.upToDate && !converging);
+  }
+}
+
+defineProperties(ViewerElement.prototype, VIEWER_FIELDS);
+
+export type PhongViewer = PublicViewer;
+export const PhongViewer: ViewerClass = ViewerElement;
+
+/** In a comparison that has not placed it yet. */
+const isUnplaced = ({ parentElement, assignedSlot }: PublicViewer): boolean =>
+  parentElement?.localName === 'phong-compare' && parentElement.shadowRoot !== null && assignedSlot === null;
+
+const STYLE_KEYS = ['shading', 'reflection', 'terms'] as const;

@@ -1,0 +1,217 @@
+// The parts that most viewers do without: helpers, a legend, the probe, linked cameras, explanations and files. Each is
+// a chunk that is fetched with its first use. shadeAt copies the scene at the call, because it may change meanwhile.
+import type { ReactiveController } from 'lit';
+import { lazyCode, reportMissing } from '../../model/lazy-code.js';
+import { MOST_SAMPLES, type ViewerValues } from '../fields/viewer-fields.js';
+import type { Size } from '../../scene/gpu/atlas.js';
+import type { Viewport } from '../../scene/viewport.js';
+import { zoomOf } from '../dom.js';
+import type { CameraSource, PhongViewer } from '../elements.js';
+import type { Visibility } from '../page/visibility.js';
+import { lightName, lightOf } from '../phong-light.js';
+import type { ViewerCamera } from './camera.js';
+import { elementOf } from './children.js';
+import type { ViewerContext } from './viewer-context.js';
+import type { PictureOptions } from '../../../extras/samples/picture-blob.js';
+import type { ViewerTree } from './display.js';
+import type { ViewerSnapshot } from '../../../extras/explain/shade-at.js';
+
+export interface ExtraHost {
+  readonly viewer: PhongViewer;
+  readonly values: Readonly<ViewerValues>;
+  readonly viewport: Viewport;
+  readonly camera: ViewerCamera;
+  /** `tree.layer` lies over the picture and lets the pointer through. */
+  readonly tree: ViewerTree;
+  /** The names that helpers have placed over the picture. The probe's keep clear of them. */
+  readonly names: { placed: readonly PlacedName[] };
+  /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
+  size(): { readonly width: number; readonly height: number };
+  snapshot(): ViewerSnapshot;
+}
+
+/** CSS pixels of the layer, or of the file that is being drawn. */
+export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number>>;
+
+export interface Extra {
+  /** A frame was drawn, or the viewer's own values have changed. */
+  update(): void;
+  /** The camera moved. The frame that shows it follows. */
+  cameraMoved?(source: CameraSource): void;
+  /** Draws what lies over the picture as it is in this task, on a canvas of its size. */
+  drawOver?(canvas: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
+  dispose(): void;
+}
+
+interface Kind {
+  readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
+  readonly load: () => Promise<{ readonly create: (host: ExtraHost) => Extra }>;
+}
+
+/** Belong to the first picture: it would show another camera. */
+const LINKED: Kind = {
+  wanted: ({ cameraGroup }, viewer) => cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+  load: lazyCode(() => import('../../../extras/compare/camera-group.js'), 'linked cameras'),
+};
+
+const KINDS: readonly Kind[] = [
+  {
+    wanted: ({ helpers }) => helpers.length > 0,
+    load: lazyCode(() => import('../../../extras/overlay/helpers/helpers.js'), 'helpers'),
+  },
+  {
+    wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
+    load: lazyCode(() => import('../../../extras/overlay/legend/legend.js'), 'views'),
+  },
+  {
+    wanted: ({ probe }) => probe !== false,
+    load: lazyCode(() => import('../../../extras/overlay/probe/probe.js'), 'the probe'),
+  },
+  {
+    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
+    load: lazyCode(() => import('../../../extras/overlay/probe/watch.js'), 'the probe'),
+  },
+  LINKED,
+];
+
+const pictureCode = lazyCode(() => import('../../../extras/samples/picture-blob.js'), 'toBlob');
+
+export class ViewerExtras implements ReactiveController {
+  readonly #context: ViewerContext;
+  readonly #camera: ViewerCamera;
+  readonly #visibility: Visibility;
+  readonly #names: ExtraHost['names'] = { placed: [] };
+  /** Null while its code is being fetched. */
+  readonly #extras = new Map<Kind, Extra | null>();
+  readonly #fetching = new Set<Promise<void>>();
+  #tree: ViewerTree | null = null;
+
+  constructor(context: ViewerContext, camera: ViewerCamera, visibility: Visibility) {
+    const { signals } = (this.#context = context);
+    this.#camera = camera;
+    this.#visibility = visibility;
+    const { awaited } = signals;
+    signals.awaited = () => awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
+    signals.drawn.listen(() => {
+      for (const extra of this.#extras.values()) extra?.update();
+    });
+    signals.cameraMoved.listen(({ source }) => {
+      for (const extra of this.#extras.values()) extra?.cameraMoved?.(source);
+    });
+  }
+
+  snapshot(): ViewerSnapshot {
+    const { viewer, viewport } = this.#context;
+    const { holder, picture, still } = viewport;
+    const { width, height } = this.#visibility.size;
+    // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own.
+    const zoom = zoomOf(holder);
+    return {
+      // The triangles of the picture that is shown.
+      scene:
+        holder.getClientRects().length > 0
+          ? picture.snapshot(viewport, Math.max(still.samples, 1), (mesh) => elementOf(mesh) ?? viewer)
+          : null,
+      width: width * zoom,
+      height: height * zoom,
+      lights: picture.lighting.lights.lights.map((state, index) => ({
+        light: lightOf(state),
+        name: lightName(state, index, viewer.texts),
+        values: { ...state.values },
+      })),
+    };
+  }
+
+  /** The picture as a file, with what the extras draw over it. Waits for their code. */
+  async toBlob(options: PictureOptions): Promise<Blob> {
+    const { pending } = this;
+    if (pending !== null) await pending;
+    const { viewport } = this.#context;
+    const width = options.width ?? Math.max(viewport.width, 1);
+    const height = options.height ?? Math.max(viewport.height, 1);
+    const { samples = 1 } = options;
+    const isCount = (value: number): boolean => Number.isInteger(value) && value >= 1;
+    const isValid = [width, height, samples].every(isCount) && samples <= MOST_SAMPLES;
+    const picture = isValid ? await this.#capture({ width, height }, options) : null;
+    const { pictureBlob } = await pictureCode();
+    return pictureBlob(picture, options);
+  }
+
+  connect(tree: ViewerTree): void {
+    this.#tree = tree;
+  }
+
+  hostConnected(): void {
+    this.apply();
+  }
+
+  hostDisconnected(): void {
+    for (const kind of this.#extras.keys()) this.#drop(kind);
+  }
+
+  apply(): void {
+    for (const kind of KINDS) {
+      const extra = this.#extras.get(kind);
+      if (!kind.wanted(this.#context.values, this.#context.viewer)) this.#drop(kind);
+      else if (extra === undefined) this.#wait(this.#fetch(kind));
+      else extra?.update();
+    }
+  }
+
+  /** Resolves once the code that is being fetched is in use; never rejects. Null where none is. */
+  get pending(): Promise<unknown> | null {
+    return this.#fetching.size === 0 ? null : Promise.all(this.#fetching);
+  }
+
+  /** The picture with what the extras show in the task in which it was captured. */
+  async #capture(size: Size, options: PictureOptions): Promise<HTMLCanvasElement> {
+    const { viewport } = this.#context;
+    const { samples } = options;
+    const picture = samples === undefined ? viewport.capture(size) : await viewport.still.capture(size, samples);
+    const extras = KINDS.flatMap((kind) => this.#extras.get(kind) ?? []);
+    if (extras.length === 0) return picture;
+    // Apart from the picture: the scene can change while some code is fetched.
+    const over = Object.assign(document.createElement('canvas'), size);
+    await Promise.all(extras.map(async (extra) => extra.drawOver?.(over, options)));
+    picture.getContext('2d')?.drawImage(over, 0, 0);
+    return picture;
+  }
+
+  #wait(fetched: Promise<void>): void {
+    this.#fetching.add(fetched);
+    void fetched.then(() => {
+      this.#fetching.delete(fetched);
+      this.#context.viewport.animate(); // the first picture may have waited for it
+      this.#context.signals.ended.emit();
+    });
+  }
+
+  #drop(kind: Kind): void {
+    const extra = this.#extras.get(kind);
+    this.#extras.delete(kind);
+    extra?.dispose();
+  }
+
+  async #fetch(kind: Kind): Promise<void> {
+    const tree = this.#tree;
+    if (tree === null) return;
+    this.#extras.set(kind, null);
+    const code = await kind.load().catch(reportMissing);
+    if (this.#extras.get(kind) !== null) return;
+    this.#extras.delete(kind);
+    if (code === undefined || !this.#context.viewer.isConnected) return;
+    const { viewer, values, viewport } = this.#context;
+    const extra = code.create({
+      viewer,
+      values,
+      viewport,
+      tree,
+      names: this.#names,
+      camera: this.#camera,
+      size: () => this.#visibility.size,
+      snapshot: () => this.snapshot(),
+    });
+    this.#extras.set(kind, extra);
+    extra.update();
+  }
+}

@@ -1,0 +1,176 @@
+// Undo and redo: edits of one viewer (declared values, camera, order of its children). Loaded with its first user.
+import { sameValue } from '../../../phong/fields/field-store.js';
+import { registryOf } from '../child-registry.js';
+import { fieldsOf, viewerCameras } from '../internals.js';
+import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
+import type { CameraPlacement } from './camera.js';
+
+export interface Undoable<S> {
+  read(): S;
+  same(a: S, b: S): boolean;
+  /** Puts back what differs between the two states, and leaves everything else as it is now. */
+  restore(from: S, to: S): void;
+}
+
+interface Step {
+  readonly subject: Undoable<unknown>;
+  readonly before: unknown;
+  after: unknown;
+  readonly gesture: object | null;
+}
+
+/** Older steps are forgotten. A step holds a few small values. */
+const MOST_STEPS = 500;
+
+export class History {
+  readonly #done: Step[] = [];
+  readonly #undone: Step[] = [];
+  readonly #changed = new Set<() => void>();
+  #open = false;
+
+  get canUndo(): boolean {
+    return this.#done.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#undone.length > 0;
+  }
+
+  /** Records what `write` changes as one step. Edits with the same `gesture` are one step until {@link seal}. */
+  edit<S>(subject: Undoable<S>, write: () => void, gesture: object | null = null): void {
+    const before = subject.read();
+    try {
+      write();
+    } finally {
+      this.record(subject, before, gesture);
+    }
+  }
+
+  /** Records what has changed since `before` was read as one step, if anything has. */
+  record<S>(subject: Undoable<S>, before: S, gesture: object | null = null): void {
+    const after = subject.read();
+    if (!subject.same(before, after)) this.#add({ subject, before, after, gesture });
+  }
+
+  /** Ends the gesture: the next edit is a step of its own. */
+  seal(): void {
+    this.#open = false;
+  }
+
+  undo(): boolean {
+    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) => subject.restore(after, before));
+  }
+
+  redo(): boolean {
+    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) => subject.restore(before, after));
+  }
+
+  /** Calls `changed` after every step, undo and redo. The returned function stops that. */
+  listen(changed: () => void): () => void {
+    this.#changed.add(changed);
+    return () => this.#changed.delete(changed);
+  }
+
+  #add(step: Step): void {
+    const last = this.#done.at(-1);
+    if (this.#open && step.gesture !== null && last?.gesture === step.gesture) last.after = step.after;
+    else this.#done.push(step);
+    if (this.#done.length > MOST_STEPS) this.#done.shift();
+    this.#undone.length = 0;
+    this.#open = true;
+    this.#notify();
+  }
+
+  #shift(from: Step[], to: Step[], restore: (step: Step) => void): boolean {
+    const step = from.pop();
+    this.#open = false;
+    if (step === undefined) return false;
+    to.push(step);
+    restore(step);
+    this.#notify();
+    return true;
+  }
+
+  #notify(): void {
+    for (const changed of this.#changed) changed();
+  }
+}
+
+/** What these keys mean: Ctrl or Cmd with Z, Shift + Z, and Y. */
+export function undoKey({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 'undo' | 'redo' | null {
+  if (!(ctrlKey || metaKey) || altKey) return null;
+  const letter = key.toLowerCase();
+  if (letter === 'z') return shiftKey ? 'redo' : 'undo';
+  return letter === 'y' && !shiftKey ? 'redo' : null;
+}
+
+const histories = new WeakMap<PhongViewer, History>();
+
+export function historyOf(viewer: PhongViewer): History {
+  const history = histories.get(viewer) ?? new History();
+  histories.set(viewer, history);
+  return history;
+}
+
+/** Given values by key; a key without one has its default. */
+type Given = ReadonlyMap<string, unknown>;
+
+export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoable<Given> {
+  const binding = fieldsOf(element as PhongViewer);
+  const { store } = binding;
+  const keys = Object.keys(store.fields) as (keyof typeof store.values)[];
+  const changed = (a: Given, b: Given) => keys.filter((key) => !sameValue(a.get(key), b.get(key)));
+  return {
+    read: () => new Map(keys.filter((key) => store.given(key)).map((key) => [key, store.values[key]])),
+    same: (a, b) => changed(a, b).length === 0,
+    restore(from, to) {
+      for (const key of changed(from, to)) binding.set(key, to.get(key) ?? null);
+    },
+  };
+}
+
+/** Where the camera is now, which its declared values do not say. */
+export function cameraOf(viewer: PhongViewer): Undoable<CameraPlacement> {
+  const camera = viewerCameras.get(viewer)!;
+  return {
+    read: () => camera.placement(),
+    same: (a, b) => JSON.stringify(a) === JSON.stringify(b), // keys are always written in the same order
+    restore: (_, to) => camera.place(to, 'panel'),
+  };
+}
+
+interface TreePlace {
+  readonly parent: Node | null;
+  readonly next: Node | null;
+}
+
+/** `node` is `element` or inside it, shadow trees included: `element` cannot be moved into it. */
+function holds(element: HTMLElement, node: Node | null): boolean {
+  for (let at = node; at !== null; at = at instanceof ShadowRoot ? at.host : at.parentNode)
+    if (at === element) return true;
+  return false;
+}
+
+/** Which children the viewer has, and where. A step back that would move one into itself does nothing. */
+export function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
+  const stays = (a: TreePlace | undefined, b: TreePlace | undefined): boolean =>
+    a?.parent === b?.parent && a?.next === b?.next;
+  return {
+    read: () =>
+      new Map(
+        registryOf(viewer).inOrder.map((child) => [child, { parent: child.parentNode, next: child.nextSibling }]),
+      ),
+    same: (a, b) => a.size === b.size && [...a].every(([child, place]) => stays(place, b.get(child))),
+    restore(from, to) {
+      // A script may have moved the parent into the child since.
+      for (const [child, place] of to) if (!stays(from.get(child), place) && holds(child, place.parent)) return;
+      for (const child of from.keys()) if (!to.has(child)) child.remove();
+      // Backwards, so that the sibling a child stands before is in its place already.
+      for (const [child, place] of [...to].reverse()) {
+        const { parent, next } = place;
+        if (parent === null || stays(from.get(child), place)) continue;
+        parent.insertBefore(child, next?.parentNode === parent ? next : null);
+      }
+    },
+  };
+}

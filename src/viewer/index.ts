@@ -1,0 +1,55 @@
+/**
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>` and `<phong-control>`.
+ * Importing it without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
+ */
+// First, because they must run before Lit and three.js do.
+import { litWasImported } from './element/page/trusted-types.js';
+import './element/page/early-requests.js';
+import { PhongCompare } from './element/phong-compare.js';
+import { PhongControl, provideControl } from './element/phong-control.js';
+import { PhongLight } from './element/phong-light.js';
+import { PhongMesh } from './element/phong-mesh.js';
+import { PhongViewer } from './element/phong-viewer.js';
+import { providePanel } from './element/viewer/viewer-panel.js';
+import { lazyCode } from './model/lazy-code.js';
+import { endEarly } from './model/request-model.js';
+
+litWasImported();
+providePanel(lazyCode(() => import('../extras/panel/panel.js'), 'the control panel'));
+provideControl(lazyCode(() => import('../extras/panel/control.js'), '<phong-control>'));
+
+// Children first: the viewer then finds all of them at once when it is upgraded.
+if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
+  for (const [name, element] of [
+    ['phong-light', PhongLight],
+    ['phong-mesh', PhongMesh],
+    ['phong-viewer', PhongViewer],
+    ['phong-compare', PhongCompare],
+    ['phong-control', PhongControl],
+  ] as const) {
+    if (customElements.get(name) === undefined) customElements.define(name, element);
+  }
+  endEarly();
+}
+
+export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
+export type { ViewerErrorCode, ViewerTexts } from './element/fields/texts.js';
+export type {
+  LoadDetail,
+  PhongCompareEventMap,
+  PhongMeshEventMap,
+  PhongViewerEventMap,
+  ViewerErrorDetail,
+} from './element/events.js';
+export type { NumberList } from './element/fields/properties.js';
+export type {
+  PhongCompareProps,
+  PhongControlProps,
+  PhongLightProps,
+  PhongMeshProps,
+  PhongViewerProps,
+} from '../extras/frameworks/template-types.js';
+export type { PictureOptions } from '../extras/samples/picture-blob.js';
+export type { FragmentExplanation, LightExplanation, ShadeOptions } from './element/explanation.js';
+export type { CameraSource, CameraState, ViewerStats } from './element/elements.js';
+export type { Vec3, Vec4 } from '../phong/math/vector.js';

@@ -1,0 +1,81 @@
+// What a mesh shows, a built-in shape or a loaded model of any format, and why a model cannot be shown.
+import type { BufferGeometry, Matrix4 } from 'three';
+import type { Sides } from '../../phong/material/back-faces.js';
+import type { BaseLook } from '../../phong/material/file-surface.js';
+import type { SurfaceValues } from '../../phong/material/material-values.js';
+
+/** What a mesh shows. Readers of files and built-in shapes make it, the scene draws it. */
+export interface Content {
+  /** Empty only in {@link NO_CONTENT}. */
+  readonly parts: readonly ContentPart[];
+  /** Null if nothing in it moves. */
+  readonly motion: Motion | null;
+  /** Features of the file that the equation has no place for, by the file's own names. */
+  readonly dropped?: ReadonlySet<string>;
+  /** Images and material libraries that are missing or broken, by the names in the model: it is shown without them. */
+  readonly missing?: readonly string[];
+  /** Frees geometries and textures and closes their images. Call once for each mesh that shows it. */
+  dispose(): void;
+}
+
+export const NO_CONTENT: Content = { parts: [], motion: null, dispose: () => undefined };
+
+/** A geometry and how it looks, as far as its file or shape says. */
+export interface ContentPart {
+  /** Its name in the file; may be empty. */
+  readonly name: string;
+  /**
+   * Attributes: `position` (float, finite); `normal` (float, unit length or zero); for each map of the look the texture
+   * coordinates of its channel (`uv`, `uv1`, …); `tangent` (unit, w ±1) for a normal map; `color` (encoded sRGB, 3 or 4
+   * components, 0 to 1) if the look has vertex colours. Indexed or not. Parts can share geometries or attributes.
+   * Vertices that {@link Motion} changes have `DynamicDrawUsage`.
+   */
+  readonly geometry: BufferGeometry;
+  /** Part to mesh, float64, in the file's units. {@link Motion} changes it. */
+  readonly matrix: Matrix4;
+  readonly look: BaseLook;
+  /** `closed` for opaque closed shapes, `double` unless a glTF file says `single`. */
+  readonly sides: Sides;
+  /** Ka, Kd, Ks and the exponent from formats that have them; HTML's units. */
+  readonly surface: Partial<SurfaceValues>;
+}
+
+/** The animations of a content. */
+export interface Motion {
+  /** At least one, in the file's order. Can be empty or repeat. */
+  readonly names: readonly string[];
+  /** Length in seconds of the animation with this name; of the first one if the name is empty or unknown. */
+  durationOf(name: string): number;
+  /**
+   * Writes a pose into the parts' matrices and geometries, bounds of the latter included. After its end an animation
+   * begins again. Null: the file's own pose, without animation. Never throws.
+   */
+  pose(name: string | null, seconds: number): void;
+}
+
+type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
+
+interface ModelErrorOptions extends ErrorOptions {
+  /** What only the author, or who chose the file, can do: sentences. */
+  readonly advice?: string;
+  readonly logged?: boolean;
+}
+
+/** Why a model cannot be shown. Its message is for the page's author: the fact, then the advice. */
+export class ModelError extends Error {
+  override readonly name = 'ModelError';
+  readonly code: ModelErrorCode;
+  /** For everyone who sees the page. */
+  readonly fact: string;
+
+  /** The browser has written a line of its own to the console. */
+  readonly logged: boolean;
+
+  constructor(code: ModelErrorCode, fact: string, options: ModelErrorOptions = {}) {
+    const { advice, logged = code === 'csp' } = options;
+    super(advice === undefined ? fact : `${fact} ${advice}`, options);
+    this.code = code;
+    this.fact = fact;
+    this.logged = logged;
+  }
+}

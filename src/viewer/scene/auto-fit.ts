@@ -1,0 +1,147 @@
+// Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each frame how deep it is.
+import type { Mesh } from 'three';
+import { type Bounds, fitPose, fitRadius } from '../../phong/camera/fit.js';
+import type { Vec3 } from '../../phong/math/vector.js';
+import { type Extent, measure, radiusOf } from './bounds.js';
+import type { Size } from './gpu/atlas.js';
+import type { Picture } from './picture.js';
+
+/** Target and radius as declared: `auto`, or a value. */
+export interface Framing {
+  readonly target: Vec3 | 'auto';
+  readonly radius: number | 'auto';
+}
+
+export interface Fit {
+  readonly target: Vec3;
+  readonly radius: number;
+  /** The scene shows nothing: any place would do. */
+  readonly empty: boolean;
+}
+
+/** Frames several pictures as one. */
+export interface SharedFit {
+  /** The scene, its shading, the size or the field of view of a picture has changed. */
+  changed(): void;
+  /** The fit of all pictures together. */
+  fit(framing: Framing): Fit;
+}
+
+export class AutoFit {
+  readonly #picture: Picture;
+  #framing: Framing | null = { target: 'auto', radius: 'auto' };
+  #fov = 45;
+  /** Width over height of the last size above 0: a hidden picture keeps its camera. */
+  #aspect = 1;
+  #shared: SharedFit | null = null;
+  /** Null after a change of the scene. */
+  #measured: Extent | null = null;
+  /** Where the orbit was put; null after a change of anything that this follows from. */
+  #fitted: Fit | null = null;
+  readonly #depthBounds = { center: ORIGIN, radius: 0 };
+
+  constructor(picture: Picture) {
+    this.#picture = picture;
+  }
+
+  /** How target and radius are found; null leaves them where the user put them. */
+  get framing(): Framing | null {
+    return this.#framing;
+  }
+
+  set framing(framing: Framing | null) {
+    this.#framing = framing;
+    this.#fitted = null;
+    this.#picture.invalidate();
+  }
+
+  /** Frames this picture together with others; null, the default: alone. */
+  set shared(shared: SharedFit | null) {
+    this.#shared = shared;
+    this.#fitted = null;
+  }
+
+  /** Vertical, in degrees. Default 45. */
+  get fov(): number {
+    return this.#fov;
+  }
+
+  set fov(degrees: number) {
+    if (degrees === this.#fov) return;
+    this.#fov = degrees;
+    this.#refit();
+  }
+
+  /** Meshes were added, removed or moved, or their vertices changed. */
+  reshaped(): void {
+    this.#measured = null;
+    this.#refit();
+  }
+
+  /** A mesh has moved from where its world matrix is. Inside the bounds at both places it leaves them. */
+  moved(mesh: Mesh): void {
+    if (this.#staysInside(mesh)) this.#picture.invalidate();
+    else this.reshaped();
+  }
+
+  #staysInside({ geometry, matrixWorld, matrix, parent }: Mesh): boolean {
+    const extent = this.#measured;
+    // Other points than the bounds' centre have other farthest vertices.
+    const { target = 'auto', radius = 0 } = this.#framing ?? {};
+    const isFitted = this.#fitted !== null || this.#framing === null;
+    if (extent === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) return false;
+    if (target !== 'auto' && radius === 'auto') return false;
+    return [matrixWorld, matrix].every(({ elements }) => extent.holds(geometry, elements));
+  }
+
+  resized({ width, height }: Size): void {
+    if (width > 0 && height > 0) this.#aspect = width / height;
+    this.#refit();
+  }
+
+  measure(): Extent {
+    if (this.#measured !== null) return this.#measured;
+    this.#picture.place();
+    return (this.#measured = measure(this.#picture.scene));
+  }
+
+  /** Holds all that is visible now, about the same centre; null for nothing. Overwritten by the next call. */
+  depthBounds(): Bounds | null {
+    const { bounds } = this.measure();
+    const depth = this.#depthBounds;
+    depth.center = bounds?.center ?? ORIGIN;
+    depth.radius = radiusOf(this.#picture.scene, depth.center);
+    return bounds === null && depth.radius === 0 ? null : depth;
+  }
+
+  /** Measures and fits where something has changed. True if the orbit moved. */
+  settle(): boolean {
+    this.measure();
+    if (this.#fitted !== null || this.#framing === null) return false;
+    this.#fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing);
+    const { radius } = this.#framing;
+    const { orbit } = this.#picture;
+    const before = orbit.version;
+    orbit.set({ target: this.#fitted.target, radius: radius === 'auto' ? this.#fitted.radius : radius });
+    return orbit.version !== before;
+  }
+
+  /** The camera of this framing for this picture alone. Its radius is that of `auto`, whatever the framing says. */
+  fitOf({ target }: Framing): Fit {
+    const extent = this.measure();
+    const { bounds } = extent;
+    const empty = bounds === null;
+    const fitted = fitPose(bounds, this.#fov, this.#aspect);
+    if (target === 'auto') return { ...fitted, empty };
+    const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), this.#fov, this.#aspect);
+    return { target, radius, empty };
+  }
+
+  #refit(): void {
+    this.#fitted = null;
+    this.#shared?.changed();
+    this.#picture.invalidate();
+  }
+}
+
+const ORIGIN: Vec3 = [0, 0, 0];

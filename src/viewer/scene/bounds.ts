@@ -1,0 +1,225 @@
+// The size of a scene: the centre of its box and its farthest vertex, in world space and float64.
+import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
+import type { Bounds } from '../../phong/camera/fit.js';
+import type { MutableVec3 } from '../../phong/camera/orbit.js';
+import { transformed, type Vec3 } from '../../phong/math/vector.js';
+import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
+
+export interface Extent {
+  /** Centre of the scene's box, and the distance of the farthest vertex from it; null where it shows nothing. */
+  readonly bounds: Bounds | null;
+  /** Distance of the farthest vertex from a point. */
+  radiusAbout(point: Vec3): number;
+  /** A geometry under this world matrix reaches neither the box nor the farthest vertex. */
+  holds(geometry: BufferGeometry, matrix: readonly number[]): boolean;
+}
+
+const NO_EXTENT: Extent = { bounds: null, radiusAbout: () => 0, holds: () => false };
+
+interface Placed {
+  readonly size: GeometrySize;
+  readonly matrix: readonly number[];
+}
+
+const sphereOf = ({ size: { center, radius }, matrix }: Placed): Bounds => ({
+  center: transformed(matrix, ...center),
+  radius: radius * stretch(matrix),
+});
+
+const AXES = [0, 1, 2] as const;
+
+/** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
+const SAME = 1e-9;
+
+/** Measures every visible mesh below `root`. World matrices must be up to date. */
+export function measure(root: Object3D): Extent {
+  const meshes = placedMeshes(root);
+  if (meshes.length === 0) return NO_EXTENT;
+  const low: MutableVec3 = [Infinity, Infinity, Infinity];
+  const high: MutableVec3 = [-Infinity, -Infinity, -Infinity];
+  /** `share` of a sphere is inside the box. */
+  const inside = ({ center, radius }: Bounds, share: number): boolean => {
+    const r = share * radius;
+    for (const i of AXES) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
+    return true;
+  };
+  // Boxes first: then most turned meshes are found to lie inside by their spheres.
+  for (const { size, matrix } of meshes) if (!isTurned(matrix)) extend(low, high, size.box, matrix);
+  for (const mesh of meshes)
+    if (isTurned(mesh.matrix) && !inside(sphereOf(mesh), 1 - SAME))
+      extend(low, high, mesh.size.vertices(), mesh.matrix);
+  const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
+  const center: Vec3 = [middle(0), middle(1), middle(2)];
+  const radius = farthestFrom(center, meshes);
+  return {
+    bounds: { center, radius },
+    radiusAbout: (point) => farthestFrom(point, meshes),
+    holds(geometry, matrix) {
+      const size = measuredOf(geometry);
+      if (size === null) return false;
+      const sphere = sphereOf({ size, matrix });
+      const fromCenter = distance(center, ...sphere.center) + sphere.radius;
+      return inside(sphere, 1 + SAME) && fromCenter < (1 - SAME) * radius;
+    },
+  };
+}
+
+/** Radius of a sphere about `point` that holds all that is visible below `root`: one step per object. */
+export function radiusOf(root: Object3D, point: Vec3): number {
+  if (!root.visible) return 0;
+  let radius = boundsOf(root, ball) ? reachOf(root.matrixWorld.elements, ball, point) : 0;
+  for (const child of root.children) {
+    const other = radiusOf(child, point);
+    if (other > radius) radius = other;
+  }
+  return radius;
+}
+
+export interface Ball {
+  x: number;
+  y: number;
+  z: number;
+  radius: number;
+}
+
+export const newBall = (): Ball => ({ x: 0, y: 0, z: 0, radius: 0 });
+
+/** Used within one call of {@link radiusOf}. */
+const ball = newBall();
+
+/** Writes a sphere that holds an object's own vertices, where they are now. False where it has none. */
+export function boundsOf(object: Object3D, into: Ball): boolean {
+  const { geometry, boundingSphere } = object as Partial<Mesh> & { boundingSphere?: Sphere | null };
+  // Instanced, skinned and batched meshes know where their parts are.
+  if (boundingSphere !== undefined) return writeBall(into, boundingSphere ?? ownSphere(object));
+  if (geometry === undefined) return false;
+  const moving = movingBounds(geometry);
+  if (moving !== null) return writeBall(into, moving);
+  const size = measuredOf(geometry);
+  if (size === null) return false;
+  const { center, radius } = size;
+  into.x = center[0];
+  into.y = center[1];
+  into.z = center[2];
+  into.radius = radius;
+  return true;
+}
+
+/** False for an empty sphere. */
+export function writeBall(into: Ball, { center, radius }: Sphere): boolean {
+  into.x = center.x;
+  into.y = center.y;
+  into.z = center.z;
+  into.radius = radius;
+  return radius >= 0;
+}
+
+/** The vertices of what is below `root` may have changed: reads them again when they are next needed. */
+export function forgetBounds(root: Object3D): void {
+  root.traverse((object) => {
+    const { geometry } = object as Partial<Mesh>;
+    const measured = object as { boundingBox?: unknown; boundingSphere?: unknown };
+    if (measured.boundingBox !== undefined) measured.boundingBox = null;
+    if (measured.boundingSphere !== undefined) measured.boundingSphere = null;
+    // A shape's own bounds hold whatever its segments: on a new page, and in viewers that share the geometry.
+    if (geometry === undefined || forgetSize(geometry)) return;
+    // three.js culls by the one, lights are culled by the other.
+    geometry.boundingSphere = null;
+    geometry.boundingBox = null;
+  });
+}
+
+function placedMeshes(root: Object3D): Placed[] {
+  const placed: Placed[] = [];
+  root.traverseVisible((object) => {
+    // By its mark, not its class: another copy of three.js may have made it.
+    const { isMesh, geometry } = object as Partial<Mesh>;
+    const size = isMesh === true && geometry !== undefined ? measuredOf(geometry) : null;
+    if (size !== null) placed.push({ size, matrix: object.matrixWorld.elements });
+  });
+  return placed;
+}
+
+/** The vertices change from frame to frame, as an animation's do. */
+export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
+  (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
+
+/** A geometry's size is that of the first pose, so that framing keeps still; these are those of the last one. */
+const movingBounds = (geometry: BufferGeometry): Sphere | null =>
+  hasMovingVertices(geometry) ? geometry.boundingSphere : null;
+
+const measuredOf = (geometry: BufferGeometry): GeometrySize | null =>
+  'position' in geometry.attributes ? sizeOf(geometry) : null;
+
+/** Makes a box as large as to hold places, given as x, y, z one after the other, under a matrix. */
+function extend(low: MutableVec3, high: MutableVec3, places: ArrayLike<number>, m: readonly number[]): void {
+  for (const axis of AXES) {
+    const [a, b, c, d] = [m[axis]!, m[axis + 4]!, m[axis + 8]!, m[axis + 12]!];
+    let [least, most] = [low[axis], high[axis]];
+    for (let i = 0; i < places.length; i += 3) {
+      const at = a * places[i]! + b * places[i + 1]! + c * places[i + 2]! + d;
+      if (at < least) least = at;
+      if (at > most) most = at;
+    }
+    low[axis] = least;
+    high[axis] = most;
+  }
+}
+
+function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
+  let farthest = 0;
+  for (const mesh of meshes) {
+    const { size, matrix } = mesh;
+    const { center, radius } = sphereOf(mesh);
+    const away = distance(point, ...center);
+    const reach = away + radius;
+    if (reach <= farthest * (1 + SAME)) continue;
+    if (away <= SAME * radius && isEvenlyScaled(matrix)) {
+      farthest = reach;
+      continue;
+    }
+    const vertices = size.vertices();
+    for (let i = 0; i < vertices.length; i += 3) {
+      const place = transformed(matrix, vertices[i]!, vertices[i + 1]!, vertices[i + 2]!);
+      farthest = Math.max(farthest, distance(point, ...place));
+    }
+  }
+  return farthest;
+}
+
+/** The mesh's axes are not the world's. */
+const isTurned = (m: readonly number[]): boolean =>
+  m[1] !== 0 || m[2] !== 0 || m[4] !== 0 || m[6] !== 0 || m[8] !== 0 || m[9] !== 0;
+
+/** Neither turned nor stretched: distances from the mesh's own centre keep their order. */
+const isEvenlyScaled = (m: readonly number[]): boolean =>
+  !isTurned(m) && Math.abs(m[0]!) === Math.abs(m[5]!) && Math.abs(m[5]!) === Math.abs(m[10]!);
+
+/** Coordinates are below 1e30, so that their squares are finite. */
+const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =>
+  Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
+
+/** Most that a matrix lengthens vectors: √ of the largest row sum of MᵀM, exact where it does not shear. */
+export function stretch(m: readonly number[]): number {
+  const along = (i: number, j: number): number =>
+    Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);
+  const xy = along(0, 4);
+  const xz = along(0, 8);
+  const yz = along(4, 8);
+  return Math.sqrt(Math.max(along(0, 0) + xy + xz, along(4, 4) + xy + yz, along(8, 8) + xz + yz));
+}
+
+function reachOf(m: readonly number[], { x, y, z, radius }: Ball, point: Vec3): number {
+  // For every object in every frame: no list for the place.
+  const dx = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! - point[0];
+  const dy = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! - point[1];
+  const dz = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! - point[2];
+  const reach = Math.sqrt(dx * dx + dy * dy + dz * dz) + radius * stretch(m);
+  return Number.isFinite(reach) ? reach : 0;
+}
+
+function ownSphere(object: Object3D): Sphere {
+  const measured = object as unknown as { computeBoundingSphere(): void; boundingSphere: Sphere };
+  measured.computeBoundingSphere();
+  return measured.boundingSphere;
+}

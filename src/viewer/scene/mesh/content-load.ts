@@ -1,0 +1,127 @@
+// Loads the shape or model that a mesh's values name. One load at a time: a newer one replaces it.
+import { sameValue } from '../../../phong/fields/field-store.js';
+import { fileName } from '../../model/request-model.js';
+import { type Content, NO_CONTENT } from '../../model/model.js';
+import type { ShapeValues } from './mesh-fields.js';
+import { acquireShape, shapeKey } from './shapes/shared-shapes.js';
+import type { Claim } from '../../model/budget.js';
+import type { MeshHost, SceneMesh } from './scene-mesh.js';
+import { acquireModel } from './shared-models.js';
+
+type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
+
+export class ContentLoad {
+  readonly #mesh: SceneMesh;
+  readonly #host: MeshHost;
+  #loading: AbortController | null = null;
+  #failed = false;
+  /** What was requested last; null for nothing. */
+  #request: readonly unknown[] | null = null;
+
+  constructor(mesh: SceneMesh, host: MeshHost) {
+    this.#mesh = mesh;
+    this.#host = host;
+  }
+
+  get pending(): boolean {
+    return this.#loading !== null;
+  }
+
+  /** What these values name was requested, and has arrived. */
+  has(name: ContentName): boolean {
+    return !this.pending && !this.#failed && sameValue(this.#request, this.#keyOf(name));
+  }
+
+  /** Requests what the values name, unless it was requested last. */
+  request(name: ContentName): void {
+    const { src, geometry, segments } = name;
+    const key = this.#keyOf(name);
+    if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
+    this.drop();
+    this.#request = key;
+    const claim = this.#host.picture.budget.claim(this.#mesh);
+    if (src !== '') {
+      const url = addressOf(src);
+      void this.#await(url, claim, (signal) => this.#loadModel(url, name, claim, signal));
+      return;
+    }
+    try {
+      // Before the shape is built.
+      if (geometry !== null) claim.add(this.#mesh.needsOf(geometry, segments));
+      const content = geometry === null ? NO_CONTENT : acquireShape(shapeKey(geometry, segments));
+      if (content instanceof Promise) void this.#await(null, claim, () => content);
+      else this.#mesh.arrived(content, claim, null, false);
+    } catch (error) {
+      claim.release();
+      this.fail(null, error);
+    }
+  }
+
+  fail(url: URL | null, error: unknown): void {
+    this.#failed = true;
+    this.#host.ended(this.#mesh, url, error);
+  }
+
+  retry(): void {
+    if (this.#failed) this.#request = null;
+  }
+
+  suspend(): void {
+    if (this.pending) this.drop();
+  }
+
+  drop(): void {
+    const dropped = this.pending || this.#failed;
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#failed = false;
+    this.#request = null;
+    if (dropped) this.#host.dropped(this.#mesh);
+  }
+
+  #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
+    return src === '' ? [geometry, segments] : [src, type, this.#host.crossOrigin];
+  }
+
+  async #loadModel(url: URL | null, { src, type }: ContentName, claim: Claim, signal: AbortSignal): Promise<Content> {
+    if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
+    const { crossOrigin } = this.#host;
+    const onProgress = (loaded: number, total: number): void => this.#host.progress(this.#mesh, loaded, total);
+    const model = { url, src, type: type ?? '', crossOrigin };
+    const content = await acquireModel(model, { claim, signal, onProgress });
+    try {
+      await this.#mesh.prepare(content, signal);
+    } catch (error) {
+      content.dispose();
+      throw error;
+    }
+    return content;
+  }
+
+  async #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): Promise<void> {
+    const loading = (this.#loading = new AbortController());
+    this.#host.began(this.#mesh);
+    try {
+      const content = await load(loading.signal);
+      if (loading.signal.aborted) {
+        content.dispose();
+        claim.release();
+        return;
+      }
+      this.#loading = null;
+      this.#mesh.arrived(content, claim, url, true);
+    } catch (error) {
+      claim.release();
+      if (loading.signal.aborted) return;
+      if (this.#loading === loading) this.#loading = null;
+      loading.abort(); // ends what is still being downloaded
+      this.fail(url, error);
+    }
+  }
+}
+
+/** A file's address is not fetched: it is for messages and events. */
+function addressOf(src: string | Blob): URL | null {
+  if (typeof src !== 'string') return new URL(encodeURIComponent(fileName(src)), 'file:///');
+  return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
+}

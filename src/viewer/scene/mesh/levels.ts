@@ -1,0 +1,235 @@
+// Gives the round shapes of a picture as many segments as its pixels show, and flat ones more where they are large for
+// the eye's distance. Camera, transforms and size alone decide: the same scene has the same triangles.
+import { stretch } from '../bounds.js';
+import type { Vec3 } from '../../../phong/math/vector.js';
+import type { Frame } from '../frame.js';
+import type { Frustum } from '../frustum-clip.js';
+import type { Picture } from '../picture.js';
+import type { SceneMesh } from './scene-mesh.js';
+import { FIXED } from './shapes/shared-shapes.js';
+import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes/shapes.js';
+
+/** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
+export const OUTLINE_TOLERANCE = 1 / 4;
+
+/** The same in the samples of a still picture, whose mean shows an eighth of a plain picture's error. */
+export const SAMPLED_TOLERANCE = 1 / 64;
+
+/** Fewest pixels of a plain picture that a triangle covers, on average over its shape. Smaller ones cost as much. */
+const PIXELS_PER_TRIANGLE = 16;
+
+/**
+ * So many triangles are never too many in a picture, as many as the teapot's fixed number. Without them 24 % of the
+ * pixels of a torus 60 pixels wide would be within a code of the round one's, and 31 % of a teapot in 400 × 400; with
+ * them it is 100 % and 91 %. Meshes share them, so a thousand dots are not a thousand fine spheres.
+ */
+const FREE_TRIANGLES = 2 ** 14;
+
+/** Most of them for each pixel that a shape covers: a dot needs none. */
+const FREE_PER_PIXEL = 8;
+
+/** Pictures whose outlines meet. */
+export interface SharedLevels {
+  /** One of them shows a round shape by its fixed number of segments, so all do. */
+  readonly isFixed: boolean;
+}
+
+export class Levels {
+  readonly #picture: Picture;
+  /** Chooses together with other pictures; null: alone. */
+  shared: SharedLevels | null = null;
+
+  constructor(picture: Picture) {
+    this.#picture = picture;
+  }
+
+  /** The number of segments of round shapes is part of this picture: Gouraud or flat shading shows it. */
+  get isFixed(): boolean {
+    if (this.#picture.style.shading !== 'phong') return true;
+    for (const { auto, isFixed } of this.#picture.meshes) if (isRound(auto) && isFixed) return true;
+    return false;
+  }
+
+  /** Chooses for a frame whose world matrices are up to date; builds and shows what is chosen. */
+  choose(frame: Frame): void {
+    const isFixed = this.shared?.isFixed ?? false;
+    let count = 0;
+    for (const { auto } of this.#picture.meshes) if (isRound(auto)) count += 1;
+    for (const mesh of this.#picture.meshes) {
+      const { auto } = mesh;
+      if (auto === null) continue;
+      let level = FIXED;
+      if (!isRound(auto)) level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, frame.view);
+      else if (!isFixed && !mesh.isFixed) level = this.#levelOf(mesh, auto, frame, count);
+      if (level !== mesh.level) mesh.level = level;
+    }
+  }
+
+  /** `count`: of round shapes. Finer levels than the coarsest one, which is claimed, take what room is left. */
+  #levelOf({ parts, level }: SceneMesh, name: GeometryName, { view, height, samples }: Frame, count: number): number {
+    const { elements } = parts[0]!.mesh.matrixWorld;
+    const wanted = levelIn(view, height, samples > 1, name, elements, FREE_TRIANGLES / count);
+    if (wanted === null) return level; // out of view it stays as it is
+    return within(this.#room + trianglesOf(name, coarsestOf(name)), wanted, name);
+  }
+
+  get #room(): number {
+    const { limit, used } = this.#picture.budget;
+    return limit - used;
+  }
+
+  #flatLevelOf({ parts }: SceneMesh, name: GeometryName, view: Frustum): number {
+    const room = this.#room + trianglesOf(name, undefined);
+    const isLarge = isLargeFor(view, name, parts[0]!.mesh.matrixWorld.elements);
+    return isLarge && trianglesOf(name, LARGE_SEGMENTS) <= room ? LARGE_SEGMENTS : FIXED;
+  }
+}
+
+const isRound = (name: GeometryName | null): boolean => name !== null && roundOf(name) !== undefined;
+
+/** Segments of a flat shape that is large for the eye's distance. */
+const LARGE_SEGMENTS = 64;
+
+/**
+ * A flat shape is large if its longest side is more than this many times the eye's distance from its box. Rasterisers
+ * interpolate positions over a triangle with errors that grow with the triangle. In SwiftShader, under near lamps, 17
+ * of 68,805 channels are off by more than one code at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up
+ * to 134 and 19 codes, at 1,000 34 % are off and 0.01 %.
+ */
+const LARGE = 8;
+
+/** Whether a flat shape under its world matrix is {@link LARGE} for the eye. */
+export function isLargeFor({ frame: { origin, eye } }: Frustum, name: GeometryName, m: readonly number[]): boolean {
+  const x = origin[0] + eye[0] - m[12]!;
+  const y = origin[1] + eye[1] - m[13]!;
+  const z = origin[2] + eye[2] - m[14]!;
+  let longest = 0;
+  let outside = 0; // squared
+  let inside = Infinity;
+  for (let axis = 0; axis < 3; axis++) {
+    const length = columnLength(m, axis);
+    const half = name === 'plane' && axis === 1 ? 0 : length / 2;
+    const along = length > 0 ? (x * m[4 * axis]! + y * m[4 * axis + 1]! + z * m[4 * axis + 2]!) / length : 0;
+    const beyond = Math.abs(along) - half;
+    longest = Math.max(longest, 2 * half);
+    if (beyond > 0) outside += beyond * beyond;
+    else inside = Math.min(inside, -beyond);
+  }
+  return longest > LARGE * (outside > 0 ? Math.sqrt(outside) : inside);
+}
+
+/** The level of a shape; null out of view. `free`: triangles that it may have however small they are. */
+export function levelIn(
+  view: Frustum,
+  height: number,
+  sampled: boolean,
+  name: GeometryName,
+  matrix: readonly number[],
+  free: number,
+): number | null {
+  const round = roundOf(name)!;
+  const pixels = height / (2 * view.slopeY);
+  const tolerance = sampled ? SAMPLED_TOLERANCE : OUTLINE_TOLERANCE;
+  const outline = segmentsIn(view, pixels / tolerance, round, matrix);
+  if (outline === null) return null;
+  const covered = coveredIn(view, height, round, matrix);
+  const most = Math.max(covered / PIXELS_PER_TRIANGLE, Math.min(free, FREE_PER_PIXEL * covered));
+  const shown = within(most, levelFor(Math.max(outline, round.smooth), name), name);
+  return sampled ? Math.max(shown, levelFor(outline, name)) : shown;
+}
+
+/** The step from a level of about so many segments to the next. */
+const stepAt = (segments: number): number => (segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8);
+
+/** At least so many segments: a multiple of 8, above 64 of an eighth of the next power of two (a quarter too many). */
+export function levelFor(segments: number, name: GeometryName): number {
+  const least = coarsestOf(name);
+  const { most } = roundOf(name)!;
+  if (segments >= most) return most;
+  const step = stepAt(segments);
+  const level = Math.ceil(segments / step) * step;
+  return level > least ? Math.min(level, most) : least;
+}
+
+/** The finest level up to this one that has at most so many triangles; the coarsest one if none has. */
+function within(triangles: number, level: number, name: GeometryName): number {
+  const least = coarsestOf(name);
+  if (trianglesOf(name, least) >= triangles) return least;
+  while (trianglesOf(name, level) > triangles) level = levelFor(level - stepAt(level), name);
+  return level;
+}
+
+/** Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the picture. */
+function coveredIn(view: Frustum, height: number, { cover, radius }: Round, m: readonly number[]): number {
+  const { frame, slopeX, slopeY } = view;
+  const { origin, eye } = frame;
+  const picture = (height * height * slopeX) / slopeY;
+  const x = m[12]! - origin[0] - eye[0];
+  const y = m[13]! - origin[1] - eye[1];
+  const z = m[14]! - origin[2] - eye[2];
+  const reach = radius * stretch(m);
+  const beyond = x * x + y * y + z * z - reach * reach; // squared: from the eye to where its rays touch the sphere
+  if (beyond <= 0) return picture;
+  const disc = (reach * height) / (2 * slopeY);
+  return Math.min(picture, (cover * Math.PI * disc * disc) / beyond);
+}
+
+/**
+ * Segments that keep a round shape's outline close enough to the true one; 0: no outline is in view; null: the shape is
+ * not. `finest`: how many times the allowed distance goes into a unit of length at depth 1.
+ */
+export function segmentsIn(view: Frustum, finest: number, round: Round, m: readonly number[]): number | null {
+  const { frame, slopeX, slopeY } = view;
+  const { gap, half, radius } = round;
+  const { origin, eye, right, up, back } = frame;
+  // From the eye to the shape's middle.
+  const x = m[12]! - origin[0] - eye[0];
+  const y = m[13]! - origin[1] - eye[1];
+  const z = m[14]! - origin[2] - eye[2];
+  const depth = -(x * back[0] + y * back[1] + z * back[2]);
+  const across = Math.abs(x * right[0] + y * right[1] + z * right[2]);
+  const upward = Math.abs(x * up[0] + y * up[1] + z * up[2]);
+  const size = stretch(m);
+  const reach = size * radius;
+  if (across - slopeX * depth > reach * Math.sqrt(1 + slopeX * slopeX)) return null;
+  if (upward - slopeY * depth > reach * Math.sqrt(1 + slopeY * slopeY)) return null;
+  if (depth < -reach) return null;
+  const squared = x * x + y * y + z * z;
+  const distance = Math.sqrt(squared);
+  const ball = isBall(half, m, reach);
+  // Where the eye's rays touch a ball; other shapes may reach up to the front of their sphere.
+  const away = ball ? Math.sqrt(Math.abs(squared - reach * reach)) : distance - reach;
+  const outline = Math.max(away, NEAREST * reach);
+  // The farther from the middle of the view, the more pixels an angle has.
+  const corner = 1 / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+  let cos = corner;
+  if (distance > reach) {
+    const sinReach = reach / distance;
+    const cosReach = Math.sqrt(1 - sinReach * sinReach);
+    // A ball that fills the picture, the farthest corner too, shows no outline.
+    if (ball && (depth - slopeX * across - slopeY * upward) * corner > cosReach * distance) return 0;
+    const sinMiddle = Math.sqrt(across * across + upward * upward) / distance;
+    cos = Math.max(cos, (depth / distance) * cosReach - sinMiddle * sinReach);
+  }
+  return Math.sqrt((gap * size * finest) / (outline * cos * cos));
+}
+
+/** In radii of the bounding sphere. Nearer, an eye sees faces, and slivers below a pixel are shaded worse. */
+const NEAREST = 1 / 8;
+
+/** Whether a shape is still a ball, of radius `reach`, under its matrix. */
+function isBall(half: Vec3, m: readonly number[], reach: number): boolean {
+  for (let axis = 0; axis < 3; axis++)
+    if (Math.abs(half[axis as 0] * columnLength(m, axis) - reach) > ROUNDING * reach) return false;
+  return true;
+}
+
+function columnLength(m: readonly number[], axis: number): number {
+  const x = m[4 * axis]!;
+  const y = m[4 * axis + 1]!;
+  const z = m[4 * axis + 2]!;
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+/** Relative. A turned ball's axes are equal up to float64's rounding. */
+const ROUNDING = 1e-9;

@@ -1,0 +1,212 @@
+// The three.js meshes that show a content, with their geometries and surfaces.
+import { type BufferGeometry, Group, Mesh, type Object3D } from 'three';
+import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../../phong/material/flat-geometry.js';
+import type { SurfaceValues } from '../../../phong/material/material-values.js';
+import type { BaseLook } from '../../../phong/material/file-surface.js';
+import type { PhongMaterial } from '../../../phong/material/phong-material.js';
+import { hasMovingVertices } from '../bounds.js';
+import { shareSize, sizeOf } from '../../model/geometry-size.js';
+import type { MeshAnimation } from './animation.js';
+import type { Claim, Need } from '../../model/budget.js';
+import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
+import type { MeshState } from './mesh-fields.js';
+import type { Appearance, SharedMaterials } from './shared-materials.js';
+import { acquireShape, FIXED, IDENTITY, levelKey, type ShapeContent } from './shapes/shared-shapes.js';
+import type { GeometryName } from './shapes/shapes.js';
+
+export interface Part {
+  readonly mesh: Mesh;
+  source: ContentPart;
+  material: PhongMaterial;
+  appearance: Appearance;
+}
+
+export interface ShownContent {
+  readonly content: Content;
+  /** A shape with automatic segments; null for anything else. */
+  readonly auto: GeometryName | null;
+  /** Its segments, or `FIXED`. */
+  readonly level: number;
+  /** What the content holds of its viewer's budget. */
+  readonly claim: Claim | null;
+  readonly parts: readonly Part[];
+  /** Null where there is nothing to show. */
+  readonly root: Object3D | null;
+  /** Where a model came from; null for a shape. */
+  readonly url: URL | null;
+  /** Null where nothing in it moves. */
+  readonly animation: MeshAnimation | null;
+}
+
+export const EMPTY: ShownContent = {
+  content: NO_CONTENT,
+  auto: null,
+  level: FIXED,
+  claim: null,
+  parts: [],
+  root: null,
+  url: null,
+  animation: null,
+};
+
+/** The geometries of a content, measured. Throws where there is no memory, or no room in `claim` for flat ones. */
+export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
+  if (flat) claim?.add(flatNeedsOf(content));
+  return content.parts.map(({ geometry }) => {
+    sizeOf(geometry);
+    if (!flat) return geometry;
+    const copy = flatGeometry(geometry);
+    shareSize(geometry, copy);
+    return copy;
+  });
+}
+
+/** What flat copies of a content's geometries hold. */
+const flatNeedsOf = (content: Content): readonly Need[] =>
+  (content as Partial<ShapeContent>).needs ??
+  [...new Set(content.parts.map(({ geometry }) => geometry))].map((geometry) => ({
+    key: geometry,
+    claims: { values: flatValues(geometry) },
+    flat: true,
+  }));
+
+/** The values of a geometry's flat copy: every corner has its own, as floats. */
+function flatValues({ attributes, index }: BufferGeometry): number {
+  const sizes = Object.entries(attributes).map(([name, { itemSize }]) => (name === 'normal' ? 0 : itemSize));
+  const corners = index?.count ?? attributes['position']?.count ?? 0;
+  return corners * sizes.reduce((sum, size) => sum + size, 3);
+}
+
+/** How many parts show a source's flat copy, of over three times its memory. The last one frees it. */
+const flatUsers = new WeakMap<BufferGeometry, number>();
+
+function countFlat({ mesh, source }: Pick<Part, 'mesh' | 'source'>, change: 1 | -1): void {
+  const { geometry } = source;
+  if (mesh.geometry === geometry) return;
+  const users = (flatUsers.get(geometry) ?? 0) + change;
+  flatUsers.set(geometry, users);
+  if (users === 0) forgetFlatGeometry(geometry);
+}
+
+/** Shows the parts by these geometries, as {@link geometriesOf} gave them. */
+export function setGeometries(parts: readonly Part[], geometries: readonly BufferGeometry[]): void {
+  parts.forEach((part, i) => {
+    const geometry = geometries[i]!;
+    if (part.mesh.geometry === geometry) return;
+    countFlat(part, -1);
+    part.mesh.geometry = geometry;
+    countFlat(part, 1);
+  });
+}
+
+/** Shows another level of the shape that is shown. Its bounds are the same. */
+export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
+  const content = acquireShape(levelKey(shown.auto!, level)) as ShapeContent; // its code is here: it is no promise
+  const geometries = geometriesOf(content, flat, null);
+  shown.parts.forEach((part, i) => {
+    countFlat(part, -1);
+    part.source = content.parts[i]!;
+    part.mesh.geometry = geometries[i]!;
+    countFlat(part, 1);
+  });
+  shown.content.dispose();
+  return { ...shown, content, level };
+}
+
+/** Call after the next ones are acquired: equal looks keep their material, and so their program. */
+export function freeShown({ content, claim, parts }: ShownContent, materials: SharedMaterials): void {
+  releaseParts(parts, materials);
+  content.dispose();
+  claim?.release();
+}
+
+function releaseParts(parts: readonly Part[], materials: SharedMaterials): void {
+  for (const part of parts) {
+    materials.release(part.material);
+    countFlat(part, -1);
+  }
+}
+
+/** Throws if there is no memory for them, and keeps no material then. */
+export function partsOf(
+  content: Content,
+  geometries: readonly BufferGeometry[],
+  materials: SharedMaterials,
+  state: MeshState,
+): Part[] {
+  const parts: Part[] = [];
+  try {
+    content.parts.forEach((source, i) => {
+      const appearance = appearanceOf(state, source);
+      const mesh = new Mesh(geometries[i], materials.acquire(appearance));
+      mesh.name = source.name;
+      mesh.matrixAutoUpdate = false;
+      countFlat({ mesh, source }, 1);
+      parts.push({ mesh, material: mesh.material, appearance, source });
+    });
+    return parts;
+  } catch (error) {
+    releaseParts(parts, materials);
+    throw error;
+  }
+}
+
+/** A part that its content does not move needs no group around it: 2,000 boxes are 2,000 objects. */
+export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null {
+  const [first] = parts;
+  if (first === undefined) return null;
+  if (parts.length === 1 && !moves && first.source.matrix.equals(IDENTITY)) return first.mesh;
+  const group = new Group();
+  group.matrixAutoUpdate = false;
+  for (const { mesh, source } of parts) {
+    mesh.matrix.copy(source.matrix);
+    group.add(mesh);
+  }
+  return group;
+}
+
+export function followPose(parts: readonly Part[]): void {
+  for (const { mesh, source } of parts) {
+    mesh.matrix.copy(source.matrix);
+    mesh.matrixWorldNeedsUpdate = true;
+    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry)) updateFlatGeometry(source.geometry);
+  }
+}
+
+/** How a part looks. `shading`: by default the mesh's own. */
+export function appearanceOf(
+  state: MeshState,
+  source: ContentPart,
+  shading: Appearance['shading'] = state.values.shading ?? null,
+): Appearance {
+  const { reflection = null } = state.values;
+  return { look: lookOf(state, source), sides: source.sides, surface: surfaceOf(state, source), shading, reflection };
+}
+
+/** Attributes win, then the file's values, then the defaults. */
+function surfaceOf(state: MeshState, { surface }: ContentPart): SurfaceValues {
+  const { values } = state;
+  const valueOf = <K extends keyof SurfaceValues>(key: K): SurfaceValues[K] =>
+    (state.given(key) ? undefined : surface[key]) ?? values[key];
+  return { ka: valueOf('ka'), kd: valueOf('kd'), ks: valueOf('ks'), shininess: valueOf('shininess') };
+}
+
+/** The file's look. An exponent that the author gives replaces the file's roughness. */
+function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
+  if (look.roughness === null || !state.given('shininess')) return look;
+  const known = smooth.get(look) ?? { ...look, roughness: null };
+  smooth.set(look, known);
+  return known;
+}
+
+/** Looks without their roughness: the same object each time, because materials are compared by it. */
+const smooth = new WeakMap<BaseLook, BaseLook>();
+
+/** Two appearances of one part, by identity: defaults are the same objects in all meshes. */
+export const looksAlike = (a: Appearance, b: Appearance): boolean =>
+  a.look === b.look &&
+  a.shading === b.shading &&
+  a.reflection === b.reflection &&
+  SURFACE_KEYS.every((key) => a.surface[key] === b.surface[key]);
+
+const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const;

@@ -1,0 +1,112 @@
+// The shapes that meshes show now. Meshes of the page with the same shape and segments share one content.
+import { type BufferGeometry, Matrix4 } from 'three';
+import { PLAIN_LOOK } from '../../../../phong/material/file-surface.js';
+import { claimsOf, type Need } from '../../../model/budget.js';
+import type { Content } from '../../../model/model.js';
+import {
+  CLOSED,
+  coarsestOf,
+  createGeometry,
+  effectiveSegments,
+  flatTrianglesOf,
+  type GeometryName,
+  roundOf,
+  trianglesOf,
+} from './shapes.js';
+
+/** Segments as written, `undefined` for the shape's default; or a level of `auto`. */
+export interface ShapeKey {
+  readonly name: GeometryName;
+  readonly segments: number | undefined;
+  readonly isLevel: boolean;
+}
+
+/** Under `auto`, what a shape is first shown as: its coarsest level, or without round faces its fixed segments. */
+export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKey =>
+  segments !== 'auto'
+    ? { name, segments, isLevel: false }
+    : levelKey(name, roundOf(name) === undefined ? FIXED : coarsestOf(name));
+
+/** A level by its segments, or the shape's {@link FIXED} number. */
+export const levelKey = (name: GeometryName, level: number): ShapeKey => ({
+  name,
+  segments: level === FIXED ? undefined : level,
+  isLevel: level !== FIXED,
+});
+
+/** Stands for a shape's own number of segments where a level is expected. */
+export const FIXED = 0;
+
+/** A level stays so long without users: the samples of a still picture use a finer one than the frame before. */
+const KEPT_MS = 1000;
+
+export interface ShapeContent extends Content {
+  /** What it and its flat copy hold: claimed before there is a geometry. */
+  readonly needs: readonly Need[];
+}
+
+interface Shared {
+  /** A promise until its code is here. */
+  content: ShapeContent | Promise<ShapeContent>;
+  users: number;
+  freeing?: ReturnType<typeof setTimeout>;
+}
+
+const shared = new Map<string, Shared>();
+
+const keyOf = ({ name, segments, isLevel }: ShapeKey): string =>
+  `${isLevel ? 'auto ' : ''}${name} ${String(effectiveSegments(name, segments))}`;
+
+/** What a shape holds, and its flat copy, before they are built. */
+export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
+  const text = keyOf(key);
+  const triangles = trianglesOf(key.name, key.segments);
+  const smooth = { key: text, claims: claimsOf(triangles, 1), flat: false };
+  return flat ? [smooth, { key: `flat ${text}`, claims: claimsOf(flatTrianglesOf(triangles)), flat: true }] : [smooth];
+}
+
+/**
+ * A shape for one more user, who disposes of the content once; a promise until its code is loaded. If that is rejected
+ * (a chunk could not be fetched), there is nothing to dispose of, and the next call tries again.
+ */
+export function acquireShape(key: ShapeKey): ShapeContent | Promise<ShapeContent> {
+  const entry = shared.get(keyOf(key)) ?? create(key);
+  clearTimeout(entry.freeing);
+  entry.users += 1;
+  return entry.content;
+}
+
+function create(key: ShapeKey): Shared {
+  const text = keyOf(key);
+  const { name } = key;
+  const contentOf = (geometry: BufferGeometry): ShapeContent => {
+    const free = (): void => {
+      shared.delete(text);
+      geometry.dispose();
+    };
+    const sides = CLOSED.has(name) ? 'closed' : 'double';
+    return {
+      parts: [{ name, geometry, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
+      motion: null,
+      needs: shapeNeeds(key, true),
+      dispose: () => {
+        entry.users -= 1;
+        if (entry.users > 0) return;
+        if (key.isLevel) entry.freeing = setTimeout(free, KEPT_MS);
+        else free();
+      },
+    };
+  };
+  const geometry = createGeometry(name, key.segments, key.isLevel);
+  const content = geometry instanceof Promise ? geometry.then(contentOf) : contentOf(geometry);
+  const entry: Shared = { content, users: 0 };
+  shared.set(text, entry);
+  if (content instanceof Promise)
+    content.then(
+      (ready) => (entry.content = ready),
+      () => shared.delete(text),
+    );
+  return entry;
+}
+
+export const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();

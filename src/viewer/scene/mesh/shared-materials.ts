@@ -1,0 +1,145 @@
+// The materials that draw meshes. Meshes of one picture that look alike share one, so that three.js changes neither
+// program nor values between them. One without users is freed after the next drawing: its program can pass on.
+import {
+  type SurfaceValues,
+  DEFAULT_STYLE,
+  type Shading,
+  type ShadingStyle,
+} from '../../../phong/material/material-values.js';
+import type { PhongLighting } from '../../../phong/material/lighting.js';
+import type { BaseLook } from '../../../phong/material/file-surface.js';
+import { PhongMaterial } from '../../../phong/material/phong-material.js';
+import type { Sides } from '../../../phong/material/back-faces.js';
+
+/** All that a mesh says about its material. Values are replaced when they change, never written to. */
+export interface Appearance {
+  readonly look: BaseLook;
+  readonly sides: Sides;
+  readonly surface: Readonly<SurfaceValues>;
+  /** Null: as the picture. */
+  readonly shading: Shading | null;
+  readonly reflection: ShadingStyle['reflection'] | null;
+}
+
+interface Shared {
+  readonly material: PhongMaterial;
+  appearance: Appearance;
+  key: string;
+  users: number;
+}
+
+export class SharedMaterials {
+  readonly #lighting: PhongLighting;
+  readonly #byKey = new Map<string, Shared>();
+  readonly #byMaterial = new Map<PhongMaterial, Shared>();
+  readonly #unused = new Set<Shared>();
+  #style: ShadingStyle = DEFAULT_STYLE;
+
+  constructor(lighting: PhongLighting) {
+    this.#lighting = lighting;
+  }
+
+  /** The picture's style: what a mesh does not say for itself. */
+  get style(): ShadingStyle {
+    return this.#style;
+  }
+
+  set style(style: ShadingStyle) {
+    this.#style = style;
+    for (const { material, appearance } of this.#byMaterial.values()) material.setStyle(this.#styleOf(appearance));
+  }
+
+  /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */
+  geometryShading(own: Shading | null): Shading {
+    return this.#lighting.view?.separate === true ? 'flat' : (own ?? this.#style.shading);
+  }
+
+  /** A material for one more user, who gives it back by {@link release}. */
+  acquire(appearance: Appearance): PhongMaterial {
+    const key = keyOf(appearance);
+    const shared = this.#byKey.get(key) ?? this.#create(appearance, key);
+    shared.users += 1;
+    this.#unused.delete(shared);
+    return shared.material;
+  }
+
+  /** For a user of `material` who looks otherwise now. One without other users is rewritten in place. */
+  exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
+    const key = keyOf(appearance);
+    const shared = this.#byMaterial.get(material);
+    if (shared?.key === key) return material;
+    const rewritable =
+      shared?.users === 1 &&
+      !this.#byKey.has(key) &&
+      shared.appearance.look === appearance.look &&
+      shared.appearance.sides === appearance.sides;
+    if (rewritable) {
+      this.#byKey.delete(shared.key);
+      this.#byKey.set(key, shared);
+      shared.key = key;
+      this.#write(shared, appearance);
+      return material;
+    }
+    const next = this.acquire(appearance);
+    this.release(material);
+    return next;
+  }
+
+  release(material: PhongMaterial): void {
+    const shared = this.#byMaterial.get(material);
+    if (shared === undefined) return;
+    shared.users -= 1;
+    if (shared.users === 0) this.#unused.add(shared);
+  }
+
+  /** After a drawing: frees the materials without users. */
+  sweep(): void {
+    if (this.#unused.size === 0) return;
+    for (const { key, material } of this.#unused) {
+      this.#byKey.delete(key);
+      this.#byMaterial.delete(material);
+      material.dispose();
+    }
+    this.#unused.clear();
+  }
+
+  #create(appearance: Appearance, key: string): Shared {
+    const material = new PhongMaterial(this.#lighting, appearance.look);
+    material.sides = appearance.sides;
+    const shared = { material, appearance, key, users: 0 };
+    this.#write(shared, appearance);
+    this.#byKey.set(key, shared);
+    this.#byMaterial.set(material, shared);
+    return shared;
+  }
+
+  #write(shared: Shared, appearance: Appearance): void {
+    shared.appearance = appearance;
+    shared.material.setStyle(this.#styleOf(appearance));
+    shared.material.setSurface(appearance.surface);
+  }
+
+  #styleOf({ shading, reflection }: Appearance): ShadingStyle {
+    const style = this.#style;
+    return { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
+  }
+}
+
+function keyOf({ look, sides, surface, shading, reflection }: Appearance): string {
+  const { ka, kd, ks, shininess } = surface;
+  return [lookKeyOf(look), sides, ...ka, ...kd, ...ks, shininess, shading, reflection].join(' ');
+}
+
+const lookKeys = new WeakMap<BaseLook, string>();
+
+/** Files describe equal looks by objects of their own; textures are equal only to themselves. */
+function lookKeyOf(look: BaseLook): string {
+  let key = lookKeys.get(look);
+  if (key === undefined) {
+    const values = Object.entries(look).map(([name, value]: [string, unknown]) => [name, textOf(value)]);
+    lookKeys.set(look, (key = values.join(' ')));
+  }
+  return key;
+}
+
+const textOf = (value: unknown): string => (value as { uuid?: string } | null)?.uuid ?? String(value);

@@ -1,0 +1,233 @@
+// What one viewer shows: scene, lights and camera. It is drawn alike for the page, for files and for samples.
+import { Scene, type Mesh, type WebGLRenderer, type Object3D, type ShaderMaterial, Texture } from 'three';
+import type { Bounds } from '../../phong/camera/fit.js';
+import { Orbit } from '../../phong/camera/orbit.js';
+import type { LightSet } from '../../phong/light/light-set.js';
+import { PhongLighting } from '../../phong/material/lighting.js';
+import type { ShadingStyle } from '../../phong/material/material-values.js';
+import { Budget } from '../model/budget.js';
+import { AutoFit } from './auto-fit.js';
+import { forgetBounds } from './bounds.js';
+import { Frame } from './frame.js';
+import type { Region, Size } from './gpu/atlas.js';
+import { Animations } from './mesh/animation.js';
+import { Levels } from './mesh/levels.js';
+import type { SceneMesh } from './mesh/scene-mesh.js';
+import { SharedMaterials } from './mesh/shared-materials.js';
+import { copyFrame, drawnObjects, type SceneSnapshot } from './scene-snapshot.js';
+
+export class Picture {
+  readonly scene = new Scene();
+  readonly orbit = new Orbit();
+  readonly animations = new Animations();
+  readonly budget = new Budget();
+  readonly lighting: PhongLighting;
+  readonly materials: SharedMaterials;
+  readonly levels = new Levels(this);
+  readonly fit = new AutoFit(this);
+  readonly frame = new Frame(this.orbit);
+  readonly #meshes = new Set<SceneMesh>();
+  readonly #changed: () => void;
+  readonly #fitted: () => void;
+  #version = 0;
+  /** Versions that changed nothing but lights. */
+  #relit = 0;
+  /** The version whose lights were sent last. */
+  #lit = -1;
+  #drawCalls = 0;
+
+  /** `changed`: another version is to be drawn. `fitted`: `auto` has moved the camera. */
+  constructor(lights: LightSet, changed: () => void, fitted: () => void) {
+    this.lighting = new PhongLighting(lights);
+    this.materials = new SharedMaterials(this.lighting);
+    this.#changed = changed;
+    this.#fitted = fitted;
+    this.scene.matrixWorldAutoUpdate = false; // `make` updates matrices, before it measures
+  }
+
+  /** In drawing order. */
+  get meshes(): ReadonlySet<SceneMesh> {
+    return this.#meshes;
+  }
+
+  /** Counts the changes of what it shows. Two frames of one version, size and number of samples are the same. */
+  get version(): number {
+    return this.#version;
+  }
+
+  invalidate(): void {
+    this.#version += 1;
+    this.#changed();
+  }
+
+  /** Only lights have changed. */
+  relit(): void {
+    this.#relit += 1;
+    this.invalidate();
+  }
+
+  /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
+  reshaped(): void {
+    this.fit.reshaped();
+  }
+
+  /** Measures the whole scene again, vertices included, and fits `auto` to it. */
+  refit(): void {
+    forgetBounds(this.scene);
+    this.reshaped();
+  }
+
+  get style(): ShadingStyle {
+    return this.materials.style;
+  }
+
+  set style(style: ShadingStyle) {
+    this.materials.style = style;
+    for (const mesh of this.meshes) mesh.restyle();
+    this.reshaped();
+  }
+
+  set linear(linear: boolean) {
+    if (linear === this.lighting.linear) return;
+    this.lighting.linear = linear;
+    this.invalidate();
+  }
+
+  add(mesh: SceneMesh): void {
+    this.#meshes.add(mesh);
+    mesh.attach(this.scene);
+    this.reshaped();
+  }
+
+  remove(mesh: SceneMesh): void {
+    this.#meshes.delete(mesh);
+    mesh.dispose();
+    this.reshaped();
+  }
+
+  /** Drawing order: other meshes, these, own objects of the page. Where surfaces coincide, the last one shows. */
+  arrange(meshes: readonly SceneMesh[]): void {
+    for (const mesh of meshes) if (this.#meshes.delete(mesh)) this.#meshes.add(mesh);
+    this.invalidate();
+  }
+
+  /** Updates order and world matrices. An unmoved mesh costs one call; a user's objects are always computed. */
+  place(): void {
+    const { children } = this.scene;
+    let own = 0;
+    for (const { root } of this.#meshes) {
+      if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
+      if (children[own] !== root) this.#sort();
+      own += 1;
+    }
+    for (let i = 0; i < children.length; i++) children[i]!.updateMatrixWorld(i >= own);
+  }
+
+  #sort(): void {
+    const ranks = new Map<Object3D, number>();
+    for (const { root } of this.#meshes) if (root !== null) ranks.set(root, ranks.size);
+    const rank = (object: Object3D): number => ranks.get(object) ?? ranks.size;
+    this.scene.children.sort((a, b) => rank(a) - rank(b));
+  }
+
+  /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
+  settle(): void {
+    if (this.fit.settle()) this.#fitted();
+  }
+
+  /** The meshes' bounds, measured unless nothing has changed since; null where the scene shows nothing. */
+  measure(): Bounds | null {
+    this.settle();
+    return this.fit.measure().bounds;
+  }
+
+  /** Computes the frame that {@link draw} draws: the scene as it is now, at this size in pixels. */
+  make(size: Size, samples: number): void {
+    const { frame, scene } = this;
+    this.settle();
+    this.place();
+    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit)) this.levels.choose(frame);
+    frame.aim(scene, this.fit.depthBounds());
+  }
+
+  /** Draws {@link frame}, or the part of it that `part` is, which need not lie on whole pixels. */
+  draw(renderer: WebGLRenderer, part?: Region): void {
+    const { frame, lighting, scene } = this;
+    if (part !== undefined) frame.show(part);
+    // The samples of one picture have its lights, and count as no frames for programs.
+    if (frame.samples === 1 || this.#lit !== this.#version) lighting.updateFrame(frame.shading, frame.camera);
+    this.#lit = this.#version;
+    lighting.mapBias.value = mapBiasOf(frame.samples);
+    renderer.render(scene, frame.camera);
+    this.#drawCalls = renderer.info.render.calls;
+  }
+
+  /** Everything that a frame of this size shows, as it is now. `ownerOf` names the owner of a mesh. */
+  snapshot<Owner>({ width, height }: Size, samples: number, ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
+    this.make({ width, height }, samples);
+    const { camera, shading } = this.frame;
+    const owners = new Map<Object3D, Owner>();
+    for (const mesh of this.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
+    const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
+    return { width, height, frame: copyFrame(shading), camera: camera.clone(), objects };
+  }
+
+  /** Gives back what the GPU holds; drawing sends it again. */
+  release(): void {
+    this.materials.sweep();
+    this.scene.traverse((object) => {
+      const { geometry, material } = object as Partial<Mesh>;
+      geometry?.dispose();
+      for (const one of [material ?? []].flat()) {
+        one.dispose();
+        const { uniforms = {} } = one as Partial<ShaderMaterial>;
+        for (const { value } of Object.values(uniforms)) if (value instanceof Texture) value.dispose();
+      }
+    });
+    this.lighting.dispose();
+  }
+
+  get stats(): Pick<ViewportStats, 'lightsActive' | 'lightsSent' | 'lightsSentByMesh' | 'uploads' | 'drawCalls'> {
+    const { lighting } = this;
+    const reaching = (parts: SceneMesh['parts']): number => lighting.countReaching(parts.map(({ mesh }) => mesh));
+    const shown = [...this.meshes].filter(({ parts }) => parts.length > 0);
+    return {
+      lightsActive: lighting.packed.active,
+      lightsSent: reaching(shown.flatMap(({ parts }) => parts)),
+      lightsSentByMesh: shown.map(({ parts }) => reaching(parts)),
+      uploads: lighting.uploads,
+      drawCalls: this.#drawCalls,
+    };
+  }
+}
+
+/**
+ * Levels of maps suit a whole pixel, and a sample stands for a share of it. Left so, a floor whose texture is minified
+ * 2 to 16 times is 10.1 codes (RMSE) off the exact mean, whatever the number of samples; by this formula 1.7, 0.50 and
+ * 0.33 with 16, 64 and 256 (H200). −1/2, the share's side, leaves 1.3 times the error with 64: a level's texels reach
+ * farther than the share. GPUs may stop at −2.
+ */
+const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
+
+/** What drawing costs. Counts since the viewport was created unless stated otherwise. */
+export interface ViewportStats {
+  readonly frames: number;
+  /**
+   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0 before its first
+   * ones are shown. Stays 0 where the GPU has no float targets: `full` is like `edges` there.
+   */
+  readonly samples: number;
+  readonly lightsActive: number;
+  /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */
+  readonly lightsSent: number;
+  /** The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were added. */
+  readonly lightsSentByMesh: readonly number[];
+  /** Programs of the page's WebGL context. */
+  readonly programs: number;
+  /** In the last frame. */
+  readonly drawCalls: number;
+  /** Uploads of light data. */
+  readonly uploads: number;
+  /** Viewers that the page's last frame has drawn: those in view that had changed. */
+  readonly viewersDrawn: number;
+}

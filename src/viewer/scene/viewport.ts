@@ -1,0 +1,277 @@
+// When one viewer's picture is drawn, and where: on the page's stage when something has changed, while it is near.
+import type { WebGLRenderer } from 'three';
+import { Signal } from '../../phong/fields/signal.js';
+import type { LightSet } from '../../phong/light/light-set.js';
+import { type FrameLoop, frameLoopOf } from './frame-loop.js';
+import type { Size } from './gpu/atlas.js';
+import { stage } from './gpu/stage.js';
+import { Picture, type ViewportStats } from './picture.js';
+import { StillPicture } from './still-picture.js';
+
+const NONE = -1; // no version of a picture
+
+/** What a viewport reports to the parts around it, and what it asks them. */
+export class ViewportSignals {
+  /** Before the first frame: size and visibility of the picture are not known yet. Set `near` and call `resize`. */
+  readonly layoutNeeded = new Signal();
+  /** A frame was drawn, and may still have to be copied to the picture's canvas. */
+  readonly drawn = new Signal();
+  /** A changed picture is on its canvas, whose pixels can be read until the task ends. Once a frame. */
+  readonly shown = new Signal();
+  /** After {@link drawn}, where drawing threw, and where there is no context: no more frames come by themselves. */
+  readonly frameEnded = new Signal();
+  /** `auto` found another target or radius. Not for the first frame. */
+  readonly fitted = new Signal();
+  /** There is no WebGL 2. {@link contextRestored} follows if a later attempt succeeds. */
+  readonly contextMissing = new Signal<Error>();
+  readonly contextLost = new Signal();
+  readonly contextRestored = new Signal();
+  /** Moves what moves by itself to its place at `now`, in ms. True while it keeps moving. */
+  moveTo: (now: number) => boolean = () => false;
+  /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
+  awaited: () => boolean = () => false;
+  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
+  recover: (error: unknown, draw: () => void) => boolean = () => false;
+}
+
+/** One viewer's picture on the page; sizes are in device pixels. */
+export class Viewport {
+  /** Holds the picture's canvas, and nothing else. */
+  readonly holder: HTMLElement;
+  readonly picture: Picture;
+  /** Its samples while it stands still. */
+  readonly still: StillPicture;
+  readonly #signals: ViewportSignals;
+  #wanted: Size = { width: 0, height: 0 };
+  /** In view, and not only near it. Default false. */
+  visible = false;
+  /** In view, or close enough to be drawn; undefined until the layout has been read. */
+  #near: boolean | undefined = undefined;
+  /** That of the window in which the picture is attached. */
+  #loop: FrameLoop | null = null;
+  /** The picture's version that the canvas shows, or whose drawing has thrown. */
+  #painted = NONE;
+  /** The version that was last reported as shown. */
+  #reported = NONE;
+  /** Something moves by itself, as of the last animation frame. */
+  #moving = false;
+  #frames = 0;
+
+  constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
+    this.holder = holder;
+    this.#signals = signals;
+    this.still = new StillPicture(this, () => signals.frameEnded.emit());
+    const changed = (): void => {
+      this.still.converging?.reset();
+      this.animate();
+    };
+    // The first fit is not a move.
+    this.picture = new Picture(lights, changed, () => this.#frames > 0 && signals.fitted.emit());
+  }
+
+  /** Device pixels, at most what the GPU can draw. */
+  get width(): number {
+    return Math.floor(this.#wanted.width * stage.shareOf(this.#wanted));
+  }
+
+  get height(): number {
+    return Math.floor(this.#wanted.height * stage.shareOf(this.#wanted));
+  }
+
+  /** Joins the page's stage, in the window that shows the holder. */
+  attach(): void {
+    const view = this.holder.ownerDocument.defaultView;
+    if (view === null) return;
+    this.#loop = frameLoopOf(view);
+    stage.add(this);
+    this.#signals[stage.lost ? 'contextLost' : 'contextRestored'].emit();
+    this.picture.invalidate();
+  }
+
+  detach(): void {
+    this.picture.invalidate(); // the context may close under what is being captured
+    this.#loop?.cancel(this);
+    this.#loop = null;
+    this.#near = undefined;
+    stage.remove(this);
+    this.releaseUnlessAttached();
+  }
+
+  get attached(): boolean {
+    return this.#loop !== null;
+  }
+
+  /** Whether the picture is in view or close enough to be drawn. While it is not, changes wait. */
+  set near(near: boolean) {
+    this.#near = near;
+    this.#wake();
+  }
+
+  /** In device pixels. A picture of no pixels is not drawn; larger ones than the GPU can draw are reduced. */
+  resize(size: Size): void {
+    if (size.width === this.#wanted.width && size.height === this.#wanted.height) return;
+    this.#wanted = size;
+    this.picture.fit.resized(size);
+    this.#wake();
+  }
+
+  /** It has another size since it was drawn. */
+  get resized(): boolean {
+    const { frame } = this.picture;
+    return frame.width !== this.width || frame.height !== this.height;
+  }
+
+  /** Frames are drawn when something changes. */
+  get drawable(): boolean {
+    if (this.#loop === null || stage.lost || this.#near === false) return false;
+    return this.#near === undefined || (this.width > 0 && this.height > 0);
+  }
+
+  /** The canvas shows the scene as it is, if only the plain picture. */
+  get upToDate(): boolean {
+    return this.#painted === this.picture.version;
+  }
+
+  /** The canvas no longer shows the picture: draws it again once it is visible. */
+  repaint(): void {
+    // Out of sight, what the GPU keeps goes with the copy on the page.
+    if (this.still.samples === 0 || !this.drawable) this.still.converging?.reset();
+    this.#painted = NONE;
+    this.animate();
+  }
+
+  /** Requests a frame for motion; {@link ViewportSignals.moveTo} says whether it goes on. */
+  animate(): void {
+    if (this.drawable) this.#loop?.request(this);
+  }
+
+  /** First phase of a frame: reads the page's layout. Nothing writes to the page before all pictures have read. */
+  prepare(): void {
+    if (this.#near === undefined) this.#signals.layoutNeeded.emit();
+  }
+
+  /** Second phase: advances motion to `now`, in ms; true requests another frame. All move before the first draws. */
+  advance(now: number): boolean {
+    return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));
+  }
+
+  draw(): void {
+    if (!this.drawable) return;
+    if (this.#signals.awaited()) stage.draw(this); // opens the context meanwhile
+    else if (!this.upToDate) this.redraw();
+    else if (this.#moving || !this.still.step()) return;
+    if (this.#moving || this.still.converging?.pending === true) this.animate();
+  }
+
+  redraw(): void {
+    if (!this.drawable || this.#near === undefined) {
+      this.still.converging?.reset();
+      this.#painted = NONE;
+    } else if (this.still.samples > 0) {
+      this.show(false);
+      this.#signals.frameEnded.emit();
+    } else this.#paintScene();
+  }
+
+  #paintScene(): void {
+    const { version, materials } = this.picture;
+    // Before drawing: if that throws, the next attempt follows the next change.
+    this.#painted = version;
+    try {
+      if (this.#paint()) {
+        this.#frames += 1;
+        this.#signals.drawn.emit();
+      } else this.#painted = NONE; // drawn once there is a context
+      materials.sweep();
+    } catch (error) {
+      if (!this.#signals.recover(error, this.#paint)) {
+        this.#reported = version;
+        throw error;
+      }
+      this.#painted = NONE;
+      this.redraw();
+    } finally {
+      this.#signals.frameEnded.emit();
+    }
+  }
+
+  readonly #paint = (): boolean => stage.draw(this, this.#render);
+
+  readonly #render = (renderer: WebGLRenderer): void => {
+    this.picture.make(this, 1);
+    this.picture.draw(renderer);
+  };
+
+  /** Draws the samples that are missing now, as far as `deadline` allows: a time as of `performance.now()`. */
+  converge(deadline: number): void {
+    if (this.drawable && this.upToDate && !this.#moving) this.still.finish(deadline);
+  }
+
+  /** Shows the kept mean. `last`: it has all samples. */
+  show(last: boolean): void {
+    const isShown = stage.draw(this, (renderer) => this.still.converging?.copy(renderer));
+    this.#painted = isShown ? this.picture.version : NONE;
+    if (last) this.#reported = NONE;
+  }
+
+  /** The picture now: the shown mean if it has this size, else plain. RangeError if no canvas can hold it. */
+  capture(size: Size): HTMLCanvasElement {
+    const { picture, still, width, height } = this;
+    const isMean = still.samples > 0 && size.width === width && size.height === height;
+    if (!isMean) picture.make(size, 1);
+    this.releaseUnlessAttached();
+    return stage.capture(size, (renderer, part) => {
+      if (isMean) still.converging?.copy(renderer, part);
+      else picture.draw(renderer, part);
+    });
+  }
+
+  get stats(): ViewportStats {
+    const [{ programs, viewersDrawn }, { samples }] = [stage, this.still];
+    return { ...this.picture.stats, frames: this.#frames, samples, programs, viewersDrawn };
+  }
+
+  /** What has been drawn is on the pictures' canvases. */
+  shown(): void {
+    if (this.#painted === NONE || this.#painted === this.#reported) return;
+    this.#reported = this.#painted;
+    this.#signals.shown.emit();
+  }
+
+  contextLost(): void {
+    this.picture.invalidate();
+    this.#loop?.cancel(this);
+    this.still.converging?.dispose();
+    this.picture.release();
+    this.#signals.contextLost.emit();
+    this.#signals.frameEnded.emit();
+  }
+
+  contextRestored(): void {
+    this.#wake();
+    this.#signals.contextRestored.emit();
+  }
+
+  contextMissing(error: Error): void {
+    this.#loop?.cancel(this);
+    this.#signals.contextMissing.emit(error);
+    this.#signals.frameEnded.emit();
+  }
+
+  /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
+  releaseUnlessAttached(): void {
+    queueMicrotask(() => {
+      if (this.attached) return;
+      this.still.converging?.dispose();
+      this.picture.release();
+    });
+  }
+
+  /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
+  #wake(): void {
+    if (!this.drawable) {
+      this.#loop?.cancel(this);
+      this.still.converging?.pause();
+    } else if (!this.upToDate || this.still.pending) this.#loop?.request(this);
+  }
+}

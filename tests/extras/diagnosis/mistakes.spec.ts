@@ -1,0 +1,166 @@
+// Does each mistake in the markup give one warning that names the cure, and correct markup none?
+
+import type { Page } from '@playwright/test';
+import type { ConsoleGuard } from '../../support/console-guard.js';
+import { expect, test } from '../../support/test.js';
+import type { Site } from '../../support/site.js';
+import { nextFrame, settled, type PhongViewer } from '../../element/support/viewer.js';
+
+const size = { width: 60, height: 40 };
+const scene = (inner: string, attributes = ''): string =>
+  `<phong-viewer geometry="box"${attributes}>${inner}</phong-viewer>`;
+const light = (attributes: string): string => `<phong-light ${attributes}></phong-light>`;
+const mesh = (attributes: string): string => `<phong-mesh ${attributes}></phong-mesh>`;
+
+/** Waits until what could be reported so far has been. */
+async function reported(page: Page, warnings: readonly string[], count: number): Promise<string[]> {
+  await expect.poll(() => warnings.length).toBeGreaterThanOrEqual(count);
+  await nextFrame(page);
+  await nextFrame(page);
+  return warnings.map((text) => text.replace('warning: ', '')).sort();
+}
+
+const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
+  consoleGuard.allow(/^warning: (<p|A <phong-viewer>)/, count);
+
+const LITE = '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?'; // oxfmt-ignore
+const ALONE = 'is not inside a <phong-viewer>, so it has no effect.';
+const NO_END = 'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
+const MARKDOWN = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+
+/** Pages, each with all of its warnings in alphabetical order. */
+const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
+  // Unknown attributes, one of each kind of advice; unit/attribute-advice.test.ts has the others.
+  [scene(light('difuse="red"').repeat(50)), '<phong-light> has no attribute difuse. Did you mean diffuse?'],
+  [scene(light('pos="1 2 3"')), '<phong-light> has no attribute pos. Write position="x y z w": w = 1 for a place, w = 0 for a direction to the light.'], // oxfmt-ignore
+  [scene(mesh('diffuse="red"')), '<phong-mesh> has no attribute diffuse. Write kd="…".'],
+  [scene('', ' width="300"'), '<phong-viewer> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // oxfmt-ignore
+  [scene(light('shininess="9"')), '<phong-light> has no attribute shininess. It belongs to <phong-mesh> and <phong-viewer>.'], // oxfmt-ignore
+  [`<phong-compare lables="a"></phong-compare>`, '<phong-compare> has no attribute lables. Did you mean labels?'], // oxfmt-ignore
+  // Elements at the wrong place.
+  [
+    `<p>${light('name="lamp"')}${mesh('')}</p>${scene(light(''))}`,
+    `<phong-light name="lamp"> ${ALONE} Move it into one.`,
+    `<phong-mesh> ${ALONE} Move it into one.`,
+  ],
+  [
+    scene('<phong-light /><p slot="error">It failed.</p>'),
+    '<p slot="error"> is inside a <phong-light>, so it is not shown. Write </phong-light> before it.',
+  ],
+  [
+    `<phong-compare>${scene('')}<figure>${scene('')}</figure></phong-compare>`,
+    'A <phong-viewer> in a <figure> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.',
+  ],
+  // A viewer without an end tag, and what markdown-it and Pandoc make of an empty line.
+  [
+    '<article><phong-viewer geometry="box" /><p>Text   after <b>it</b>.</p></article>',
+    `<phong-viewer> contains the text "Text after", which is not shown. ${NO_END}`,
+  ],
+  [
+    `${scene('<pre><code>&lt;phong-light name=&quot;sun&quot;&gt;&lt;/phong-light&gt;\n</code></pre>')}
+      <div><phong-viewer alt="" geometry="box">\n<p>${light('')}\n</phong-viewer></p>\n<h2>Next</h2>\n</div>
+      <p><phong-viewer alt="" geometry="box">${light('')}</p><p>${light('name="lamp"')}</phong-viewer></p>`,
+    `<phong-light name="lamp"> ${ALONE} ${MARKDOWN}`,
+    `<phong-viewer> contains its lights and meshes as code, which is not shown. ${MARKDOWN}`,
+    `<phong-viewer> contains the text "Next", which is not shown. ${MARKDOWN}`,
+  ],
+];
+
+test('each mistake in the markup is named once a page, with its cure', async ({ page, mount, consoleGuard }) => {
+  const warnings = claim(consoleGuard, pages.flatMap(([, ...texts]) => texts).length);
+  for (const [markup, ...wanted] of pages) {
+    const before = warnings.length;
+    await mount(markup, size);
+    await reported(page, warnings, before + wanted.length);
+    const found = warnings.slice(before).map((text) => text.replace('warning: ', ''));
+    expect(found.sort()).toEqual(wanted);
+  }
+});
+
+test('later mistakes are named too, at any depth, but no attribute twice', async ({ page, mount, consoleGuard }) => {
+  const warnings = claim(consoleGuard, 4);
+  const viewer = await mount(
+    scene(`<phong-lite></phong-lite><x-foo></x-foo><div><phong-mehs></phong-mehs></div>${light('difuse="1"')}`),
+    size,
+  );
+  expect(await reported(page, warnings, 3)).toEqual([
+    '<phong-light> has no attribute difuse. Did you mean diffuse?',
+    LITE,
+    '<phong-mehs> inside a <phong-viewer>: there is no such element. Did you mean <phong-mesh>?',
+  ]);
+  await viewer.evaluate((element) => {
+    const inner = '<p><phong-lite></phong-lite><phong-group></phong-group></p><phong-light difuse="1"></phong-light>';
+    element.insertAdjacentHTML('beforeend', inner);
+    document.body.append(element);
+  });
+  expect(await reported(page, warnings, 4)).toContain(LITE.replace('lite', 'group'));
+});
+
+test('correct markup gives no warning, and does not fetch the code for mistakes', async ({ page, site, mount }) => {
+  const fetched: string[] = [];
+  page.on('request', (request) => fetched.push(request.url()));
+  const own = 'class="a" id="b" data-c aria-hidden="true" title="A box" role="img" tabindex="0"';
+  const viewer = await mount(
+    `${scene(`${light(own)}${mesh('')}<p slot="error">Text</p>`, ` ${own}`)}<p>Text</p>`,
+    size,
+  );
+  // In no viewer for a part of the task, or in no document.
+  await viewer.evaluate((element) => {
+    const lights = [1, 2, 3].map(() => document.createElement('phong-light'));
+    document.body.append(lights[0]!, lights[1]!);
+    document.createElement('div').append(lights[2]!);
+    element.append(lights[0]!);
+    lights[1]?.remove();
+  });
+  await nextFrame(page);
+  await nextFrame(page);
+  expect(fetched.filter((url) => chunkOf(site).test(url))).toEqual([]);
+  const foreign =
+    'accesskey autocapitalize autocorrect autofocus class contenteditable dir draggable enterkeyhint exportparts id ' +
+    'inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role spellcheck style ' +
+    'tabindex title translate virtualkeyboardpolicy writingsuggestions data-difuse aria-label v-bind x-data ' +
+    'data-v-7ba5bd90 auto-rotat :shadng @shadng shadng.prop onshadng onload _ngcontent _shadng xml:lang';
+  const inner =
+    `<!-- note --><div><p>${light(foreign)}${mesh(foreign)}</p></div><template>Text</template><noscript>Text</noscript>` +
+    '<div slot="error">Text<img alt=""></div><script type="text/plain">Text</script><style></style>';
+  const code = page.waitForResponse(chunkOf(site));
+  await mount(
+    `${scene(inner, ` ${foreign}`)}<section>${scene('<p>Only where there are no scripts</p>')}<p>Text</p></section>`,
+    { ...size, csp: '' },
+  );
+  await (await code).finished();
+  await nextFrame(page);
+  await nextFrame(page);
+});
+
+const chunkOf = (site: Site): RegExp => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);
+
+test('the code that knows mistakes may fail without consequences', async ({ page, site, mount, consoleGuard }) => {
+  consoleGuard.allow(/error: Failed to load resource/, 1);
+  await page.route(chunkOf(site), (route) => route.abort());
+  const failed = page.waitForEvent('requestfailed');
+  const viewer = await mount(scene(light('difuse="red"')), size);
+  await failed;
+  await viewer.evaluate((element: PhongViewer) => (element.theta = 5));
+  await settled(viewer);
+});
+
+test('an unknown word is named with the nearest one', async ({ mount, consoleGuard }) => {
+  const warnings = claim(consoleGuard, 4);
+  await mount(
+    `<phong-viewer geometry="spere" shading="Gourad">${mesh('geometry="torus-not"')}${mesh('geometry="house"')}</phong-viewer>`,
+    size,
+  );
+  const [first, ...others] = [...warnings].sort();
+  expect(first).toMatch(/<phong-mesh> geometry="house": expected one of box, .* using none instead\.$/);
+  expect(others.map((text) => /Did you mean "(.*)"\?$/.exec(text)?.[1])).toEqual(['torus-knot', 'sphere', 'gouraud']);
+});
+
+test('a viewer that swallowed another one is named, also during parsing', async ({ page, site, consoleGuard }) => {
+  const warnings = claim(consoleGuard, 1);
+  const head = '<script type="module" async src="/dist/phong-viewer.standalone.js"></script>';
+  await page.goto(site.page('<phong-viewer geometry="box" /><p>Text</p><phong-viewer geometry="box" />', { head }));
+  expect(await reported(page, warnings, 1)).toEqual([
+    `<phong-viewer> contains another <phong-viewer>, which is not shown. ${NO_END}`,
+  ]);
+});

@@ -1,0 +1,200 @@
+// Which surface is seen at a pixel? The nearest of what three.js draws, or null if that is not one of the viewer's
+// meshes.
+
+import {
+  BackSide,
+  BoxGeometry,
+  Group,
+  Line,
+  Mesh,
+  MeshBasicMaterial,
+  type Object3D,
+  PlaneGeometry,
+  Points,
+  Scene,
+  Sprite,
+} from 'three';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { Orbit } from '../../../src/phong/camera/orbit.js';
+import { PhongLighting } from '../../../src/phong/material/lighting.js';
+import { PhongMaterial } from '../../../src/phong/material/phong-material.js';
+import { copyFrame, drawnObjects, type SceneSnapshot } from '../../../src/viewer/scene/scene-snapshot.js';
+import { cornersOf, distanceAlong, type Hit, pick } from '../../../src/extras/explain/pick.js';
+import { Frame } from '../../../src/viewer/scene/frame.js';
+
+const lighting = new PhongLighting();
+const SIZE = 100;
+
+let scene: Scene;
+let own: Mesh[];
+
+/** A wall of ours at a distance of 3 from the eye, which looks along −z; nearer where `z` is above 0. */
+function wall(z = 0, parent: Object3D = scene): Mesh {
+  const mesh = new Mesh(new PlaneGeometry(1, 1), new PhongMaterial(lighting));
+  mesh.position.z = z;
+  own.push(mesh);
+  parent.add(mesh);
+  return mesh;
+}
+
+/** From 3 away, along −z. */
+function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })): Frame {
+  const view = new Frame(orbit);
+  view.look(45, { width: SIZE, height: SIZE });
+  view.aim(scene, { center: [0, 0, 0], radius: 2 });
+  return view;
+}
+
+function snapshotThrough({ camera, shading } = aimed()): SceneSnapshot {
+  scene.updateMatrixWorld();
+  const objects = drawnObjects(scene, camera, (object) => (own.includes(object as Mesh) ? 'ours' : undefined));
+  return { width: SIZE, height: SIZE, frame: copyFrame(shading), camera: camera.clone(), objects };
+}
+
+const look = (snapshot = snapshotThrough()): Hit | null => pick(snapshot, 50, 50);
+
+beforeEach(() => {
+  scene = new Scene();
+  own = [];
+});
+
+describe('the pick', () => {
+  it('ignores what is not drawn: hidden objects, parents and materials, and other layers', () => {
+    const seen = wall(0);
+    const group = new Group();
+    group.visible = false;
+    scene.add(group);
+    wall(0.5, group);
+    wall(0.6).visible = false;
+    (wall(0.7).material as PhongMaterial).visible = false;
+    wall(0.8).layers.set(1);
+    expect(look()!.drawn.object).toBe(seen);
+  });
+
+  it('finds a visible child of a parent in another layer', () => {
+    const group = new Group();
+    group.layers.set(1);
+    scene.add(group);
+    const child = wall(0, group);
+    expect(look()!.drawn.object).toBe(child);
+  });
+
+  it('is the later of two that are equally near, as the depth test decides', () => {
+    wall();
+    const later = wall();
+    expect(look()!.drawn.object).toBe(later);
+  });
+
+  it('is never in front of the near plane or behind the eye', () => {
+    wall(2.9999);
+    wall(4);
+    expect(look()).toBeNull();
+  });
+
+  it('is null where a foreign mesh or sprite is nearer, and only there', () => {
+    wall();
+    for (const foreign of [new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial()), new Sprite()]) {
+      scene.add(foreign);
+      const isNull = ([x, z]: readonly [number, number]): boolean => {
+        foreign.position.set(x, 0, z);
+        return look() === null;
+      };
+      const places = [[0, 1], [0, -1], [0.8, 1]] as const; // oxfmt-ignore
+      expect(places.map(isNull), foreign.type).toEqual([true, false, false]);
+      foreign.removeFromParent();
+    }
+  });
+
+  it('counts a mesh as ours by its owner, not by its material', () => {
+    const mesh = wall();
+    own = [];
+    expect(look()).toBeNull();
+    own = [mesh];
+    expect(look()).not.toBeNull();
+    mesh.material = new MeshBasicMaterial();
+    expect(look()).toBeNull();
+  });
+
+  it('looks through lines and points, and through faces that three.js culls', () => {
+    const mesh = wall();
+    const flat = new PlaneGeometry(1, 1);
+    const culled = new Mesh(flat, new MeshBasicMaterial({ side: BackSide }));
+    for (const [i, object] of [new Line(flat), new Points(flat), culled].entries()) {
+      object.position.z = 0.2 * (i + 1);
+      scene.add(object);
+    }
+    expect(look()!.drawn.object).toBe(mesh);
+  });
+
+  it('sees the inside of a closed shape from inside, and looks through its back from outside', () => {
+    const behind = wall(-1);
+    const material = new PhongMaterial(lighting);
+    material.sides = 'closed';
+    const box = new Mesh(new BoxGeometry(1, 1, 1), material);
+    own.push(box);
+    scene.add(box);
+    box.geometry.setDrawRange(30, 6); // only the face that looks along −z
+    expect(look()!.drawn.object).toBe(behind);
+    box.scale.setScalar(4);
+    box.position.z = 1.5;
+    behind.visible = false;
+    expect(look()!.drawn.object).toBe(box);
+    box.scale.setScalar(1);
+    box.position.z = 0;
+    material.sides = 'double';
+    behind.visible = true;
+    expect(look()!.drawn.object).toBe(box);
+  });
+
+  it('does not change when camera and own meshes change afterwards', () => {
+    const mesh = wall();
+    const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
+    const view = aimed(orbit);
+    const snapshot = snapshotThrough(view);
+    const before = look(snapshot)!;
+    const { depth } = before;
+    const eye = [...before.frame.eye];
+    const material = mesh.material as PhongMaterial;
+    const { surface } = material;
+    mesh.position.z = 1;
+    mesh.geometry = new PlaneGeometry(5, 5);
+    material.setSurface({ shininess: 7 });
+    expect(look(snapshotThrough(view))?.depth).toBeCloseTo(depth - 1, 12);
+    orbit.set({ theta: 90, radius: 7 });
+    view.look(45, { width: SIZE, height: SIZE });
+    view.aim(scene, null);
+    expect(before.frame.eye).toEqual(eye);
+    const hit = look(snapshot)!;
+    expect(hit).toEqual(before);
+    expect(hit.depth).toBe(depth);
+    expect(hit.drawn.phong.surface).toBe(surface);
+  });
+});
+
+describe('the corners of what was picked', () => {
+  const normalsOf = (): number[][] => cornersOf(look()!).map(({ N }) => N.map((x) => x + 0));
+
+  it('have unit normals on the side that is seen, mirrored, flattened and from behind too', () => {
+    const mesh = wall();
+    for (const scale of ['1 1 1', '-1 1 1', '2 3 0', '1 1 -4']) {
+      mesh.scale.fromArray(scale.split(' ').map(Number));
+      expect(normalsOf(), `scale ${scale}`).toEqual(Array(3).fill([0, 0, 1]));
+    }
+    mesh.scale.set(1, 1, 1);
+    mesh.rotation.y = Math.PI;
+    for (const N of normalsOf()) expect(N[2]).toBeCloseTo(1, 12);
+  });
+
+  it('have no normals if the geometry has none', () => {
+    wall().geometry.deleteAttribute('normal');
+    expect(normalsOf()).toEqual(Array(3).fill([0, 0, 0]));
+  });
+});
+
+it("measures a distance along a ray to a page author's own mesh too", () => {
+  wall(0);
+  const other = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial());
+  other.position.z = 1;
+  scene.add(other);
+  expect(distanceAlong(snapshotThrough(), [0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(4, 12);
+});

@@ -1,0 +1,58 @@
+// What is the value of a magnified texture at texture coordinates, by OpenGL ES 3.0's rules for filters and wrapping?
+
+import {
+  ClampToEdgeWrapping,
+  LinearFilter,
+  MirroredRepeatWrapping,
+  NearestFilter,
+  RepeatWrapping,
+  type Wrapping,
+} from 'three';
+import { describe, expect, it } from 'vitest';
+import { sampleTexture, type Sampler } from '../../../src/extras/explain/sample.js';
+
+/** Red tells the column, green the row, in codes of 255. */
+const texels = {
+  width: 4,
+  height: 2,
+  data: Uint8Array.from([0, 1].flatMap((row) => [0, 1, 2, 3].flatMap((column) => [column, row, 0, 255]))),
+};
+
+const sampler = (wrap: Wrapping, magFilter: Sampler['magFilter'] = NearestFilter, flipY = false): Sampler => ({
+  ...{ magFilter, wrapS: wrap, wrapT: wrap, flipY },
+});
+
+/** Column and row, or what lies between them. */
+const at = (map: Sampler, u: number, v: number): number[] =>
+  sampleTexture(texels, map, u, v)
+    .slice(0, 2)
+    .map((x) => Math.round(x * 255 * 1e9) / 1e9);
+
+describe('a texture', () => {
+  it('has its first row at v = 0, or at v = 1 where it is flipped', () => {
+    expect(at(sampler(RepeatWrapping), 0.1, 0.1)).toEqual([0, 0]);
+    expect(at(sampler(RepeatWrapping), 0.9, 0.6)).toEqual([3, 1]);
+    expect(at(sampler(RepeatWrapping, NearestFilter, true), 0.9, 0.6)).toEqual([3, 0]);
+  });
+
+  it.each([
+    ['repeats', RepeatWrapping, [3, 0, 1, 2, 3, 0, 1]],
+    ['is mirrored', MirroredRepeatWrapping, [0, 0, 1, 2, 3, 3, 2]],
+    ['ends with its edge', ClampToEdgeWrapping, [0, 0, 1, 2, 3, 3, 3]],
+  ] as const)('%s beyond its sides', (_, wrap, columns) => {
+    const read = [-1, 0, 1, 2, 3, 4, 5].map((column) => at(sampler(wrap), (column + 0.5) / 4, 0.25)[0]);
+    expect(read).toEqual(columns);
+    // Far away, and by whole periods.
+    const period = wrap === ClampToEdgeWrapping ? 0 : 2;
+    for (const far of [-7, 5]) expect(at(sampler(wrap), 0.375 + far * period, 0.25)[0]).toBe(1);
+  });
+
+  it('is interpolated between the centres of texels, also across its borders', () => {
+    const linear = (wrap: Wrapping): Sampler => sampler(wrap, LinearFilter);
+    expect(at(linear(ClampToEdgeWrapping), 1.5 / 4, 0.25)).toEqual([1, 0]);
+    expect(at(linear(ClampToEdgeWrapping), 1.75 / 4, 0.25 + 0.05)).toEqual([1.25, 0.1]);
+    expect(at(linear(ClampToEdgeWrapping), 0, 0)).toEqual([0, 0]);
+    expect(at(linear(RepeatWrapping), 0, 0)).toEqual([1.5, 0.5]);
+    expect(at(linear(MirroredRepeatWrapping), 1, 0)).toEqual([3, 0]);
+  });
+});

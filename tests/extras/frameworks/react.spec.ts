@@ -1,0 +1,173 @@
+// Do the components of `phong-viewer/react` render the same on the server and in the browser? dist/ renders a page in
+// Node, and React's development build hydrates it in the browser and reports differences on the console.
+
+import { execFileSync } from 'node:child_process';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import type { Page } from '@playwright/test';
+import type { PhongLight, PhongMesh, PhongViewer } from '../../../src/viewer/index.js';
+import { outputFolder } from '../../../.ci/output-folder.mjs';
+import type { ConsoleGuard } from '../../support/console-guard.js';
+import type { Site } from '../../support/site.js';
+import { allReady, expect, pixelAt, pixels, test } from '../../support/test.js';
+import { bundleOf } from '../../package/bundle.js';
+
+const repository = fileURLToPath(new URL('../../..', import.meta.url));
+const components = join(outputFolder('dist'), 'react.js');
+
+/** A component `App`. Its buttons say what they do. */
+const app = (file: string): string => `
+  import { createElement as h, useEffect, useRef, useState } from 'react';
+  import { PhongLight, PhongMesh, PhongViewer } from ${JSON.stringify(file)};
+
+  function App() {
+    const viewer = useRef(null);
+    const [light, setLight] = useState({ active: false, ambient: [200, 100, 50] });
+    const [props, setProps] = useState({ theta: 20, autoRotate: 0, terms: ['ambient'], orbit: false, gui: false, texts: { Loading: 'Lädt' } });
+    const [moved, setMoved] = useState('nothing');
+    const [said, setSaid] = useState('nothing');
+    useEffect(() => { document.body.dataset.shown = ''; }, []);
+    const button = (text, onClick) => h('button', { onClick }, text);
+    return h('main', null,
+      button('light up', () => setLight({ active: true, ambient: new Uint8Array([0, 100, 200]) })),
+      button('spoil', () => setLight({ active: true, ambient: 'no colour' })),
+      button('turn', () => setProps({ theta: 90, terms: [], orbit: true })),
+      button('ask the ref', () => setSaid(viewer.current.localName + ' at ' + viewer.current.theta)),
+      h('output', null, moved),
+      h('samp', null, said),
+      h(PhongViewer, {
+        ref: viewer, id: 'scene', className: 'picture', 'data-kind': 'test',
+        style: { display: 'block', width: 300, height: 200 },
+        alt: 'A "quoted" sphere', geometry: 'sphere', phi: 90, target: [0, 0, 0], radius: 2, ka: 255, ...props,
+        onCameraChange: ({ detail }) => setMoved(moved + ', ' + detail.source),
+        onPointerDown: () => setSaid('pressed'),
+      },
+        h(PhongLight, { position: [0, 0, 1, 0], space: 'camera', specular: 0, name: undefined, ...light }),
+        h('div', null, h(PhongMesh, { geometry: 'box', position: [5, 0, 0], shininess: 1e-7, scale: 0.5 }))));
+  }
+`;
+
+/** The markup that a server sends. */
+const renderedByServer = (): string =>
+  execFileSync(
+    process.execPath,
+    [
+      '--input-type=module',
+      '-e',
+      `${app(pathToFileURL(components).href)}
+      const { renderToString } = await import('react-dom/server');
+      process.stdout.write(renderToString(h(App)));`,
+    ],
+    { cwd: repository, encoding: 'utf8' },
+  );
+
+// One worker for all, so that the script is bundled once.
+test.describe.configure({ mode: 'default' });
+
+let script: Promise<string> | undefined;
+
+/** Hydrates what is in the root, or renders into an empty one. */
+const renderedByClient = (): Promise<string> =>
+  (script ??= bundleOf(
+    `${app(components)}
+    import { createRoot, hydrateRoot } from 'react-dom/client';
+    const root = document.getElementById('root');
+    if (root.hasChildNodes()) hydrateRoot(root, h(App));
+    else createRoot(root).render(h(App));`,
+    { whole: true, define: { 'process.env.NODE_ENV': '"development"' } },
+  ));
+
+async function show(page: Page, site: Site, consoleGuard: ConsoleGuard, markup: string): Promise<void> {
+  consoleGuard.allow(/^info: .*React DevTools/);
+  const body = await renderedByClient();
+  await page.route('**/app.js', (route) => route.fulfill({ contentType: 'text/javascript', body }));
+  const head = '<script type="module" src="/app.js"></script>';
+  await page.goto(site.page(`<div id="root">${markup}</div>`, { csp: '', head }));
+  await expect(page.locator('body')).toHaveAttribute('data-shown', '');
+  await allReady(page);
+}
+
+const values = (page: Page): Promise<unknown> =>
+  page.locator('phong-viewer').evaluate((viewer: PhongViewer) => {
+    const { theta, phi, terms, orbit, gui, alt, texts, lights, meshes } = viewer;
+    const { active, ambient, name } = lights[0] as PhongLight;
+    const { scale, shininess } = meshes[0] as PhongMesh;
+    return {
+      ...{ theta, phi, terms, orbit, gui, alt, texts },
+      ...{ light: { active, ambient, name }, mesh: { scale, shininess } },
+    };
+  });
+
+test('arrays, false, numbers and text are attributes of the markup that a server sends', () => {
+  const markup = renderedByServer();
+  for (const attribute of [
+    'active="false"',
+    'ambient="200 100 50"',
+    'specular="0"',
+    'shininess="1e-7"',
+    'terms="ambient"',
+    'auto-rotate="0"',
+    'orbit="false"',
+    'gui="false"',
+    'alt="A &quot;quoted&quot; sphere"',
+    'target="0 0 0"',
+    'class="picture"',
+    'data-kind="test"',
+    'style="display:block;width:300px;height:200px"',
+  ])
+    expect(markup).toContain(` ${attribute}`);
+  expect(markup).not.toMatch(/ name=| texts=|undefined|on[A-Z]/);
+});
+
+for (const way of ['hydrated', 'rendered by the client alone']) {
+  test.describe(`a page that is ${way}`, () => {
+    test.beforeEach(async ({ page, site, consoleGuard }) =>
+      show(page, site, consoleGuard, way === 'hydrated' ? renderedByServer() : ''),
+    );
+
+    test('has the values of its props, and an empty console', async ({ page }) => {
+      expect(await values(page)).toEqual({
+        ...{ theta: 20, phi: 90, terms: ['ambient'], orbit: false, gui: false, alt: 'A "quoted" sphere' },
+        texts: { Loading: 'Lädt' },
+        light: { active: false, ambient: [200, 100, 50], name: 'light 1' },
+        mesh: { scale: [0.5, 0.5, 0.5], shininess: 1e-7 },
+      });
+      const viewer = page.locator('phong-viewer#scene.picture[data-kind=test]');
+      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 0, 0, 255]);
+    });
+
+    test('draws changed props, restores defaults, warns of refused ones', async ({ page, consoleGuard }) => {
+      await page.getByText('light up').click();
+      await allReady(page);
+      const viewer = page.locator('phong-viewer');
+      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 100, 200, 255]);
+      await page.getByText('turn').click();
+      expect(await values(page)).toMatchObject({
+        ...{ theta: 90, phi: 90, terms: [], orbit: true, gui: false, texts: null },
+      });
+      await expect(viewer).toHaveAttribute('theta', '90');
+      await expect(viewer).toHaveAttribute('terms', '');
+      await expect(viewer).not.toHaveAttribute('auto-rotate');
+      await expect(viewer).not.toHaveAttribute('gui');
+      await expect(page.locator('phong-light')).toHaveAttribute('active', 'true');
+      consoleGuard.allow(/^warning: <phong-light> ambient="no colour": expected .* using 0 0 0/, 1);
+      await page.getByText('spoil').click();
+      await expect(page.locator('phong-light')).toHaveAttribute('ambient', 'no colour');
+      expect(await values(page)).toMatchObject({ light: { active: true, ambient: [0, 0, 0] } });
+    });
+
+    test("receives the element's events once each and React's events, and sets the ref", async ({ page }) => {
+      const viewer = page.locator('phong-viewer');
+      const turn = (to: number) => viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
+      await turn(30);
+      await expect(page.locator('output')).toHaveText('nothing, script');
+      // The handler of the first render would say the same again.
+      await turn(40);
+      await expect(page.locator('output')).toHaveText('nothing, script, script');
+      await page.getByText('ask the ref').click();
+      await expect(page.locator('samp')).toHaveText('phong-viewer at 40');
+      await viewer.click();
+      await expect(page.locator('samp')).toHaveText('pressed');
+    });
+  });
+}

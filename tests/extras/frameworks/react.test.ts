@@ -1,0 +1,81 @@
+// Which markup do the components of `phong-viewer/react` render on a server?
+
+import { createElement } from 'react';
+import { renderToStaticMarkup } from 'react-dom/server';
+import { describe, expect, it } from 'vitest';
+import {
+  PhongCompare,
+  PhongControl,
+  type PhongCompareProps,
+  type PhongControlProps,
+  PhongLight,
+  type PhongLightProps,
+  PhongMesh,
+  type PhongMeshProps,
+  PhongViewer,
+} from '../../../src/extras/frameworks/react.js';
+
+describe('the React components on a server', () => {
+  const quiet = (): void => undefined;
+  const light = createElement(PhongLight, { name: 'sun' });
+
+  it.each([
+    [
+      'lists, numbers, booleans and words as text',
+      createElement(PhongLight, { position: [1, 2.5, -3, 1], diffuse: '#fc8', cutoff: 0, active: true }),
+      '<phong-light position="1 2.5 -3 1" diffuse="#fc8" cutoff="0" active="true"></phong-light>',
+    ],
+    [
+      'typed arrays like arrays',
+      createElement(PhongMesh, { position: Float32Array.of(0.5, 1, 2), ka: Uint8ClampedArray.of(1, 2, 3) }),
+      '<phong-mesh position="0.5 1 2" ka="1 2 3"></phong-mesh>',
+    ],
+    [
+      'nothing for null, undefined and a value without a text form, which the client sets',
+      createElement(PhongMesh, { geometry: null, segments: undefined, src: new Blob(['solid']) } as object),
+      '<phong-mesh></phong-mesh>',
+    ],
+    [
+      'attributes by their HTML names, whatever the spelling of the prop',
+      createElement(PhongViewer, { autoRotate: 5, 'color-interpolation': 'linear', crossOrigin: 'anonymous' }),
+      '<phong-viewer auto-rotate="5" color-interpolation="linear" crossorigin="anonymous"></phong-viewer>',
+    ],
+    [
+      'other props and children as React does, and no handler',
+      createElement(PhongViewer, {
+        ...{ id: 'scene', className: 'wide', style: { width: 10 }, hidden: true, tabIndex: 0 },
+        ...{ 'aria-label': 'A box', onClick: quiet, onLoad: quiet, onCameraChange: quiet, children: light },
+      }),
+      '<phong-viewer id="scene" class="wide" style="width:10px" hidden="" tabIndex="0" aria-label="A box">' +
+        '<phong-light name="sun"></phong-light></phong-viewer>',
+    ],
+    [
+      'a comparison with its viewers, and lists of texts with commas',
+      createElement(PhongCompare, {
+        ...{ at: [30], labels: ['Gouraud shading', 'Phong'], onDividerChange: quiet },
+        children: createElement(PhongViewer, { terms: ['ambient', 'diffuse'] }),
+      }),
+      '<phong-compare at="30" labels="Gouraud shading, Phong">' +
+        '<phong-viewer terms="ambient, diffuse"></phong-viewer></phong-compare>',
+    ],
+    [
+      'a control with its label',
+      createElement(PhongControl, { for: 'a b', attribute: 'cutoff', max: 60, children: 'softness' }),
+      '<phong-control for="a b" attribute="cutoff" max="60">softness</phong-control>',
+    ],
+  ])('write %s', (_, element, html) => {
+    expect(renderToStaticMarkup(element)).toBe(html);
+  });
+
+  it('refuse React’s own color, which is a guess at diffuse or kd', () => {
+    // @ts-expect-error there is no such prop
+    const light: PhongLightProps = { color: 'red' };
+    // @ts-expect-error meshes have no such prop
+    const mesh: PhongMeshProps = { color: 'red' };
+    // @ts-expect-error there is no such look
+    const control: PhongControlProps = { type: 'knob' };
+    // @ts-expect-error labels are texts
+    const compare: PhongCompareProps = { labels: [1] };
+    expect([light, mesh, compare, control]).toHaveLength(4);
+  });
+});

@@ -1,0 +1,104 @@
+// Do models move when `autoplay` says so, and only then? What is drawn, culled and explained is the pose of the last
+// frame.
+
+import type { Locator } from '@playwright/test';
+import { compare, expect, pixels, test } from '../../support/test.js';
+import { addressOf, bar } from '../../support/animated-gltf.js';
+import { countEverything, NOTHING, spentIn } from '../../element/support/counting.js';
+import { comparedWithPicture, errorOf, isClear, show } from '../explain/shade-at-support.js';
+import { assign, cameraOf, nextFrame, type PhongViewer } from '../../element/support/viewer.js';
+
+const SIZE = { width: 160, height: 120 };
+const BAR = addressOf(bar());
+const LIGHT = '<phong-light position="1 2 3 0" ambient="30" specular="90"></phong-light>';
+const viewerOf = (attributes: string, children = LIGHT): string =>
+  `<phong-viewer src="${BAR}" ${attributes}>${children}</phong-viewer>`;
+
+/** Waits until this many more frames have been drawn. */
+const played = (viewer: Locator, count = 3): Promise<void> =>
+  viewer.evaluate(async (element: PhongViewer, more) => {
+    const end = element.stats.frames + more;
+    while (element.stats.frames < end) await new Promise(requestAnimationFrame);
+  }, count);
+
+test.describe('nothing runs', () => {
+  test.beforeEach(({ page }) => countEverything(page));
+
+  test('without autoplay, at the rest pose, and with reduced motion, at the current one', async ({ page, mount }) => {
+    const viewer = await mount(viewerOf(''), SIZE);
+    await nextFrame(page);
+    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    const still = await pixels(viewer);
+    await assign(viewer, { autoplay: true });
+    await played(viewer);
+    expect(compare(await pixels(viewer), still).max).toBeGreaterThan(0);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await nextFrame(page);
+    const frozen = await pixels(viewer);
+    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    expect(compare(await pixels(viewer), frozen).max).toBe(0);
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await played(viewer);
+    await assign(viewer, { autoplay: false });
+    await nextFrame(page);
+    expect(compare(await pixels(viewer), still).max).toBe(0);
+    expect(await spentIn(page, 300)).toEqual(NOTHING);
+  });
+
+  test('out of view, and that time does not count', async ({ page, mount }) => {
+    const viewer = await mount(viewerOf('autoplay'), SIZE);
+    await played(viewer);
+    await viewer.evaluate(({ style }: PhongViewer) => (style.cssText += '; position: absolute; top: 9000px'));
+    await nextFrame(page);
+    await nextFrame(page);
+    const before = await pixels(viewer, SIZE);
+    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    expect(compare(await pixels(viewer, SIZE), before).max).toBe(0);
+    await viewer.evaluate(({ style }: PhongViewer) => (style.top = '0'));
+    await played(viewer);
+    expect(compare(await pixels(viewer, SIZE), before).max).toBeGreaterThan(0);
+  });
+});
+
+test('target and radius stay while a model moves; bad names give warnings', async ({ page, mount, consoleGuard }) => {
+  consoleGuard.allow(/has no animation "dance".* It has: "bend", "slide", "swell"/, 1);
+  const viewer = await mount(viewerOf('autoplay animation-name="slide"'), SIZE);
+  const { target, radius } = await cameraOf(viewer);
+  await played(viewer, 10);
+  expect(await cameraOf(viewer)).toMatchObject({ target, radius });
+  await assign(viewer, { animationName: 'dance' });
+  await played(viewer);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+});
+
+test('shadeAt explains an animated picture of joints, morphs, flat copies and nodes', async ({ page, mount }) => {
+  const viewer = await mount('<phong-viewer></phong-viewer>', { width: 200, height: 150 });
+  const plain = viewerOf('autoplay phi="80" radius="3"');
+  const nodes = plain.replace(BAR, addressOf(bar({ skinned: false })));
+  for (const [i, markup] of [plain, plain.replace('autoplay', 'autoplay shading="flat"'), nodes].entries()) {
+    await show(viewer, markup);
+    await played(viewer, 5);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await nextFrame(page);
+    const judged = (await comparedWithPicture(viewer, 4)).filter(isClear);
+    expect(judged.length, `viewer ${i}`).toBeGreaterThan(5);
+    expect(
+      judged.filter((fragment) => !(errorOf(fragment) <= 1)),
+      `viewer ${i}`,
+    ).toEqual([]);
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+  }
+});
+test('lights are culled by the pose of the last frame', async ({ page, mount }) => {
+  // The spot lights a place that the bar reaches only during `slide`, which moves it by 3 along x within a second.
+  const spot = '<phong-light position="3 1 5 1" axis="0 0 -1" aperture="4"></phong-light>';
+  const viewer = await mount(viewerOf('autoplay animation-name="slide"', LIGHT + spot), SIZE);
+  const reached = (count: number): Promise<void> =>
+    viewer.evaluate(async (element: PhongViewer, wanted) => {
+      while (element.stats.lightsSent !== wanted) await new Promise(requestAnimationFrame);
+    }, count);
+  await reached(1);
+  await reached(2);
+  await reached(1);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+});

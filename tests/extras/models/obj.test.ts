@@ -1,0 +1,324 @@
+// Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the
+// materials' coefficients?
+import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
+import { describe, expect, it } from 'vitest';
+import { modelContent } from '../../../src/extras/models/model-content.js';
+import type { Content } from '../../../src/viewer/model/model.js';
+import type { BaseLook } from '../../../src/phong/material/file-surface.js';
+import type { SurfaceValues } from '../../../src/phong/material/material-values.js';
+import { scale, type Vec3 } from '../../../src/phong/math/vector.js';
+import {
+  cornersOf,
+  failureOf,
+  heardWarnings,
+  indexOf,
+  loadFiles,
+  numbersOf,
+  OPTIONS,
+  png,
+  standInImages,
+} from './model-files.js';
+
+const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
+const TEXTURED = 'f 1/1 2/1 3/1\n';
+const FACING_Z = [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1];
+const obj = (text: string): Promise<Content> => loadFiles({ 'a.obj': text });
+
+const warnings = heardWarnings();
+
+describe('the geometry of an OBJ file', () => {
+  it('splits a polygon into triangles in its own order', async () => {
+    const model = await obj(`${QUAD}f 1 2 3 4\n`);
+    expect(cornersOf(model, 'position')).toEqual([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]]); // oxfmt-ignore
+    expect(numbersOf(model, 'normal')).toEqual(FACING_Z);
+    expect(warnings).toEqual([]);
+  });
+
+  it('is recognised by its media type if nothing else names the format', async () => {
+    const text = encodeURIComponent(`unknown words\n${QUAD}f 1 2 3`);
+    expect((await modelContent(new URL(`data:model/obj,${text}`), OPTIONS)).parts).toHaveLength(1);
+    await expect(modelContent(new URL(`data:,${text}`), OPTIONS)).rejects.toThrow(/format is not supported/);
+    expect((await modelContent(new URL(`data:,${text}`), { ...OPTIONS, type: 'obj' })).parts).toHaveLength(1);
+  });
+
+  it('shares a vertex where position, texture coordinates and normal agree, and nowhere else', async () => {
+    const model = await obj(`${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`);
+    expect(model.parts[0]?.geometry.getAttribute('position').count).toBe(5);
+    expect(cornersOf(model, 'normal')[5]).toEqual([0, 0.6, 0.8]);
+  });
+
+  it('is faceted with `s off`, smooth with `s 1`, and has edges at sharp angles if nothing is said', async () => {
+    // Two squares that meet at the given angle along the y axis.
+    const bent = (degrees: number): string => {
+      const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+      return `v 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nv ${-c} 1 ${-s}\nv ${-c} 0 ${-s}\n`;
+    };
+    const faces = 'f 1 2 3 4\nf 4 3 5 6\n';
+    const distinct = async (text: string): Promise<number> => {
+      const corners = cornersOf(await obj(text), 'normal').map((normal) => normal.join(' '));
+      return new Set(corners).size;
+    };
+    expect(await distinct(`${bent(30)}s off\n${faces}`)).toBe(2);
+    expect(await distinct(`${bent(80)}s 1\n${faces}`)).toBe(3);
+    expect(await distinct(bent(39) + faces)).toBe(3);
+    expect(await distinct(bent(41) + faces)).toBe(2);
+    expect(await distinct(`${bent(10)}s 1\nf 1 2 3 4\ns 2\nf 4 3 5 6`)).toBe(2);
+  });
+
+  it('weights faces by their angle at the vertex, however they are split into triangles', async () => {
+    // A corner of a cube: each of three faces counts the same, though one has two triangles there.
+    const cube = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\n';
+    const model = await obj(`${cube}s 1\nf 1 3 2\nf 1 4 3\nf 1 2 6 5\nf 1 5 7 4`);
+    for (const value of cornersOf(model, 'normal')[0]!) expect(value).toBeCloseTo(-Math.sqrt(1 / 3), 5);
+  });
+
+  it('keeps the precision of far coordinates by moving them to an origin', async () => {
+    const model = await obj('v 500000.001 4000000 0\nv 500000.002 4000000 0\nv 500000.001 4000000.001 0\nf 1 2 3');
+    expect(numbersOf(model, 'position')).toEqual([0, 0, 0, 0.001, 0, 0, 0, 0.001, 0]);
+    expect(model.parts[0]?.matrix.elements.slice(12, 15)).toEqual([500000.001, 4000000, 0]);
+    expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0, 1]);
+  });
+
+  it('has the colours of its vertices as they are written, white where there is none', async () => {
+    const model = await obj('v 0 0 0\nv 1 0 0 0.5 0.25 2\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4');
+    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [0.5, 0.25, 1], [0, 1, 0]]); // oxfmt-ignore
+    expect(cornersOf(model, 'color')[5]).toEqual([1, 1, 1]);
+    expect((await obj(`${QUAD}f 1 2 3`)).parts[0]?.geometry.hasAttribute('color')).toBe(false);
+  });
+
+  it('is one part per object and material, named after the object', async () => {
+    const faces = 'f 1 2 3\nf 1 3 4\n';
+    const table = `o table\nusemtl oak\n${faces}usemtl iron\n${faces}usemtl oak\n${faces}`;
+    const model = await obj(`${QUAD}${table}o lamp\ng shade\n${faces}`);
+    const parts = model.parts.map(({ name, geometry }) => [name, geometry.index?.count]);
+    expect(parts).toEqual([['table', 12], ['table', 6], ['lamp', 6]]); // oxfmt-ignore
+  });
+
+  it('becomes one part per material where it has thousands of objects', async () => {
+    const screw = (_: unknown, i: number): string => `o screw${i}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
+    const text = QUAD + Array.from({ length: 1200 }, screw).join('');
+    expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([1800, 1800]);
+  });
+
+  // oxfmt-ignore
+  it.each([
+    ['missing texture coordinates and normals', 'vt 0 0\nf 1/1 2/2 3/3/9 4/-7',
+      /: 1 face's texture coordinates \(line 6: .*\), 1 face's normals \(/],
+    ['a reference of 0', 'f 1/0/0 2/0 3//0 4', /: 1 face's texture coordinates .*1 face's normals/],
+    ['slashes with nothing behind them', 'f 1/ 2// 3/// 4', null],
+    ['a fourth reference', 'f 1/1/1/1 2 3 4\nvt 0 0\nvn 0 0 1', /: 1 end of a corner of a face \(line 5: "1\/1\/1\/1"/],
+    ['words for texture coordinates', 'f 1 2/e 3\nf 1 3/e 4', /: 2 faces' texture coordinates \(line 5: "2\/e"/],
+    ['unused vertices that are no numbers', 'v nan nan nan\nv 1e16 0 0\nf 1 2 3 4', /: 2 vertices \(line 5: "nan"/],
+    ['faces with such a vertex', 'v nan 0 0\nf 1 2 5 4\nf 5 1 2\nf 1 2 3 4', /: 1 vertex .*, 2 faces/],
+    ['faces whose vertex is missing', 'f 1 2 3 9\nf 1 2 0\nf 1 -9 2\nf x y z\nf 1;2 2 3\nf 1 2 3 4',
+      /: 5 faces \(line 6: .*not there/],
+    ['lines, points and curves', 'f 1 2 3 4\nl 1 2\nl 2 3 4\np 1\ncurv 0 1 1 2', /: 2 lines, 1 point, 1 curve/],
+  ])('is shown without %s', async (_, text, warning) => {
+    const model = await obj(QUAD + text);
+    expect(indexOf(model)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(numbersOf(model, 'normal')).toEqual(FACING_Z);
+    const said = warning === null ? [] : [expect.stringMatching(warning)];
+    expect(warnings.map((line) => line.replace('a.obj is shown without', ':'))).toEqual(said);
+  });
+
+  it.each(['0 0 0', 'nan nan nan', 'inf 0 0', ''])('computes a normal for `vn %s`', async (vn) => {
+    const model = await obj(`${QUAD}vn ${vn}\nf 1//1 2//1 3//1 4//1`);
+    expect(numbersOf(model, 'normal')).toEqual(FACING_Z);
+  });
+
+  it('gives a face its own normal where the smoothed one is not on its side', async () => {
+    // A tilted one: the sums cancel but for rounding.
+    const tilted = await obj('v 0.1 0.2 0.3\nv 1.7 0.4 0.9\nv 0.3 1.1 1.3\ns 1\nf 1 2 3\nf 3 2 1\nf 2 1 3');
+    const [[x = 0, y = 0, z = 0] = [], , , ...others] = cornersOf(tilted, 'normal');
+    expect(Math.hypot(x, y, z)).toBeCloseTo(1, 5);
+    for (const [ox = 0, oy = 0, oz = 0] of others) expect(ox * x + oy * y + oz * z).toBeCloseTo(-1, 5);
+  });
+
+  it.each([
+    ['v 0 0\nf 1 1 1', /line 1: a number is missing/],
+    ['v 0 0 3.1+e2\nf 1 1 1', /line 1: "3\.1\+e2" is not a number/],
+    [`v 0 ${'x'.repeat(500)} 0\nf 1 1 1`, /line 1: "x{100}\.\.\." is not a number/],
+    ['v 0 0 ü\nf 1 1 1', /line 1: "ü" is not a number/],
+    ['# x\r\n\r\nv 0 0 1e16', /line 3: .*1e15/],
+    [`${QUAD}\nf 1 2 9`, /line 6: it refers to vertex 9, but there are only 4/],
+    [`${QUAD}f 1 2 0`, /line 5: .*not there/],
+    [`${QUAD}f 1 2 -5`, /line 5: .*not there/],
+    [`${QUAD}f 1 2 c`, /line 5: "c" is not a corner of a face/],
+    [`${QUAD}f 1;2 2 3`, /line 5: .*v\/vt\/vn/],
+    [`${QUAD}f 1 2 8\nf 1 2 9`, /line 6: it refers to vertex 9/],
+    [QUAD, /no faces/],
+    [`${QUAD}l 1 2 3`, /no faces/],
+    [`${QUAD}f 1 2`, /no faces/],
+  ])('is an error for an author to understand: %j', async (text, message) => {
+    const error = await failureOf({ 'a.obj': text });
+    expect(error.code).toBe('bad-model');
+    expect(error.message).toMatch(message);
+  });
+});
+
+describe('the materials of an OBJ file', () => {
+  /** As written in the file, in HTML's units. */
+  const inHtml = (...color: Vec3): Vec3 => scale(color, 255);
+  const withMtl = async (mtl: string): Promise<Partial<SurfaceValues & BaseLook>> => {
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1 2 3`;
+    const [part] = (await loadFiles({ 'a.obj': text, 'a.mtl': mtl })).parts;
+    return { ...part?.look, ...part?.surface };
+  };
+
+  it('are the coefficients of the equation, exactly as written', async () => {
+    const look = await withMtl(
+      'newmtl m\nKa 0.1 0.2 0.3\nKd .4 5e-1 0.600\nKs 0.7 0.8 0.9\nNs 96.078431\nd 0.25\nNi 1.45\nillum 2\n',
+    );
+    expect(look).toMatchObject({
+      ka: inHtml(0.1, 0.2, 0.3),
+      kd: inHtml(0.4, 0.5, 0.6),
+      ks: inHtml(0.7, 0.8, 0.9),
+      shininess: 96.078431,
+      opacity: 0.25,
+      alphaMode: 'blend',
+      baseColor: [1, 1, 1],
+    });
+    expect(warnings).toEqual([]);
+  });
+
+  const grey = inHtml(0.5, 0.5, 0.5);
+  it.each([
+    // MeshLab, Blender and 3ds Max write it beside a bright Ks where there is no highlight.
+    ['Kd 0.5 0.5 0.5\nKs 1 1 1\nillum 2\nNs 0.000000', { kd: grey, ks: [0, 0, 0] }],
+    ['Ks 1 1 1\nNs 0.1', { ks: inHtml(1, 1, 1), shininess: 0.1 }],
+    ['d 0.5\nTr 1', { opacity: 0.5 }],
+    ['Tr 1\nd 1', { opacity: 1 }],
+    ['Tr 0.75', { opacity: 0.25 }],
+    // An invisible material makes no sense: such exporters mean opacity.
+    ['Tr 1.000000', { opacity: 1 }],
+    ['d -halo 0.5', { opacity: 0.5 }],
+    ['d 7', { opacity: 1 }],
+    ['d', { opacity: 1 }],
+    ['d x\nTr y', { opacity: 1 }],
+    // The equation cannot take these.
+    ['Kd spectral red.rfl', { kd: undefined }],
+    ['Kd xyz 1 1 1', { kd: undefined }],
+    ['Kd -1 2 1e9', { kd: [0, 510, 1e6] }],
+    ['Kd nan 0 0', { kd: undefined }],
+    ['Ke 0.8 0.4 0', { emissive: [0.8, 0.4, 0], emissiveMap: null }],
+    ['Kd 1 1 1\nKe 0 0 0\nmap_Ke x.png', { emissive: [0, 0, 0], emissiveMap: null }],
+  ])('follow the words of the file: %j', async (lines, values) => {
+    const look = await withMtl(`newmtl m\n${lines}`);
+    const found = Object.keys(values).map((name) => [name, look[name as keyof typeof look]]);
+    expect(Object.fromEntries(found)).toEqual(values);
+  });
+
+  it('use Kd as Ka if the file has none, and leave the rest to the element', async () => {
+    const look = await withMtl('newmtl m\nKd 0.5\n');
+    expect(look).toMatchObject({ ka: grey, kd: grey, opacity: 1, alphaMode: 'opaque' });
+    expect(look).not.toHaveProperty('ks');
+    expect(look).not.toHaveProperty('shininess');
+    expect(await withMtl('newmtl other\nKd 1 0 0')).not.toHaveProperty('kd');
+  });
+
+  it('have a texture with straight texels, its rows from the top, its scale, offset and borders as written', async () => {
+    const images = standInImages();
+    const options = '-s 2 3 1 -o 0.25 0.5 -clamp on -bm 1';
+    const mtl = `newmtl m\nmap_Kd ${options} pictures\\oak wood #2.png\nnewmtl n\nmap_Kd pictures/oak wood #2.png`;
+    const faces = 'usemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1 2 3\n';
+    const text = `mtllib lib/a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 0.75\n${faces}`;
+    const model = await loadFiles({ 'a.obj': text, 'lib/a.mtl': mtl, 'lib/pictures/oak wood #2.png': png() });
+    const map = model.parts[0]?.look.map as Texture;
+    expect(map).toMatchObject({ flipY: false, colorSpace: NoColorSpace, wrapS: ClampToEdgeWrapping });
+    expect(model.parts[0]?.surface).toMatchObject({ ka: [255, 255, 255], kd: [255, 255, 255] });
+    expect(cornersOf(model, 'uv')[2]).toEqual([1, 0.25]);
+    // The file's coordinates (1, 0.75), scaled and moved, are (2.25, 2.75): from the top, that is 1 − 2.75.
+    expect(new Vector2(1, 0.25).applyMatrix3(map.matrix).toArray()).toEqual([2.25, -1.75]);
+    expect(model.parts[1]?.look.map).toMatchObject({ wrapT: RepeatWrapping });
+    expect(images.decoded()).toBe(1);
+    model.dispose();
+    model.dispose();
+    await expect.poll(images.closed).toBe(1);
+  });
+
+  it('emit by the map of Ke', async () => {
+    standInImages();
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}`;
+    const files = { 'a.obj': text, 'a.mtl': 'newmtl m\nmap_Ke x.png', 'x.png': png() };
+    const [part] = (await loadFiles(files)).parts;
+    expect(part?.look).toMatchObject({ emissive: [1, 1, 1], map: null });
+    expect(part?.look.emissiveMap).not.toBeNull();
+  });
+
+  it('name what they leave out once, if a face uses them', async () => {
+    const text = `mtllib a.mtl\n${QUAD}usemtl m\nf 1 2 3\nusemtl n\nf 1 2 4\nusemtl none\nf 2 3 4`;
+    const mtl = 'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png'; // oxfmt-ignore
+    await loadFiles({ 'a.obj': text, 'a.mtl': mtl });
+    expect(warnings).toEqual(['a.obj is shown without 1 material that no library has (none), map_bump, Tf.']);
+  });
+
+  it.each([
+    ['mtllib "a b.mtl"', 'newmtl m', 'usemtl m'],
+    ['mtllib none.txt "a b.mtl"', 'newmtl m', 'usemtl m'],
+    ['mtllib a b.mtl # of the house', 'newmtl m', 'usemtl m'],
+    ['mtllib other.mtl a b.mtl', 'newmtl m', 'usemtl m'],
+    ['mtllib\ta b.mtl', 'newmtl m # red', 'usemtl m # the red one'],
+    ['mtllib a b.mtl', 'newmtl "m"', 'usemtl m'],
+    ['mtllib a b.mtl', 'newmtl m n', 'usemtl "m n"'],
+    ['mtllib a b.mtl', 'newmtl Material #25\nKd 0 1 0\nnewmtl Material #26', 'usemtl Material #26'],
+  ])('are found by their names: %s, %s, %s', async (library, newmtl, usemtl) => {
+    const text = `${library}\n${QUAD}${usemtl}\nf 1 2 3`;
+    const model = await loadFiles({ 'a.obj': text, 'a b.mtl': `${newmtl}\nKd 1 0 0`, 'other.mtl': '' });
+    expect(model.parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
+  });
+
+  it.each([
+    ['"a b.png"', 1, false],
+    ['-s 2 2 1 a b.png', 2, false],
+    ['a b.png -s 2 2 1 -clamp on', 2, true],
+    ['"a b.png" -S 2 2 1 -clamp on', 2, true],
+    ['-clamp on -s 2 2 "a b.png"', 2, true],
+    ['a b.png # the wood', 1, false],
+    ['.\\a b.png -bm 1', 1, false],
+  ])('have an image by its name: %s', async (written, repeat, clamped) => {
+    standInImages();
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}`;
+    const mtl = `newmtl m\nmap_Kd ${written}`;
+    const model = await loadFiles({ 'a.obj': text, 'a.mtl': mtl, 'a b.png': png() });
+    const map = model.parts[0]?.look.map as Texture;
+    expect(map.repeat.toArray()).toEqual([repeat, repeat]);
+    expect(map.wrapS).toBe(clamped ? ClampToEdgeWrapping : RepeatWrapping);
+  });
+
+  it('are left out with one warning that lists the files that are missing', async () => {
+    const text = `mtllib a.mtl\nmtllib b.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}`;
+    const model = await loadFiles({ 'a.obj': text, 'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n' });
+    expect(model.parts[0]).toMatchObject({ surface: { kd: [255, 0, 0] }, look: { map: null } });
+    const named = /a\.obj is shown without 2 of the files.*The server answered 404 for a\.mtl.*x\.png/;
+    expect(warnings).toEqual([expect.stringMatching(named)]);
+  });
+
+  it.each(['//host/x.mtl', '//no host/x.mtl', '\\\\server\\share\\x.mtl', 'http://host/x.mtl'])(
+    'are left out with a warning where the library is %s',
+    async (library) => {
+      expect((await obj(`mtllib ${library}\n${QUAD}f 1 2 3`)).parts).toHaveLength(1);
+      expect(warnings).toEqual([expect.stringMatching(/a\.obj is shown without 1 of the files/)]);
+    },
+  );
+
+  it.each(['utf-16le', 'utf-16be'] as const)('and the geometry can be written in %s', async (encoding) => {
+    const encoded = (text: string): Uint8Array<ArrayBuffer> => {
+      const bytes = Buffer.from(`\ufeff${text}`, 'utf16le');
+      return Uint8Array.from(encoding === 'utf-16le' ? bytes : bytes.swap16());
+    };
+    const text = `mtllib größe.mtl\n${QUAD}usemtl rötlich\nf 1 2 3`;
+    const model = await loadFiles({ a: encoded(text), 'größe.mtl': encoded('newmtl rötlich\nKd 1 0 0\n') });
+    expect(model.parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
+  });
+
+  it('are too-large past the limit of pixels, and all images are closed', async () => {
+    const images = standInImages();
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}usemtl n\n${TEXTURED}`;
+    const mtl = 'newmtl m\nmap_Kd x.png\nnewmtl n\nmap_Kd y.png';
+    const pictures = { 'x.png': png(8192, 4096), 'y.png': png(8192, 4097) };
+    const tooLarge = await failureOf({ 'a.obj': text, 'a.mtl': mtl, ...pictures });
+    expect(tooLarge.code).toBe('too-large');
+    expect(images.decoded()).toBe(1);
+    expect(images.closed()).toBe(1);
+  });
+});

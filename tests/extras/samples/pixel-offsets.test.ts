@@ -1,0 +1,28 @@
+import type { WebGLRenderer } from 'three';
+import { describe, expect, it } from 'vitest';
+import { pixelOffset } from '../../../src/phong/math/pixel-offsets.js';
+import { SampleSum } from '../../../src/extras/samples/sample-sum.js';
+
+describe('the offsets of samples', () => {
+  it('lie in the pixel, and the first 2^k have one point in each box of area 2^-k', () => {
+    for (const k of [3, 4, 6, 10]) {
+      const points = Array.from({ length: 2 ** k }, (_, i) => pixelOffset(i));
+      for (const { x, y } of points) {
+        expect(Math.min(x, y)).toBeGreaterThanOrEqual(-0.5);
+        expect(Math.max(x, y)).toBeLessThan(0.5);
+      }
+      for (let a = 0; a <= k; a++) {
+        const box = (x: number, columns: number): number => Math.floor((x + 0.5) * columns);
+        const boxes = new Set(points.map(({ x, y }) => `${box(x, 2 ** a)} ${box(y, 2 ** (k - a))}`));
+        expect(boxes.size, `${2 ** a} columns`).toBe(2 ** k);
+      }
+    }
+  });
+});
+
+it('a sum of samples that the GPU has no memory for is refused at every attempt', () => {
+  const gl = { FRAMEBUFFER: 1, FRAMEBUFFER_COMPLETE: 2, checkFramebufferStatus: () => 3 };
+  const sum = new SampleSum({ setRenderTarget: () => undefined, getContext: () => gl } as unknown as WebGLRenderer);
+  const size = { width: 8, height: 8 };
+  expect([sum.begin(size), sum.begin(size)]).toEqual([false, false]);
+});

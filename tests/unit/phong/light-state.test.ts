@@ -1,0 +1,105 @@
+// Does a light have the documented defaults and domains, also when it is made from a plain object?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { numberField } from '../../../src/phong/fields/field.js';
+import {
+  LIGHT_FIELDS,
+  type LightField,
+  LightState,
+  type LightValues,
+  LIMITS,
+} from '../../../src/phong/light/light-state.js';
+import { shade } from '../../../src/phong/reference/index.js';
+import { anyLight, plainLight } from '../arbitraries.js';
+
+describe('a light', () => {
+  it('has the documented defaults', () => {
+    expect({ ...new LightState().values }).toStrictEqual({
+      name: '',
+      active: true,
+      ambient: [0, 0, 0],
+      diffuse: [255, 255, 255],
+      specular: [255, 255, 255],
+      position: [1, 2, 3, 0],
+      axis: [0, 0, -1],
+      aperture: 180,
+      cutoff: 0,
+      attenuation: [1, 0, 0],
+      space: 'world',
+    });
+  });
+
+  it.each<[keyof LightValues, unknown, unknown]>([
+    ['name', 'sun', 5],
+    ['active', false, 'false'],
+    ['ambient', 1e6, 1e6 + 1],
+    ['diffuse', [0, 0, 0], [0, 0, -0.1]],
+    ['specular', [1, 2, 3], [1, 2]],
+    ['position', [-1e15, 1e15, 0, 1], [0, 0, 1.1e15, 1]],
+    ['position', [1, 2, 3], [1, 2, 3, 0.5]],
+    ['axis', [0, 0, 0], [0, 0, -2e15]],
+    ['aperture', 180, 180.5],
+    ['aperture', 0, -1e-9],
+    ['cutoff', 1e6, 1.1e6],
+    ['attenuation', [0, 0, 0], [1, -1, 0]],
+    ['attenuation', [1e6, 1e6, 1e6], [1e7, 0, 0]],
+    ['space', 'camera', 'view'],
+  ])('accepts %s %j and refuses %j', (key, good, bad) => {
+    const one = new LightState();
+    one.set(key, good);
+    const before = one.values[key];
+    expect(one.given(key)).toBe(true);
+    expect(() => one.set(key, bad)).toThrow();
+    expect(one.values[key]).toBe(before);
+  });
+
+  it('is made from any subset of values, or not at all if one is wrong', () => {
+    const { values } = new LightState({ cutoff: 12, diffuse: [1, 2, 3] });
+    expect(values).toMatchObject({ cutoff: 12, diffuse: [1, 2, 3], aperture: 180 });
+    expect(() => new LightState({ cutoff: -1 })).toThrow(RangeError);
+    expect(() => new LightState({ space: 'view' as 'world' })).toThrow(RangeError);
+  });
+
+  it('keeps every value of its domains unchanged', () => {
+    fc.assert(
+      fc.property(anyLight, (values) => {
+        const kept = { ...new LightState(values).values };
+        // 0 and -0 are the same value; which one was drawn does not matter.
+        expect(JSON.stringify(kept)).toBe(JSON.stringify(values));
+      }),
+    );
+  });
+});
+
+it('keeps every product of the equation inside float32', () => {
+  const { coordinate, color, attenuation } = LIMITS;
+  const largest = 2 ** 127;
+  // Places, fragments and origins may stand at opposite ends.
+  const d2 = 3 * (4 * coordinate) ** 2;
+  expect(attenuation * d2 + attenuation * Math.sqrt(d2) + attenuation).toBeLessThan(largest);
+  const decoded = ((color / 255 + 0.055) / 1.055) ** 2.4;
+  expect(decoded * decoded * 1e6).toBeLessThan(largest);
+});
+
+it('says of every value what shading makes of it, or does not compile', () => {
+  // @ts-expect-error nothing says where it is packed, nor that it selects a kind or changes no picture
+  const forgotten: LightField<number> = numberField(0, {});
+  expect('shading' in forgotten).toBe(false);
+});
+
+it('the equation takes every value but those that change no picture', () => {
+  const fragment = { p: [0, 0, 0], normal: [0, 0, 1], eye: [1, 0, 3] } as const;
+  const gray = [200, 200, 200] as const;
+  const surface = { ka: gray, kd: gray, ks: gray, shininess: 2 };
+  const camera = { right: [0.6, 0, -0.8], up: [0, 1, 0], back: [0.8, 0, 0.6] } as const;
+  const sum = (light: LightValues) => shade(fragment, surface, [light], { camera }).sum.join();
+  const lights = fc.sample(plainLight, { numRuns: 400, seed: 1 });
+  for (const [key, { shading }] of Object.entries(LIGHT_FIELDS)) {
+    const differ = lights.filter((light, i) => {
+      const other = { ...light, [key]: lights.at(i - 1)![key as keyof LightValues] };
+      return sum(light) !== sum(other);
+    });
+    expect(differ.length > 0, key).toBe(shading !== 'none');
+  }
+});

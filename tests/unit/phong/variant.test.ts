@@ -1,0 +1,79 @@
+// Which states share a general program? Undeclared features cost none.
+
+import fc from 'fast-check';
+import { Texture } from 'three';
+import { describe, expect, it } from 'vitest';
+import { declaredFeatures } from '../../../src/phong/light/light-features.js';
+import { type LightValues, TERMS } from '../../../src/phong/light/light-state.js';
+import { type BaseLook, PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
+import { generalVariant, type MaterialFeatures } from '../../../src/phong/material/program/variant.js';
+import {
+  DEFAULT_STYLE,
+  REFLECTIONS,
+  SHADINGS,
+  type ShadingStyle,
+} from '../../../src/phong/material/material-values.js';
+import { anyLight, light } from '../arbitraries.js';
+
+/** What differs from a plain material: fields of its look, of its style and the others, side by side. */
+type Difference = Partial<BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'mildShininess'>>;
+
+const materialOf = (difference: Difference = {}): MaterialFeatures => ({
+  look: { ...PLAIN_LOOK, ...difference },
+  style: { ...DEFAULT_STYLE, ...difference },
+  ...{ linear: false, mildShininess: true, ...difference },
+});
+
+const texture = (channel = 0): Texture => Object.assign(new Texture(), { channel });
+
+const generalKey = (lights: readonly LightValues[], material: Difference = {}): string =>
+  generalVariant(materialOf(material), declaredFeatures(lights), 0).key;
+
+const EVERYTHING = [
+  light({ ambient: [9, 9, 9] }),
+  light({ position: [1, 2, 3, 1], aperture: 20, cutoff: 2, attenuation: [1, 1, 1] }),
+];
+
+describe('the general program', () => {
+  it('depends on the features that lights declare, on no number, place or brightness', () => {
+    const lights = fc.array(anyLight, { maxLength: 3 });
+    fc.assert(
+      fc.property(lights, lights, (a, b) => {
+        const isSame = declaredFeatures(a) === declaredFeatures(b);
+        expect(generalKey(a) === generalKey(b)).toBe(isSame);
+      }),
+    );
+  });
+
+  it.each<[string, Difference, number]>([
+    ['flat shading, by its geometry alone,', { shading: 'flat' }, 1],
+    ['other orders of terms', { terms: ['specular', 'ambient', 'diffuse'] }, 1],
+    ['fewer terms', { terms: ['diffuse'] }, 2],
+    ['a texture', { map: texture() }, 2],
+    ['an unlit look', { unlit: true }, 2],
+    ['an emissive colour', { emissive: [0, 1, 0] }, 2],
+    ['metalness', { metalness: 0.5 }, 2],
+    ['a normal map with the second coordinates', { normalMap: texture(1) }, 2],
+  ])('with %s makes %3$i in all', (_, material, count) => {
+    expect(new Set([generalKey(EVERYTHING), generalKey(EVERYTHING, material)]).size).toBe(count);
+  });
+
+  it('is the same for equal states', () => {
+    const anyMap = fc.option(fc.integer({ min: 0, max: 3 }).map(texture));
+    const anyDifference: fc.Arbitrary<Difference> = fc.record({
+      ...{ shading: fc.constantFrom(...SHADINGS), reflection: fc.constantFrom(...REFLECTIONS) },
+      ...{ terms: fc.subarray([...TERMS]) },
+      ...{ linear: fc.boolean(), mildShininess: fc.boolean() },
+      ...{ vertexColors: fc.boolean(), unlit: fc.boolean() },
+      ...{ metalness: fc.constantFrom(0, 1), roughness: fc.constantFrom(null, 0.5) },
+      emissive: fc.constantFrom([0, 0, 0] as const, [1, 0, 0] as const),
+      ...{ map: anyMap, emissiveMap: anyMap, metalRoughMap: anyMap, normalMap: anyMap },
+      alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
+    });
+    fc.assert(
+      fc.property(anyDifference, fc.array(anyLight, { maxLength: 4 }), (material, lights) => {
+        expect(generalKey(lights, { ...material })).toBe(generalKey(lights.toReversed(), material));
+      }),
+    );
+  });
+});

@@ -1,0 +1,210 @@
+// How large is a scene? Held against three.js's own places of all vertices.
+
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Euler,
+  Group,
+  Matrix4,
+  Mesh,
+  type Object3D,
+  Points,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from 'three';
+import { describe, expect, it, vi } from 'vitest';
+import { forgetBounds, measure, radiusOf } from '../../../src/viewer/scene/bounds.js';
+import { createGeometry, GEOMETRIES, roundOf } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import { Random } from '../../stress/random.js';
+
+/** Of positions in float32, relative. */
+const ROUNDING = 1e-6;
+
+/** Centre of the box of all vertices, and the farthest of them from a point. */
+function exact(root: Group): { center: Vector3; radiusAbout(point: Vector3): number } {
+  const places: Vector3[] = [];
+  root.traverse((object) => {
+    if (!(object instanceof Mesh)) return;
+    const position = (object.geometry as BufferGeometry).getAttribute('position');
+    for (let i = 0; i < position.count; i++)
+      places.push(new Vector3().fromBufferAttribute(position, i).applyMatrix4(object.matrixWorld));
+  });
+  return {
+    center: new Box3().setFromPoints(places).getCenter(new Vector3()),
+    radiusAbout: (point) => places.reduce((most, place) => Math.max(most, place.distanceTo(point)), 0),
+  };
+}
+
+/** `error` is relative to the radius. */
+function expectExact(scene: Group, error: number): void {
+  const [{ bounds, radiusAbout }, truth] = [measure(scene), exact(scene)];
+  const { center } = bounds!;
+  const radius = truth.radiusAbout(truth.center);
+  expect(new Vector3(...center).distanceTo(truth.center)).toBeLessThan(error * radius);
+  expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(error);
+  const beside = truth.center.clone().add(new Vector3(radius, 0, -3 * radius));
+  expect(Math.abs(radiusAbout(beside.toArray()) / truth.radiusAbout(beside) - 1)).toBeLessThan(error);
+}
+
+function sceneOf(...meshes: readonly Object3D[]): Group {
+  const scene = new Group();
+  scene.add(...meshes);
+  scene.updateMatrixWorld();
+  return scene;
+}
+
+/** Rotations, uneven scales and mirrored ones. */
+function place(mesh: Mesh, random: Random): Mesh {
+  mesh.position.set(...random.vector(-4, 4));
+  mesh.rotation.set(...random.vector(-4, 4));
+  mesh.scale.set(random.magnitude(0.1, 10), -random.magnitude(0.1, 10), random.magnitude(0.1, 10));
+  return mesh;
+}
+
+describe('the measure of a scene', () => {
+  it('stays as it is when a mesh moves that it holds at both places', async () => {
+    const [box, sphere] = [await createGeometry('box', undefined), await createGeometry('sphere', undefined)];
+    const random = new Random(7);
+    let held = 0;
+    for (let i = 0; i < 200; i++) {
+      const meshes = Array.from({ length: 9 }, (_, k) => place(new Mesh(k % 2 === 0 ? box : sphere), random));
+      const scene = sceneOf(...meshes);
+      const before = measure(scene);
+      const [moved] = meshes as [Mesh];
+      const holds = (): boolean => before.holds(moved.geometry, moved.matrixWorld.elements);
+      const wasHeld = holds();
+      place(moved, random).updateMatrixWorld();
+      if (!wasHeld || !holds()) continue;
+      held += 1;
+      expect(measure(scene).bounds).toEqual(before.bounds);
+    }
+    expect(held).toBeGreaterThan(5);
+  });
+
+  it.each(GEOMETRIES)('finds centre and radius of a %s exactly, however it is turned and stretched', async (name) => {
+    const geometry = await createGeometry(name, undefined);
+    const random = new Random(name.length);
+    for (let i = 0; i < 25; i++) expectExact(sceneOf(place(new Mesh(geometry), random)), ROUNDING);
+    const still = new Mesh(geometry);
+    still.scale.set(3, 1, 2);
+    still.position.set(0.1, 5, -7);
+    // Its box is that of the round shape, which a few triangles do not reach.
+    expectExact(sceneOf(still), 2e-4);
+  });
+
+  it('covers several meshes together', async () => {
+    const shapes = await Promise.all(GEOMETRIES.map((name) => createGeometry(name, undefined)));
+    const random = new Random(3);
+    const meshes = Array.from({ length: 60 }, (_, i) => place(new Mesh(shapes[i % shapes.length]), random));
+    expectExact(sceneOf(...meshes), 2e-4);
+  });
+
+  it('leaves out what is hidden, and is empty where nothing is shown', async () => {
+    const hidden: Mesh = new Mesh(await createGeometry('box', undefined));
+    hidden.visible = false;
+    expect(measure(sceneOf(hidden)).bounds).toBeNull();
+    expect(measure(sceneOf(new Mesh(new BufferGeometry()))).bounds).toBeNull();
+    expect(measure(new Group()).bounds).toBeNull();
+  });
+
+  it('ignores vertices with NaN coordinates', async () => {
+    const box = await createGeometry('box', undefined);
+    const broken = box.clone();
+    const positions = [...box.getAttribute('position').array, NaN, 1, 1];
+    broken.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
+    expect(measure(sceneOf(new Mesh(broken)))).toMatchObject({ bounds: { center: [0, 0, 0] } });
+  });
+
+  it.each(GEOMETRIES.filter((name) => roundOf(name) === undefined))(
+    'gives a %s the bounds that three.js would compute for its own culling',
+    async (name) => {
+      const geometry = await createGeometry(name, undefined);
+      measure(sceneOf(new Mesh(geometry)));
+      const { boundingBox, boundingSphere } = geometry;
+      geometry.boundingBox = geometry.boundingSphere = null;
+      geometry.computeBoundingBox();
+      geometry.computeBoundingSphere();
+      expect(boundingBox).toEqual(geometry.boundingBox);
+      expect(boundingSphere!.radius).toBeCloseTo(geometry.boundingSphere!.radius, 12);
+      expect(boundingSphere!.center.distanceTo(geometry.boundingSphere!.center)).toBeLessThan(1e-12);
+    },
+  );
+
+  it.each(GEOMETRIES.filter((name) => roundOf(name) !== undefined))(
+    'gives a %s of any number of segments the bounds of the round shape, until its vertices are written to',
+    async (name) => {
+      const { half, radius } = roundOf(name)!;
+      for (const segments of [3, 12, undefined]) {
+        const geometry = await createGeometry(name, segments);
+        const scene = sceneOf(new Mesh(geometry));
+        const extent = measure(scene);
+        expect([extent.bounds!.center, extent.radiusAbout([0, 0, 0])]).toEqual([[0, 0, 0], radius]);
+        expect(geometry.boundingBox!.max.toArray()).toEqual(half);
+        expect(geometry.boundingSphere!.radius).toBe(radius);
+        forgetBounds(scene);
+        expect(measure(scene).radiusAbout([0, 0, 0])).toBe(radius);
+        // Faces and lights are culled by these: after refit() as on a new page.
+        expect(geometry.boundingBox?.max.toArray()).toEqual(half);
+        expect(geometry.boundingSphere?.radius).toBe(radius);
+        const position = geometry.getAttribute('position');
+        position.setX(0, 7);
+        position.needsUpdate = true;
+        forgetBounds(scene);
+        expect(measure(scene).radiusAbout([0, 0, 0])).toBeGreaterThan(3);
+        expect(geometry.boundingBox?.max.x).toBe(7);
+      }
+    },
+  );
+
+  it('reads the vertices of a geometry once, wherever its meshes go, and again when it is forgotten', () => {
+    const geometry = new SphereGeometry(0.5, 512, 256);
+    const reads = vi.spyOn(geometry, 'getAttribute');
+    const [a, b] = [new Mesh(geometry), new Mesh(geometry)];
+    const scene = sceneOf(a, b);
+    measure(scene);
+    const once = reads.mock.calls.length;
+    expect(once).toBeGreaterThan(0);
+    for (let i = 1; i < 5; i++) {
+      b.position.x = i;
+      scene.updateMatrixWorld();
+      expect(measure(scene).bounds!.center[0]).toBeCloseTo(i / 2, 12);
+      expect(radiusOf(scene, [0, 0, 0])).toBeGreaterThan(i);
+    }
+    expect(reads.mock.calls).toHaveLength(once);
+    geometry.scale(2, 2, 2);
+    expect(measure(scene).bounds!.center[0]).toBeCloseTo(2, 12);
+    forgetBounds(scene);
+    expect(measure(scene).radiusAbout([4, 0, 0])).toBeCloseTo(5, 9);
+  });
+});
+
+describe('the radius that holds all of a scene', () => {
+  it('is never too small, under any matrix', async () => {
+    const random = new Random(11);
+    for (const name of GEOMETRIES) {
+      const geometry = await createGeometry(name, undefined);
+      for (let i = 0; i < 10; i++) {
+        const parent = new Group().add(place(new Mesh(geometry), random));
+        // Scaled after the rotation, which shears.
+        const turned = new Quaternion().setFromEuler(new Euler(1, 2, 3));
+        parent.applyMatrix4(new Matrix4().compose(new Vector3(), turned, new Vector3(1, 5, 0.1)));
+        const scene = sceneOf(parent);
+        const point = random.vector(-1, 1);
+        const least = exact(scene).radiusAbout(new Vector3(...point)) * (1 - 1e-12);
+        expect(radiusOf(scene, point)).toBeGreaterThanOrEqual(least);
+      }
+    }
+  });
+
+  it('counts points and lines as well, and nothing that is hidden', async () => {
+    const geometry = await createGeometry('box', undefined);
+    const points = new Points(geometry);
+    points.position.x = 10;
+    const scene = sceneOf(points);
+    expect(radiusOf(scene, [0, 0, 0])).toBeGreaterThan(10.5);
+    points.visible = false;
+    expect(radiusOf(scene, [0, 0, 0])).toBe(0);
+  });
+});
