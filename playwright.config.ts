@@ -1,5 +1,6 @@
-// How the browser tests run: which folders, in which browser, with software WebGL so that every machine draws alike.
-// Slow tests are in tests/release, tagged @release, and run with PHONG_VIEWER_RELEASE set.
+// How the browser tests run: which folders, in which browser, with software WebGL so that every
+// machine draws alike. Slow tests are in tests/release, tagged @release, and run with
+// PHONG_VIEWER_RELEASE set.
 
 import { defineConfig } from '@playwright/test';
 import { findTestBrowser, softwareGl } from './.ci/browser.mjs';
@@ -16,7 +17,8 @@ export default defineConfig({
   workers: 2,
   fullyParallel: true,
   forbidOnly: process.env['CI'] !== undefined,
-  // On shared cores a frame can come late. A test that passes only at its second attempt is listed as flaky.
+  // On shared cores a frame can come late. A test that passes only at its second attempt is listed
+  // as flaky.
   retries: process.env['CI'] === undefined ? 0 : 1,
   timeout: 60_000,
   expect: { timeout: 10_000 },
@@ -28,8 +30,9 @@ export default defineConfig({
     timezoneId: 'UTC',
     launchOptions: {
       ...(executablePath === undefined ? {} : { executablePath }),
-      // WebGL stays what it is. Where the page around it is composed without WebGL, tests take a fifth less CPU time,
-      // and pages with several pictures a third less: software GL is slow at copying layers.
+      // WebGL stays what it is. Where the page around it is composed without WebGL, tests take a
+      // fifth less CPU time, and pages with several pictures a third less: software GL is slow at
+      // copying layers.
       args: [...softwareGl, '--disable-gpu-compositing'],
     },
   },

@@ -1,5 +1,5 @@
-// The site: served from demo/ by `npm start`, built to site/ by `npm run build:site`. Every page is an entry and links
-// are relative, so the folder can be copied anywhere.
+// The site: served from demo/ by `npm start`, built to site/ by `npm run build:site`. Every page is
+// an entry and links are relative, so the folder can be copied anywhere.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -22,14 +22,23 @@ export default defineConfig({
   // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), basisTranscoder(), strippedGlsl(), textKeys(), licences(), elementData(), sitePages()],
+  plugins: [
+    dracoDecoder(),
+    basisTranscoder(),
+    strippedGlsl(),
+    textKeys(),
+    licences(),
+    elementData(),
+    sitePages(),
+  ],
   resolve: {
     alias: packageAliases,
     // Lit's development build would log a warning on every page.
     conditions: ['module', 'browser', 'production'],
   },
   optimizeDeps: {
-    // Named here because Vite would find the lazy ones late, reload the page and load a second three.
+    // Named here because Vite would find the lazy ones late, reload the page and load a second
+    // three.
     include: [
       'three',
       'three/addons/loaders/GLTFLoader.js',

@@ -1,5 +1,5 @@
-// Which tests run in Node? Fast ones always, those in tests/release only when PHONG_VIEWER_RELEASE is set.
-// Playwright runs the browser tests (playwright.config.ts).
+// Which tests run in Node? Fast ones always, those in tests/release only when PHONG_VIEWER_RELEASE
+// is set. Playwright runs the browser tests (playwright.config.ts).
 
 import { defineConfig } from 'vitest/config';
 import { packageAliases } from './.ci/package-aliases.js';

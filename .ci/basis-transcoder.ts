@@ -1,5 +1,6 @@
-// Makes a module of three's copy of the Basis Universal transcoder, one that needs no eval: its compiler's output makes
-// functions from text in two places, which a strict Content-Security-Policy refuses.
+// Makes a module of three's copy of the Basis Universal transcoder, one that needs no eval: its
+// compiler's output makes functions from text in two places, which a strict Content-Security-Policy
+// refuses.
 
 import type { Plugin } from 'vite';
 import { scriptAsModule } from './script-as-module.js';
@@ -7,8 +8,8 @@ import { scriptAsModule } from './script-as-module.js';
 const SCRIPT = '/libs/basis/basis_transcoder.js';
 
 /**
- * From the first text to the second, and what stands there instead. The variables are those of Emscripten's own
- * functions: values go to the form that the compiled code takes, and back.
+ * From the first text to the second, and what stands there instead. The variables are those of
+ * Emscripten's own functions: values go to the form that the compiled code takes, and back.
  */
 const REPLACED: readonly (readonly [from: string, to: string, instead: string])[] = [
   [
@@ -59,7 +60,9 @@ export function basisTranscoder(): Plugin {
   return {
     name: 'basis-transcoder-as-module',
     enforce: 'pre',
-    config: () => ({ optimizeDeps: { exclude: ['three/examples/jsm/libs/basis/basis_transcoder.js'] } }),
+    config: () => ({
+      optimizeDeps: { exclude: ['three/examples/jsm/libs/basis/basis_transcoder.js'] },
+    }),
     transform(code, id) {
       if (!id.endsWith(SCRIPT)) return null;
       return scriptAsModule(withoutEval(code));

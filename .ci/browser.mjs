@@ -1,7 +1,7 @@
 // @ts-check
-// Finds the Chromium that runs the browser tests: PHONG_VIEWER_BROWSER, then the usual places, then Playwright's own.
-// If there is none, it installs one: Debian's packages when run by root, otherwise Playwright's download. Logs each
-// step.
+// Finds the Chromium that runs the browser tests: PHONG_VIEWER_BROWSER, then the usual places, then
+// Playwright's own. If there is none, it installs one: Debian's packages when run by root,
+// otherwise Playwright's download. Logs each step.
 
 import { spawnSync } from 'node:child_process';
 import { accessSync, constants, existsSync } from 'node:fs';
@@ -32,7 +32,9 @@ export const softwareGl = [
 export async function findBrowser() {
   const asked = process.env['PHONG_VIEWER_BROWSER'];
   if (asked) {
-    if (!isExecutable(asked)) throw new Error(`PHONG_VIEWER_BROWSER is no program that can be run: ${asked}`);
+    if (!isExecutable(asked)) {
+      throw new Error(`PHONG_VIEWER_BROWSER is no program that can be run: ${asked}`);
+    }
     return asked;
   }
   const found = firstOnPath(names) ?? places.find(isExecutable);
@@ -43,12 +45,14 @@ export async function findBrowser() {
 }
 
 /**
- * The same for tests: a headless shell where there is one. It draws the same pixels, and most tests take a fifth less
- * CPU time in it than in a browser with windows. It has no PDF viewer.
+ * The same for tests: a headless shell where there is one. It draws the same pixels, and most tests
+ * take a fifth less CPU time in it than in a browser with windows. It has no PDF viewer.
  * @returns {Promise<string | undefined>}
  */
 export async function findTestBrowser() {
-  const shell = process.env['PHONG_VIEWER_BROWSER'] ? undefined : firstOnPath(['chromium-headless-shell']);
+  const shell = process.env['PHONG_VIEWER_BROWSER']
+    ? undefined
+    : firstOnPath(['chromium-headless-shell']);
   return shell ?? findBrowser();
 }
 
@@ -59,7 +63,8 @@ function firstOnPath(programs) {
 }
 
 /**
- * As {@link findBrowser}, but installs a browser if there is none. Throws with advice if that fails.
+ * As {@link findBrowser}, but installs a browser if there is none. Throws with advice if that
+ * fails.
  * @returns {Promise<string>}
  */
 export async function ensureBrowser() {

@@ -1,7 +1,7 @@
 // @ts-check
-// Makes dist/: the ES modules, the standalone and the classic file, the page for frames, the types, the ready sets of
-// texts, and the manifests of the elements. `node .ci/build.mjs classic` makes only that part; the site's server asks
-// for parts that a page wants.
+// Makes dist/: the ES modules, the standalone and the classic file, the page for frames, the types,
+// the ready sets of texts, and the manifests of the elements. `node .ci/build.mjs classic` makes
+// only that part; the site's server asks for parts that a page wants.
 
 import { spawnSync } from 'node:child_process';
 import { copyFileSync } from 'node:fs';
@@ -15,12 +15,22 @@ await import('./install.mjs');
 const { build } = await import('vite');
 
 /** The first of them empties dist/. */
-const entries = ['index', 'trusted-types', 'core', 'reference', 'react', 'react-standalone', 'playwright'];
+const entries = [
+  'index',
+  'trusted-types',
+  'core',
+  'reference',
+  'react',
+  'react-standalone',
+  'playwright',
+];
 
 /** @type {Readonly<Record<string, () => void | Promise<void>>>} */
 const parts = {
   modules: async () => {
-    for (const mode of entries) await bundle('lib', mode);
+    for (const mode of entries) {
+      await bundle('lib', mode);
+    }
   },
   standalone: () => bundle('standalone'),
   classic: () => bundle('classic'),
@@ -41,18 +51,29 @@ const parts = {
 };
 
 const chosen = process.argv.slice(2);
-for (const [name, make] of Object.entries(parts)) if (chosen.length === 0 || chosen.includes(name)) await make();
+for (const [name, make] of Object.entries(parts)) {
+  if (chosen.length === 0 || chosen.includes(name)) {
+    await make();
+  }
+}
 
 /** @param {string} config @param {string} [mode] */
 async function bundle(config, mode) {
   const configFile = join(repository, `.ci/vite/${config}.config.ts`);
   // How long a plugin took is no warning, least of all for who builds this for the first time.
   const quiet = { rolldownOptions: { checks: { pluginTimings: false } } };
-  await build({ configFile, build: quiet, logLevel: 'warn', ...(mode === undefined ? {} : { mode }) });
+  await build({
+    configFile,
+    build: quiet,
+    logLevel: 'warn',
+    ...(mode === undefined ? {} : { mode }),
+  });
 }
 
 /** @param {string[]} args */
 function runNode(...args) {
   const { status } = spawnSync(process.execPath, args, { stdio: 'inherit' });
-  if (status !== 0) process.exit(status ?? 1);
+  if (status !== 0) {
+    process.exit(status ?? 1);
+  }
 }

@@ -1,7 +1,8 @@
-// How do workers become files of the package? Each `new Worker(new URL('./x-worker.ts', import.meta.url), …)` of the
-// source is built to one file beside the chunk that starts it, and stays in that form, which users' bundlers know.
-// Vite's own way would inline the file or give an address that other bundlers do not see. One file each, without
-// imports: most bundlers build workers as classic scripts, and a second file would be a second trip to the server.
+// How do workers become files of the package? Each `new Worker(new URL('./x-worker.ts',
+// import.meta.url), …)` of the source is built to one file beside the chunk that starts it, and
+// stays in that form, which users' bundlers know. Vite's own way would inline the file or give an
+// address that other bundlers do not see. One file each, without imports: most bundlers build
+// workers as classic scripts, and a second file would be a second trip to the server.
 
 import { createHash } from 'node:crypto';
 import { basename, dirname, join, relative } from 'node:path';
@@ -18,7 +19,8 @@ export interface WorkerOptions {
   /** Whether names of files have a hash of their content; default false. */
   readonly hashed?: boolean;
   /**
-   * false: no worker is built, and the code that starts one gets null. For scripts that are no modules. Default true.
+   * false: no worker is built, and the code that starts one gets null. For scripts that are no
+   * modules. Default true.
    */
   readonly files?: boolean;
 }
@@ -47,12 +49,20 @@ export function decoderWorkers({ plugins, hashed = false, files = true }: Worker
         const hash = createHash('sha256').update(code).digest('base64url').slice(0, 8);
         for (const chunk of Object.values(bundle)) {
           if (chunk.type !== 'chunk' || !chunk.code.includes(placeholder(name))) continue;
-          const fileName = join(dirname(chunk.fileName), `${name}-worker${hashed ? `-${hash}` : ''}.js`);
-          chunk.code = chunk.code.replace(placeholder(name), `./${relative(dirname(chunk.fileName), fileName)}`);
+          const fileName = join(
+            dirname(chunk.fileName),
+            `${name}-worker${hashed ? `-${hash}` : ''}.js`,
+          );
+          chunk.code = chunk.code.replace(
+            placeholder(name),
+            `./${relative(dirname(chunk.fileName), fileName)}`,
+          );
           this.emitFile({ type: 'asset', fileName, source: code });
           sources.delete(name);
         }
-        if (sources.has(name)) this.error(`No chunk starts the worker ${basename(source)}.`);
+        if (sources.has(name)) {
+          this.error(`No chunk starts the worker ${basename(source)}.`);
+        }
       }
     },
   };
@@ -72,7 +82,8 @@ async function workerCode(entry: string, plugins: readonly Plugin[]): Promise<st
     },
   })) as Rolldown.RolldownOutput[];
   const [chunk, ...others] = built[0]?.output ?? [];
-  if (chunk === undefined || others.length > 0 || chunk.imports.length > 0)
+  if (chunk === undefined || others.length > 0 || chunk.imports.length > 0) {
     throw new Error(`${entry} is more than one file.`);
+  }
   return chunk.code;
 }

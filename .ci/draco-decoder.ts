@@ -1,6 +1,6 @@
-// Makes modules of three's copies of the Draco decoder. They are CommonJS scripts in a package of ES modules, so
-// bundlers find no export in them. This plugin adds one: the default export is the factory, in the dev server, in Node
-// tests, in workers and in dist/.
+// Makes modules of three's copies of the Draco decoder. They are CommonJS scripts in a package of
+// ES modules, so bundlers find no export in them. This plugin adds one: the default export is the
+// factory, in the dev server, in Node tests, in workers and in dist/.
 
 import type { Plugin } from 'vite';
 import { scriptAsModule } from './script-as-module.js';

@@ -1,6 +1,7 @@
 // @ts-check
-// Starts Firefox with Mesa's software GL on a virtual screen: Debian's firefox-esr under Xvfb, driven by puppeteer,
-// because Playwright's Firefox is a modified build. Installs both when run by root.
+// Starts Firefox with Mesa's software GL on a virtual screen: Debian's firefox-esr under Xvfb,
+// driven by puppeteer, because Playwright's Firefox is a modified build. Installs both when run by
+// root.
 
 import { execFileSync } from 'node:child_process';
 import puppeteer from 'puppeteer-core';

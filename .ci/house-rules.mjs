@@ -1,6 +1,7 @@
 // @ts-check
-// The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), and #private instead of `private`. Not
-// a plugin of oxlint: with one it takes 4 GiB of address space for each core, and a small machine refuses that.
+// The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), and #private
+// instead of `private`. Not a plugin of oxlint: with one it takes 4 GiB of address space for each
+// core, and a small machine refuses that.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { parseSync, Visitor } from 'vite';
@@ -17,11 +18,15 @@ export function breaches(file, code) {
   const found = [];
   /** @param {{ start: number }} node @param {string | undefined} message */
   const report = ({ start }, message) => {
-    if (message !== undefined) found.push(`${code.slice(0, start).split('\n').length}: ${message}`);
+    if (message !== undefined) {
+      found.push(`${code.slice(0, start).split('\n').length}: ${message}`);
+    }
   };
   /** @param {any} source @param {boolean} isLazy */
   const visit = (source, isLazy) => {
-    if (typeof source?.value === 'string') report(source, forbidden(file, source.value, isLazy));
+    if (typeof source?.value === 'string') {
+      report(source, forbidden(file, source.value, isLazy));
+    }
   };
   /** @param {any} node */
   const plain = ({ source, importKind, exportKind }) => {
@@ -33,11 +38,15 @@ export function breaches(file, code) {
   };
   /** @param {any} node */
   const member = (node) => {
-    if (node.accessibility === 'private') report(node, 'Private members are #private.');
+    if (node.accessibility === 'private') {
+      report(node, 'Private members are #private.');
+    }
   };
   const { program, errors } = parseSync(file, code);
   // Of what does not parse there is no tree. Oxlint and tsc say more.
-  for (const { message } of errors) report({ start: 0 }, message);
+  for (const { message } of errors) {
+    report({ start: 0 }, message);
+  }
   new Visitor({
     ImportDeclaration: plain,
     ExportNamedDeclaration: plain,
@@ -52,8 +61,12 @@ export function breaches(file, code) {
 
 /** The same for all files of src/, with their paths. */
 export function breachesInSrc() {
-  const files = readdirSync('src', { recursive: true }).map((name) => `src/${name}`.replaceAll('\\', '/'));
+  const files = readdirSync('src', { recursive: true }).map((name) =>
+    `src/${name}`.replaceAll('\\', '/'),
+  );
   return files
     .filter((file) => file.endsWith('.ts'))
-    .flatMap((file) => breaches(file, readFileSync(file, 'utf8')).map((found) => `${file}:${found}`));
+    .flatMap((file) =>
+      breaches(file, readFileSync(file, 'utf8')).map((found) => `${file}:${found}`),
+    );
 }

@@ -1,5 +1,5 @@
-// Bundles functions that run inside a page, each into one that carries its imports: Playwright and other drivers send a
-// function as text.
+// Bundles functions that run inside a page, each into one that carries its imports: Playwright and
+// other drivers send a function as text.
 
 import { fileURLToPath } from 'node:url';
 import { build, type Plugin, type Rolldown } from 'vite';
@@ -34,6 +34,8 @@ async function bundled(): Promise<Rolldown.OutputChunk> {
     build: { write: false, target: 'es2022', lib: { entry, formats: ['iife'], name: 'inPage' } },
   })) as Rolldown.RolldownOutput[];
   const [chunk, ...others] = built[0]?.output ?? [];
-  if (chunk === undefined || others.length > 0) throw new Error(`${entry} is more than one script.`);
+  if (chunk === undefined || others.length > 0) {
+    throw new Error(`${entry} is more than one script.`);
+  }
   return chunk;
 }

@@ -1,6 +1,6 @@
 // @ts-check
-// Installs the packages of package-lock.json if node_modules does not hold exactly those. Imports no package: it runs
-// before there are any.
+// Installs the packages of package-lock.json if node_modules does not hold exactly those. Imports
+// no package: it runs before there are any.
 
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -15,7 +15,9 @@ function packagesOf(path) {
   return JSON.parse(readFileSync(repository + path, 'utf8')).packages;
 }
 
-/** Compares with the lock file that npm writes into node_modules. Optional packages may be absent. */
+/**
+ * Compares with the lock file that npm writes into node_modules. Optional packages may be absent.
+ */
 function isCurrent() {
   try {
     const installed = packagesOf('node_modules/.package-lock.json');

@@ -1,6 +1,7 @@
 // @ts-check
-// Who may import whom in src/: the one table, which .ci/house-rules.mjs enforces. Arrows go down only, and two doors
-// are lazy: a lazily reached layer may be named in `import()` or `import type`, never in a plain import.
+// Who may import whom in src/: the one table, which .ci/house-rules.mjs enforces. Arrows go down
+// only, and two doors are lazy: a lazily reached layer may be named in `import()` or `import type`,
+// never in a plain import.
 
 import { posix } from 'node:path';
 
@@ -22,14 +23,21 @@ export const layers = {
   'phong/light': { layers: ['phong/fields', 'phong/math'] },
   'phong/reference': { layers: ['phong/light', 'phong/fields', 'phong/math'] },
   'phong/camera': { layers: ['phong/math'] },
-  'phong/material': { layers: ['phong/light', 'phong/fields', 'phong/math', 'shaders'], packages: ['three'] },
+  'phong/material': {
+    layers: ['phong/light', 'phong/fields', 'phong/math', 'shaders'],
+    packages: ['three'],
+  },
   phong: { layers: phong, packages: ['three'] },
   'viewer/model': {
     layers: ['phong/material', 'phong/light', 'phong/fields', 'phong/math'],
     lazy: ['extras/models'],
     packages: ['three'],
   },
-  'viewer/scene': { layers: ['viewer/model', ...phong], lazy: ['extras/samples'], packages: ['three'] },
+  'viewer/scene': {
+    layers: ['viewer/model', ...phong],
+    lazy: ['extras/samples'],
+    packages: ['three'],
+  },
   'viewer/element': {
     layers: ['viewer/scene', 'viewer/model', ...phong],
     lazy: [
@@ -75,8 +83,8 @@ export const layers = {
 };
 
 /**
- * The layer of a file: its first two folders under src/, the first alone for an entry, or `shaders`; undefined outside
- * of both.
+ * The layer of a file: its first two folders under src/, the first alone for an entry, or
+ * `shaders`; undefined outside of both.
  * @param {string} file path with forward slashes
  */
 function layerOf(file) {
@@ -96,7 +104,9 @@ export function forbidden(file, specifier, isLazy) {
   if (layer === undefined) return `src/${from} is no layer: give it a line in .ci/layers.mjs.`;
   if (!specifier.startsWith('.')) {
     const allowed = [...(layer.packages ?? []), ...(isLazy ? (layer.types ?? []) : [])];
-    if (allowed.some((name) => specifier === name || specifier.startsWith(`${name}/`))) return undefined;
+    if (allowed.some((name) => specifier === name || specifier.startsWith(`${name}/`))) {
+      return undefined;
+    }
     return `src/${from} must not know ${specifier}.`;
   }
   const target = layerOf(posix.join(posix.dirname(file), specifier));

@@ -1,6 +1,6 @@
 // @ts-check
-// Writes the descriptions of the elements that editors and documentation tools read into dist/, and src/ATTRIBUTES.md. A
-// step of `npm run build`.
+// Writes the descriptions of the elements that editors and documentation tools read into dist/, and
+// src/ATTRIBUTES.md. A step of `npm run build`.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -21,7 +21,10 @@ const { module: tables } = await runnerImport(join(repository, '.ci/manifest/tab
 const elements = describeElements(/** @type {typeof import('./manifest/tables.js')} */ (tables));
 
 write('custom-elements.json', customElementsManifest(elements));
-write('web-types.json', webTypes(elements, JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'))));
+write(
+  'web-types.json',
+  webTypes(elements, JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'))),
+);
 write('vscode.html-custom-data.json', vsCodeHtmlData(elements));
 writeFileSync(join(repository, 'src/ATTRIBUTES.md'), attributesPage(elements));
 

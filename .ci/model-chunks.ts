@@ -1,19 +1,26 @@
-// Which chunks hold the code that several readers of models, several views, or panel and controls share? Without these
-// groups each shared file would be a request of its own. None of them may be the target of an import() by `lazyCode`:
-// such a chunk could not be fetched again after a failure.
+// Which chunks hold the code that several readers of models, several views, or panel and controls
+// share? Without these groups each shared file would be a request of its own. None of them may be
+// the target of an import() by `lazyCode`: such a chunk could not be fetched again after a failure.
 
 export const modelChunks = [
   {
     name: 'model-shared',
     test: /\/src\/extras\/models\/(slices|model-budget|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
-  // What helpers and comparison have in common with the panel. Before its rows, which would take it with them.
+  // What helpers and comparison have in common with the panel. Before its rows, which would take it
+  // with them.
   { name: 'followed-drag', test: /\/src\/viewer\/element\/page\/followed-drag\.ts$/ },
-  { name: 'round-number', test: /\/src\/(viewer\/element\/viewer\/history|phong\/math\/round-number)\.ts$/ },
+  {
+    name: 'round-number',
+    test: /\/src\/(viewer\/element\/viewer\/history|phong\/math\/round-number)\.ts$/,
+  },
   // What <phong-control> has in common with the panel.
   {
     name: 'panel-rows',
     test: /\/src\/extras\/panel\/(?!(panel|flat-rows|full-screen|control|control-fields|control-rows)\.ts)[^/]+\.ts$|\/lil-gui\//,
   },
-  { name: 'model-triangles', test: /\/src\/extras\/models\/(left-out|(text|triangles)\/[^/]+)\.ts$/ },
+  {
+    name: 'model-triangles',
+    test: /\/src\/extras\/models\/(left-out|(text|triangles)\/[^/]+)\.ts$/,
+  },
 ];

@@ -1,5 +1,6 @@
-// Writes the models that demo and tests load: the bunny out of its package, and small glTF files made here, good and
-// broken. Run by hand (`node .ci/models.mjs`) and committed; the same input gives the same bytes.
+// Writes the models that demo and tests load: the bunny out of its package, and small glTF files
+// made here, good and broken. Run by hand (`node .ci/models.mjs`) and committed; the same input
+// gives the same bytes.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -10,12 +11,15 @@ import bunny from '@pmndrs/assets/models/bunny.glb.js';
 
 const fixtures = fileURLToPath(new URL('../tests/fixtures/models/', import.meta.url));
 const assets = fileURLToPath(new URL('../demo/assets/models/', import.meta.url));
-for (const folder of [fixtures, assets, `${fixtures}beside/`]) mkdirSync(folder, { recursive: true });
+for (const folder of [fixtures, assets, `${fixtures}beside/`]) {
+  mkdirSync(folder, { recursive: true });
+}
 
 const base64Of = (dataUri) => dataUri.slice(dataUri.indexOf(',') + 1);
 writeFileSync(`${assets}bunny.glb`, Buffer.from(base64Of(bunny), 'base64'));
 
-// -- pieces ----------------------------------------------------------------------------------------------------------
+// -- pieces
+// -------------------------------------------------------------------------------------------------
 
 const FLOAT = 5126;
 const USHORT = 5123;
@@ -24,7 +28,10 @@ const UBYTE = 5121;
 const floats = (values) => Buffer.from(new Float32Array(values).buffer);
 const shorts = (values) => Buffer.from(new Uint16Array(values).buffer);
 
-/** A unit square in xy, facing +z; texture coordinates with (0, 0) at the top left, as glTF has them. */
+/**
+ * A unit square in xy, facing +z; texture coordinates with (0, 0) at the top left, as glTF has
+ * them.
+ */
 const quad = {
   positions: floats([-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0]),
   normals: floats([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]),
@@ -34,14 +41,18 @@ const quad = {
 
 const crcTable = Array.from({ length: 256 }, (_, n) => {
   let c = n;
-  for (let k = 0; k < 8; k += 1) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
+  for (let k = 0; k < 8; k += 1) {
+    c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
+  }
   return c >>> 0;
 });
 
 function pngChunk(type, data) {
   const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
   let crc = 0xffffffff;
-  for (const byte of body) crc = crcTable[(crc ^ byte) & 0xff] ^ (crc >>> 8);
+  for (const byte of body) {
+    crc = crcTable[(crc ^ byte) & 0xff] ^ (crc >>> 8);
+  }
   const frame = Buffer.alloc(8);
   frame.writeUInt32BE(data.length, 0);
   frame.writeUInt32BE((crc ^ 0xffffffff) >>> 0, 4);
@@ -63,7 +74,10 @@ function png(rows) {
   ]);
 }
 
-/** No two texels alike, and no symmetry: a flip, a swap or a colour conversion shows. The last has half alpha. */
+/**
+ * No two texels alike, and no symmetry: a flip, a swap or a colour conversion shows. The last has
+ * half alpha.
+ */
 const texels = [
   [[255, 0, 0, 255], [0, 255, 0, 255]],
   [[0, 0, 255, 255], [188, 64, 20, 128]],
@@ -95,8 +109,12 @@ const accessor = (bufferView, type, count, componentType = FLOAT, more = {}) => 
 /** A document of one node with one mesh; attributes and accessors in the order of the blobs. */
 function document({ attributes, accessors, indices, material, packed, more = {} }) {
   const primitive = { attributes };
-  if (indices !== undefined) primitive.indices = indices;
-  if (material) primitive.material = 0;
+  if (indices !== undefined) {
+    primitive.indices = indices;
+  }
+  if (material) {
+    primitive.material = 0;
+  }
   return {
     asset: { version: '2.0' },
     scene: 0,
@@ -130,7 +148,8 @@ const write = (name, data) => writeFileSync(fixtures + name, data);
 const writeJson = (name, json) => write(name, `${JSON.stringify(json, null, 2)}\n`);
 const dataUri = (type, bytes) => `data:${type};base64,${bytes.toString('base64')}`;
 
-// -- good ------------------------------------------------------------------------------------------------------------
+// -- good
+// -------------------------------------------------------------------------------------------------
 
 const NEAREST_CLAMPED = { magFilter: 9728, minFilter: 9728, wrapS: 33071, wrapT: 33071 };
 const textured = (image) => ({
@@ -139,14 +158,23 @@ const textured = (image) => ({
 });
 const quadParts = {
   attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 },
-  accessors: [accessor(0, 'VEC3', 4), accessor(1, 'VEC3', 4), accessor(2, 'VEC2', 4), accessor(3, 'SCALAR', 6, USHORT)],
+  accessors: [
+    accessor(0, 'VEC3', 4),
+    accessor(1, 'VEC3', 4),
+    accessor(2, 'VEC2', 4),
+    accessor(3, 'SCALAR', 6, USHORT),
+  ],
   indices: 3,
 };
 const quadBlobs = [quad.positions, quad.normals, quad.uvs, quad.indices];
 
 {
   const packed = pack([...quadBlobs, texture]);
-  const json = document({ ...quadParts, ...textured({ bufferView: 4, mimeType: 'image/png' }), packed });
+  const json = document({
+    ...quadParts,
+    ...textured({ bufferView: 4, mimeType: 'image/png' }),
+    packed,
+  });
   write('textured.glb', glb(json, packed.bytes));
   // The last byte of the body is missing, the header still counts it.
   write('truncated.glb', glb(json, packed.bytes).subarray(0, -1));
@@ -163,7 +191,10 @@ function quadFile(image, uri) {
 }
 writeJson(
   'data-uris.gltf',
-  quadFile({ uri: dataUri('image/png', texture) }, dataUri('application/octet-stream', packedQuad.bytes)),
+  quadFile(
+    { uri: dataUri('image/png', texture) },
+    dataUri('application/octet-stream', packedQuad.bytes),
+  ),
 );
 writeJson('beside/quad.gltf', quadFile({ uri: 'textures/four%20colours.png' }, 'quad.bin'));
 write('beside/quad.bin', packedQuad.bytes);
@@ -173,7 +204,10 @@ write('beside/textures/four colours.png', texture);
 {
   const packed = pack([quad.positions, quad.indices]);
   const accessors = [accessor(0, 'VEC3', 4), accessor(1, 'SCALAR', 6, USHORT)];
-  write('no-normals.glb', glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes));
+  write(
+    'no-normals.glb',
+    glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes),
+  );
 }
 {
   // Bytes of linear light: 55 / 255 encodes to almost one half.
@@ -231,14 +265,19 @@ write('beside/textures/four colours.png', texture);
   write('meshopt-damaged.glb', glb(json, damaged));
 }
 
-// -- KTX2 --------------------------------------------------------------------------------------------------------------
+// -- KTX2
+// -------------------------------------------------------------------------------------------------
 
-/** The four texels of {@link texture}, each as a block of 4 × 4: UASTC keeps blocks of one colour exactly. */
+/**
+ * The four texels of {@link texture}, each as a block of 4 × 4: UASTC keeps blocks of one colour
+ * exactly.
+ */
 async function ktx2(options) {
   const side = 8;
   const data = new Uint8Array(4 * side * side);
-  for (let i = 0; i < side * side; i += 1)
+  for (let i = 0; i < side * side; i += 1) {
     data.set(texels[Math.floor(i / side / 4)][Math.floor((i % side) / 4)], 4 * i);
+  }
   const imageDecoder = async () => ({ width: side, height: side, data });
   return Buffer.from(await encodeToKTX2(new Uint8Array(1), { ...options, imageDecoder }));
 }
@@ -261,37 +300,64 @@ function ktx2Glb(image) {
   write('ktx2-damaged.glb', ktx2Glb(damaged));
 }
 
-// -- broken or refused -------------------------------------------------------------------------------------------------
+// -- broken or refused
+// -------------------------------------------------------------------------------------------------
 
 {
   const packed = pack([quad.positions, quad.indices]);
-  const claims = (positions, indices) => [accessor(0, 'VEC3', positions), accessor(1, 'SCALAR', indices, USHORT)];
+  const claims = (positions, indices) => [
+    accessor(0, 'VEC3', positions),
+    accessor(1, 'SCALAR', indices, USHORT),
+  ];
   const make = (accessors) =>
     glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes);
   write('claims-too-much.glb', make(claims(4_000_000_000, 6)));
   const zeros = claims(4_000_000_000, 6);
   delete zeros[0].bufferView;
   write('claims-zeros.glb', make(zeros));
-  const loop = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
+  const loop = document({
+    attributes: { POSITION: 0 },
+    accessors: claims(4, 6),
+    indices: 1,
+    packed,
+  });
   loop.nodes = [{ children: [1] }, { mesh: 0, children: [0] }];
   write('node-loop.glb', glb(loop, packed.bytes));
-  const unknown = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
+  const unknown = document({
+    attributes: { POSITION: 0 },
+    accessors: claims(4, 6),
+    indices: 1,
+    packed,
+  });
   unknown.extensionsUsed = unknown.extensionsRequired = ['EXT_mesh_of_tomorrow'];
   write('unknown-extension.glb', glb(unknown, packed.bytes));
   const points = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), packed });
   points.meshes[0].primitives[0].mode = 0;
   write('points-only.glb', glb(points, packed.bytes));
   const nan = pack([floats([NaN, 0, 0, 1, 0, 0, 0, 1, 0]), shorts([0, 1, 2])]);
-  const nanJson = document({ attributes: { POSITION: 0 }, accessors: claims(3, 3), indices: 1, packed: nan });
+  const nanJson = document({
+    attributes: { POSITION: 0 },
+    accessors: claims(3, 3),
+    indices: 1,
+    packed: nan,
+  });
   write('not-a-number.glb', glb(nanJson, nan.bytes));
 }
-writeJson('other-origin.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'https://example.com/quad.bin'));
-writeJson('folder-above.gltf', quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'));
+writeJson(
+  'other-origin.gltf',
+  quadFile({ uri: dataUri('image/png', texture) }, 'https://example.com/quad.bin'),
+);
+writeJson(
+  'folder-above.gltf',
+  quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'),
+);
 writeJson('missing-buffer.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'nowhere.bin'));
 
-// -- OBJ, STL, PLY -------------------------------------------------------------------------------------------------------
+// -- OBJ, STL, PLY
+// -------------------------------------------------------------------------------------------------
 
-// Two squares side by side, facing +z: a plain one, and one with the texture. Its four corners show the four texels.
+// Two squares side by side, facing +z: a plain one, and one with the texture. Its four corners show
+// the four texels.
 write(
   'quads.obj',
   `mtllib quads.mtl
@@ -329,7 +395,9 @@ map_Kd beside/textures/four colours.png
   // A square of two triangles, red and blue by the convention of VisCAM.
   const bytes = Buffer.alloc(84 + 2 * 50);
   bytes.writeUInt32LE(2, 80);
-  const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0];
+  const corners = [
+    -0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0,
+  ];
   corners.forEach((value, i) => bytes.writeFloatLE(value, 84 + 12 + 4 * i + (i >= 9 ? 14 : 0)));
   bytes.writeUInt16LE(0x8000 | (31 << 10), 84 + 48);
   bytes.writeUInt16LE(0x8000 | 31, 84 + 98);

@@ -1,6 +1,7 @@
 // @ts-check
-// Where do generated folders go? Into the repository's root, or into the folder named by PHONG_VIEWER_OUT, so that two
-// runs in one checkout do not overwrite each other's dist/, site/ and test-results/.
+// Where do generated folders go? Into the repository's root, or into the folder named by
+// PHONG_VIEWER_OUT, so that two runs in one checkout do not overwrite each other's dist/, site/ and
+// test-results/.
 
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';

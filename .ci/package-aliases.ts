@@ -1,4 +1,5 @@
-// Resolves the package's own names inside this repository, so that demo pages and tests import them as a user would.
+// Resolves the package's own names inside this repository, so that demo pages and tests import them
+// as a user would.
 
 import { fileURLToPath } from 'node:url';
 

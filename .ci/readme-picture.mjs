@@ -1,7 +1,7 @@
 // @ts-check
-// `npm run readme:picture`: draws the README's page with the built package and stores it as the README's
-// picture. The picture shows exactly that markup; tests/visual/readme.spec.ts compares the two. Needs `npm run build`
-// first.
+// `npm run readme:picture`: draws the README's page with the built package and stores it as the
+// README's picture. The picture shows exactly that markup; tests/visual/readme.spec.ts compares the
+// two. Needs `npm run build` first.
 
 import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -26,31 +26,44 @@ export const README_PICTURE_SCALE = 1.5;
 export function readmePage() {
   const text = readFileSync(join(repository, 'README.md'), 'utf8');
   const snippet = /!\[[^\]]+\]\(([^)]+)\)\n\n```html\n([^]*?)```/.exec(text);
-  if (snippet?.[1] !== README_PICTURE || snippet[2] === undefined)
+  if (snippet?.[1] !== README_PICTURE || snippet[2] === undefined) {
     throw new Error(`README.md must show ${README_PICTURE}, followed by a block of HTML`);
+  }
   return snippet[2];
 }
 
 /** The scene of that page. @returns {string} */
-export const readmeSnippet = () => /<phong-viewer[^]*<\/phong-viewer>/.exec(readmePage())?.[0] ?? '';
+export const readmeSnippet = () =>
+  /<phong-viewer[^]*<\/phong-viewer>/.exec(readmePage())?.[0] ?? '';
 
 async function draw() {
-  readCommandLine("npm run readme:picture: draws the README's page with the built package as its picture", {});
+  readCommandLine(
+    "npm run readme:picture: draws the README's page with the built package as its picture",
+    {},
+  );
   const dist = outputFolder('dist');
   needBuilt(join(dist, 'phong-viewer.classic.js'), 'npm run build');
   const server = createServer((request, response) => {
-    const path = normalize(join(dist, decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname)));
-    if (request.url === '/') response.setHeader('content-type', 'text/html').end(readmePage());
-    else if (path.startsWith(dist) && existsSync(path) && statSync(path).isFile()) {
+    const path = normalize(
+      join(dist, decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname)),
+    );
+    if (request.url === '/') {
+      response.setHeader('content-type', 'text/html').end(readmePage());
+    } else if (path.startsWith(dist) && existsSync(path) && statSync(path).isFile()) {
       response.setHeader('content-type', 'text/javascript');
       createReadStream(path).pipe(response);
-    } else response.writeHead(404).end();
+    } else {
+      response.writeHead(404).end();
+    }
   });
   await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
   const address = server.address();
   if (address === null || typeof address === 'string') throw new Error('the server has no port');
   const { chromium } = await import('@playwright/test');
-  const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
+  const browser = await chromium.launch({
+    executablePath: await ensureBrowser(),
+    args: softwareGl,
+  });
   try {
     const page = await browser.newPage({
       viewport: { width: 900, height: 600 },
@@ -65,9 +78,10 @@ async function draw() {
     // The panel is fetched on its own, and the picture beside it converges anew.
     await viewer.getByText('copy HTML').waitFor();
     await page.waitForFunction(() => {
-      const { samples, stats } = /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
-        document.querySelector('phong-viewer')
-      );
+      const { samples, stats } =
+        /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
+          document.querySelector('phong-viewer')
+        );
       return stats.samples === samples;
     });
     const file = join(repository, README_PICTURE);
@@ -79,4 +93,6 @@ async function draw() {
   }
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await draw();
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  await draw();
+}

@@ -1,7 +1,7 @@
-// Lets chunks of the standalone file be fetched again after a failure. Browsers used to remember a failed import() by
-// its address (Chromium until 2026, Firefox 153 still does): another import() of it fails without a request. So later
-// attempts use another address of the same file. Not for the ES modules: a user's bundler gives their chunks other
-// names.
+// Lets chunks of the standalone file be fetched again after a failure. Browsers used to remember a
+// failed import() by its address (Chromium until 2026, Firefox 153 still does): another import() of
+// it fails without a request. So later attempts use another address of the same file. Not for the
+// ES modules: a user's bundler gives their chunks other names.
 
 import type { Plugin } from 'vite';
 
@@ -23,7 +23,11 @@ export function retriedImports(): Plugin {
   return {
     name: 'retried-imports',
     generateBundle(_options, bundle) {
-      for (const file of Object.values(bundle)) if (file.type === 'chunk') file.code = retried(file.code);
+      for (const file of Object.values(bundle)) {
+        if (file.type === 'chunk') {
+          file.code = retried(file.code);
+        }
+      }
     },
   };
 }

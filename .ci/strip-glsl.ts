@@ -1,10 +1,14 @@
-// Removes comments and spaces from shaders in dist/: in a build, `*.glsl?raw` imports give the stripped text. The dev
-// server and the tests use the files unchanged, so that the line numbers in a compiler's messages are right.
+// Removes comments and spaces from shaders in dist/: in a build, `*.glsl?raw` imports give the
+// stripped text. The dev server and the tests use the files unchanged, so that the line numbers in
+// a compiler's messages are right.
 
 import { readFileSync } from 'node:fs';
 import type { Plugin } from 'vite';
 
-/** The same program without comments, blank lines and needless spaces; each directive stays on a line of its own. */
+/**
+ * The same program without comments, blank lines and needless spaces; each directive stays on a
+ * line of its own.
+ */
 export function stripGlsl(source: string): string {
   const lines = source
     .replace(/\r\n?/g, '\n')

@@ -1,10 +1,19 @@
 // @ts-check
-// `npm test`: every check as a named step. All steps run even where one fails; the last line is a count. Quick
-// steps run in two rows beside each other and print their output when they end; the others have all cores. How long
-// each step took last time is kept in node_modules/.cache, to say how much time is left.
+// `npm test`: every check as a named step. All steps run even where one fails; the last line is a
+// count. Quick steps run in two rows beside each other and print their output when they end; the
+// others have all cores. How long each step took last time is kept in node_modules/.cache, to say
+// how much time is left.
 
 import { spawn } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -22,12 +31,14 @@ npm test -- [steps] [--release]: all checks, or only the named ones
 Which step answers which question: tests/README.md`;
 
 process.chdir(fileURLToPath(new URL('..', import.meta.url)));
-const { values, positionals: chosen } = readCommandLine(USAGE, { release: { type: 'boolean', default: false } }, [
-  ...checks,
-  ...nodeFolders,
-  ...browserFolders,
-]);
-if (values.release || chosen.includes('release')) process.env['PHONG_VIEWER_RELEASE'] = '1';
+const { values, positionals: chosen } = readCommandLine(
+  USAGE,
+  { release: { type: 'boolean', default: false } },
+  [...checks, ...nodeFolders, ...browserFolders],
+);
+if (values.release || chosen.includes('release')) {
+  process.env['PHONG_VIEWER_RELEASE'] = '1';
+}
 
 /** @typedef {{ passed: number, failed: number, skipped: number }} Count */
 /** @type {{ name: string, count: Count, seconds: number }[]} */
@@ -68,7 +79,9 @@ const rows = [
   ],
 ];
 /** Twenty minutes at most on four cores. @type {Step[]} */
-const last = [[slow || chosen.includes('mutation'), 'mutation', ['tests/mutation/run.mjs', '--sample', '400']]];
+const last = [
+  [slow || chosen.includes('mutation'), 'mutation', ['tests/mutation/run.mjs', '--sample', '400']],
+];
 /** @type {[wanted: boolean, name: string, run: () => Promise<void>][]} */
 const alone = [
   [all || wantedNode.length > 0, 'unit', unit],
@@ -81,7 +94,11 @@ const lastSeconds = existsSync(secondsFile) ? JSON.parse(readFileSync(secondsFil
 const running = new Map();
 
 await Promise.all(rows.map(row));
-for (const [wanted, , run] of alone) if (wanted) await run();
+for (const [wanted, , run] of alone) {
+  if (wanted) {
+    await run();
+  }
+}
 for (const [wanted, name, args] of last) {
   if (!wanted) continue;
   await step(name, async () => {
@@ -155,15 +172,21 @@ async function browser() {
 
 /**
  * The tests of a suite that Playwright calls flaky.
- * @param {{ suites?: any[], specs: { file: string, line: number, title: string, tests: { status: string }[] }[] }} suite
+ * @param {{ suites?: any[], specs: { file: string, line: number, title: string, tests: { status:
+ * string }[] }[] }} suite
  * @returns {string[]}
  */
 function flakyIn({ suites = [], specs }) {
   const own = specs.filter(({ tests }) => tests.some(({ status }) => status === 'flaky'));
-  return [...own.map(({ file, line, title }) => `tests/${file}:${line} ${title}`), ...suites.flatMap(flakyIn)];
+  return [
+    ...own.map(({ file, line, title }) => `tests/${file}:${line} ${title}`),
+    ...suites.flatMap(flakyIn),
+  ];
 }
 
-/** @param {string} report @param {number} status @param {(json: any) => Count} read @returns {Count} */
+/**
+ * @param {string} report @param {number} status @param {(json: any) => Count} read @returns {Count}
+ */
 function counted(report, status, read) {
   if (!existsSync(report)) return { passed: 0, failed: 1, skipped: 0 };
   const count = read(JSON.parse(readFileSync(report, 'utf8')));
@@ -184,7 +207,9 @@ function finish(name, start, count) {
   running.delete(name);
   results.push({ name, count, seconds });
   // A part of a step's tests says nothing about all of them.
-  if (all || !alone.some(([, other]) => other === name)) lastSeconds[name] = Math.round(seconds);
+  if (all || !alone.some(([, other]) => other === name)) {
+    lastSeconds[name] = Math.round(seconds);
+  }
   mkdirSync(dirname(secondsFile), { recursive: true });
   writeFileSync(secondsFile, JSON.stringify(lastSeconds));
 }
@@ -213,7 +238,11 @@ function secondsLeft() {
 function guessedSeconds(name) {
   if (name === 'unit') return 0.5 * filesIn(nodeFolders, '.test.ts');
   if (name === 'browser') return 5 * filesIn(browserFolders, '.spec.ts');
-  return { format: 2, lint: 15, types: 30, build: 25, 'demo build': 6, harness: 6, mutation: 900 }[name] ?? 15;
+  return (
+    { format: 2, lint: 15, types: 30, build: 25, 'demo build': 6, harness: 6, mutation: 900 }[
+      name
+    ] ?? 15
+  );
 }
 
 /** @param {readonly string[]} folders @param {string} end */
@@ -234,9 +263,13 @@ function node(args, words = 'shown') {
     const child = spawn(process.execPath, args, { stdio: words === 'shown' ? 'inherit' : 'pipe' });
     /** @type {Buffer[]} */
     const parts = [];
-    for (const stream of [child.stdout, child.stderr]) stream?.on('data', (part) => parts.push(part));
+    for (const stream of [child.stdout, child.stderr]) {
+      stream?.on('data', (part) => parts.push(part));
+    }
     child.on('error', (error) => resolve({ status: 1, said: String(error) }));
-    child.on('close', (code) => resolve({ status: code ?? 1, said: Buffer.concat(parts).toString() }));
+    child.on('close', (code) =>
+      resolve({ status: code ?? 1, said: Buffer.concat(parts).toString() }),
+    );
   });
 }
 
@@ -248,9 +281,13 @@ function summarize() {
     total.failed += count.failed;
     total.skipped += count.skipped;
     const verdict = count.failed > 0 ? 'FAILED' : 'ok';
-    console.log(`${name.padEnd(12)}${verdict.padEnd(8)}${countLine(count)} in ${seconds.toFixed(1)} s`);
+    console.log(
+      `${name.padEnd(12)}${verdict.padEnd(8)}${countLine(count)} in ${seconds.toFixed(1)} s`,
+    );
   }
-  if (retried.length > 0) console.log(`${retried.length} passed only at a second attempt:\n  ${retried.join('\n  ')}`);
+  if (retried.length > 0) {
+    console.log(`${retried.length} passed only at a second attempt:\n  ${retried.join('\n  ')}`);
+  }
   console.log(countLine(total));
   process.exit(total.failed > 0 ? 1 : 0);
 }

@@ -1,4 +1,5 @@
-// Vite plugin: in a build an import of the table of texts gives its keys alone. The translations are files of their own.
+// Vite plugin: in a build an import of the table of texts gives its keys alone. The translations
+// are files of their own.
 
 import type { Plugin } from 'vite';
 
@@ -10,6 +11,9 @@ export const textKeys = (): Plugin => ({
     if (!id.endsWith('/fields/texts.json')) return null;
     const keysOf = (part: object) => Object.fromEntries(Object.keys(part).map((key) => [key, 0]));
     const sections = Object.values(JSON.parse(code) as Record<string, object>);
-    return { code: JSON.stringify({ '': keysOf(Object.assign({}, ...sections) as object) }), map: null };
+    return {
+      code: JSON.stringify({ '': keysOf(Object.assign({}, ...sections) as object) }),
+      map: null,
+    };
   },
 });

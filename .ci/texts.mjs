@@ -1,26 +1,37 @@
 // @ts-check
-// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it to import; the type
-// of their keys; and the list of keys in src/TEXTS.md. A step of `npm run build`, after the types.
+// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it
+// to import; the type of their keys; and the list of keys in src/TEXTS.md. A step of `npm run
+// build`, after the types.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { outputFolder } from './output-folder.mjs';
 
-/** By heading, then by key. @type {Readonly<Record<string, Readonly<Record<string, Readonly<Record<string, string>>>>>>} */
+/**
+ * By heading, then by key. @type {Readonly<Record<string, Readonly<Record<string,
+ * Readonly<Record<string, string>>>>>>}
+ */
 const sections = JSON.parse(
-  readFileSync(fileURLToPath(new URL('../src/viewer/element/fields/texts.json', import.meta.url)), 'utf8'),
+  readFileSync(
+    fileURLToPath(new URL('../src/viewer/element/fields/texts.json', import.meta.url)),
+    'utf8',
+  ),
 );
 
 const table = Object.assign({}, ...Object.values(sections));
 
 export const LANGUAGES = Object.keys(table['en'] ?? {});
 
-/** The ready set of a language, by key. @param {string} language @returns {Record<string, string>} */
+/**
+ * The ready set of a language, by key. @param {string} language @returns {Record<string, string>}
+ */
 export const textsIn = (language) =>
   Object.fromEntries(Object.entries(table).map(([key, texts]) => [key, texts[language] ?? '']));
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) writeAll();
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  writeAll();
+}
 
 function writeAll() {
   const target = join(outputFolder('dist'), 'texts');

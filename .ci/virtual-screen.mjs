@@ -1,6 +1,6 @@
 // @ts-check
-// A screen in memory, for browsers that draw with WebGL only in a window: Xvfb on a display of its own. Installs
-// Debian's packages when run by root.
+// A screen in memory, for browsers that draw with WebGL only in a window: Xvfb on a display of its
+// own. Installs Debian's packages when run by root.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -26,13 +26,17 @@ export async function startScreen() {
 
 /**
  * Installs the packages whose command is missing.
- * @param {Readonly<Record<string, string>>} packages Debian's package names, separated by spaces, by command
+ * @param {Readonly<Record<string, string>>} packages Debian's package names, separated by spaces,
+ * by command
  */
 export function install(packages) {
-  const missing = Object.entries(packages).flatMap(([command, names]) => (has(command) ? [] : names.split(' ')));
+  const missing = Object.entries(packages).flatMap(([command, names]) =>
+    has(command) ? [] : names.split(' '),
+  );
   if (missing.length === 0) return;
-  if (process.getuid?.() !== 0 || !has('apt-get'))
+  if (process.getuid?.() !== 0 || !has('apt-get')) {
     throw new Error(`This needs ${missing.join(', ')} (Debian's names).`);
+  }
   execFileSync('apt-get', ['update', '-qq']);
   execFileSync('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...missing]);
 }

@@ -1,16 +1,19 @@
-// Puts the WebAssembly of three's decoders into dist/ as files beside the code, at addresses that users' bundlers know.
+// Puts the WebAssembly of three's decoders into dist/ as files beside the code, at addresses that
+// users' bundlers know.
 
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 const SPECIFIER = /^three\/.*\/([\w.]+\.wasm)\?url$/;
-/** Stands for a file's address until its chunk is known. No bundler takes the text for an address. */
+/**
+ * Stands for a file's address until its chunk is known. No bundler takes the text for an address.
+ */
 const PLACEHOLDER = /wasm-file:([\w.]+):/g;
 
 /**
- * `import address from '….wasm?url'` as Vite's own servers understand it, in a library: Vite would put the bytes into
- * the script.
+ * `import address from '….wasm?url'` as Vite's own servers understand it, in a library: Vite would
+ * put the bytes into the script.
  * @param file false: there is no file, and the address is empty. For scripts that are no modules.
  */
 export function wasmFiles({ file = true } = {}): Plugin {

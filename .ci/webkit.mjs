@@ -1,6 +1,7 @@
 // @ts-check
-// Starts WebKitGTK, Safari's engine, with Mesa's software GL on a virtual screen: Debian's MiniBrowser under Xvfb,
-// driven by WebDriver. Playwright's WebKit is a modified build. Installs both when run by root.
+// Starts WebKitGTK, Safari's engine, with Mesa's software GL on a virtual screen: Debian's
+// MiniBrowser under Xvfb, driven by WebDriver. Playwright's WebKit is a modified build. Installs
+// both when run by root.
 
 import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
@@ -11,8 +12,8 @@ import { install, startScreen } from './virtual-screen.mjs';
 
 /**
  * Starts both; `close` ends both. `send` calls WebDriver below the session's address.
- * @returns {Promise<{ version: string, send: (method: string, path: string, body?: object) => Promise<any>, close: ()
- * => Promise<void> }>}
+ * @returns {Promise<{ version: string, send: (method: string, path: string, body?: object) =>
+ * Promise<any>, close: () => Promise<void> }>}
  */
 export async function startWebkit() {
   install({ WebKitWebDriver: 'webkit2gtk-driver libegl1 libgl1-mesa-dri' });
@@ -29,7 +30,9 @@ export async function startWebkit() {
   }
   const { sessionId, capabilities } = await call('POST', `${address}/session`, {
     capabilities: {
-      alwaysMatch: { 'webkitgtk:browserOptions': { binary: miniBrowser(), args: ['--automation'] } },
+      alwaysMatch: {
+        'webkitgtk:browserOptions': { binary: miniBrowser(), args: ['--automation'] },
+      },
     },
   });
   const session = `${address}/session/${sessionId}`;
@@ -49,7 +52,9 @@ export async function startWebkit() {
 async function call(method, address, body) {
   const answer = await fetch(address, {
     method,
-    ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }),
+    ...(body === undefined
+      ? {}
+      : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }),
   });
   const { value } = /** @type {{ value: any }} */ (await answer.json());
   if (!answer.ok) throw new Error(`${method} ${address}: ${value.error}: ${value.message}`);
@@ -68,7 +73,9 @@ async function answers(address) {
 /** Debian puts it beside the library, in a folder named by the machine's architecture. */
 function miniBrowser() {
   const found = readdirSync('/usr/lib')
-    .flatMap((folder) => ['4.1', '4.0'].map((api) => join('/usr/lib', folder, `webkit2gtk-${api}`, 'MiniBrowser')))
+    .flatMap((folder) =>
+      ['4.1', '4.0'].map((api) => join('/usr/lib', folder, `webkit2gtk-${api}`, 'MiniBrowser')),
+    )
     .find((path) => existsSync(path));
   if (found === undefined) throw new Error('MiniBrowser is not beside the WebKitGTK library');
   return found;

@@ -6,7 +6,9 @@ struct CellSpots {
   int count;
 };
 
-/** The cell that p, in shading space, lies in; the nearest one for points outside the grid's box. */
+/**
+ * The cell that p, in shading space, lies in; the nearest one for points outside the grid's box.
+ */
 CellSpots cellSpots(vec3 p) {
   int grid = int(lightRow(HEADER_COUNTS).w);
   vec4 low = lightRow(grid + GRID_LOW);

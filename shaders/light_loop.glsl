@@ -1,11 +1,12 @@
-// The sum over the lights at one point, in shading space. The caller applies the material's colours once. Needs
-// light_rows, guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
+// The sum over the lights at one point, in shading space. The caller applies the material's colours
+// once. Needs light_rows, guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
 //
-// `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call, so compilers drop
-// the rest. By default there is a loop for each kind of light, with the number of turns read from the header and the
-// features of everything declared: DECLARED_FEATURES, an integer literal. LIGHT_STATEMENTS, where it is defined,
-// replaces the loops: a specialised program's statements. There is no per-fragment branch: it would take 1.25 times as
-// long in software and gain nothing on a GPU.
+// `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call,
+// so compilers drop the rest. By default there is a loop for each kind of light, with the number of
+// turns read from the header and the features of everything declared: DECLARED_FEATURES, an integer
+// literal. LIGHT_STATEMENTS, where it is defined, replaces the loops: a specialised program's
+// statements. There is no per-fragment branch: it would take 1.25 times as long in software and
+// gain nothing on a GPU.
 
 /** Σ Ia·decay, Σ Id·att·NoL·decay and Σ Is·att·spec·decay, before the material. */
 struct LightSums {
@@ -42,7 +43,10 @@ void addColor(inout vec3 sum, inout float grey, vec3 color, float amount, bool t
   else grey += color.r * amount;
 }
 
-/** Adds one light's diffuse and specular terms times `factor`. L unit, or zero where there is no direction. */
+/**
+ * Adds one light's diffuse and specular terms times `factor`. L unit, or zero where there is no
+ * direction.
+ */
 void addLobes(inout LightSums sums, vec3 N, vec3 view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor, int features) {
   float NoL = dot(N, L);
   if (has(features, FEATURE_DIFFUSE)) {
@@ -55,7 +59,10 @@ void addLobes(inout LightSums sums, vec3 N, vec3 view, vec3 L, float n, vec3 dif
   }
 }
 
-/** L from p to a light's position, the distance d and its square; L and d are zero where the light is at p. */
+/**
+ * L from p to a light's position, the distance d and its square; L and d are zero where the light
+ * is at p.
+ */
 vec3 towardLight(vec3 position, vec3 p, out float d, out float squared) {
   vec3 v = position - p;
   squared = dot(v, v);
@@ -64,7 +71,9 @@ vec3 towardLight(vec3 position, vec3 p, out float d, out float squared) {
   return v * inverse;
 }
 
-/** Adds the directional light whose first row is `row`. All three functions take the same arguments. */
+/**
+ * Adds the directional light whose first row is `row`. All three functions take the same arguments.
+ */
 void addDirectional(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
   DirectionalLight light = directionalLight(row);
   addLobes(sums, N, view, light.direction, n, light.diffuse, light.specular, 1.0, features);
@@ -97,8 +106,8 @@ void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, 
 }
 
 /**
- * Sums all lights at point p. N is unit, or zero: then only ambient light is left. V is the unit vector toward the eye,
- * or zero: then there is no specular light. n >= 0 is the specular exponent.
+ * Sums all lights at point p. N is unit, or zero: then only ambient light is left. V is the unit
+ * vector toward the eye, or zero: then there is no specular light. n >= 0 is the specular exponent.
  */
 LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);

@@ -1,5 +1,5 @@
-// lightRow(i): row i of the packed lights. The layout's defines say what a row holds. With STORAGE_OWN the program has
-// a lightRow of its own before this text.
+// lightRow(i): row i of the packed lights. The layout's defines say what a row holds. With
+// STORAGE_OWN the program has a lightRow of its own before this text.
 
 #if LIGHT_STORAGE == STORAGE_UNIFORMS
 uniform highp vec4 uLightRows[LIGHT_ROWS];
@@ -10,8 +10,8 @@ vec4 lightRow(int i) {
 uniform highp sampler2D uLightTexture;
 uniform highp vec2 uLightTextureScale; // 1 / its width, 1 / its height
 vec4 lightRow(int i) {
-  // A texel's centre, with nearest filtering and one level: exact. SwiftShader draws a picture with 8 lights in 0.63 of
-  // the time that texelFetch takes.
+  // A texel's centre, with nearest filtering and one level: exact. SwiftShader draws a picture with
+  // 8 lights in 0.63 of the time that texelFetch takes.
   vec2 texel = vec2(float(i & ((1 << TEXTURE_ROWS_LOG2) - 1)), float(i >> TEXTURE_ROWS_LOG2)) + 0.5;
   return texture(uLightTexture, texel * uLightTextureScale);
 }

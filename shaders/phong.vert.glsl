@@ -1,10 +1,11 @@
-// Places a vertex on the screen and passes its point and normal in shading space to the fragments. Gouraud shading sums
-// the lights here, for both faces: a vertex does not know from which side it will be seen.
+// Places a vertex on the screen and passes its point and normal in shading space to the fragments.
+// Gouraud shading sums the lights here, for both faces: a vertex does not know from which side it
+// will be seen.
 
 in vec3 position;
 in vec3 normal;
-// three.js's names, because it sends these with each mesh and the material's own uniforms once. Both are to shading
-// space.
+// three.js's names, because it sends these with each mesh and the material's own uniforms once.
+// Both are to shading space.
 uniform mat4 modelViewMatrix;
 uniform mat3 normalMatrix;
 uniform mat4 uShadingToClip;

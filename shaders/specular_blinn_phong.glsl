@@ -1,5 +1,5 @@
-// Blinn's lobe (James F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977).
-// Needs guard and power.
+// Blinn's lobe (James F. Blinn, "Models of light reflection for computer synthesized pictures",
+// SIGGRAPH 1977). Needs guard and power.
 
 /**
  * |L + V|² below this is rounding alone: light and eye are opposite each other. Unit vectors of float32 are 1e-7 off.
@@ -14,7 +14,8 @@ vec3 specularView(vec3 N, vec3 V) {
 
 /** max(dot(N, H), 0)^n with H = (L + V)/|L + V|. N, L, V unit (V may be zero); NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
-  // Where light and eye are almost opposite the sum is short, and errors of the two lengths are most of it.
+  // Where light and eye are almost opposite the sum is short, and errors of the two lengths are
+  // most of it.
   vec3 sum = refined(L) + refined(V);
   float squared = dot(sum, sum);
   bool hasHalf = squared >= LEAST_SUM;

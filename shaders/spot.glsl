@@ -1,5 +1,6 @@
-// A spot's cone and its decay away from the axis. c is the cosine between the axis and the fragment. Steep cones and
-// decays use chords: (1 - c)/2 = sin²(angle/2) = |a - b|²/4 for unit a, b does not cancel at small angles. Needs power.
+// A spot's cone and its decay away from the axis. c is the cosine between the axis and the
+// fragment. Steep cones and decays use chords: (1 - c)/2 = sin²(angle/2) = |a - b|²/4 for unit a, b
+// does not cancel at small angles. Needs power.
 
 /** |v|²/4: sin² of half the angle between unit a and b for v = a - b, cos² of it for v = a + b. */
 float quarterLengthSquared(vec3 v) {
@@ -7,8 +8,9 @@ float quarterLengthSquared(vec3 v) {
 }
 
 /**
- * Whether the fragment is inside the cone. sinHalfSquared = (1 - c)/2, cosHalfSquared = (1 + c)/2. `limit` as packed:
- * >= 0 is the largest sinHalfSquared allowed, < 0 is minus the smallest cosHalfSquared.
+ * Whether the fragment is inside the cone. sinHalfSquared = (1 - c)/2, cosHalfSquared = (1 + c)/2.
+ * `limit` as packed: >= 0 is the largest sinHalfSquared allowed, < 0 is minus the smallest
+ * cosHalfSquared.
  */
 bool insideCone(float sinHalfSquared, float cosHalfSquared, float limit, int features) {
   bool narrow = (features & FEATURE_NARROW) != 0;

@@ -1,8 +1,9 @@
 // The whole equation at one point of a surface. Needs guard and light_loop.
 
 /**
- * The colour at point p before clamping: Ka·ΣIa·decay + Kd·ΣId·att·NoL·decay + Ks·ΣIs·att·spec·decay. Everything in
- * shading space. N is unit, or zero: then only ambient light is left. n >= 0.
+ * The colour at point p before clamping: Ka·ΣIa·decay + Kd·ΣId·att·NoL·decay +
+ * Ks·ΣIs·att·spec·decay. Everything in shading space. N is unit, or zero: then only ambient light
+ * is left. n >= 0.
  */
 vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
   LightSums sums = lightSums(p, N, unitInRange(eye - p), n);

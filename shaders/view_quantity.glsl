@@ -1,5 +1,6 @@
-// One quantity of the equation in place of the surface's colour: the normal, or a number of one light. Takes the place
-// of surface_color. Needs light_loop. VIEW_VALUE calls the function of the view, viewNDotL for n-dot-l.
+// One quantity of the equation in place of the surface's colour: the normal, or a number of one
+// light. Takes the place of surface_color. Needs light_loop. VIEW_VALUE calls the function of the
+// view, viewNDotL for n-dot-l.
 
 uniform vec4 uViewPosition; // of the light, in shading space; w = 0: xyz is L, unit or zero
 uniform vec4 uViewAxis; // A, unit or zero; w = cutoff

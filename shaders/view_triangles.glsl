@@ -1,5 +1,5 @@
-// A colour for each triangle, in place of the surface's colour. Takes the place of surface_color. Triangles share no
-// vertices.
+// A colour for each triangle, in place of the surface's colour. Takes the place of surface_color.
+// Triangles share no vertices.
 
 flat in int vTriangle;
 in vec3 vCorner;
@@ -14,8 +14,8 @@ vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float
   hash ^= hash >> 13;
   // From 80 to 255: dark lines stand out against every colour.
   vec3 color = (80.0 + floor(vec3(uvec3(hash, hash >> 8, hash >> 16) & 255u) * (175.0 / 255.0))) / 255.0;
-  // Distances to the edges in pixels. Triangles of less than 3 pixels have no line: nothing would be left of their
-  // colour.
+  // Distances to the edges in pixels. Triangles of less than 3 pixels have no line: nothing would
+  // be left of their colour.
   vec3 step = fwidth(vCorner);
   vec3 pixels = vCorner / max(step, TINY);
   float widest = max(step.x, max(step.y, step.z));

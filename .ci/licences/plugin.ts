@@ -1,5 +1,6 @@
-// Which licences hold for a bundle? Reads them from node_modules for the packages that are really in it, puts a notice
-// at the head of each file after minification, and writes all texts to THIRD-PARTY-LICENSES.txt beside the files.
+// Which licences hold for a bundle? Reads them from node_modules for the packages that are really
+// in it, puts a notice at the head of each file after minification, and writes all texts to
+// THIRD-PARTY-LICENSES.txt beside the files.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -19,13 +20,17 @@ interface Part {
   readonly text: string;
 }
 
-/** three ships libraries of others, without their licences. By the beginning of their files' names. */
-const LIBRARIES: ReadonlyMap<string, { readonly name: string; readonly licence: string; readonly file: string }> =
-  new Map([
-    ['basis', { name: 'Basis Universal transcoder', licence: 'Apache-2.0', file: 'basis.txt' }],
-    ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
-    ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
-  ]);
+/**
+ * three ships libraries of others, without their licences. By the beginning of their files' names.
+ */
+const LIBRARIES: ReadonlyMap<
+  string,
+  { readonly name: string; readonly licence: string; readonly file: string }
+> = new Map([
+  ['basis', { name: 'Basis Universal transcoder', licence: 'Apache-2.0', file: 'basis.txt' }],
+  ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
+  ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
+]);
 
 const ownFolder = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -41,9 +46,13 @@ function partOf(moduleId: string): Part | undefined {
   const folder = join(moduleId.slice(0, start), 'node_modules', package_);
   const { name, version, license } = manifestIn(folder);
   const [, library] = /^three\/examples\/jsm\/libs\/([^/.]+)/.exec(inside) ?? [];
-  if (library === undefined) return { name: `${name} ${version}`, licence: license, text: licenceText(folder) };
+  if (library === undefined) {
+    return { name: `${name} ${version}`, licence: license, text: licenceText(folder) };
+  }
   const known = LIBRARIES.get(library);
-  if (known === undefined) throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
+  if (known === undefined) {
+    throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
+  }
   const text = readFileSync(new URL(known.file, import.meta.url), 'utf8').trim();
   return { name: `${known.name} (in ${name} ${version})`, licence: known.licence, text };
 }
@@ -59,7 +68,9 @@ function partsOf(moduleIds: Iterable<string>): readonly Part[] {
   const parts = new Map<string, Part>();
   for (const id of moduleIds) {
     const part = partOf(id);
-    if (part !== undefined) parts.set(part.name, part);
+    if (part !== undefined) {
+      parts.set(part.name, part);
+    }
   }
   return [...parts.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
 }
@@ -71,12 +82,15 @@ function notice(isEntry: boolean, parts: readonly Part[]): string {
   const { name, version, license } = manifestIn(ownFolder);
   const own = isEntry ? [`${name} ${version}, ${license}`] : [];
   const others = parts.map((part) => `${part.name}: ${copyright(part)}, ${part.licence}`);
-  if (others.length > 0) others.push('Licences: THIRD-PARTY-LICENSES.txt');
+  if (others.length > 0) {
+    others.push('Licences: THIRD-PARTY-LICENSES.txt');
+  }
   const lines = [...own, ...others];
   return lines.length === 0 ? '' : `/*!\n${lines.map((line) => ` * ${line}\n`).join('')} */`;
 }
 
-const introduction = 'The files beside this one contain code of these packages, under the licences given here.';
+const introduction =
+  'The files beside this one contain code of these packages, under the licences given here.';
 
 /**
  * @param options.listed whether to write THIRD-PARTY-LICENSES.txt too; default true.
@@ -98,7 +112,9 @@ export function licences({ listed = true } = {}): Plugin {
     generateBundle() {
       if (!listed) return;
       const line = '-'.repeat(80);
-      const sections = partsOf(this.getModuleIds()).map(({ name, text }) => `${line}\n${name}\n\n${text}\n`);
+      const sections = partsOf(this.getModuleIds()).map(
+        ({ name, text }) => `${line}\n${name}\n\n${text}\n`,
+      );
       const source = `${introduction}\n\n${sections.join('\n')}`;
       this.emitFile({ type: 'asset', fileName: 'THIRD-PARTY-LICENSES.txt', source });
     },

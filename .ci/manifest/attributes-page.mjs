@@ -1,5 +1,6 @@
 // @ts-check
-// Writes src/ATTRIBUTES.md: a table of attributes for each element, from the same descriptions as the API page.
+// Writes src/ATTRIBUTES.md: a table of attributes for each element, from the same descriptions as
+// the API page.
 
 /**
  * @typedef {import('./elements.mjs').Element} Element
@@ -17,7 +18,10 @@ grey, or a CSS colour in sRGB of up to 200 characters. Vectors are numbers separ
 and one warning on the console says what was expected. Every attribute is also a property, in camel case.
 `;
 
-/** The elements in the order in which they are written: a scene needs a light and a mesh before it needs the rest. */
+/**
+ * The elements in the order in which they are written: a scene needs a light and a mesh before it
+ * needs the rest.
+ */
 const ORDER = ['phong-light', 'phong-mesh', 'phong-viewer', 'phong-compare', 'phong-control'];
 
 /** @param {Element[]} elements @returns {string} */
@@ -29,16 +33,20 @@ export function attributesPage(elements) {
   return [HEAD, ...inOrder.map((element) => section(element, mesh))].join('\n');
 }
 
-/** @param {Element} element @param {Value[]} mesh the values of a mesh: those that a viewer shares are one row */
+/**
+ * @param {Element} element @param {Value[]} mesh the values of a mesh: those that a viewer shares
+ * are one row
+ */
 function section({ tag, description, values }, mesh) {
   const isShared = (/** @type {Value} */ value) =>
     tag === 'phong-viewer' && mesh.some(({ field }) => field === value.field);
   const shared = values.filter(isShared).map(({ attribute }) => `\`${attribute}\``);
   const rows = values.filter((value) => !isShared(value)).map(row);
-  if (shared.length > 0)
+  if (shared.length > 0) {
     rows.unshift(
       `| ${shared.join(', ')} | One mesh without a child element. It is shown together with all meshes inside the viewer. | as for a mesh | as for a mesh |`,
     );
+  }
   return `## \`<${tag}>\`
 
 ${description}

@@ -1,7 +1,7 @@
 // @ts-check
-// Describes the elements from their source: attributes with types and defaults, events, methods, slots and parts.
-// Docstrings and types come from the TypeScript compiler, domains and defaults from the tables of fields. Knows no file
-// format.
+// Describes the elements from their source: attributes with types and defaults, events, methods,
+// slots and parts. Docstrings and types come from the TypeScript compiler, domains and defaults
+// from the tables of fields. Knows no file format.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -13,9 +13,9 @@ import ts from 'typescript';
  * @typedef {Named & { type: string }} Typed
  * @typedef {Typed & { optional: boolean }} Parameter
  * @typedef {Typed & { parameters: Parameter[] }} Method  `type` is the type of the result
- * @typedef {Typed & { attribute: string, field: Field, fallback: string | undefined, choices: string[] }} Value
- *   an attribute and its property. `name` and `type` are the property's. `fallback` is the default as the attribute's
- *   text; `choices` are the words that its value may contain.
+ * @typedef {Typed & { attribute: string, field: Field, fallback: string | undefined, choices:
+ * string[] }} Value an attribute and its property. `name` and `type` are the property's. `fallback`
+ * is the default as the attribute's text; `choices` are the words that its value may contain.
  * @typedef {object} Element
  * @property {string} tag
  * @property {string} className
@@ -40,14 +40,21 @@ const folder = join(repository, 'src/viewer/element');
 export function describeElements({ fields, attributeOf, formatValue }) {
   const tags = Object.keys(fields);
   const files = [...tags, 'events'].map((name) => join(folder, `${name}.ts`));
-  const program = ts.createProgram([...files, join(repository, 'src/glsl.d.ts')], compilerOptions());
+  const program = ts.createProgram(
+    [...files, join(repository, 'src/glsl.d.ts')],
+    compilerOptions(),
+  );
   const reader = new SourceReader(program.getTypeChecker());
   const eventsFile = program.getSourceFile(join(folder, 'events.ts'));
   return tags.map((tag) => {
     const file = program.getSourceFile(join(folder, `${tag}.ts`));
     const className = tag.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
-    const declaration = file?.statements.find((s) => ts.isClassDeclaration(s) && implementsElement(s, className));
-    if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile) throw new Error(`${tag}: no class`);
+    const declaration = file?.statements.find(
+      (s) => ts.isClassDeclaration(s) && implementsElement(s, className),
+    );
+    if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile) {
+      throw new Error(`${tag}: no class`);
+    }
     const parts = reader.classParts(declaration);
     return {
       tag,
@@ -57,7 +64,10 @@ export function describeElements({ fields, attributeOf, formatValue }) {
       values: Object.entries(fields[tag] ?? {}).map(([name, field]) => ({
         attribute: attributeOf(name),
         field,
-        fallback: field.fallback === null ? undefined : (formatValue(field.fallback, field) ?? absent(field)),
+        fallback:
+          field.fallback === null
+            ? undefined
+            : (formatValue(field.fallback, field) ?? absent(field)),
         ...reader.property(declaration, name),
       })),
       events: reader.events(eventsFile, `${className}EventMap`),
@@ -71,16 +81,24 @@ export function describeElements({ fields, attributeOf, formatValue }) {
  * @param {string} className
  */
 function implementsElement({ heritageClauses, name }, className) {
-  const isImplements = (/** @type {ts.HeritageClause} */ clause) => clause.token === ts.SyntaxKind.ImplementsKeyword;
-  return name?.text === className.replace('Phong', '') + 'Element' && heritageClauses?.some(isImplements) === true;
+  const isImplements = (/** @type {ts.HeritageClause} */ clause) =>
+    clause.token === ts.SyntaxKind.ImplementsKeyword;
+  return (
+    name?.text === className.replace('Phong', '') + 'Element' &&
+    heritageClauses?.some(isImplements) === true
+  );
 }
 
-/** The default of an attribute that must be absent for it: false, or an empty list. @param {{ kind: string }} field */
+/**
+ * The default of an attribute that must be absent for it: false, or an empty list. @param {{ kind:
+ * string }} field
+ */
 const absent = ({ kind }) => (kind === 'presence' || kind === 'flag-or-words' ? 'false' : '');
 
 function compilerOptions() {
   const { config } = ts.readConfigFile(join(repository, 'tsconfig.json'), ts.sys.readFile);
-  return ts.convertCompilerOptionsFromJson({ ...config.compilerOptions, types: [] }, repository).options;
+  return ts.convertCompilerOptionsFromJson({ ...config.compilerOptions, types: [] }, repository)
+    .options;
 }
 
 class SourceReader {
@@ -98,7 +116,12 @@ class SourceReader {
     const symbol = owner.getProperty(name);
     if (!symbol) throw new Error(`${declaration.name?.text}: no property ${name}`);
     const type = this.#checker.getTypeOfSymbol(symbol);
-    return { name, description: this.#words(symbol), type: this.#text(type), choices: this.#choices(type) };
+    return {
+      name,
+      description: this.#words(symbol),
+      type: this.#text(type),
+      choices: this.#choices(type),
+    };
   }
 
   /** @param {ts.ClassDeclaration} declaration */
@@ -135,7 +158,11 @@ class SourceReader {
       const type = this.#checker.getTypeAtLocation(member);
       const [detail] = this.#checker.getTypeArguments(/** @type {ts.TypeReference} */ (type));
       const text = detail ? `CustomEvent<${this.#detail(detail)}>` : this.#text(type);
-      return { name: nameOf(member), description: this.#words(this.#symbol(member.name)), type: text };
+      return {
+        name: nameOf(member),
+        description: this.#words(this.#symbol(member.name)),
+        type: text,
+      };
     });
   }
 
@@ -164,7 +191,8 @@ class SourceReader {
   }
 
   /**
-   * The docstring, one line per paragraph, links as plain names. A getter without one gets that of its type.
+   * The docstring, one line per paragraph, links as plain names. A getter without one gets that of
+   * its type.
    * @param {ts.Symbol} symbol @returns {string}
    */
   #words(symbol) {
@@ -182,7 +210,9 @@ class SourceReader {
     if (type.isUnion()) {
       const texts = [...new Set(type.types.map((member) => this.#text(member)))];
       const nothing = texts.filter((text) => text === 'null');
-      return [...texts.filter((text) => text !== 'null'), ...nothing].join(' | ').replace('false | true', 'boolean');
+      return [...texts.filter((text) => text !== 'null'), ...nothing]
+        .join(' | ')
+        .replace('false | true', 'boolean');
     }
     const list = this.#listed(type);
     if (list) return `readonly (${this.#text(list)})[]`;
@@ -198,7 +228,9 @@ class SourceReader {
   #detail(type) {
     const properties = this.#checker.getPropertiesOfType(type);
     if (properties.length === 0) return this.#text(type);
-    const texts = properties.map((p) => `${p.name}: ${this.#text(this.#checker.getTypeOfSymbol(p))}`);
+    const texts = properties.map(
+      (p) => `${p.name}: ${this.#text(this.#checker.getTypeOfSymbol(p))}`,
+    );
     return `{ ${texts.join('; ')} }`;
   }
 
@@ -212,7 +244,9 @@ class SourceReader {
   /** @param {ts.Type} type @returns {string[]} */
   #choices(type) {
     const union = this.#listed(type) ?? type;
-    return (union.isUnion() ? union.types : [union]).flatMap((t) => (t.isStringLiteral() ? [t.value] : []));
+    return (union.isUnion() ? union.types : [union]).flatMap((t) =>
+      t.isStringLiteral() ? [t.value] : [],
+    );
   }
 }
 
@@ -221,7 +255,9 @@ class SourceReader {
  * @param {ts.ClassElement} member
  */
 function isOffered(member) {
-  if (!member.name || !ts.isIdentifier(member.name) || /Callback$/.test(member.name.text)) return false;
+  if (!member.name || !ts.isIdentifier(member.name) || /Callback$/.test(member.name.text)) {
+    return false;
+  }
   const flags = ts.getCombinedModifierFlags(member);
   const { Static, Override, Protected, Private } = ts.ModifierFlags;
   return (flags & (Static | Override | Protected | Private)) === 0;
@@ -233,13 +269,18 @@ function nameOf(member) {
   return name && (ts.isIdentifier(name) || ts.isStringLiteral(name)) ? name.text : '';
 }
 
-/** `@slot error - words` of a class. @param {ts.ClassDeclaration} declaration @param {string} tag @returns {Named[]} */
+/**
+ * `@slot error - words` of a class. @param {ts.ClassDeclaration} declaration @param {string} tag
+ * @returns {Named[]}
+ */
 function tagged(declaration, tag) {
   return ts
     .getJSDocTags(declaration)
     .filter((found) => found.tagName.text === tag)
     .map((found) => {
-      const [name = '', ...words] = (ts.getTextOfJSDocComment(found.comment) ?? '').split(/(?:^| )- /);
+      const [name = '', ...words] = (ts.getTextOfJSDocComment(found.comment) ?? '').split(
+        /(?:^| )- /,
+      );
       return { name: name.trim(), description: words.join(' - ') };
     });
 }

@@ -1,6 +1,6 @@
 // @ts-check
-// Writes the elements' descriptions in three formats that editors and documentation tools read: Custom Elements
-// Manifest, JetBrains' web-types, VS Code's HTML data.
+// Writes the elements' descriptions in three formats that editors and documentation tools read:
+// Custom Elements Manifest, JetBrains' web-types, VS Code's HTML data.
 
 /**
  * @typedef {import('./elements.mjs').Element} Element
@@ -23,16 +23,34 @@ export function customElementsManifest(elements) {
         declarations: elements.map(declaration),
         exports: elements.flatMap(({ tag, className }) => [
           { kind: 'js', name: className, declaration: { name: className, module } },
-          { kind: 'custom-element-definition', name: tag, declaration: { name: className, module } },
+          {
+            kind: 'custom-element-definition',
+            name: tag,
+            declaration: { name: className, module },
+          },
         ]),
       },
     ],
   };
 }
 
-/** @param {Element} element @returns {import('custom-elements-manifest').CustomElementDeclaration} */
+/**
+ * @param {Element} element @returns {import('custom-elements-manifest').CustomElementDeclaration}
+ */
 function declaration(element) {
-  const { tag, className, description, values, properties, readonly, methods, events, slots, parts, states } = element;
+  const {
+    tag,
+    className,
+    description,
+    values,
+    properties,
+    readonly,
+    methods,
+    events,
+    slots,
+    parts,
+    states,
+  } = element;
   return {
     kind: 'class',
     customElement: true,
@@ -76,12 +94,18 @@ function property(value) {
   };
 }
 
-/** @param {import('./elements.mjs').Typed} typed @returns {import('custom-elements-manifest').ClassField} */
+/**
+ * @param {import('./elements.mjs').Typed} typed @returns
+ * {import('custom-elements-manifest').ClassField}
+ */
 function readonlyProperty({ name, description, type }) {
   return { kind: 'field', name, description, type: { text: type }, readonly: true };
 }
 
-/** @param {import('./elements.mjs').Method} method @returns {import('custom-elements-manifest').ClassMethod} */
+/**
+ * @param {import('./elements.mjs').Method} method @returns
+ * {import('custom-elements-manifest').ClassMethod}
+ */
 function method({ name, description, type, parameters }) {
   return {
     kind: 'method',

@@ -1,5 +1,5 @@
-// The parts of the source that the manifests import and run: the tables of fields by tag, and the functions that write
-// a field's value as an attribute.
+// The parts of the source that the manifests import and run: the tables of fields by tag, and the
+// functions that write a field's value as an attribute.
 
 import type { Field } from '../../src/phong/fields/field.js';
 import { COMPARE_FIELDS } from '../../src/viewer/element/fields/compare-fields.js';

@@ -1,5 +1,5 @@
-// Which pages does the site have, and in what order are they read? Paths are relative to the site's root and end with a
-// slash. Knows no page's text.
+// Which pages does the site have, and in what order are they read? Paths are relative to the site's
+// root and end with a slash. Knows no page's text.
 
 export interface Entry {
   readonly path: string;

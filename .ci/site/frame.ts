@@ -1,10 +1,14 @@
-// What do all pages of the site share? The head for browsers, search engines and link previews, the header with the
-// navigation, the footer with the way to the package. Text only; knows no page's content.
+// What do all pages of the site share? The head for browsers, search engines and link previews, the
+// header with the navigation, the footer with the way to the package. Text only; knows no page's
+// content.
 
 import { closerLooks, foot, guide, sections, type Entry } from './contents.js';
 import { escapeHtml } from './markdown.js';
 
-/** Scripts, styles, models and pictures come from the site itself; nothing inline, nothing evaluated. */
+/**
+ * Scripts, styles, models and pictures come from the site itself; nothing inline, nothing
+ * evaluated.
+ */
 const POLICY = {
   'default-src': "'none'",
   'script-src': "'self'",
@@ -34,8 +38,8 @@ export interface Facts {
   /** The repository's address in a browser; empty if it has none yet. */
   readonly repository: string;
   /**
-   * Where the site is published: absolute, with a slash at the end; empty if that is not known. Link previews need
-   * absolute addresses.
+   * Where the site is published: absolute, with a slash at the end; empty if that is not known.
+   * Link previews need absolute addresses.
    */
   readonly site: string;
 }
@@ -43,8 +47,15 @@ export interface Facts {
 /** The way from a page to the site's root. */
 const rootFrom = (path: string): string => '../'.repeat(path.split('/').length - 1) || './';
 
-/** @param policy whether to add the Content-Security-Policy. The development server's own scripts would break it. */
-export function headHtml({ path, title, description }: Page, { site }: Facts, policy: boolean): string {
+/**
+ * @param policy whether to add the Content-Security-Policy. The development server's own scripts
+ * would break it.
+ */
+export function headHtml(
+  { path, title, description }: Page,
+  { site }: Facts,
+  policy: boolean,
+): string {
   const root = rootFrom(path);
   const full = escapeHtml(path === '' ? title : `${title} – phong-viewer`);
   const rules = Object.entries(path === 'playground/' ? PLAYGROUND_POLICY : POLICY);

@@ -1,5 +1,5 @@
-// The parts of pages that are not typed by hand: the API's tables from the manifest, the release notes from the change
-// log, the sizes from the built package. Text in, HTML out.
+// The parts of pages that are not typed by hand: the API's tables from the manifest, the release
+// notes from the change log, the sizes from the built package. Text in, HTML out.
 
 import { readdirSync, readFileSync, existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,13 +8,16 @@ import type { CustomElementDeclaration, Package, Type } from 'custom-elements-ma
 import { DEFAULT } from '../manifest/attributes-page.mjs';
 import { blocksHtml, escapeHtml, inlineHtml } from './markdown.js';
 
-// -- API --------------------------------------------------------------------------------------------------------------
+// -- API
+// -------------------------------------------------------------------------------------------------
 
 /** One section per element: attributes, properties, methods, events, slots and parts. */
 export function apiHtml(manifest: Package): string {
   return manifest.modules
     .flatMap((module) => module.declarations ?? [])
-    .filter((declaration): declaration is CustomElementDeclaration => 'customElement' in declaration)
+    .filter(
+      (declaration): declaration is CustomElementDeclaration => 'customElement' in declaration,
+    )
     .map(elementHtml)
     .join('\n');
 }
@@ -34,7 +37,8 @@ function elementHtml(element: CustomElementDeclaration): string {
       'Attributes',
       element.attributes ?? [],
       ({ name, fieldName, description, default: fallback }) => [
-        anchored(tag, name) + (fieldName === undefined || fieldName === name ? '' : ` <small>${fieldName}</small>`),
+        anchored(tag, name) +
+          (fieldName === undefined || fieldName === name ? '' : ` <small>${fieldName}</small>`),
         described(withoutDefault(description)) +
           (fallback === undefined || fallback === '' ? '' : defaultHtml(fallback)),
       ],
@@ -67,7 +71,9 @@ function elementHtml(element: CustomElementDeclaration): string {
 export function membersHtml(manifest: Package): string {
   const elements = manifest.modules
     .flatMap((module) => module.declarations ?? [])
-    .filter((declaration): declaration is CustomElementDeclaration => 'customElement' in declaration);
+    .filter(
+      (declaration): declaration is CustomElementDeclaration => 'customElement' in declaration,
+    );
   return elements
     .map(({ tagName = '', attributes = [], members = [], events = [] }) => {
       const names = new Set(attributes.map(({ fieldName }) => fieldName));
@@ -107,23 +113,29 @@ function anchored(tag: string, name: string, after = '', shown = name): string {
   return `<a id="${id}" href="#${id}"><code>${escapeHtml(shown + after)}</code></a>`;
 }
 
-const described = (text: string | undefined): string => (text === undefined || text === '' ? '' : blocksHtml(text));
+const described = (text: string | undefined): string =>
+  text === undefined || text === '' ? '' : blocksHtml(text);
 
 /** The default is shown on its own, from the manifest's field, and not twice. */
 const withoutDefault = (text: string | undefined): string => (text ?? '').replace(DEFAULT, '');
 
-const defaultHtml = (text: string): string => `<p class="type">default <code>${escapeHtml(text)}</code></p>`;
+const defaultHtml = (text: string): string =>
+  `<p class="type">default <code>${escapeHtml(text)}</code></p>`;
 
 const typeHtml = (type: Type | undefined, before = ''): string =>
   type === undefined || type.text === 'void'
     ? ''
     : `<p class="type">${before}<code>${escapeHtml(type.text)}</code></p>`;
 
-// -- Release notes ----------------------------------------------------------------------------------------------------
+// -- Release notes
+// -------------------------------------------------------------------------------------------------
 
 const RELATIVE_LINK = /\[([^\]]+)\]\((?!https?:)[^)]+\)/g;
 
-/** The change log without its title. @param repository the address that its relative links refer to; empty: no links. */
+/**
+ * The change log without its title. @param repository the address that its relative links refer to;
+ * empty: no links.
+ */
 export const releasesHtml = (changelog: string, repository: string): string =>
   blocksHtml(
     repository === ''
@@ -135,7 +147,8 @@ export const releasesHtml = (changelog: string, repository: string): string =>
     (_, name: string) => `<h2 id="${escapeHtml(name.split(' ')[0]!.toLowerCase())}">${name}`,
   );
 
-// -- Examples ---------------------------------------------------------------------------------------------------------
+// -- Examples
+// -------------------------------------------------------------------------------------------------
 
 export interface Example {
   readonly name: string;
@@ -144,10 +157,17 @@ export interface Example {
 }
 
 /** Each example: its picture, what it shows, its markup, and the way to the playground. */
-export const examplesHtml = (examples: readonly Example[], sceneHtml: (name: string) => string): string =>
+export const examplesHtml = (
+  examples: readonly Example[],
+  sceneHtml: (name: string) => string,
+): string =>
   examples
     .map(
-      ({ name, title, words }) => `<section class="example" id="${name}" aria-labelledby="${name}-title">
+      ({
+        name,
+        title,
+        words,
+      }) => `<section class="example" id="${name}" aria-labelledby="${name}-title">
       <h2 id="${name}-title">${escapeHtml(title)}</h2>
       <p>${inlineHtml(words)} <a href="../playground/#example=${name}" aria-label="Open in the playground: ${escapeHtml(title)}">Playground</a></p>
       <figure>${sceneHtml(name)}</figure>
@@ -156,13 +176,17 @@ export const examplesHtml = (examples: readonly Example[], sceneHtml: (name: str
     )
     .join('\n');
 
-// -- Sizes ------------------------------------------------------------------------------------------------------------
+// -- Sizes
+// -------------------------------------------------------------------------------------------------
 
 interface SizeRow {
   readonly words: string;
   readonly folder: string;
   readonly file: RegExp;
-  /** Measured, in kB after Brotli. Shown where the package has not been built, as after a fresh `npm start`. */
+  /**
+   * Measured, in kB after Brotli. Shown where the package has not been built, as after a fresh `npm
+   * start`.
+   */
   readonly noted: number;
 }
 
@@ -180,17 +204,36 @@ export const SIZES: readonly SizeRow[] = [
   { words: 'the reader of OBJ and MTL', folder: 'chunks', file: /^read-obj-/, noted: 4 },
   { words: 'the reader of STL', folder: 'chunks', file: /^read-stl-/, noted: 1.9 },
   { words: 'the reader of PLY', folder: 'chunks', file: /^read-ply-/, noted: 3.1 },
-  { words: 'the Draco decoder, if a model needs it', folder: 'chunks', file: /^draco_decoder/, noted: 49 },
-  { words: 'the meshopt decoder, if a model needs it', folder: 'chunks', file: /^meshopt-/, noted: 6.7 },
+  {
+    words: 'the Draco decoder, if a model needs it',
+    folder: 'chunks',
+    file: /^draco_decoder/,
+    noted: 49,
+  },
+  {
+    words: 'the meshopt decoder, if a model needs it',
+    folder: 'chunks',
+    file: /^meshopt-/,
+    noted: 6.7,
+  },
 ];
 
 /** The script for pages opened from disk, which is no download of a page. */
-const CLASSIC: SizeRow = { words: '', folder: '.', file: /^phong-viewer\.classic\.js$/, noted: 324 };
+const CLASSIC: SizeRow = {
+  words: '',
+  folder: '.',
+  file: /^phong-viewer\.classic\.js$/,
+  noted: 324,
+};
 
-/** Size after Brotli in kB (1,000 bytes), measured; undefined where the package has not been built. */
+/**
+ * Size after Brotli in kB (1,000 bytes), measured; undefined where the package has not been built.
+ */
 export function measured(dist: string, { folder, file }: SizeRow): number | undefined {
   const path = join(dist, folder);
-  const names = existsSync(path) ? readdirSync(path).filter((name) => file.test(name) && !name.endsWith('.map')) : [];
+  const names = existsSync(path)
+    ? readdirSync(path).filter((name) => file.test(name) && !name.endsWith('.map'))
+    : [];
   const bytes = names.map((name) => brotliCompressSync(readFileSync(join(path, name))).length);
   return bytes.length === 0 ? undefined : bytes.reduce((sum, size) => sum + size) / 1000;
 }
@@ -209,6 +252,7 @@ export const sizeOf = (dist: string, name: string): string =>
 
 /** Rows of a table. @param dist the built package. */
 export const sizesHtml = (dist: string): string =>
-  SIZES.map((row) => `<tr><th scope="row">${inlineHtml(row.words)}</th><td>${sizeText(dist, row)} kB</td></tr>`).join(
-    '\n',
-  );
+  SIZES.map(
+    (row) =>
+      `<tr><th scope="row">${inlineHtml(row.words)}</th><td>${sizeText(dist, row)} kB</td></tr>`,
+  ).join('\n');

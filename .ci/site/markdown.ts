@@ -1,5 +1,6 @@
-// Markdown to HTML, as far as the change log and the manifest's descriptions use it: headings, lists, paragraphs, code,
-// bold text and links. Everything else is text. The result holds no markup but its own.
+// Markdown to HTML, as far as the change log and the manifest's descriptions use it: headings,
+// lists, paragraphs, code, bold text and links. Everything else is text. The result holds no markup
+// but its own.
 
 /** Escapes text for HTML, attribute values included. */
 export const escapeHtml = (text: string): string =>
@@ -9,17 +10,22 @@ export const escapeHtml = (text: string): string =>
 export function inlineHtml(text: string, base = ''): string {
   return text
     .split(/(`[^`]+`)/)
-    .map((part, i) => (i % 2 === 1 ? `<code>${escapeHtml(part.slice(1, -1))}</code>` : words(part, base)))
+    .map((part, i) =>
+      i % 2 === 1 ? `<code>${escapeHtml(part.slice(1, -1))}</code>` : words(part, base),
+    )
     .join('');
 }
 
 function words(text: string, base: string): string {
   return escapeHtml(text)
     .replace(/\*\*([^*]+)\*\*/g, '<b>$1</b>')
-    .replace(/\[([^\]]+)\]\((https?:\/\/[^)\s]*|[\w./#][^):\s]*)\)/g, (_, label: string, href: string) => {
-      const address = /^https?:/.test(href) ? href : base + href;
-      return `<a href="${address}">${label}</a>`;
-    });
+    .replace(
+      /\[([^\]]+)\]\((https?:\/\/[^)\s]*|[\w./#][^):\s]*)\)/g,
+      (_, label: string, href: string) => {
+        const address = /^https?:/.test(href) ? href : base + href;
+        return `<a href="${address}">${label}</a>`;
+      },
+    );
 }
 
 /** Blocks are separated by empty lines; `# Title` becomes `<h1>`. */

@@ -1,7 +1,7 @@
 // @ts-check
-// `npm run site:models`: draws the models of the site's page of models with three.js, from the eye that each viewer
-// there has chosen, and stores the pictures that the page shows beside its own. Needs `npm run build:site` before, and
-// again after.
+// `npm run site:models`: draws the models of the site's page of models with three.js, from the eye
+// that each viewer there has chosen, and stores the pictures that the page shows beside its own.
+// Needs `npm run build:site` before, and again after.
 
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -21,8 +21,8 @@ const SIZE = { width: 480, height: 360 };
  * @property {string} src
  * @property {boolean} loaded
  * @property {number} fov
- * @property {{ eye: [number, number, number], target: [number, number, number], up: [number, number, number], radius:
- * number }} camera
+ * @property {{ eye: [number, number, number], target: [number, number, number], up: [number,
+ * number, number], radius: number }} camera
  */
 
 /** Address to folder, the longest first. */
@@ -32,7 +32,12 @@ const folders = /** @type {const} */ ([
   ['/', outputFolder('site')],
 ]);
 /** @type {Readonly<Record<string, string>>} */
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
+const types = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+};
 const imports = { three: '/three/build/three.module.js', 'three/addons/': '/three/examples/jsm/' };
 const page = `<!doctype html><meta charset="utf-8"><title>three.js</title><link rel="icon" href="data:,">
 <script type="importmap">${JSON.stringify({ imports })}</script>
@@ -46,8 +51,12 @@ const server = createServer((request, response) => {
   if (path === '/three') return void response.setHeader('content-type', 'text/html').end(page);
   const [start, folder] = folders.find(([prefix]) => path.startsWith(prefix)) ?? folders[2];
   let file = join(folder, normalize(`/${path.slice(start.length)}`));
-  if (path.endsWith('/')) file = join(file, 'index.html');
-  if (!statSync(file, { throwIfNoEntry: false })?.isFile()) return void response.writeHead(404).end();
+  if (path.endsWith('/')) {
+    file = join(file, 'index.html');
+  }
+  if (!statSync(file, { throwIfNoEntry: false })?.isFile()) {
+    return void response.writeHead(404).end();
+  }
   response.setHeader('content-type', types[extname(file)] ?? 'application/octet-stream');
   response.end(readFileSync(file));
 });
@@ -68,7 +77,9 @@ try {
     await element.scrollIntoViewIfNeeded();
     const { url, view } = await element.evaluate(async (node) => {
       const viewer = /** @type {Viewer} */ (/** @type {unknown} */ (node));
-      while (!viewer.loaded) await new Promise((resolve) => requestAnimationFrame(resolve));
+      while (!viewer.loaded) {
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      }
       const { eye, target, up, radius } = viewer.camera;
       return {
         url: new URL(viewer.src, location.href).href,
@@ -77,7 +88,10 @@ try {
     });
     const data = await three.evaluate(
       ([address, seen]) =>
-        /** @type {{ picture: ThreePicture }} */ (/** @type {unknown} */ (self)).picture.pictureOf(address, seen),
+        /** @type {{ picture: ThreePicture }} */ (/** @type {unknown} */ (self)).picture.pictureOf(
+          address,
+          seen,
+        ),
       /** @type {const} */ ([url, { ...view, ...SIZE }]),
     );
     const file = `${String(await item.getAttribute('id'))}.webp`;

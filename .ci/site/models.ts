@@ -1,5 +1,5 @@
-// How do the entries of demo/models/models.json become pairs of pictures: a viewer, and the same model in another
-// renderer, drawn by model-pictures.mjs? Text only.
+// How do the entries of demo/models/models.json become pairs of pictures: a viewer, and the same
+// model in another renderer, drawn by model-pictures.mjs? Text only.
 
 import { escapeHtml } from './markdown.js';
 

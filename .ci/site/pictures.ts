@@ -1,5 +1,5 @@
-// The bench's whole pictures on the site's bench page: for each stack that has measured them, a chart of error over
-// time for each picture, and a table. Results in, HTML out.
+// The bench's whole pictures on the site's bench page: for each stack that has measured them, a
+// chart of error over time for each picture, and a table. Results in, HTML out.
 
 import { panelPoints, panelSvg } from '../../tests/bench/picture-chart.mjs';
 import {
@@ -30,10 +30,16 @@ const STACKS: Readonly<Record<string, string>> = {
 /** Rows of the table, and what the reader sees of their names. */
 const ROWS: readonly (readonly [side: string, label: string])[] = [
   [PLAIN, 'plain picture'],
-  ...FULL.map((samples) => [full(samples), `antialias="full", ${String(samples)} samples`] as const),
+  ...FULL.map(
+    (samples) => [full(samples), `antialias="full", ${String(samples)} samples`] as const,
+  ),
   [MULTISAMPLED, MULTISAMPLED],
-  ...SSAA.slice(-2).map((samples) => [ssaa(samples), `SSAARenderPass, ${String(samples)} samples`] as const),
-  ...[TAA[0]!, TAA[16]!, TAA[32]!].map((count) => [taa(count), `TAARenderPass, ${String(count)} accumulated`] as const),
+  ...SSAA.slice(-2).map(
+    (samples) => [ssaa(samples), `SSAARenderPass, ${String(samples)} samples`] as const,
+  ),
+  ...[TAA[0]!, TAA[16]!, TAA[32]!].map(
+    (count) => [taa(count), `TAARenderPass, ${String(count)} accumulated`] as const,
+  ),
 ];
 
 /** One section for each stack; empty where nothing has been measured. */
@@ -49,7 +55,8 @@ function stackHtml(result: BenchResult): string {
   const colors = SERIES.map((_, i) => `var(--series-${String(i + 1)})`);
   const names = [...new Set(points.map(({ picture }) => picture))] as (keyof typeof PICTURES)[];
   const panels = names.map(
-    (picture) => `<figure>${panelSvg(points, picture, colors)}<figcaption>${escapeHtml(picture)}</figcaption></figure>`,
+    (picture) =>
+      `<figure>${panelSvg(points, picture, colors)}<figcaption>${escapeHtml(picture)}</figcaption></figure>`,
   );
   return `<section class="front recorded">
     <h3>${escapeHtml(name)}</h3>
@@ -59,9 +66,15 @@ function stackHtml(result: BenchResult): string {
   </section>`;
 }
 
-function tableHtml(result: BenchResult, name: string, names: readonly (keyof typeof PICTURES)[]): string {
+function tableHtml(
+  result: BenchResult,
+  name: string,
+  names: readonly (keyof typeof PICTURES)[],
+): string {
   const rows = ROWS.map(([side, label]) => {
-    const cells = names.map((picture) => `<td>${cellText(result, pictureSubject(picture), side)}</td>`);
+    const cells = names.map(
+      (picture) => `<td>${cellText(result, pictureSubject(picture), side)}</td>`,
+    );
     return `<tr><th scope="row">${escapeHtml(label)}</th>${cells.join('')}</tr>`;
   });
   const head = names.map((picture) => `<th scope="col">${escapeHtml(picture)}</th>`).join('');
@@ -77,6 +90,8 @@ function cellText(result: BenchResult, subject: string, side: string): string {
   const time = pictureTime(result, subject, side);
   if (error === undefined || time === undefined) return '–';
   const codes = pictureValue(result, subject, RMSE.triangles, side + CODES);
-  const errors = [error, ...(codes === undefined ? [] : [codes])].map((x) => x.toFixed(2)).join(' or ');
+  const errors = [error, ...(codes === undefined ? [] : [codes])]
+    .map((x) => x.toFixed(2))
+    .join(' or ');
   return `${errors}, ${time < 10 ? time.toFixed(1) : time.toFixed(0)}`;
 }

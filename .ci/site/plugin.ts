@@ -1,5 +1,6 @@
-// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api -->` by generated
-// parts, and gives the playground the documented attributes. The same in the development server and in the build.
+// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api
+// -->` by generated parts, and gives the playground the documented attributes. The same in the
+// development server and in the build.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -9,7 +10,15 @@ import type { Package as Manifest } from 'custom-elements-manifest';
 import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
-import { apiHtml, examplesHtml, type Example, membersHtml, releasesHtml, sizeOf, sizesHtml } from './generated.js';
+import {
+  apiHtml,
+  examplesHtml,
+  type Example,
+  membersHtml,
+  releasesHtml,
+  sizeOf,
+  sizesHtml,
+} from './generated.js';
 import { readmePage } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
@@ -33,7 +42,9 @@ export const pageFiles = (): string[] =>
     .filter((path) => path.endsWith('index.html'))
     .map((path) => join(demo, path));
 
-/** The data of tags and attributes that editors read; the playground completes and filters by it. */
+/**
+ * The data of tags and attributes that editors read; the playground completes and filters by it.
+ */
 const HTML_DATA = 'virtual:html-data';
 /** The names of the documented attributes by tag. */
 const ATTRIBUTES = 'virtual:attributes';
@@ -44,8 +55,12 @@ export function elementData(): Plugin {
     name: 'element-data',
     resolveId: (id) => (id === HTML_DATA || id === ATTRIBUTES ? `\0${id}` : null),
     load(id) {
-      if (id === `\0${HTML_DATA}`) return `export default ${readBuilt('vscode.html-custom-data.json')}.tags;`;
-      if (id === `\0${ATTRIBUTES}`) return `export default ${JSON.stringify(documentedAttributes())};`;
+      if (id === `\0${HTML_DATA}`) {
+        return `export default ${readBuilt('vscode.html-custom-data.json')}.tags;`;
+      }
+      if (id === `\0${ATTRIBUTES}`) {
+        return `export default ${JSON.stringify(documentedAttributes())};`;
+      }
       return null;
     },
   };
@@ -67,24 +82,39 @@ export function sitePages(): Plugin {
           return;
         }
         void built(join(dist, path), parts).then((file) => {
-          if (file === null) response.writeHead(404).end(`${path} is not there.`);
-          else response.setHeader('content-type', contentType(path)).end(readFileSync(file));
+          if (file === null) {
+            response.writeHead(404).end(`${path} is not there.`);
+          } else {
+            response.setHeader('content-type', contentType(path)).end(readFileSync(file));
+          }
         });
       });
     },
     transformIndexHtml: {
       order: 'pre',
-      handler: (html, { path }) => pageHtml(html, path.replace(/^\//, '').replace(/index\.html$/, ''), building),
+      handler: (html, { path }) =>
+        pageHtml(html, path.replace(/^\//, '').replace(/index\.html$/, ''), building),
     },
     writeBundle() {
       if (!building) return;
       const output = outputFolder('site');
       // Files in demo/assets keep their names: Vite does not follow the `src` of a custom element.
       cpSync(join(demo, 'assets'), join(output, 'assets'), { recursive: true });
-      for (const name of ['phong-viewer.classic.js', 'phong-viewer.standalone.js', 'chunks', 'embed.html', 'embed.js'])
-        if (existsSync(join(dist, name))) cpSync(join(dist, name), join(output, name), { recursive: true });
+      for (const name of [
+        'phong-viewer.classic.js',
+        'phong-viewer.standalone.js',
+        'chunks',
+        'embed.html',
+        'embed.js',
+      ]) {
+        if (existsSync(join(dist, name))) {
+          cpSync(join(dist, name), join(output, name), { recursive: true });
+        }
+      }
       const { site } = packageFacts();
-      if (site !== '') writeFileSync(join(output, 'sitemap.xml'), sitemap(site));
+      if (site !== '') {
+        writeFileSync(join(output, 'sitemap.xml'), sitemap(site));
+      }
     },
   };
 }
@@ -96,7 +126,9 @@ const builds = new Map<string, Promise<void>>();
 async function built(file: string, parts: readonly string[]): Promise<string | null> {
   const key = parts.join(' ');
   if (!existsSync(file) && !builds.has(key)) {
-    console.log(`Building ${relative(repository, file)}: a page asks for it. This takes ten seconds, once.`);
+    console.log(
+      `Building ${relative(repository, file)}: a page asks for it. This takes ten seconds, once.`,
+    );
     builds.set(key, run(join(repository, '.ci/build.mjs'), ...parts));
   }
   await builds.get(key);
@@ -111,12 +143,18 @@ const run = (...args: readonly string[]): Promise<void> =>
   });
 
 const contentType = (path: string): string =>
-  path.endsWith('.html') ? 'text/html' : path.endsWith('.wasm') ? 'application/wasm' : 'text/javascript';
+  path.endsWith('.html')
+    ? 'text/html'
+    : path.endsWith('.wasm')
+      ? 'application/wasm'
+      : 'text/javascript';
 
 function pageHtml(source: string, path: string, building: boolean): string {
   const title = /<title>([^<]*)<\/title>\s*/.exec(source);
   const description = /<meta\s+name="description"\s+content="([^"]*)"\s*\/>\s*/.exec(source);
-  if (title === null || description === null) throw new Error(`demo/${path}: needs a title and a description`);
+  if (title === null || description === null) {
+    throw new Error(`demo/${path}: needs a title and a description`);
+  }
   const facts = packageFacts();
   const head = headHtml({ path, title: title[1]!, description: description[1]! }, facts, building);
   return source
@@ -130,7 +168,8 @@ function pageHtml(source: string, path: string, building: boolean): string {
     )
     .replace(
       /<!-- ([a-z]+)(?: ([a-z-]+))? -->/g,
-      (comment: string, name: string, argument?: string) => generated.get(name)?.(argument ?? '') ?? comment,
+      (comment: string, name: string, argument?: string) =>
+        generated.get(name)?.(argument ?? '') ?? comment,
     );
 }
 
@@ -141,24 +180,43 @@ const repositoryLink = (file: string, words: string, repository: string): string
     : `<a href="${repository}/blob/main/${file}">${words}</a>`;
 
 /** What replaces the comments `<!-- name -->` and `<!-- name argument -->`. */
-const generated: ReadonlyMap<string, (argument: string) => string> = new Map<string, (argument: string) => string>([
+const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
+  string,
+  (argument: string) => string
+>([
   ['api', () => apiHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
-  ['releases', () => releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository)],
+  [
+    'releases',
+    () =>
+      releasesHtml(
+        readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'),
+        packageFacts().repository,
+      ),
+  ],
   ['sizes', () => sizesHtml(dist)],
   ['members', () => membersHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
   ['texts', textsHtml],
   ['size', (name) => sizeOf(dist, `phong-viewer.${name}.js`)],
-  ['pairs', () => pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries)],
+  [
+    'pairs',
+    () =>
+      pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries),
+  ],
   ['pictures', () => picturesHtml(readResults(join(repository, 'tests/bench/results')))],
   ['scene', sceneHtml],
   ['page', () => escapeHtml(readmePage()).trim()],
   [
     'examples',
-    () => examplesHtml(JSON.parse(readFileSync(join(demo, 'examples/examples.json'), 'utf8')) as Example[], sceneHtml),
+    () =>
+      examplesHtml(
+        JSON.parse(readFileSync(join(demo, 'examples/examples.json'), 'utf8')) as Example[],
+        sceneHtml,
+      ),
   ],
   [
     'panelled',
-    (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
+    (name: string) =>
+      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
   ],
 ]);
 
@@ -172,7 +230,9 @@ function sceneHtml(name: string): string {
   return readFileSync(join(demo, 'scenes', `${name}.html`), 'utf8');
 }
 
-/** A file of dist/ that `npm run manifest` writes; written now if the package has not been built. */
+/**
+ * A file of dist/ that `npm run manifest` writes; written now if the package has not been built.
+ */
 function readBuilt(name: string): string {
   const file = join(dist, name);
   if (!existsSync(file)) {
@@ -191,14 +251,21 @@ function documentedAttributes(): Record<string, string[]> {
     .flatMap((module) => module.declarations ?? [])
     .flatMap((declaration) =>
       'customElement' in declaration
-        ? [[declaration.tagName ?? '', (declaration.attributes ?? []).map(({ name }) => name)] as const]
+        ? [
+            [
+              declaration.tagName ?? '',
+              (declaration.attributes ?? []).map(({ name }) => name),
+            ] as const,
+          ]
         : [],
     );
   return Object.fromEntries(entries);
 }
 
 function packageFacts(): Facts {
-  const { version, repository: source } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+  const { version, repository: source } = JSON.parse(
+    readFileSync(join(repository, 'package.json'), 'utf8'),
+  ) as {
     version: string;
     repository: { url: string };
   };

@@ -1,6 +1,6 @@
 // @ts-check
-// `npm run site:picture`: draws the start page's scene as the picture that link previews show, in their size. Needs
-// `npm run build` first.
+// `npm run site:picture`: draws the start page's scene as the picture that link previews show, in
+// their size. Needs `npm run build` first.
 
 import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -19,15 +19,21 @@ h1 { position: absolute; left: 48px; top: 32px; margin: 0; color: #e3e4e6; font:
 <script type="module" src="/phong-viewer.standalone.js"></script>
 <body>${scene}<h1>&lt;phong-viewer&gt;</h1></body>`;
 
-readCommandLine("npm run site:picture: draws the start page's scene as the picture of link previews", {});
+readCommandLine(
+  "npm run site:picture: draws the start page's scene as the picture of link previews",
+  {},
+);
 const dist = outputFolder('dist');
 needBuilt(join(dist, 'phong-viewer.standalone.js'), 'npm run build');
 const server = createServer((request, response) => {
   const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
-  if (path === '/') response.setHeader('content-type', 'text/html').end(html);
-  else if (statSync(join(dist, path), { throwIfNoEntry: false })?.isFile())
+  if (path === '/') {
+    response.setHeader('content-type', 'text/html').end(html);
+  } else if (statSync(join(dist, path), { throwIfNoEntry: false })?.isFile()) {
     response.setHeader('content-type', 'text/javascript').end(readFileSync(join(dist, path)));
-  else response.writeHead(404).end();
+  } else {
+    response.writeHead(404).end();
+  }
 });
 await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
 const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
@@ -41,7 +47,9 @@ try {
     await /** @type {HTMLElement & { ready: Promise<void> }} */ (element).ready;
   });
   await page.screenshot({ path: join(repository, picture) });
-  console.log(`${picture}: ${String(Math.round(statSync(join(repository, picture)).size / 1024))} KiB`);
+  console.log(
+    `${picture}: ${String(Math.round(statSync(join(repository, picture)).size / 1024))} KiB`,
+  );
 } finally {
   await browser.close();
   server.close();

@@ -1,7 +1,7 @@
 // @ts-check
-// How does three.js show a model? With its own loaders, MeshStandardMaterial where the file has no material, its
-// RoomEnvironment and one directional light. Runs in a page whose import map names three. Knows nothing of
-// phong-viewer.
+// How does three.js show a model? With its own loaders, MeshStandardMaterial where the file has no
+// material, its RoomEnvironment and one directional light. Runs in a page whose import map names
+// three. Knows nothing of phong-viewer.
 
 import {
   DirectionalLight,
@@ -61,7 +61,10 @@ export async function pictureOf(url, { eye, target, up, radius, fov, width, heig
   return picture;
 }
 
-/** The object, once its textures are there. @param {string} url @returns {Promise<import('three').Object3D>} */
+/**
+ * The object, once its textures are there. @param {string} url @returns
+ * {Promise<import('three').Object3D>}
+ */
 async function load(url) {
   const manager = new LoadingManager();
   const loaded = new Promise((resolve) => {
@@ -83,13 +86,25 @@ async function read(url, manager) {
     const text = await (await fetch(url)).text();
     const loader = new OBJLoader(manager);
     const library = /^mtllib +(.+?)\s*$/m.exec(text)?.[1];
-    if (library === undefined) manager.itemStart(url);
-    else loader.setMaterials(await new MTLLoader(manager).loadAsync(new URL(library, url).href));
+    if (library === undefined) {
+      manager.itemStart(url);
+    } else {
+      loader.setMaterials(await new MTLLoader(manager).loadAsync(new URL(library, url).href));
+    }
     const object = loader.parse(text);
-    if (library === undefined) setTimeout(() => manager.itemEnd(url));
+    if (library === undefined) {
+      setTimeout(() => manager.itemEnd(url));
+    }
     return object;
   }
-  const geometry = await (url.endsWith('.stl') ? new STLLoader(manager) : new PLYLoader(manager)).loadAsync(url);
-  if (!geometry.hasAttribute('normal')) geometry.computeVertexNormals();
-  return new Mesh(geometry, new MeshStandardMaterial({ color: 0xc8c8c8, roughness: 0.5, side: DoubleSide }));
+  const geometry = await (
+    url.endsWith('.stl') ? new STLLoader(manager) : new PLYLoader(manager)
+  ).loadAsync(url);
+  if (!geometry.hasAttribute('normal')) {
+    geometry.computeVertexNormals();
+  }
+  return new Mesh(
+    geometry,
+    new MeshStandardMaterial({ color: 0xc8c8c8, roughness: 0.5, side: DoubleSide }),
+  );
 }

@@ -1,6 +1,6 @@
-// What stands in for the parts of three.js that the standalone file leaves out (plugin.ts lists them). The names are
-// three's own, since its other modules import them. What a user can still reach fails with a message that names the
-// cure.
+// What stands in for the parts of three.js that the standalone file leaves out (plugin.ts lists
+// them). The names are three's own, since its other modules import them. What a user can still
+// reach fails with a message that names the cure.
 
 import colorspace_pars_fragment from 'three/src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js';
 
@@ -50,7 +50,10 @@ export const WebGLLights = function () {
   };
 };
 
-/** Writes the values of three's own materials into uniforms: a ShaderMaterial has uniforms of its own. */
+/**
+ * Writes the values of three's own materials into uniforms: a ShaderMaterial has uniforms of its
+ * own.
+ */
 export const WebGLMaterials = function () {
   return {
     refreshFogUniforms() {},
@@ -60,7 +63,10 @@ export const WebGLMaterials = function () {
   };
 };
 
-/** Morph targets: the elements pose models themselves, and the shaders that read three's are not here. */
+/**
+ * Morph targets: the elements pose models themselves, and the shaders that read three's are not
+ * here.
+ */
 export const WebGLMorphtargets = function () {
   return { update: () => refuse('morph targets') };
 };

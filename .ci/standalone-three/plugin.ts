@@ -1,14 +1,16 @@
-// Which three.js is inside the standalone file? Its own sources, without what nothing here can reach: a few modules are
-// replaced as a whole by those in absent.js, and a few functions lose their bodies. The sources are taken one by one instead of three's built file: three declares them
-// free of side effects, so a bundler skips the index that stamps `window.__THREE__` and warns about a second copy.
+// Which three.js is inside the standalone file? Its own sources, without what nothing here can
+// reach: a few modules are replaced as a whole by those in absent.js, and a few functions lose
+// their bodies. The sources are taken one by one instead of three's built file: three declares them
+// free of side effects, so a bundler skips the index that stamps `window.__THREE__` and warns about
+// a second copy.
 
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parseSync, Visitor, type ESTree, type Plugin } from 'vite';
 
 /**
- * The modules that are replaced, as paths below three/src. Each saves 1 to 20 kB of the file; absent.js says why it can
- * go. A replacement below 1 kB is not worth its line here.
+ * The modules that are replaced, as paths below three/src. Each saves 1 to 20 kB of the file;
+ * absent.js says why it can go. A replacement below 1 kB is not worth its line here.
  */
 const replaced: ReadonlySet<string> = new Set([
   'renderers/shaders/DFGLUTData.js',
@@ -26,9 +28,9 @@ const replaced: ReadonlySet<string> = new Set([
 ]);
 
 /**
- * Functions that lose their bodies, as file below three/src and names: nothing here calls them, and together they are
- * 7 kB of the compressed file. A page that calls one gets an error with its name. A name that a release of three.js no
- * longer has is skipped.
+ * Functions that lose their bodies, as file below three/src and names: nothing here calls them, and
+ * together they are 7 kB of the compressed file. A page that calls one gets an error with its name.
+ * A name that a release of three.js no longer has is skipped.
  */
 const emptied: Readonly<Record<string, readonly string[]>> = {
   'core/BufferGeometry.js': ['computeTangents', 'toJSON'],
@@ -60,11 +62,15 @@ export function standaloneThree(): Plugin {
   return {
     name: 'standalone-three',
     enforce: 'pre',
-    config: () => ({ resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] } }),
+    config: () => ({
+      resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
+    }),
     async resolveId(specifier, importer, options) {
       if (importer?.endsWith(gltfLoader) && specifier === 'three/src/Three.js') {
         const used = readFileSync(importer, 'utf8').match(/(?<=\bMathUtils\.)\w+/g) ?? [];
-        if (used.join() !== 'radToDeg') this.error(`three-for-gltf.js lacks MathUtils.${used.join()}.`);
+        if (used.join() !== 'radToDeg') {
+          this.error(`three-for-gltf.js lacks MathUtils.${used.join()}.`);
+        }
         return threeForGltf;
       }
       if (importer === undefined || !importer.includes(sources)) return null;
@@ -79,8 +85,9 @@ export function standaloneThree(): Plugin {
       return names === undefined ? null : { code: withoutBodies(code, names), map: null };
     },
     buildEnd(error) {
-      if (error === undefined && missing.size > 0)
+      if (error === undefined && missing.size > 0) {
         this.error(`This three.js release has no ${[...missing].join(', ')}.`);
+      }
     },
   };
 }
@@ -96,11 +103,14 @@ function withoutBodies(code: string, names: readonly string[]): string {
     MethodDefinition: ({ key, value }) => collect(key, value.body),
     FunctionDeclaration: ({ id, body }) => collect(id, body),
     AssignmentExpression: ({ left, right }) => {
-      if (left.type === 'MemberExpression' && right.type === 'FunctionExpression') collect(left.property, right.body);
+      if (left.type === 'MemberExpression' && right.type === 'FunctionExpression') {
+        collect(left.property, right.body);
+      }
     },
   }).visit(parseSync('three.js', code).program);
   return bodies.reduceRight(
-    (text, { name, start, end }) => `${text.slice(0, start)}{ refuse('${name}'); }${text.slice(end)}`,
+    (text, { name, start, end }) =>
+      `${text.slice(0, start)}{ refuse('${name}'); }${text.slice(end)}`,
     `${code}\nimport { refuse } from ${JSON.stringify(absent)};`,
   );
 }

@@ -1,5 +1,6 @@
-// Builds dist/phong-viewer.classic.js: everything in one script that is no module, for pages opened from disk. Browsers
-// refuse modules, and so chunks, on file:// pages. Runs after lib.config.ts, which empties dist/.
+// Builds dist/phong-viewer.classic.js: everything in one script that is no module, for pages opened
+// from disk. Browsers refuse modules, and so chunks, on file:// pages. Runs after lib.config.ts,
+// which empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -32,7 +33,11 @@ export default defineConfig({
     target: 'es2022',
     chunkSizeWarningLimit: 2048,
     lib: {
-      entry: { 'phong-viewer.classic': fileURLToPath(new URL('../../src/viewer/classic.ts', import.meta.url)) },
+      entry: {
+        'phong-viewer.classic': fileURLToPath(
+          new URL('../../src/viewer/classic.ts', import.meta.url),
+        ),
+      },
       formats: ['iife'],
       // Required, but unused: the entry exports nothing, so there is no global.
       name: 'phongViewer',

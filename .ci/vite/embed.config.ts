@@ -1,5 +1,5 @@
-// Builds dist/embed.js, the script of dist/embed.html: one scene of an address, for an `<iframe>`. The elements are those
-// of the standalone file beside it. Runs after standalone.config.ts.
+// Builds dist/embed.js, the script of dist/embed.html: one scene of an address, for an `<iframe>`.
+// The elements are those of the standalone file beside it. Runs after standalone.config.ts.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -14,7 +14,9 @@ export default defineConfig({
       name: 'beside-the-standalone-file',
       enforce: 'pre',
       resolveId: (specifier) =>
-        specifier === 'phong-viewer' ? { id: './phong-viewer.standalone.js', external: 'relative' } : null,
+        specifier === 'phong-viewer'
+          ? { id: './phong-viewer.standalone.js', external: 'relative' }
+          : null,
     },
   ],
   build: {

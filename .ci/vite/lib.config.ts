@@ -1,7 +1,7 @@
-// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js, react.js,
-// react-standalone.js and playwright.js. three, Lit, lil-gui, React and
-// Playwright stay imports for the user's bundler. `npm run build` runs this first; the standalone and the classic file
-// have configs of their own.
+// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js,
+// react.js, react-standalone.js and playwright.js. three, Lit, lil-gui, React and Playwright stay
+// imports for the user's bundler. `npm run build` runs this first; the standalone and the classic
+// file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -16,29 +16,42 @@ import { strippedGlsl } from '../strip-glsl.js';
 import { textKeys } from '../text-keys.js';
 import { wasmFiles } from '../wasm-files.js';
 
-const source = (path: string): string => fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
+const source = (path: string): string =>
+  fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
 
-// Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a user's bundler would
-// find no export.
+// Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a
+// user's bundler would find no export.
 function staysImport(specifier: string): boolean {
-  if (specifier.includes('?') || specifier === dracoDecoderSpecifier || /libs\/basis/.test(specifier)) return false;
+  if (
+    specifier.includes('?') ||
+    specifier === dracoDecoderSpecifier ||
+    /libs\/basis/.test(specifier)
+  ) {
+    return false;
+  }
   return /^(three|lit|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
 }
 
 /**
- * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and react-standalone.js the
- * standalone file. Beside each is the file that React's servers import, under the condition `react-server`: they look
- * for its first line, of which bundlers would warn in every other build.
+ * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and
+ * react-standalone.js the standalone file. Beside each is the file that React's servers import,
+ * under the condition `react-server`: they look for its first line, of which bundlers would warn in
+ * every other build.
  */
 const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
   name: 'beside',
   enforce: 'pre',
-  resolveId: (specifier) => (specifier.endsWith('/viewer/index.js') ? { id, external: 'relative' } : null),
+  resolveId: (specifier) =>
+    specifier.endsWith('/viewer/index.js') ? { id, external: 'relative' } : null,
   generateBundle(_options, bundle) {
     for (const file of Object.values(bundle)) {
       if (file.type !== 'chunk' || !file.isEntry) continue;
       const source = `'use client';\nexport { ${file.exports.join(', ')} } from './${file.fileName}';\n`;
-      this.emitFile({ type: 'asset', fileName: file.fileName.replace('.js', '-client.js'), source });
+      this.emitFile({
+        type: 'asset',
+        fileName: file.fileName.replace('.js', '-client.js'),
+        source,
+      });
     }
   },
 });
@@ -49,8 +62,8 @@ const reactEntries: Readonly<Record<string, Plugin>> = {
 };
 
 /**
- * dist/index.js imports dist/trusted-types.js before Lit. As part of index.js it would run after Lit, which stays an
- * import, and too late to report that Lit was refused.
+ * dist/index.js imports dist/trusted-types.js before Lit. As part of index.js it would run after
+ * Lit, which stays an import, and too late to report that Lit was refused.
  */
 const beforeLit: Plugin = {
   name: 'before-lit',
@@ -61,7 +74,10 @@ const beforeLit: Plugin = {
       : null,
 };
 
-/** Built one by one: each is a single file, which compresses better than several files with shared parts. */
+/**
+ * Built one by one: each is a single file, which compresses better than several files with shared
+ * parts.
+ */
 const entries: Readonly<Record<string, string>> = {
   index: source('viewer/index.ts'),
   'trusted-types': source('viewer/element/page/trusted-types.ts'),
@@ -72,7 +88,11 @@ const entries: Readonly<Record<string, string>> = {
   playwright: source('extras/playwright/index.ts'),
 };
 
-const workerPlugins = (): Plugin[] => [dracoDecoder(), basisTranscoder(), licences({ listed: false })];
+const workerPlugins = (): Plugin[] => [
+  dracoDecoder(),
+  basisTranscoder(),
+  licences({ listed: false }),
+];
 
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
@@ -93,7 +113,8 @@ export default defineConfig(({ mode }) => ({
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
     target: 'es2022',
-    // Node's entry runs as it is. A map would point stack traces to sources that the package does not have.
+    // Node's entry runs as it is. A map would point stack traces to sources that the package does
+    // not have.
     sourcemap: mode !== 'playwright',
     minify: mode !== 'playwright',
     lib: {
@@ -103,8 +124,9 @@ export default defineConfig(({ mode }) => ({
     },
     rolldownOptions: {
       external: staysImport,
-      // Lets chunks import from the entry. Otherwise the code that they share with it would be a second file that every
-      // page has to fetch. For the same reason all static imports of an entry are one chunk.
+      // Lets chunks import from the entry. Otherwise the code that they share with it would be a
+      // second file that every page has to fetch. For the same reason all static imports of an
+      // entry are one chunk.
       preserveEntrySignatures: 'allow-extension',
       output: {
         chunkFileNames: 'shared/[name].js',

@@ -1,6 +1,6 @@
-// Builds dist/phong-viewer.standalone.js for pages without a bundler. three and Lit are inside. Panel, loaders and
-// decoders are in dist/chunks, fetched on first use relative to the file itself. Runs after lib.config.ts, which
-// empties dist/.
+// Builds dist/phong-viewer.standalone.js for pages without a bundler. three and Lit are inside.
+// Panel, loaders and decoders are in dist/chunks, fetched on first use relative to the file itself.
+// Runs after lib.config.ts, which empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -40,24 +40,33 @@ export default defineConfig({
     target: 'es2022',
     chunkSizeWarningLimit: 1024,
     lib: {
-      entry: { 'phong-viewer.standalone': fileURLToPath(new URL('../../src/viewer/index.ts', import.meta.url)) },
+      entry: {
+        'phong-viewer.standalone': fileURLToPath(
+          new URL('../../src/viewer/index.ts', import.meta.url),
+        ),
+      },
       formats: ['es'],
       fileName: (_format, name) => `${name}.js`,
     },
     rolldownOptions: {
-      // Lets chunks import from the entry. Otherwise the code that they share with it (most of three) would be a second
-      // file that every page has to fetch. For the same reason all static imports are one chunk.
+      // Lets chunks import from the entry. Otherwise the code that they share with it (most of
+      // three) would be a second file that every page has to fetch. For the same reason all static
+      // imports are one chunk.
       preserveEntrySignatures: 'allow-extension',
       // A constant's value is shorter than its name, and repeated values compress well.
       optimization: { inlineConst: { mode: 'all' } },
       output: {
         chunkFileNames: 'chunks/[name]-[hash].js',
         minify: true,
-        // Browsers keep a script's text: one byte for each character, or two where one character is beyond Latin-1.
+        // Browsers keep a script's text: one byte for each character, or two where one character is
+        // beyond Latin-1.
         charset: 'ascii',
-        // Only annotations for another bundler's tree shaking are left to drop; the licences are added later.
+        // Only annotations for another bundler's tree shaking are left to drop; the licences are
+        // added later.
         comments: false,
-        codeSplitting: { groups: [{ name: 'phong-viewer.standalone', tags: ['$initial'] }, ...modelChunks] },
+        codeSplitting: {
+          groups: [{ name: 'phong-viewer.standalone', tags: ['$initial'] }, ...modelChunks],
+        },
       },
     },
   },

@@ -1,7 +1,9 @@
-// Draws Figure 17 of the article: the view of its viewer in a few large pixels, after 1, 4, 16 and 64 samples.
+// Draws Figure 17 of the article: the view of its viewer in a few large pixels, after 1, 4, 16 and
+// 64 samples.
 import '../page.js';
 
-const viewer = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('#fig-pixel phong-viewer')!;
+const viewer =
+  document.querySelector<HTMLElementTagNameMap['phong-viewer']>('#fig-pixel phong-viewer')!;
 const canvases = document.querySelectorAll<HTMLCanvasElement>('#fig-pixel canvas');
 
 let drawing = false;
@@ -22,7 +24,9 @@ async function draw(): Promise<void> {
 async function drawInto(canvas: HTMLCanvasElement): Promise<void> {
   const { width, height, dataset } = canvas;
   // Without a picture, as without WebGL, the plates stay empty, and the viewer says why.
-  const blob = await viewer.toBlob({ width, height, samples: Number(dataset['samples']) }).catch(() => null);
+  const blob = await viewer
+    .toBlob({ width, height, samples: Number(dataset['samples']) })
+    .catch(() => null);
   if (blob === null) return;
   const bitmap = await createImageBitmap(blob);
   const context = canvas.getContext('2d');
@@ -30,11 +34,12 @@ async function drawInto(canvas: HTMLCanvasElement): Promise<void> {
   context?.drawImage(bitmap, 0, 0);
 }
 
-for (const event of ['camera-change', 'light-change'] as const)
+for (const event of ['camera-change', 'light-change'] as const) {
   viewer.addEventListener(event, () => {
     outdated = true;
     void draw();
   });
+}
 void customElements
   .whenDefined('phong-viewer')
   .then(() => viewer.ready)

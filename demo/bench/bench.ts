@@ -1,5 +1,5 @@
-// The page of the bench: measures the fronts of time against error in the visitor's browser, and shows them as tables.
-// ?seconds=20 measures each front for longer or shorter.
+// The page of the bench: measures the fronts of time against error in the visitor's browser, and
+// shows them as tables. ?seconds=20 measures each front for longer or shorter.
 import '../page.js';
 import { FRONTS } from '../../tests/bench/front/front.js';
 import { type FrontTable, measureFront, rendererHere, type TableRow } from './measure.js';
@@ -26,8 +26,11 @@ try {
 }
 
 start.addEventListener('click', () => {
-  if (running === null) void run();
-  else running.abort();
+  if (running === null) {
+    void run();
+  } else {
+    running.abort();
+  }
 });
 copy.addEventListener('click', () => void copyResult());
 
@@ -50,14 +53,17 @@ async function run(): Promise<void> {
         bar.value = (i + done) / FRONTS.length;
         say(`Measuring ${table.title}`);
         section.replaceChildren(element('h2', table.title), tableOf(table.rows));
-        if (!section.isConnected) fronts.append(section);
+        if (!section.isConnected) {
+          fronts.append(section);
+        }
       });
     }
     say(`Done in ${((performance.now() - begun) / 1000).toFixed(0)} seconds.`);
     copy.disabled = false;
   } catch (error) {
-    if (signal.aborted) say('Stopped.');
-    else {
+    if (signal.aborted) {
+      say('Stopped.');
+    } else {
       say(`It ended early: ${messageOf(error)}.`);
       console.error(error);
     }
@@ -75,7 +81,9 @@ function tableOf(rows: readonly TableRow[]): HTMLElement {
   head.append(rowOf(['variant', 'time', 'ms', 'RMSE', '99.9 %', 'largest error'], 'th'));
   const body = document.createElement('tbody');
   for (const { label, ratio, ms, error } of rows) {
-    const figures = [error.rmse, error.p999, error.max].map((x) => (x === 0 ? '0' : x.toPrecision(2)));
+    const figures = [error.rmse, error.p999, error.max].map((x) =>
+      x === 0 ? '0' : x.toPrecision(2),
+    );
     body.append(rowOf([label, ratio.toFixed(2), ms.toPrecision(3), ...figures], 'td'));
   }
   table.append(head, body);
@@ -92,12 +100,16 @@ function rowOf([first = '', ...others]: readonly string[], tag: 'th' | 'td'): HT
 function element(tag: string, text: string, className = ''): HTMLElement {
   const made = document.createElement(tag);
   made.textContent = text;
-  if (className !== '') made.className = className;
+  if (className !== '') {
+    made.className = className;
+  }
   return made;
 }
 
 function say(what: string): void {
-  if (state.textContent !== what) state.textContent = what;
+  if (state.textContent !== what) {
+    state.textContent = what;
+  }
 }
 
 function messageOf(error: unknown): string {

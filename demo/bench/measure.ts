@@ -1,5 +1,5 @@
-// Measures one front of time against error in this browser, variant by variant in turns, in tasks so short that the
-// page stays responsive. Knows nothing of how results are shown.
+// Measures one front of time against error in this browser, variant by variant in turns, in tasks
+// so short that the page stays responsive. Knows nothing of how results are shown.
 import type { ErrorFigures } from '../../tests/bench/front/errors.js';
 import { type Front, openFront } from '../../tests/bench/front/front.js';
 import { rendererName } from '../../tests/bench/pages/timing.js';
@@ -23,10 +23,14 @@ export interface FrontTable {
 const SAMPLE_MS = 25;
 const MOST_FRAMES = 400;
 const LEAST_ROUNDS = 2;
-/** Pixels of a frame. Software takes about as long for the smaller picture as a GPU for the larger one. */
+/**
+ * Pixels of a frame. Software takes about as long for the smaller picture as a GPU for the larger
+ * one.
+ */
 const SIZES = { gpu: [960, 720], software: [160, 120] } as const;
 
-const isSoftware = (renderer: string): boolean => /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
+const isSoftware = (renderer: string): boolean =>
+  /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
 
 /** The driver's name for itself. Throws where this browser has no WebGL 2. */
 export function rendererHere(): string {
@@ -38,7 +42,8 @@ export function rendererHere(): string {
 }
 
 /**
- * `holder` has to be on screen. `progress` gets the table so far and the share that is done, 0 to 1, after each round.
+ * `holder` has to be on screen. `progress` gets the table so far and the share that is done, 0 to
+ * 1, after each round.
  */
 export async function measureFront(
   holder: HTMLElement,
@@ -54,13 +59,19 @@ export async function measureFront(
     const { title, variants, base } = front.facts;
     const errors = await front.errors();
     const counts: number[] = [];
-    for (const i of variants.keys()) counts.push(await framesFor((frames) => sample(front, i, frames, signal)));
+    for (const i of variants.keys()) {
+      counts.push(await framesFor((frames) => sample(front, i, frames, signal)));
+    }
     const times: number[][] = variants.map(() => []);
     let table: FrontTable = { title, rows: [] };
     for (let round = 0; round < LEAST_ROUNDS || performance.now() < until; round++) {
       const order = [...variants.keys()];
-      if (round % 2 === 1) order.reverse(); // no variant always follows the same one
-      for (const i of order) times[i]!.push((await sample(front, i, counts[i]!, signal)) / counts[i]!);
+      if (round % 2 === 1) {
+        order.reverse(); // no variant always follows the same one
+      }
+      for (const i of order) {
+        times[i]!.push((await sample(front, i, counts[i]!, signal)) / counts[i]!);
+      }
       const rows = variants.map((label, i) => ({
         label,
         ms: median(times[i]!),
@@ -83,18 +94,32 @@ async function framesFor(time: (frames: number) => Promise<number>): Promise<num
   for (;;) {
     const taken = await time(count);
     if (taken >= SAMPLE_MS || count >= MOST_FRAMES) return count;
-    count = Math.min(MOST_FRAMES, Math.ceil(count * Math.min(8, (1.3 * SAMPLE_MS) / Math.max(taken, 0.1))));
+    count = Math.min(
+      MOST_FRAMES,
+      Math.ceil(count * Math.min(8, (1.3 * SAMPLE_MS) / Math.max(taken, 0.1))),
+    );
   }
 }
 
-/** Milliseconds, by the GPU's timer where the browser has one. Waits while the page is in the background. */
-async function sample(front: Front, variant: number, frames: number, signal: AbortSignal): Promise<number> {
+/**
+ * Milliseconds, by the GPU's timer where the browser has one. Waits while the page is in the
+ * background.
+ */
+async function sample(
+  front: Front,
+  variant: number,
+  frames: number,
+  signal: AbortSignal,
+): Promise<number> {
   signal.throwIfAborted();
-  while (document.hidden)
+  while (document.hidden) {
     await new Promise((resolve) => {
       document.addEventListener('visibilitychange', resolve, { once: true });
     });
+  }
   await new Promise((resolve) => setTimeout(resolve)); // the page's turn
   const { hasTimer, renderer } = front.facts;
-  return hasTimer && !isSoftware(renderer) ? front.time(variant, frames) : front.draw(variant, frames);
+  return hasTimer && !isSoftware(renderer)
+    ? front.time(variant, frames)
+    : front.draw(variant, frames);
 }

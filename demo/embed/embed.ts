@@ -1,5 +1,6 @@
-// The page for frames: shows the scene of its address, with the playground's limits, and nothing else. The address may
-// come from a stranger: nothing in it can run, and no file of another site is loaded.
+// The page for frames: shows the scene of its address, with the playground's limits, and nothing
+// else. The address may come from a stranger: nothing in it can run, and no file of another site is
+// loaded.
 import 'phong-viewer';
 import { readFragment } from '../playground/address.js';
 import { readScene, withoutHosts, type Scene } from '../playground/scene.js';
@@ -32,9 +33,13 @@ async function show(): Promise<void> {
     return;
   }
   message.textContent =
-    scene.hosts.length === 0 ? '' : `Files of other sites are not loaded here: ${scene.hosts.join(', ')}.`;
+    scene.hosts.length === 0
+      ? ''
+      : `Files of other sites are not loaded here: ${scene.hosts.join(', ')}.`;
   const own = withoutHosts(scene, new Set(), document.baseURI);
-  if (!viewer.isConnected) document.body.prepend(viewer);
+  if (!viewer.isConnected) {
+    document.body.prepend(viewer);
+  }
   showScene(viewer, shown, own);
   viewer.resetCamera();
   shown = own;

@@ -1,5 +1,5 @@
-// Adds to the viewer's probe the numbers of its fragment as tables, and the colour that its pixel has. The picture
-// is read once after each change, when nothing has changed for a while.
+// Adds to the viewer's probe the numbers of its fragment as tables, and the colour that its pixel
+// has. The picture is read once after each change, when nothing has changed for a while.
 import '../page.js';
 import type { PhongViewerEventMap, Vec3 } from 'phong-viewer';
 import { codes, stepRows, vectorRows } from './tables.js';
@@ -40,16 +40,21 @@ async function settle(): Promise<void> {
   for (let seen = -1; picture === null && seen !== changes;) {
     seen = changes;
     const read = await readPicture();
-    if (seen === changes) picture = read;
+    if (seen === changes) {
+      picture = read;
+    }
   }
   reading = false;
   const line = resultLine();
-  if (part('result').textContent !== line) part('result').textContent = line;
+  if (part('result').textContent !== line) {
+    part('result').textContent = line;
+  }
 }
 
 function resultLine(): string {
-  if (shown === null || shown.fragment === null)
+  if (shown === null || shown.fragment === null) {
     return 'No surface is visible there: it is the background, the far side of the shape, or outside the picture.';
+  }
   const pixel = pixelAt(shown);
   const equation = `The equation gives ${codes(shown.fragment.color)}`;
   return pixel === null ? `${equation}.` : `${equation}; the pixel is ${pixel.join(' ')}.`;
@@ -59,7 +64,10 @@ function resultLine(): string {
 async function readPicture(): Promise<ImageData | null> {
   const blob = await viewer.toBlob().catch(() => null);
   if (blob === null) return null;
-  const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+  const bitmap = await createImageBitmap(blob, {
+    premultiplyAlpha: 'none',
+    colorSpaceConversion: 'none',
+  });
   const { width, height } = bitmap;
   const context = new OffscreenCanvas(width, height).getContext('2d');
   context?.drawImage(bitmap, 0, 0);
@@ -76,8 +84,11 @@ function pixelAt({ x, y }: Shown): Vec3 | null {
   return [r ?? 0, g ?? 0, b ?? 0];
 }
 
-for (const box of document.querySelectorAll<HTMLInputElement>('input[data-light]'))
-  box.addEventListener('change', () => part(box.dataset['light']!).setAttribute('active', String(box.checked)));
+for (const box of document.querySelectorAll<HTMLInputElement>('input[data-light]')) {
+  box.addEventListener('change', () =>
+    part(box.dataset['light']!).setAttribute('active', String(box.checked)),
+  );
+}
 
 /** The present picture is not the one that was read. */
 function changed(): void {
@@ -85,6 +96,8 @@ function changed(): void {
   picture = null;
 }
 
-for (const event of ['camera-change', 'light-change', 'render'] as const) viewer.addEventListener(event, changed);
+for (const event of ['camera-change', 'light-change', 'render'] as const) {
+  viewer.addEventListener(event, changed);
+}
 new ResizeObserver(changed).observe(viewer);
 viewer.addEventListener('probe-change', ({ detail }) => show(detail));

@@ -1,5 +1,5 @@
-// Turns a fragment's numbers into table rows: its vectors, and the steps of the equation with one column per light.
-// Knows neither viewers nor when anything changes.
+// Turns a fragment's numbers into table rows: its vectors, and the steps of the equation with one
+// column per light. Knows neither viewers nor when anything changes.
 import type { FragmentExplanation, LightExplanation, Vec3 } from 'phong-viewer';
 
 /** With a typographic minus, and none before a zero. */
@@ -16,7 +16,9 @@ export const codes = (color: Vec3): string => color.map((x) => number(255 * x, 2
 
 /** One row each for p, N and V. */
 export const vectorRows = ({ p, N, V }: FragmentExplanation): HTMLElement[] =>
-  Object.entries({ p, N, V }).map(([name, vector]) => row([head(name), ...vector.map((x) => cell(number(x, 3)))]));
+  Object.entries({ p, N, V }).map(([name, vector]) =>
+    row([head(name), ...vector.map((x) => cell(number(x, 3)))]),
+  );
 
 interface Step {
   readonly name: string;
@@ -30,7 +32,11 @@ const STEPS: readonly Step[] = [
   { name: 'att', formula: '1 / max(kc + kl d + kq d², 1)', of: ({ att }) => number(att, 3) },
   { name: 'c', formula: 'L · (−axis / |axis|)', of: cone },
   { name: 'decay', formula: '((c + 1) / 2)^cutoff', of: ({ decay }) => number(decay, 3) },
-  { name: 'N·L', formula: 'below 0: the light is behind the surface', of: ({ NoL }) => number(NoL, 3) },
+  {
+    name: 'N·L',
+    formula: 'below 0: the light is behind the surface',
+    of: ({ NoL }) => number(NoL, 3),
+  },
   { name: 'R·V', formula: 'R = 2 (N·L) N − L', of: ({ RoV }) => number(RoV, 3) },
 ];
 

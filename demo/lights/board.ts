@@ -1,5 +1,5 @@
-// The switchboard of the lights page: buttons, a slider, and one switch per light, updated when lights are added or
-// removed in the viewer.
+// The switchboard of the lights page: buttons, a slider, and one switch per light, updated when
+// lights are added or removed in the viewer.
 import { add, remove, toggle } from './spiral.js';
 
 /** The slider's maximum. */
@@ -9,12 +9,18 @@ export function connectBoard(viewer: HTMLElementTagNameMap['phong-viewer']): voi
   const count = document.querySelector<HTMLInputElement>('#count');
   const tally = document.querySelector('#tally');
   const switches = document.querySelector('#switches');
-  if (count === null || tally === null || switches === null) throw new Error('the board is not on this page');
+  if (count === null || tally === null || switches === null) {
+    throw new Error('the board is not on this page');
+  }
   const lights = viewer.getElementsByTagName('phong-light');
 
   const setCount = (n: number): void => {
-    while (lights.length > n) remove();
-    while (lights.length < n) add();
+    while (lights.length > n) {
+      remove();
+    }
+    while (lights.length < n) {
+      add();
+    }
   };
   const show = (): void => {
     count.value = String(lights.length);
@@ -47,7 +53,8 @@ function switchFor(light: HTMLElementTagNameMap['phong-light']): HTMLElement {
   box.checked = light.active;
   box.setAttribute('aria-label', light.name);
   // Set from script: a strict CSP refuses style attributes.
-  box.style.accentColor = light.getAttribute('axis') === null ? '' : (light.getAttribute('diffuse') ?? '');
+  box.style.accentColor =
+    light.getAttribute('axis') === null ? '' : (light.getAttribute('diffuse') ?? '');
   box.addEventListener('change', () => {
     light.setAttribute('active', String(box.checked));
   });

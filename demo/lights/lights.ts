@@ -5,7 +5,9 @@ import { connectBoard } from './board.js';
 import source from './spiral.ts?raw';
 
 const viewer = document.querySelector('phong-viewer');
-if (viewer !== null) connectBoard(viewer);
+if (viewer !== null) {
+  connectBoard(viewer);
+}
 
 const place = document.getElementById('script');
 if (place !== null) {

@@ -6,7 +6,10 @@ export function add() {
   const turn = lights.length * 2.39996;
   const r = 0.27 * Math.sqrt(lights.length);
   const light = document.createElement('phong-light');
-  light.setAttribute('position', `${(r * Math.cos(turn)).toFixed(2)} 1.4 ${(r * Math.sin(turn)).toFixed(2)}`);
+  light.setAttribute(
+    'position',
+    `${(r * Math.cos(turn)).toFixed(2)} 1.4 ${(r * Math.sin(turn)).toFixed(2)}`,
+  );
   light.setAttribute('axis', '0 -1 0');
   light.setAttribute('aperture', '10');
   light.setAttribute('cutoff', '240');
@@ -15,9 +18,13 @@ export function add() {
 }
 
 export function remove() {
-  if (lights.length > 1) lights[lights.length - 1]!.remove();
+  if (lights.length > 1) {
+    lights[lights.length - 1]!.remove();
+  }
 }
 
 export function toggle() {
-  for (const light of lights) light.setAttribute('active', String(!light.active));
+  for (const light of lights) {
+    light.setAttribute('active', String(!light.active));
+  }
 }

@@ -1,12 +1,15 @@
-// Fills the listings with the markup of viewers on this page, read from the live elements, with its lights as they
-// are now. `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the
-// one that the user touched last. Figures get a collapsed listing of their own. A comparison is listed whole.
+// Fills the listings with the markup of viewers on this page, read from the live elements, with its
+// lights as they are now. `<div class="listing" data-of="selector" data-title="…">` lists the first
+// viewer that matches, then the one that the user touched last. Figures get a collapsed listing of
+// their own. A comparison is listed whole.
 import { markupOf } from './markup.js';
 
 export function showListings(root: ParentNode): void {
   for (const figure of root.querySelectorAll('.aside, .wide')) {
     const shown = figure.querySelectorAll('phong-compare, :not(phong-compare) > phong-viewer');
-    if (shown.length > 0) figure.append(folded([...shown]));
+    if (shown.length > 0) {
+      figure.append(folded([...shown]));
+    }
   }
   for (const place of root.querySelectorAll<HTMLElement>('.listing[data-of]')) {
     const viewers = [...root.querySelectorAll(place.dataset['of'] ?? '')];
@@ -58,11 +61,15 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   const title = caption?.firstElementChild?.textContent ?? '';
   caption?.append(
     pressable('Edit', `Edit in the playground: ${title}`, () => {
-      if (shown !== undefined) void edit(current(shown));
+      if (shown !== undefined) {
+        void edit(current(shown));
+      }
     }),
   );
   const write = (): void => {
-    if (shown !== undefined) text.replaceChildren(...markupOf(current(shown), lineLength(text)).map(span));
+    if (shown !== undefined) {
+      text.replaceChildren(...markupOf(current(shown), lineLength(text)).map(span));
+    }
   };
   const observer = new MutationObserver(write);
   for (const viewer of viewers) {
@@ -76,11 +83,12 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   write();
 }
 
-const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position space axis aperture cutoff attenuation'.split(' ');
+const LIGHT_ATTRIBUTES =
+  'active ambient diffuse specular position space axis aperture cutoff attenuation'.split(' ');
 
 /**
- * The element with its lights as the user has left them. Handles and panel set properties, which attributes do not
- * show.
+ * The element with its lights as the user has left them. Handles and panel set properties, which
+ * attributes do not show.
  */
 function current(element: Element): Element {
   const copy = document.implementation.createHTMLDocument('').importNode(element, true);
@@ -89,7 +97,9 @@ function current(element: Element): Element {
     const declared = light.cloneNode();
     for (const name of LIGHT_ATTRIBUTES) {
       const text = written(light, name);
-      if (text !== written(declared, name)) copies[i]?.setAttribute(name, text);
+      if (text !== written(declared, name)) {
+        copies[i]?.setAttribute(name, text);
+      }
     }
   });
   return copy;
@@ -124,9 +134,15 @@ function pressable(words: string, label: string, press: () => void): HTMLButtonE
 /** Pixels around the text of a listing, and of a character. */
 const [MARGIN, CHARACTER] = [4, 7.9];
 
-/** Characters that fit into a listing: 76 at most. One that is folded away will be as wide as the page allows. */
+/**
+ * Characters that fit into a listing: 76 at most. One that is folded away will be as wide as the
+ * page allows.
+ */
 const lineLength = ({ clientWidth }: Element): number =>
-  Math.min(76, Math.floor(((clientWidth || document.documentElement.clientWidth - 60) - MARGIN) / CHARACTER));
+  Math.min(
+    76,
+    Math.floor(((clientWidth || document.documentElement.clientWidth - 60) - MARGIN) / CHARACTER),
+  );
 
 function span({ kind, text }: { readonly kind: string; readonly text: string }): Node {
   if (kind === 'plain') return document.createTextNode(text);

@@ -1,13 +1,21 @@
-// Writes a scene into the address and reads it: `#example=name`, or `#scene=` and the text, compressed, in the letters
-// of base64url. Reading never throws and never yields more than the longest text: a few letters can claim gigabytes.
+// Writes a scene into the address and reads it: `#example=name`, or `#scene=` and the text,
+// compressed, in the letters of base64url. Reading never throws and never yields more than the
+// longest text: a few letters can claim gigabytes.
 
-/** Characters of a scene. One of 1,000 elements has about 100,000; more would freeze the editor and the address. */
+/**
+ * Characters of a scene. One of 1,000 elements has about 100,000; more would freeze the editor and
+ * the address.
+ */
 export const LONGEST_TEXT = 100_000;
 
 /** Bytes of a text of the longest length, at UTF-8's four per character. */
 const MOST_BYTES = 4 * LONGEST_TEXT;
 
-export type Addressed = { readonly example: string } | { readonly text: string } | { readonly fault: string } | null;
+export type Addressed =
+  | { readonly example: string }
+  | { readonly text: string }
+  | { readonly fault: string }
+  | null;
 
 /** The scene's part of an address, with `#`. */
 export async function fragmentOf(text: string): Promise<string> {
@@ -33,9 +41,15 @@ export async function readFragment(fragment: string): Promise<Addressed> {
 
 const BROKEN: Addressed = { fault: 'This link is broken: it holds no scene.' };
 
-/** The text; null if it is longer than {@link MOST_BYTES}. Throws if the bytes are no compressed text. */
+/**
+ * The text; null if it is longer than {@link MOST_BYTES}. Throws if the bytes are no compressed
+ * text.
+ */
 async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string | null> {
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader();
+  const reader = new Blob([bytes])
+    .stream()
+    .pipeThrough(new DecompressionStream('deflate-raw'))
+    .getReader();
   const decoder = new TextDecoder('utf-8', { fatal: true });
   let text = '';
   let size = 0;

@@ -1,6 +1,6 @@
-// The code editor: CodeMirror with the package's own tags, attributes and words completed. Lives in a shadow root,
-// where CodeMirror's styles are constructed style sheets, which a strict Content-Security-Policy allows. Knows no
-// scene.
+// The code editor: CodeMirror with the package's own tags, attributes and words completed. Lives in
+// a shadow root, where CodeMirror's styles are constructed style sheets, which a strict
+// Content-Security-Policy allows. Knows no scene.
 import {
   autocompletion,
   completionKeymap,
@@ -12,13 +12,22 @@ import {
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { HighlightStyle, LRLanguage, syntaxHighlighting, syntaxTree } from '@codemirror/language';
 import { Annotation, EditorState, type Range } from '@codemirror/state';
-import { Decoration, type DecorationSet, EditorView, keymap, ViewPlugin, type ViewUpdate } from '@codemirror/view';
+import {
+  Decoration,
+  type DecorationSet,
+  EditorView,
+  keymap,
+  ViewPlugin,
+  type ViewUpdate,
+} from '@codemirror/view';
 import { tags as kinds } from '@lezer/highlight';
 import { parser } from '@lezer/html';
 import tags from 'virtual:html-data';
 
 export interface Editor {
-  /** Replaces what differs from the text, as one step that can be undone. Does not call `changed`. */
+  /**
+   * Replaces what differs from the text, as one step that can be undone. Does not call `changed`.
+   */
   setText(text: string): void;
 }
 
@@ -26,7 +35,11 @@ export interface Editor {
 const fromPage = Annotation.define<boolean>();
 
 /** @param changed called with the whole text after each change by the writer, undoing included. */
-export function startEditor(place: HTMLElement, text: string, changed: (text: string) => void): Editor {
+export function startEditor(
+  place: HTMLElement,
+  text: string,
+  changed: (text: string) => void,
+): Editor {
   const host = document.createElement('div');
   host.className = 'host';
   const root = host.attachShadow({ mode: 'open' });
@@ -51,7 +64,9 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
           translate: 'no',
         }),
         EditorView.updateListener.of(({ docChanged, state, transactions }) => {
-          if (docChanged && !transactions.some((t) => t.annotation(fromPage))) changed(state.doc.toString());
+          if (docChanged && !transactions.some((t) => t.annotation(fromPage))) {
+            changed(state.doc.toString());
+          }
         }),
         theme,
       ],
@@ -62,12 +77,20 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
     setText(next) {
       const now = view.state.doc.toString();
       let start = 0;
-      while (start < now.length && now[start] === next[start]) start++;
+      while (start < now.length && now[start] === next[start]) {
+        start++;
+      }
       let end = 0;
       const most = Math.min(now.length, next.length) - start;
-      while (end < most && now[now.length - 1 - end] === next[next.length - 1 - end]) end++;
+      while (end < most && now[now.length - 1 - end] === next[next.length - 1 - end]) {
+        end++;
+      }
       view.dispatch({
-        changes: { from: start, to: now.length - end, insert: next.slice(start, next.length - end) },
+        changes: {
+          from: start,
+          to: now.length - end,
+          insert: next.slice(start, next.length - end),
+        },
         annotations: fromPage.of(true),
       });
     },
@@ -75,19 +98,25 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
 }
 
 /**
- * Replaces a selection by what is typed. Left to the browser, Chromium keeps the colours of the old text in a style
- * attribute, which the page's policy refuses with a line on the console.
+ * Replaces a selection by what is typed. Left to the browser, Chromium keeps the colours of the old
+ * text in a style attribute, which the page's policy refuses with a line on the console.
  */
 function replaceSelected(event: InputEvent, view: EditorView): boolean {
   const { main, ranges } = view.state.selection;
   if (event.inputType !== 'insertText' || event.isComposing || event.data === null) return false;
   if (main.empty || ranges.length > 1) return false;
   event.preventDefault();
-  view.dispatch(view.state.replaceSelection(event.data), { userEvent: 'input.type', scrollIntoView: true });
+  view.dispatch(view.state.replaceSelection(event.data), {
+    userEvent: 'input.type',
+    scrollIntoView: true,
+  });
   return true;
 }
 
-/** Keeps each attribute with its value on one line: lines break between attributes, where there is room for one. */
+/**
+ * Keeps each attribute with its value on one line: lines break between attributes, where there is
+ * room for one.
+ */
 const unbrokenAttributes = ViewPlugin.fromClass(
   class {
     decorations: DecorationSet;
@@ -96,9 +125,22 @@ const unbrokenAttributes = ViewPlugin.fromClass(
       this.decorations = attributesOf(view);
     }
 
-    update({ view, docChanged, viewportChanged, geometryChanged, startState, state }: ViewUpdate): void {
-      if (docChanged || viewportChanged || geometryChanged || syntaxTree(startState) !== syntaxTree(state))
+    update({
+      view,
+      docChanged,
+      viewportChanged,
+      geometryChanged,
+      startState,
+      state,
+    }: ViewUpdate): void {
+      if (
+        docChanged ||
+        viewportChanged ||
+        geometryChanged ||
+        syntaxTree(startState) !== syntaxTree(state)
+      ) {
         this.decorations = attributesOf(view);
+      }
     }
   },
   { decorations: (plugin) => plugin.decorations },
@@ -111,13 +153,16 @@ function attributesOf(view: EditorView): DecorationSet {
   // Longer ones would leave most of a line empty.
   const longest = Math.min(46, view.contentDOM.clientWidth / view.defaultCharacterWidth - 10);
   const marks: Range<Decoration>[] = [];
-  for (const { from, to } of visibleRanges)
+  for (const { from, to } of visibleRanges) {
     syntaxTree(state).iterate({
       ...{ from, to },
       enter: (node) => {
-        if (node.name === 'Attribute' && node.to - node.from <= longest) marks.push(unbroken.range(node.from, node.to));
+        if (node.name === 'Attribute' && node.to - node.from <= longest) {
+          marks.push(unbroken.range(node.from, node.to));
+        }
       },
     });
+  }
   return Decoration.set(marks, true);
 }
 
@@ -129,30 +174,50 @@ const highlighting = HighlightStyle.define([
 
 // The page's colours reach into the shadow root as custom properties.
 const theme = EditorView.theme({
-  '&': { height: '100%', color: 'var(--ink)', backgroundColor: 'var(--paper)', fontSize: '0.8125rem' },
+  '&': {
+    height: '100%',
+    color: 'var(--ink)',
+    backgroundColor: 'var(--paper)',
+    fontSize: '0.8125rem',
+  },
   '&.cm-focused': { outline: 'none' },
   '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.55' },
   '.cm-content': { padding: '0.5rem 0', caretColor: 'var(--ink)' },
   '.cm-line': { padding: '0 0.75rem' },
   '.cm-attribute': { display: 'inline-block', maxWidth: '100%' },
   '.cm-cursor': { borderLeftColor: 'var(--ink)' },
-  '.cm-tooltip': { backgroundColor: 'var(--paper)', color: 'var(--ink)', border: '1px solid var(--quiet)' },
-  '.cm-tooltip-autocomplete ul li[aria-selected]': { backgroundColor: 'var(--ink)', color: 'var(--paper)' },
-  '.cm-completionInfo': { maxWidth: '20rem', font: '0.8125rem/1.4 var(--sans)', whiteSpace: 'pre-line' },
+  '.cm-tooltip': {
+    backgroundColor: 'var(--paper)',
+    color: 'var(--ink)',
+    border: '1px solid var(--quiet)',
+  },
+  '.cm-tooltip-autocomplete ul li[aria-selected]': {
+    backgroundColor: 'var(--ink)',
+    color: 'var(--paper)',
+  },
+  '.cm-completionInfo': {
+    maxWidth: '20rem',
+    font: '0.8125rem/1.4 var(--sans)',
+    whiteSpace: 'pre-line',
+  },
 });
 
-/** Characters before the cursor that are searched for the tag it is in. Longer tags are not completed. */
+/**
+ * Characters before the cursor that are searched for the tag it is in. Longer tags are not
+ * completed.
+ */
 const LOOK_BACK = 2000;
 
 function complete({ state, pos }: CompletionContext): CompletionResult | null {
   const before = state.sliceDoc(Math.max(0, pos - LOOK_BACK), pos);
   const tag = /<([\w-]*)$/.exec(before);
-  if (tag)
+  if (tag) {
     return options(
       pos,
       tag[1]!,
       tags.map((t) => completion(t, 'type')),
     );
+  }
   const [, name, rest] = /<(phong-\w+)((?:[^<>"]|"[^"]*")*(?:"[^"]*)?)$/.exec(before) ?? [];
   const element = tags.find((t) => t.name === name);
   if (element === undefined || rest === undefined) return null;
@@ -180,11 +245,16 @@ function attributeCompletion(attribute: (typeof tags)[number]['attributes'][numb
 }
 
 function options(pos: number, typed: string, list: readonly Completion[]): CompletionResult | null {
-  return list.length === 0 ? null : { from: pos - typed.length, options: list, validFor: /^[\w-]*$/ };
+  return list.length === 0
+    ? null
+    : { from: pos - typed.length, options: list, validFor: /^[\w-]*$/ };
 }
 
 function completion(
-  { name, description }: (typeof tags)[number] | { name: string; description?: string | { value: string } },
+  {
+    name,
+    description,
+  }: (typeof tags)[number] | { name: string; description?: string | { value: string } },
   type: string,
 ): Completion {
   const info = typeof description === 'object' ? description.value : description;

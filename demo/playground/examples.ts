@@ -1,4 +1,5 @@
-// The scenes to start from: the home page's, and those of the page of examples. Their names are in addresses.
+// The scenes to start from: the home page's, and those of the page of examples. Their names are in
+// addresses.
 import list from '../examples/examples.json';
 
 export interface Example {
@@ -13,6 +14,7 @@ const scenes = import.meta.glob<string>('../scenes/*.html', {
   eager: true,
 });
 
-export const EXAMPLES: readonly Example[] = [{ name: 'room', title: 'Sun, lamp and spot' }, ...list].map(
-  ({ name, title }) => ({ name, title, text: scenes[`../scenes/${name}.html`] ?? '' }),
-);
+export const EXAMPLES: readonly Example[] = [
+  { name: 'room', title: 'Sun, lamp and spot' },
+  ...list,
+].map(({ name, title }) => ({ name, title, text: scenes[`../scenes/${name}.html`] ?? '' }));

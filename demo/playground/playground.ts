@@ -1,4 +1,5 @@
-// The playground: what is written is shown, what is changed in the picture is written, and both are in the address.
+// The playground: what is written is shown, what is changed in the picture is written, and both are
+// in the address.
 import '../page.js';
 import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
@@ -21,13 +22,17 @@ const area = part<HTMLTextAreaElement>('text');
 let text = '';
 /** The scene that the viewer shows; null before the first. */
 let shown: Scene | null = null;
-/** The viewer's own markup of that scene. Other markup means that the user has changed something in the picture. */
+/**
+ * The viewer's own markup of that scene. Other markup means that the user has changed something in
+ * the picture.
+ */
 let shownMarkup = '';
 /** Origins that the user has allowed on this page. */
 const allowed = new Set<string>();
 let editor: Editor | null = null;
 
-// -- From the text to the picture --------------------------------------------------------------------------------------
+// -- From the text to the picture
+// -------------------------------------------------------------------------------------------------
 
 function write(next: string): void {
   text = next;
@@ -68,13 +73,16 @@ function askFor(hosts: readonly string[]): void {
   button.type = 'button';
   button.textContent = 'Load them';
   button.addEventListener('click', () => {
-    for (const host of hosts) allowed.add(host);
+    for (const host of hosts) {
+      allowed.add(host);
+    }
     write(text);
   });
   gate.replaceChildren(...(hosts.length === 0 ? [] : [question, button]));
 }
 
-// -- From the picture to the text --------------------------------------------------------------------------------------
+// -- From the picture to the text
+// -------------------------------------------------------------------------------------------------
 
 /** Whether the user has touched the picture since the text was shown. */
 let touched = false;
@@ -84,7 +92,9 @@ let settling = 0;
 
 function settle(): void {
   clearTimeout(settling);
-  if (touched && !pressed) settling = window.setTimeout(writeBack, SETTLE_MS);
+  if (touched && !pressed) {
+    settling = window.setTimeout(writeBack, SETTLE_MS);
+  }
 }
 
 function writeBack(): void {
@@ -105,7 +115,9 @@ function writeBack(): void {
 for (const type of ['pointerdown', 'keydown', 'wheel', 'input', 'drop'] as const) {
   const noteTouch = (): void => {
     touched = true;
-    if (type === 'pointerdown') pressed = true;
+    if (type === 'pointerdown') {
+      pressed = true;
+    }
     settle();
   };
   // Before the viewer, which keeps the keys that it uses.
@@ -119,14 +131,20 @@ for (const type of ['pointerup', 'pointercancel', 'blur'] as const) {
 }
 viewer.addEventListener('light-change', settle);
 viewer.addEventListener('camera-change', ({ detail: { source } }) => {
-  if (source !== 'auto') settle();
+  if (source !== 'auto') {
+    settle();
+  }
 });
-// Meshes and shading have no event of their own; while the camera turns by itself, frames say nothing.
+// Meshes and shading have no event of their own; while the camera turns by itself, frames say
+// nothing.
 viewer.addEventListener('render', () => {
-  if (viewer.autoRotate === 0) settle();
+  if (viewer.autoRotate === 0) {
+    settle();
+  }
 });
 
-// -- The address -------------------------------------------------------------------------------------------------------
+// -- The address
+// -------------------------------------------------------------------------------------------------
 
 let remembering = 0;
 
@@ -141,7 +159,9 @@ async function putInAddress(): Promise<void> {
   const example = EXAMPLES.find((e) => textOf(e.text) === now);
   choice.value = example?.name ?? '';
   const fragment = example === undefined ? await fragmentOf(now) : `#example=${example.name}`;
-  if (now === text) history.replaceState(null, '', fragment);
+  if (now === text) {
+    history.replaceState(null, '', fragment);
+  }
 }
 
 async function open(): Promise<void> {
@@ -153,8 +173,11 @@ async function open(): Promise<void> {
   const name = addressed !== null && 'example' in addressed ? addressed.example : 'room';
   const example = EXAMPLES.find((e) => e.name === name);
   start(textOf((example ?? EXAMPLES[0]!).text));
-  if (addressed !== null && 'fault' in addressed) say([addressed.fault]);
-  else if (example === undefined) say(['There is no example of this name.']);
+  if (addressed !== null && 'fault' in addressed) {
+    say([addressed.fault]);
+  } else if (example === undefined) {
+    say(['There is no example of this name.']);
+  }
 }
 
 /** Shows a text that did not come from the editor. */
@@ -183,16 +206,22 @@ function written(scene: Scene): string {
   return `${pieces.map((piece) => piece.text).join('')}\n`;
 }
 
-// -- The page ----------------------------------------------------------------------------------------------------------
+// -- The page
+// -------------------------------------------------------------------------------------------------
 
 const typed = (next: string): void => {
   write(next);
   remember();
 };
 
-choice.append(new Option('your own', ''), ...EXAMPLES.map(({ name, title }) => new Option(title, name)));
+choice.append(
+  new Option('your own', ''),
+  ...EXAMPLES.map(({ name, title }) => new Option(title, name)),
+);
 choice.addEventListener('change', () => {
-  if (choice.value !== '') location.hash = `#example=${choice.value}`;
+  if (choice.value !== '') {
+    location.hash = `#example=${choice.value}`;
+  }
 });
 area.addEventListener('input', () => typed(area.value));
 addEventListener('hashchange', () => void open());
@@ -203,7 +232,8 @@ function sharing(id: string, share: (scene: Scene) => Promise<string>): void {
     if (shown === null) return;
     share(shown).then(
       (words) => (said.textContent = words),
-      (error: unknown) => (said.textContent = error instanceof Error ? error.message : String(error)),
+      (error: unknown) =>
+        (said.textContent = error instanceof Error ? error.message : String(error)),
     );
   });
 }
@@ -228,7 +258,9 @@ sharing('frame', async (scene) => {
 });
 sharing('file', async (scene) => {
   const { fileOf } = await import('./share.js');
-  const file = URL.createObjectURL(new Blob([await fileOf(scene, document.baseURI)], { type: 'text/html' }));
+  const file = URL.createObjectURL(
+    new Blob([await fileOf(scene, document.baseURI)], { type: 'text/html' }),
+  );
   const anchor = document.createElement('a');
   anchor.href = file;
   anchor.download = 'scene.html';
@@ -238,7 +270,8 @@ sharing('file', async (scene) => {
 });
 
 await open();
-// The first picture comes first, not the converged one. The text can be changed in the plain field until then.
+// The first picture comes first, not the converged one. The text can be changed in the plain field
+// until then.
 await Promise.race([
   viewer.ready,
   new Promise((resolve) => viewer.addEventListener('render', resolve, { once: true })),
@@ -246,4 +279,6 @@ await Promise.race([
 const { startEditor } = await import('./editor.js');
 const focused = document.activeElement === area;
 editor = startEditor(part('editor'), text, typed);
-if (focused) part('editor').querySelector<HTMLElement>('.host')?.focus();
+if (focused) {
+  part('editor').querySelector<HTMLElement>('.host')?.focus();
+}

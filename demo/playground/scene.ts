@@ -1,5 +1,6 @@
-// Reads the scene that a text describes. The text may come from a stranger's link, so it is parsed into a document that
-// runs and fetches nothing; only the package's elements and their documented attributes are kept. Knows no viewer.
+// Reads the scene that a text describes. The text may come from a stranger's link, so it is parsed
+// into a document that runs and fetches nothing; only the package's elements and their documented
+// attributes are kept. Knows no viewer.
 import attributes from 'virtual:attributes';
 import { LONGEST_TEXT } from './address.js';
 import { sourceKind } from './sources.js';
@@ -22,7 +23,10 @@ export interface Scene {
   readonly hosts: readonly string[];
 }
 
-/** Far more than a person writes. Each mesh costs memory, so a short link must not ask for tens of thousands. */
+/**
+ * Far more than a person writes. Each mesh costs memory, so a short link must not ask for tens of
+ * thousands.
+ */
 export const MOST_ELEMENTS = 1000;
 /** The same in triangles: 0.23 GB. */
 export const MOST_TRIANGLES = 2 ** 22;
@@ -76,7 +80,9 @@ class SceneReader {
   /** Names what stands outside the viewer. */
   readAround(parsed: Document, viewer: Element): void {
     for (const element of parsed.querySelectorAll('head > *, body > *')) {
-      if (!element.contains(viewer)) this.#leave(`<${clipped(element.localName)}>`);
+      if (!element.contains(viewer)) {
+        this.#leave(`<${clipped(element.localName)}>`);
+      }
     }
   }
 
@@ -85,10 +91,14 @@ class SceneReader {
     const compare = viewer.closest(COMPARISON);
     if (compare === null) return { comparison: null, others: [] };
     const others = [...compare.children].filter((child) => {
-      if (child.localName !== VIEWER) this.#leave(`<${clipped(child.localName)}>`);
+      if (child.localName !== VIEWER) {
+        this.#leave(`<${clipped(child.localName)}>`);
+      }
       return child.localName === VIEWER && child !== viewer;
     });
-    if (others.length >= MOST_VIEWERS) this.#leave(`viewers after ${String(MOST_VIEWERS)}`);
+    if (others.length >= MOST_VIEWERS) {
+      this.#leave(`viewers after ${String(MOST_VIEWERS)}`);
+    }
     return {
       comparison: this.#kept(compare),
       others: others.slice(0, MOST_VIEWERS - 1).map((other) => this.readViewer(other)),
@@ -127,8 +137,11 @@ class SceneReader {
     const names = documented.get(tag);
     const kept = new Map<string, string>();
     for (const { name, value } of element.attributes) {
-      if (names?.has(name) !== true) this.#leave(`${clipped(name)} of <${tag}>`);
-      else if (!LOADING.has(name) || this.#mayLoad(name, value, tag)) kept.set(name, value);
+      if (names?.has(name) !== true) {
+        this.#leave(`${clipped(name)} of <${tag}>`);
+      } else if (!LOADING.has(name) || this.#mayLoad(name, value, tag)) {
+        kept.set(name, value);
+      }
     }
     this.count++;
     return { tag, attributes: kept };
@@ -140,7 +153,9 @@ class SceneReader {
       this.#leave(`${name} of <${tag}>: files are loaded by http: and https: only`);
       return false;
     }
-    if (kind !== 'own') this.hosts.add(kind.host);
+    if (kind !== 'own') {
+      this.hosts.add(kind.host);
+    }
     return true;
   }
 
@@ -149,14 +164,17 @@ class SceneReader {
   }
 }
 
-const clipped = (name: string): string => (name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name);
+const clipped = (name: string): string =>
+  name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
 
 /** The scene as one element of a document that runs nothing, to be written as markup. */
 export function sceneElement(scene: Scene): Element | null {
   const inert = document.implementation.createHTMLDocument('');
   const build = ({ tag, attributes: all }: SceneElement): HTMLElement => {
     const element = inert.createElement(tag);
-    for (const [name, value] of all) element.setAttribute(name, value);
+    for (const [name, value] of all) {
+      element.setAttribute(name, value);
+    }
     return element;
   };
   const viewers = [scene.elements, ...scene.others].map((elements) => {

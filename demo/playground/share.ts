@@ -1,5 +1,6 @@
-// A scene for elsewhere: as the markup of a frame, or as one HTML file with the script and all files inside. Text in,
-// text out; files are fetched from this site, and from hosts that the user has allowed.
+// A scene for elsewhere: as the markup of a frame, or as one HTML file with the script and all
+// files inside. Text in, text out; files are fetched from this site, and from hosts that the user
+// has allowed.
 import { fragmentOf } from './address.js';
 import { markupOf } from '../parts/markup.js';
 import { sceneElement, type Scene } from './scene.js';
@@ -10,11 +11,14 @@ const LINE_LENGTH = 76;
 function markup(scene: Scene, rename: (source: string) => string): string {
   const element = sceneElement(scene);
   if (element === null) return '';
-  for (const one of [element, ...element.querySelectorAll('*')])
+  for (const one of [element, ...element.querySelectorAll('*')]) {
     for (const name of ['src', 'poster']) {
       const source = one.getAttribute(name);
-      if (source !== null) one.setAttribute(name, rename(source));
+      if (source !== null) {
+        one.setAttribute(name, rename(source));
+      }
     }
+  }
   return markupOf(element, LINE_LENGTH)
     .map(({ text }) => text)
     .join('');
@@ -25,7 +29,10 @@ const titleOf = (scene: Scene): string => scene.elements[0]?.attributes.get('alt
 const escaped = (text: string): string =>
   text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
 
-/** An `<iframe>` that shows the scene. @param page the address of the playground, next to whose folder embed.html is. */
+/**
+ * An `<iframe>` that shows the scene. @param page the address of the playground, next to whose
+ * folder embed.html is.
+ */
 export async function frameOf(scene: Scene, page: string): Promise<string> {
   const embed = new URL('../embed.html', page);
   const folder = new URL('.', embed).href;
@@ -34,7 +41,9 @@ export async function frameOf(scene: Scene, page: string): Promise<string> {
   return `<iframe src="${address}" title="${escaped(titleOf(scene))}" width="640" height="400" style="border: 0" loading="lazy" allowfullscreen></iframe>`;
 }
 
-/** Media types by the end of a file's name: a page opened from disk has no server that tells them. */
+/**
+ * Media types by the end of a file's name: a page opened from disk has no server that tells them.
+ */
 const MEDIA: Readonly<Record<string, string>> = {
   glb: 'model/gltf-binary',
   gltf: 'model/gltf+json',
@@ -52,7 +61,11 @@ export async function fileOf(scene: Scene, page: string): Promise<string> {
       .flatMap(({ attributes }) => [attributes.get('src'), attributes.get('poster')]),
   );
   const inside = new Map<string, string>();
-  for (const source of sources) if (source) inside.set(source, await dataUrl(new URL(source, page)));
+  for (const source of sources) {
+    if (source) {
+      inside.set(source, await dataUrl(new URL(source, page)));
+    }
+  }
   const text = markup(scene, (source) => inside.get(source) ?? source);
   return `<!doctype html>
 <html lang="en">
@@ -81,7 +94,9 @@ const textOf = async (address: URL): Promise<string> => (await answer(address)).
 async function dataUrl(address: URL): Promise<string> {
   const bytes = await (await answer(address)).arrayBuffer();
   const ending = /\.(\w+)$/.exec(address.pathname)?.[1]?.toLowerCase() ?? '';
-  if (namesFiles(ending, bytes)) throw new Error(`${address.pathname} names other files: use a .glb file.`);
+  if (namesFiles(ending, bytes)) {
+    throw new Error(`${address.pathname} names other files: use a .glb file.`);
+  }
   const type = MEDIA[ending] ?? '';
   return new Promise((resolve) => {
     const reader = new FileReader();

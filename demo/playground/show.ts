@@ -1,5 +1,6 @@
-// Makes the live viewer follow the scene. What has not changed is left alone, so that the camera, the panel and loaded
-// models stay while someone types. Builds only the elements of a checked scene.
+// Makes the live viewer follow the scene. What has not changed is left alone, so that the camera,
+// the panel and loaded models stay while someone types. Builds only the elements of a checked
+// scene.
 import { MOST_TRIANGLES, type Scene, type SceneElement } from './scene.js';
 
 type Viewer = HTMLElementTagNameMap['phong-viewer'];
@@ -13,22 +14,33 @@ export function showScene(viewer: Viewer, before: Scene | null, scene: Scene): v
   update(viewer, known[0], root);
   compareWith(viewer, before, scene);
   viewer.maxTriangles = shareOf(scene);
-  // The panel's markup may list the children in another order than they stand in: then all are built again.
-  const inStep = live.length === known.length - 1 && live.every((e, i) => e.localName === known[i + 1]!.tag);
+  // The panel's markup may list the children in another order than they stand in: then all are
+  // built again.
+  const inStep =
+    live.length === known.length - 1 && live.every((e, i) => e.localName === known[i + 1]!.tag);
   if (!inStep) {
     viewer.replaceChildren(...children.map(built));
     return;
   }
   children.forEach((child, i) => {
     const element = live[i];
-    if (element === undefined) viewer.append(built(child));
-    else if (element.localName === child.tag) update(element, known[i + 1], child);
-    else element.replaceWith(built(child));
+    if (element === undefined) {
+      viewer.append(built(child));
+    } else if (element.localName === child.tag) {
+      update(element, known[i + 1], child);
+    } else {
+      element.replaceWith(built(child));
+    }
   });
-  for (const element of live.slice(children.length)) element.remove();
+  for (const element of live.slice(children.length)) {
+    element.remove();
+  }
 }
 
-/** Puts the viewer into the scene's comparison, or out of one. The other viewers are built again where they changed. */
+/**
+ * Puts the viewer into the scene's comparison, or out of one. The other viewers are built again
+ * where they changed.
+ */
 function compareWith(viewer: Viewer, before: Scene | null, scene: Scene): void {
   const around = viewer.closest('phong-compare');
   if (scene.comparison === null) {
@@ -36,7 +48,9 @@ function compareWith(viewer: Viewer, before: Scene | null, scene: Scene): void {
     return;
   }
   const compare = around ?? document.createElement('phong-compare');
-  if (around === null) viewer.replaceWith(compare);
+  if (around === null) {
+    viewer.replaceWith(compare);
+  }
   update(compare, before?.comparison ?? undefined, scene.comparison);
   if (around !== null && before !== null && textOf(before.others) === textOf(scene.others)) return;
   const others = scene.others.map(([root, ...children]) => {
@@ -56,13 +70,17 @@ const textOf = (viewers: Scene['others']): string =>
 
 function built(element: SceneElement): HTMLElement {
   const made = document.createElement(element.tag);
-  for (const [name, value] of element.attributes) made.setAttribute(name, value);
+  for (const [name, value] of element.attributes) {
+    made.setAttribute(name, value);
+  }
   return made;
 }
 
 function update(live: HTMLElement, before: SceneElement | undefined, after: SceneElement): void {
   for (const [name, value] of after.attributes) {
-    if (before?.attributes.get(name) !== value) live.setAttribute(name, value);
+    if (before?.attributes.get(name) !== value) {
+      live.setAttribute(name, value);
+    }
   }
   for (const name of before?.attributes.keys() ?? []) {
     if (after.attributes.has(name)) continue;

@@ -1,5 +1,5 @@
-// Says where a `src` leads: to this site, which may be loaded at once; to another host, which needs a click; or to an
-// address that a link must not use (javascript:, data:, blob:, file:).
+// Says where a `src` leads: to this site, which may be loaded at once; to another host, which needs
+// a click; or to an address that a link must not use (javascript:, data:, blob:, file:).
 
 export type SourceKind = 'own' | 'refused' | { readonly host: string };
 

@@ -1,12 +1,17 @@
 /**
- * `phong-viewer/core`: the material, the lights and the orbit for plain three.js, without elements; and the light
- * loop's GLSL with the function that packs lights for it, for any WebGL 2 program.
+ * `phong-viewer/core`: the material, the lights and the orbit for plain three.js, without elements;
+ * and the light loop's GLSL with the function that packs lights for it, for any WebGL 2 program.
  */
 export { type Basis, Orbit, type Pose } from './camera/orbit.js';
 export { OrbitInput, type OrbitInputHost } from './camera/orbit-input.js';
 export { HEADER, ROWS } from './light/light-layout.js';
 export { LightSet } from './light/light-set.js';
-export { LIGHT_FIELDS, type LightSpace, LightState, type LightValues } from './light/light-state.js';
+export {
+  LIGHT_FIELDS,
+  type LightSpace,
+  LightState,
+  type LightValues,
+} from './light/light-state.js';
 export { emptyPack, type PackedLights, packLights, type PackSpace } from './light/pack-lights.js';
 export { declaredFeatures } from './light/light-features.js';
 export { coneLimit } from './light/precision.js';

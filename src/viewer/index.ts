@@ -1,6 +1,7 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>` and `<phong-control>`.
- * Importing it without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>`
+ * and `<phong-control>`. Importing it without a DOM does nothing. A second copy on a page leaves
+ * the first copy's elements alone.
  */
 // First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
@@ -27,7 +28,9 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
     ['phong-compare', PhongCompare],
     ['phong-control', PhongControl],
   ] as const) {
-    if (customElements.get(name) === undefined) customElements.define(name, element);
+    if (customElements.get(name) === undefined) {
+      customElements.define(name, element);
+    }
   }
   endEarly();
 }

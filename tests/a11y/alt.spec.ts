@@ -14,21 +14,30 @@ declare global {
   }
 }
 
-const viewer = (attributes = ''): string => `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
+const viewer = (attributes = ''): string =>
+  `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
 
 /** Waits until all warnings so far have been printed. */
 async function reported(page: Page): Promise<void> {
-  for (let i = 0; i < 4; i++) await nextFrame(page);
+  for (let i = 0; i < 4; i++) {
+    await nextFrame(page);
+  }
 }
 
-test('viewers without an alt are reported once, after the first picture', async ({ page, mount, consoleGuard }) => {
+test('viewers without an alt are reported once, after the first picture', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   const warnings = consoleGuard.allow(/has no alt/, 2);
   await page.addInitScript(() => {
     addEventListener('render', () => (window.firstPicture ??= performance.now()), true);
   });
   const startOfCheck = (): Promise<number | undefined> =>
     page.evaluate(
-      () => performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))?.startTime,
+      () =>
+        performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))
+          ?.startTime,
     );
   await mount(viewer() + viewer() + viewer('alt="A box"'), size);
   await expect.poll(() => warnings).toEqual([WARNING]);
@@ -40,7 +49,10 @@ test('viewers without an alt are reported once, after the first picture', async 
   await expect.poll(() => warnings).toHaveLength(2);
 });
 
-test('viewers that have a name, need none or are hidden are not reported', async ({ page, mount }) => {
+test('viewers that have a name, need none or are hidden are not reported', async ({
+  page,
+  mount,
+}) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
   const element = await mount(

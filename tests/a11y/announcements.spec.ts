@@ -15,7 +15,10 @@ const A_WHILE = 1500;
 
 const region = (viewer: Locator): Locator => viewer.locator('.reader > [aria-live]');
 
-test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({ page, mount }) => {
+test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   await expect(region(viewer)).toHaveCount(0);
   await page.keyboard.press('Tab');
@@ -39,7 +42,9 @@ test('a motion of many steps is announced once, when it has ended', async ({ mou
     const reader = element.shadowRoot!.querySelector('.reader')!;
     new MutationObserver(() => {
       const text = reader.querySelector('[aria-live]')?.textContent ?? '';
-      if (text !== '' && text !== list.at(-1)) list.push(text);
+      if (text !== '' && text !== list.at(-1)) {
+        list.push(text);
+      }
     }).observe(reader, { subtree: true, childList: true, characterData: true });
     const surface = element.shadowRoot!.querySelector('.surface')!;
     for (let i = 0; i < 30; i++) {
@@ -52,7 +57,10 @@ test('a motion of many steps is announced once, when it has ended', async ({ mou
   await expect.poll(() => texts.evaluate((list) => [...list])).toEqual(once);
 });
 
-test('scripts and auto-rotate announce nothing, not even together with user input', async ({ page, mount }) => {
+test('scripts and auto-rotate announce nothing, not even together with user input', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   await viewer.evaluate(async (element: PhongViewer) => {
     element.theta = 10;
@@ -61,7 +69,9 @@ test('scripts and auto-rotate announce nothing, not even together with user inpu
     element.resetCamera();
     element.autoRotate = 20;
     const end = element.stats.frames + 5;
-    while (element.stats.frames < end) await new Promise(requestAnimationFrame);
+    while (element.stats.frames < end) {
+      await new Promise(requestAnimationFrame);
+    }
     element.autoRotate = 0;
   });
   await page.waitForTimeout(A_WHILE);
@@ -69,16 +79,23 @@ test('scripts and auto-rotate announce nothing, not even together with user inpu
   await viewer.evaluate((element: PhongViewer) => {
     element.theta = 30;
     element.lights[1]!.diffuse = '#f00';
-    element.shadowRoot!.querySelector('.surface')!.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
+    element
+      .shadowRoot!.querySelector('.surface')!
+      .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
   });
   await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.');
 });
 
-test('changes by the panel are announced; changes by a script meanwhile are not', async ({ page, mount }) => {
+test('changes by the panel are announced; changes by a script meanwhile are not', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('gui'));
   await viewer.getByRole('checkbox', { name: 'lamp active' }).uncheck();
   await assign(page.locator('phong-light').first(), { diffuse: '#f00' });
-  await expect(region(viewer)).toHaveText('lamp (off): point light, position 1 2 3, diffuse 255 255 255.');
+  await expect(region(viewer)).toHaveText(
+    'lamp (off): point light, position 1 2 3, diffuse 255 255 255.',
+  );
   await viewer.getByRole('button', { name: 'add light' }).click();
   await expect(region(viewer)).toHaveText('Lights: 3.');
   const folder = await opened(viewer, 'Camera');

@@ -5,7 +5,8 @@ import { expect, test } from '../support/test.js';
 
 const scene = `<phong-viewer id="v" alt="A torus" geometry="torus"><phong-light id="spot" position="0 2 0"
   aperture="30" cutoff="8"></phong-light></phong-viewer>`;
-const of = (attributes: string, label = ''): string => `<phong-control ${attributes}>${label}</phong-control>`;
+const of = (attributes: string, label = ''): string =>
+  `<phong-control ${attributes}>${label}</phong-control>`;
 const all = [
   of('for="spot" attribute="aperture"'),
   of('for="spot" attribute="diffuse"', 'its colour'),
@@ -17,8 +18,14 @@ const all = [
 ];
 const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
 
-test('controls have no fault that axe finds, in a text and alone, in forced colours too', async ({ page, mount }) => {
-  await mount(`<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}</main>`, { css });
+test('controls have no fault that axe finds, in a text and alone, in forced colours too', async ({
+  page,
+  mount,
+}) => {
+  await mount(
+    `<main><h1>A lesson</h1>${scene}<p>Turn ${all.join(', ')}.</p>${all.join('')}</main>`,
+    { css },
+  );
   await expect(page.getByRole('spinbutton', { name: 'aperture' })).toHaveCount(2);
   await expect(page.getByRole('group', { name: 'terms of the sum' })).toHaveCount(2);
   for (const forcedColors of ['none', 'active'] as const) {

@@ -1,5 +1,5 @@
-// Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from Chromium's
-// accessibility tree; rules by axe.
+// Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from
+// Chromium's accessibility tree; rules by axe.
 
 import type { Locator } from '@playwright/test';
 import { axeOn } from '../support/axe.js';
@@ -13,7 +13,10 @@ const scene = `<main><h1>Lights</h1><phong-viewer alt="A box" geometry="box" hel
   <phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" active="false"></phong-light>
 </phong-viewer></main>`;
 
-test('lights are options of a list, named and placed, one selected; axe finds no fault', async ({ page, mount }) => {
+test('lights are options of a list, named and placed, one selected; axe finds no fault', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene);
   await expect(viewer.getByRole('option')).toHaveCount(4);
   const { name } = await accessibleNode(page, 'listbox');
@@ -25,11 +28,19 @@ test('lights are options of a list, named and placed, one selected; axe finds no
     ['spot: axis', 'Enter starts moving.'],
     ['spot: edge of the cone, 20°', 'Enter starts moving.'],
   ]);
-  expect(options.map(({ properties }) => properties['selected'])).toEqual([true, false, false, false]);
+  expect(options.map(({ properties }) => properties['selected'])).toEqual([
+    true,
+    false,
+    false,
+    false,
+  ]);
   expect((await axeOn(page).analyze()).violations).toEqual([]);
 });
 
-test('the start of a move announces the keys, and its end the light’s position', async ({ page, mount }) => {
+test('the start of a move announces the keys, and its end the light’s position', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene);
   await viewer.getByRole('option', { name: /^lamp/ }).press('Enter');
   await expect(viewer.locator('.helpers [aria-live=polite]')).toHaveText(
@@ -38,13 +49,16 @@ test('the start of a move announces the keys, and its end the light’s position
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('Enter');
   await expect(viewer.locator('.helpers [aria-live=polite]')).toHaveText('');
-  await expect(viewer.locator('.reader [aria-live=polite]')).toHaveText(/^lamp: point light, position \S+ 0.4/);
+  await expect(viewer.locator('.reader [aria-live=polite]')).toHaveText(
+    /^lamp: point light, position \S+ 0.4/,
+  );
 });
 
-for (const background of firstOf(['#fff', '#777', '#000', '#00f', '#595959', '#fc8'], 2))
+for (const background of firstOf(['#fff', '#777', '#000', '#00f', '#595959', '#fc8'], 2)) {
   test(`lights, arrows and names have a contrast of 3:1 on ${background}`, async ({ mount }) => {
     const lights = ['#00f', '#fc8', '#000', '#777', '#fff'].map(
-      (color, i) => `<phong-light name="${i}" diffuse="${color}" position="${(i - 2) * 0.6} 0.5 0 1"></phong-light>`,
+      (color, i) =>
+        `<phong-light name="${i}" diffuse="${color}" position="${(i - 2) * 0.6} 0.5 0 1"></phong-light>`,
     );
     const viewer = await mount(
       `<phong-viewer alt="Lights" helpers theta="0" phi="90" radius="4" target="0 0 0">${lights.join('')}
@@ -63,6 +77,9 @@ for (const background of firstOf(['#fff', '#777', '#000', '#00f', '#595959', '#f
     };
     const texts = await viewer.locator('svg text').all();
     const options = await viewer.getByRole('option').all();
-    for (const shape of [...options, ...texts]) expect(await across(shape), String(shape)).toBeGreaterThanOrEqual(3);
+    for (const shape of [...options, ...texts]) {
+      expect(await across(shape), String(shape)).toBeGreaterThanOrEqual(3);
+    }
     expect(await across(viewer.locator('svg path').last(), 2)).toBeGreaterThanOrEqual(3);
   });
+}

@@ -1,5 +1,5 @@
-// Is the focus visible on any picture, are targets large enough, and is no message cut off? Measured on the drawn
-// page.
+// Is the focus visible on any picture, are targets large enough, and is no message cut off?
+// Measured on the drawn page.
 
 import { expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support/viewer.js';
@@ -14,7 +14,10 @@ for (const media of [
   { forcedColors: 'active' },
   { forcedColors: 'active', colorScheme: 'dark' },
 ] as const) {
-  test(`the focus stands out from any picture: ${JSON.stringify(media)}`, async ({ page, mount }) => {
+  test(`the focus stands out from any picture: ${JSON.stringify(media)}`, async ({
+    page,
+    mount,
+  }) => {
     await page.emulateMedia(media);
     const viewer = await mount('<phong-viewer></phong-viewer>', {
       width: 80,
@@ -23,7 +26,10 @@ for (const media of [
     });
     await page.keyboard.press('Tab');
     for (const picture of ['#000', '#fff', '#767676', '#f00', '#00f', '#4a90d9']) {
-      await page.evaluate((color) => document.documentElement.style.setProperty('--picture', color), picture);
+      await page.evaluate(
+        (color) => document.documentElement.style.setProperty('--picture', color),
+        picture,
+      );
       await nextFrame(page);
       const at = await screenshot(viewer);
       for (const [x, y] of [
@@ -36,7 +42,9 @@ for (const media of [
         const from = (edge: number): Rgb =>
           at(40 + x * (40 - edge) - (x > 0 ? 1 : 0), 30 + y * (30 - edge) - (y > 0 ? 1 : 0));
         const ring = [from(1), from(3)] as const;
-        expect(contrast(...ring), `the ring's two colours on ${picture}`).toBeGreaterThanOrEqual(CONTRAST);
+        expect(contrast(...ring), `the ring's two colours on ${picture}`).toBeGreaterThanOrEqual(
+          CONTRAST,
+        );
         const best = Math.max(...ring.map((color) => contrast(color, from(8))));
         expect(best, `the ring on ${picture}`).toBeGreaterThanOrEqual(CONTRAST);
       }
@@ -48,7 +56,11 @@ for (const media of [
 /** WCAG 2.2, 2.5.8, CSS pixels. */
 const TARGET = 24;
 
-test('all targets in panel and message have at least 24 pixels', async ({ page, mount, consoleGuard }) => {
+test('all targets in panel and message have at least 24 pixels', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
   const viewer = await mount(
     `<phong-viewer alt="A box" gui geometry="box" src="/none.glb">
@@ -59,17 +71,23 @@ test('all targets in panel and message have at least 24 pixels', async ({ page, 
   );
   await expect(viewer.locator('.lil-root')).toBeVisible();
   await viewer.evaluate((element) => {
-    const closed = (): HTMLElement | null => element.shadowRoot!.querySelector('.lil-closed > .lil-title');
-    for (let title = closed(); title !== null; title = closed()) title.click();
+    const closed = (): HTMLElement | null =>
+      element.shadowRoot!.querySelector('.lil-closed > .lil-title');
+    for (let title = closed(); title !== null; title = closed()) {
+      title.click();
+    }
   });
   await nextFrame(page);
   const small = viewer.evaluate((element, least) => {
-    const controls = element.shadowRoot!.querySelectorAll('button, input, select, textarea, summary, a[href]');
+    const controls = element.shadowRoot!.querySelectorAll(
+      'button, input, select, textarea, summary, a[href]',
+    );
     return Array.from(controls).flatMap((control) => {
       // A label counts with its field.
       const { width, height } = (control.closest('label') ?? control).getBoundingClientRect();
       const isSmall = width > 0 && (width < least || height < least);
-      const name = control.getAttribute('aria-label') ?? control.closest('.lil-controller')?.textContent ?? '';
+      const name =
+        control.getAttribute('aria-label') ?? control.closest('.lil-controller')?.textContent ?? '';
       return isSmall ? [`${name} <${control.localName}> ${width} × ${height}`] : [];
     });
   }, TARGET);
@@ -78,10 +96,13 @@ test('all targets in panel and message have at least 24 pixels', async ({ page, 
 
 test('a message longer than the viewer can be scrolled', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/404/);
-  const viewer = await mount(`<phong-viewer alt="None" src="/${'none'.repeat(60)}.glb"></phong-viewer>`, {
-    width: 160,
-    height: 80,
-  });
+  const viewer = await mount(
+    `<phong-viewer alt="None" src="/${'none'.repeat(60)}.glb"></phong-viewer>`,
+    {
+      width: 160,
+      height: 80,
+    },
+  );
   await expect(viewer.getByRole('alert')).toBeVisible();
   const hidden = await viewer.evaluate((element) => {
     const notice = element.shadowRoot!.querySelector('.notice')!;

@@ -1,5 +1,5 @@
-// Is the probe accessible by keyboard and screen reader, in forced colours, and in languages written from right to
-// left?
+// Is the probe accessible by keyboard and screen reader, in forced colours, and in languages
+// written from right to left?
 
 import { axeOn } from '../support/axe.js';
 import type { Locator } from '@playwright/test';
@@ -16,7 +16,10 @@ const region = (viewer: Locator): Locator => viewer.locator('.probe [aria-live]'
 const box = (viewer: Locator): Locator => viewer.getByRole('group', { name: 'Probe' });
 const cursor = (viewer: Locator): Locator => viewer.getByRole('application', { name: 'Probe' });
 
-test('the cross-hair has a name, a role and described keys, and its values are announced', async ({ page, mount }) => {
+test('the cross-hair has a name, a role and described keys, and its values are announced', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   await pointerAway(page);
   await expect(cursor(viewer)).toHaveAttribute('aria-roledescription', 'cross-hair');
@@ -29,7 +32,10 @@ test('the cross-hair has a name, a role and described keys, and its values are a
   await expect(region(viewer)).toHaveAttribute('aria-live', 'polite');
 });
 
-test('announcements are at least a second apart, and the last one is of the last point', async ({ page, mount }) => {
+test('announcements are at least a second apart, and the last one is of the last point', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   await pointerAway(page);
   const times = await region(viewer).evaluateHandle((live) => {
@@ -46,23 +52,33 @@ test('announcements are at least a second apart, and the last one is of the last
     await page.keyboard.press('ArrowUp');
     await page.waitForTimeout(120);
   }
-  const point = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(300, 188))!.p);
+  const point = await viewer.evaluate(
+    async (element: PhongViewer) => (await element.shadeAt(300, 188))!.p,
+  );
   const last = `Point ${point.map((x) => String(Number(x.toPrecision(3))).replace('-', '−')).join(' ')}.`;
   await expect(region(viewer)).toContainText(last);
   const gaps = await times.evaluate((all) => all.slice(1).map((time, i) => time - all[i]!));
   expect(gaps.length).toBeGreaterThan(0);
   // A timer of one second; the report of its start can come late.
-  for (const gap of gaps) expect(gap).toBeGreaterThan(800);
+  for (const gap of gaps) {
+    expect(gap).toBeGreaterThan(800);
+  }
 });
 
-test('the table has a caption, headers and one Tab stop; changes by scripts are silent', async ({ page, mount }) => {
-  // A headless shell may move the pointer to the page's corner: beside the picture, or a leave would announce the point.
+test('the table has a caption, headers and one Tab stop; changes by scripts are silent', async ({
+  page,
+  mount,
+}) => {
+  // A headless shell may move the pointer to the page's corner: beside the picture, or a leave
+  // would announce the point.
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'), { css: 'main { padding: 20px }' });
   await expect(box(viewer)).toBeVisible();
   await assign(viewer.locator('phong-light').first(), { diffuse: [9, 99, 9] });
   await nextFrame(page);
   await expect(region(viewer)).toBeEmpty();
-  const table = viewer.getByRole('table', { name: 'Red, green and blue of each term; 255 is full' });
+  const table = viewer.getByRole('table', {
+    name: 'Red, green and blue of each term; 255 is full',
+  });
   await expect(table.getByRole('columnheader')).toHaveCount(7);
   await expect(table.getByRole('rowheader')).toHaveText(['sun', 'lamp', 'sum']);
   await expect(table.getByRole('button')).toHaveText(['sun', 'lamp']);
@@ -85,7 +101,10 @@ test('axe finds no problem, hovering, pinned and at 120 × 90', async ({ page, m
   }
 });
 
-test('the focus moves to the cross-hair when the focused row or button disappears', async ({ page, mount }) => {
+test('the focus moves to the cross-hair when the focused row or button disappears', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   await page.mouse.click(300, 150);
   const button = viewer.getByRole('table').getByRole('button', { name: 'lamp' });
@@ -101,7 +120,10 @@ test('the focus moves to the cross-hair when the focused row or button disappear
   await expect(box(viewer)).not.toHaveClass(/pinned/);
 });
 
-test('from right to left the probe keeps to the right edge, and red comes first', async ({ page, mount }) => {
+test('from right to left the probe keeps to the right edge, and red comes first', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('probe dir="rtl"'));
   await page.mouse.click(300, 150);
   await expect(box(viewer)).toBeVisible();
@@ -118,7 +140,10 @@ test.describe('in forced colours', () => {
     await expect(box(viewer)).toBeVisible();
     const [shown, color] = await viewer.evaluate(async (element: PhongViewer) => {
       const swatch = element.shadowRoot!.querySelector('[part=probe] .swatch')!;
-      return [getComputedStyle(swatch).backgroundColor, (await element.shadeAt(300, 200))!.color] as const;
+      return [
+        getComputedStyle(swatch).backgroundColor,
+        (await element.shadeAt(300, 200))!.color,
+      ] as const;
     });
     const numbers = (shown.match(/[\d.]+/g) ?? []).map(Number);
     color.forEach((c, i) => expect(Math.abs(numbers[i]! - 255 * c)).toBeLessThan(1));

@@ -1,5 +1,5 @@
-// What does a screen reader find in a viewer, and where does Tab stop? Read from Chromium's accessibility tree, not from
-// attributes; rules by axe.
+// What does a screen reader find in a viewer, and where does Tab stop? Read from Chromium's
+// accessibility tree, not from attributes; rules by axe.
 
 import type { Page } from '@playwright/test';
 import { axeOn } from '../support/axe.js';
@@ -8,7 +8,8 @@ import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { accessibleNode, accessibleNodes } from './tree.js';
 
 const sun = '<phong-light name="sun" position="1 2 3 0"></phong-light>';
-const lamp = '<phong-light name="lamp" position="2 0.5 -1.2345 1" diffuse="255 204 136"></phong-light>';
+const lamp =
+  '<phong-light name="lamp" position="2 0.5 -1.2345 1" diffuse="255 204 136"></phong-light>';
 const spot =
   '<phong-light position="0 3 3 1" axis="0 -1 -1" aperture="20" active="false" space="camera"></phong-light>';
 const viewer = (attributes: string, inner = sun): string =>
@@ -18,7 +19,11 @@ const fixed = 'orbit="false" zoom="false"';
 const application = (page: Page) => accessibleNode(page, 'application');
 const description = async (page: Page): Promise<string> => (await application(page)).description;
 
-test('a page of viewers and comparisons breaks no rule of axe', async ({ page, mount, consoleGuard }) => {
+test('a page of viewers and comparisons breaks no rule of axe', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
   const three = ['Gouraud', 'Phong', 'Flat'].map((alt) => viewer(`alt="${alt}"`)).join('');
   await mount(
@@ -27,14 +32,23 @@ test('a page of viewers and comparisons breaks no rule of axe', async ({ page, m
     ${viewer(`alt="A still" ${fixed}`)}${viewer(`alt="" ${fixed}`)}
     <phong-compare>${three}</phong-compare><phong-compare layout="side">${three}</phong-compare>
     <phong-compare direction="vertical" labels="one, two, three">${three}</phong-compare></main>`,
-    { width: 300, height: 200, css: 'phong-compare { display: block; width: 400px; height: 200px }' },
+    {
+      width: 300,
+      height: 200,
+      css: 'phong-compare { display: block; width: 400px; height: 200px }',
+    },
   );
   await expect(page.getByRole('separator')).toHaveCount(4);
   expect((await axeOn(page).analyze()).violations).toEqual([]);
 });
 
-test('a viewer is an application with its keys, and its description follows scripts', async ({ page, mount }) => {
-  const element = await mount(viewer('alt="A box" theta="30" phi="70" radius="4.0625"', sun + lamp + spot));
+test('a viewer is an application with its keys, and its description follows scripts', async ({
+  page,
+  mount,
+}) => {
+  const element = await mount(
+    viewer('alt="A box" theta="30" phi="70" radius="4.0625"', sun + lamp + spot),
+  );
   await expect
     .poll(() => description(page))
     .toBe(
@@ -54,15 +68,22 @@ test('a viewer is an application with its keys, and its description follows scri
     .poll(() => description(page))
     .toMatch(/ Camera: azimuth −90°, .*, distance 4.06. Lights: moon \(off\), light 2 \(off\)\.$/);
   await element.evaluate((target: PhongViewer) => {
-    for (let i = 0; i < 40; i++) target.append(document.createElement('phong-light'));
+    for (let i = 0; i < 40; i++) {
+      target.append(document.createElement('phong-light'));
+    }
   });
-  await expect.poll(() => description(page), 'eight of many').toMatch(/Lights: moon .*light 8, \.{4}$/);
+  await expect
+    .poll(() => description(page), 'eight of many')
+    .toMatch(/Lights: moon .*light 8, \.{4}$/);
   await element.evaluate((target: PhongViewer) => target.replaceChildren());
   await expect.poll(() => description(page)).toMatch(/distance 4.06\.$/);
   expect(await accessibleNodes(page)).toHaveLength(1);
 });
 
-test('only keys with an effect are listed; without any, a viewer is an image, no Tab stop', async ({ page, mount }) => {
+test('only keys with an effect are listed; without any, a viewer is an image, no Tab stop', async ({
+  page,
+  mount,
+}) => {
   const element = await mount(`${viewer('alt="A box" zoom="false"')}<a href="#next">Next</a>`);
   const keys = async (): Promise<unknown> => (await application(page)).properties['keyshortcuts'];
   expect(await keys()).toBe('ArrowLeft ArrowRight ArrowUp ArrowDown Home');
@@ -72,7 +93,9 @@ test('only keys with an effect are listed; without any, a viewer is an image, no
   expect(await description(page)).toMatch(/^Plus and minus zoom. Home resets/);
   await assign(element, { zoom: false });
   await expect
-    .poll(async () => (await accessibleNodes(page)).find(({ role }) => role === 'image')?.description)
+    .poll(
+      async () => (await accessibleNodes(page)).find(({ role }) => role === 'image')?.description,
+    )
     .toMatch(/^Camera: .* Lights: sun\.$/);
   const { name, properties } = await accessibleNode(page, 'image');
   expect(name).toBe('A box');
@@ -81,13 +104,19 @@ test('only keys with an effect are listed; without any, a viewer is an image, no
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
 });
 
-test('a fixed viewer that is decoration, or any that its author hides, is not read', async ({ page, mount }) => {
+test('a fixed viewer that is decoration, or any that its author hides, is not read', async ({
+  page,
+  mount,
+}) => {
   const attributes = ['alt=""', 'role="presentation"', 'aria-hidden="true"'];
   await mount(attributes.map((each) => viewer(`${each} ${fixed}`)).join(''));
   expect(await accessibleNodes(page)).toEqual([]);
 });
 
-test('aria-labelledby, aria-label, alt name the picture, in this order; stops have names', async ({ page, mount }) => {
+test('aria-labelledby, aria-label, alt name the picture, in this order; stops have names', async ({
+  page,
+  mount,
+}) => {
   const names = 'aria-labelledby="one" aria-label="Label" alt="A box"';
   const element = await mount(`<h1 id="one">Heading</h1>${viewer(names)}`);
   const name = async (): Promise<string> => (await application(page)).name;
@@ -116,7 +145,11 @@ test("the author's role, aria-label and tabindex are left as they are", async ({
   );
   expect(facts).toEqual(['figure', 'Mine', '-1']);
   const plain = page.locator('phong-viewer').last();
-  expect(await plain.evaluate((target) => target.getAttributeNames())).toEqual(['geometry', 'alt', 'tabindex']);
+  expect(await plain.evaluate((target) => target.getAttributeNames())).toEqual([
+    'geometry',
+    'alt',
+    'tabindex',
+  ]);
   await page.keyboard.press('Tab');
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
 });

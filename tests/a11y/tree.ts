@@ -1,4 +1,5 @@
-// What assistive technology gets of a page: Chromium's own accessibility tree, read through its debugger.
+// What assistive technology gets of a page: Chromium's own accessibility tree, read through its
+// debugger.
 
 import type { Page } from '@playwright/test';
 
@@ -24,7 +25,7 @@ export async function accessibleNodes(page: Page): Promise<AccessibleNode[]> {
     const node = byId.get(id);
     if (node === undefined) return;
     const role = String(node.role?.value);
-    if (!node.ignored && !PLAIN.test(role))
+    if (!node.ignored && !PLAIN.test(role)) {
       inOrder.push({
         role,
         name: String(node.name?.value ?? ''),
@@ -33,10 +34,13 @@ export async function accessibleNodes(page: Page): Promise<AccessibleNode[]> {
           (node.properties ?? []).map(({ name, value }) => [name, value.value as unknown]),
         ),
       });
+    }
     node.childIds?.forEach(visit);
   };
   const root = nodes[0];
-  if (root !== undefined) visit(root.nodeId);
+  if (root !== undefined) {
+    visit(root.nodeId);
+  }
   return inOrder;
 }
 
@@ -44,9 +48,10 @@ export async function accessibleNodes(page: Page): Promise<AccessibleNode[]> {
 export async function accessibleNode(page: Page, role: string): Promise<AccessibleNode> {
   const all = await accessibleNodes(page);
   const [found, second] = all.filter((node) => node.role === role);
-  if (found === undefined || second !== undefined)
+  if (found === undefined || second !== undefined) {
     throw new Error(
       `${second === undefined ? 'No' : 'More than one'} ${role} among ${all.map((node) => node.role).join(', ')}`,
     );
+  }
   return found;
 }

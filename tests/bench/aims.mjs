@@ -1,8 +1,20 @@
 // @ts-check
-// What the bench holds the product to, and where a result has the figure for each line. A line is a limit, which fails the nightly
-// bench when it is missed, or on some kinds of stack an aim that is not reached yet.
+// What the bench holds the product to, and where a result has the figure for each line. A line is a
+// limit, which fails the nightly bench when it is missed, or on some kinds of stack an aim that is
+// not reached yet.
 
-import { CODES, full, PLAIN, pictureValue, RMSE, SSAA, ssaa, TAA, taa, WITHIN } from './pictures.mjs';
+import {
+  CODES,
+  full,
+  PLAIN,
+  pictureValue,
+  RMSE,
+  SSAA,
+  ssaa,
+  TAA,
+  taa,
+  WITHIN,
+} from './pictures.mjs';
 import { FIRST_MODELS } from './models.mjs';
 import { ratioOf, ratioOverSubjects, rowOf, valueOf } from './results.mjs';
 import { spread } from './statistics.mjs';
@@ -24,12 +36,13 @@ import {
  * @typedef {object} Aim
  * @property {string} label
  * @property {string} subject
- * @property {readonly string[]} [subjects] the figure is their median ratio to the better of the other sides; with `against`,
- *   their worst ratio to the best of these sides
+ * @property {readonly string[]} [subjects] the figure is their median ratio to the better of the
+ * other sides; with `against`, their worst ratio to the best of these sides
  * @property {readonly string[]} [against]
  * @property {string} measure
  * @property {string} [side] default: the first
- * @property {'ratio' | 'value' | 'over usual'} [figure] default: ratio. `over usual`: milliseconds above the usual frame
+ * @property {'ratio' | 'value' | 'over usual'} [figure] default: ratio. `over usual`: milliseconds
+ * above the usual frame
  * @property {{ software?: number, gpu?: number }} most `least` turns it round
  * @property {boolean} [least]
  */
@@ -60,7 +73,9 @@ const PICTURE_AIMS = /** @type {const} */ ({
 function pictureAims() {
   const ofOne = Object.entries(PICTURE_AIMS).flatMap(([picture, aims]) => {
     const subject = pictureSubject(/** @type {keyof typeof PICTURES} */ (picture));
-    /** @param {string} label @param {string} measure @param {number} samples @param {number} most */
+    /**
+     * @param {string} label @param {string} measure @param {number} samples @param {number} most
+     */
     const ofSamples = (label, measure, samples, most) =>
       aim(`${picture}, ${label}, ${samples} samples`, subject, measure, both(most), {
         ...VALUE,
@@ -70,7 +85,9 @@ function pictureAims() {
     return [
       ofSamples('RMSE', RMSE.triangles, 64, aims[64]),
       ofSamples('RMSE', RMSE.triangles, 256, aims[256]),
-      ...('round' in aims ? [ofSamples('RMSE to the round shape', RMSE.round, 64, aims.round)] : []),
+      ...('round' in aims
+        ? [ofSamples('RMSE to the round shape', RMSE.round, 64, aims.round)]
+        : []),
       ofSamples('% of pixels within one code', WITHIN, 64, aims.within),
     ];
   });
@@ -78,11 +95,17 @@ function pictureAims() {
   const subjects = pictures.map(pictureSubject);
   /** @param {string} label @param {string} side @param {readonly string[]} passes */
   const against = (label, side, passes) =>
-    aim(`RMSE to three.js’s best pass, worst picture: ${label}`, subjects[0] ?? '', RMSE.triangles, both(1), {
-      subjects,
-      side,
-      against: passes.flatMap((pass) => [pass, pass + CODES]),
-    });
+    aim(
+      `RMSE to three.js’s best pass, worst picture: ${label}`,
+      subjects[0] ?? '',
+      RMSE.triangles,
+      both(1),
+      {
+        subjects,
+        side,
+        against: passes.flatMap((pass) => [pass, pass + CODES]),
+      },
+    );
   return [
     ...ofOne,
     against('first one', PLAIN, [ssaa(1), taa(0)]),
@@ -92,13 +115,24 @@ function pictureAims() {
 }
 
 /**
- * @param {string} label @param {string} subject @param {string} measure @param {Aim['most']} most @param {Partial<Aim>} [more]
+ * @param {string} label @param {string} subject @param {string} measure @param {Aim['most']} most
+ * @param {Partial<Aim>} [more]
  * @returns {Aim}
  */
-const aim = (label, subject, measure, most, more = {}) => ({ label, subject, measure, most, ...more });
+const aim = (label, subject, measure, most, more = {}) => ({
+  label,
+  subject,
+  measure,
+  most,
+  ...more,
+});
 
-/** An aim whose label names subject and measure. @param {string} subject @param {string} measure @param {Aim['most']} most @param {Partial<Aim>} [more] */
-const named = (subject, measure, most, more) => aim(`${subject}, ${measure}`, subject, measure, most, more);
+/**
+ * An aim whose label names subject and measure. @param {string} subject @param {string} measure
+ * @param {Aim['most']} most @param {Partial<Aim>} [more]
+ */
+const named = (subject, measure, most, more) =>
+  aim(`${subject}, ${measure}`, subject, measure, most, more);
 
 const SCRIPT = 'script per frame';
 const FIRST_PICTURE = 'first picture';
@@ -108,13 +142,20 @@ const VALUE = /** @type {const} */ ({ figure: 'value' });
 /** @type {readonly Aim[]} */
 export const AIMS = [
   ...SPHERE_LIGHTS.flatMap((count, i) => [
-    named(sphere(count), 'first frames', { gpu: FIRST.gpu[i] ?? NaN, software: FIRST.software[i] ?? NaN }),
-    named(sphere(count), 'settled', { gpu: SETTLED.gpu[i] ?? NaN, software: SETTLED.software[i] ?? NaN }),
-  ]),
-  ...[...SPHERE_LIGHTS.filter((count) => count >= 8).map(sphere), 'sphere, 1,024 lights'].map((subject) =>
-    aim(`${subject}, longest frame over usual`, subject, 'longest frame', TAKE_OVER_MS, {
-      figure: 'over usual',
+    named(sphere(count), 'first frames', {
+      gpu: FIRST.gpu[i] ?? NaN,
+      software: FIRST.software[i] ?? NaN,
     }),
+    named(sphere(count), 'settled', {
+      gpu: SETTLED.gpu[i] ?? NaN,
+      software: SETTLED.software[i] ?? NaN,
+    }),
+  ]),
+  ...[...SPHERE_LIGHTS.filter((count) => count >= 8).map(sphere), 'sphere, 1,024 lights'].map(
+    (subject) =>
+      aim(`${subject}, longest frame over usual`, subject, 'longest frame', TAKE_OVER_MS, {
+        figure: 'over usual',
+      }),
   ),
   named('64 spheres, 8 lights', 'settled', both(0.75)),
   aim('lights that come and go', 'lights that come and go', 'settled', both(1.1)),
@@ -138,14 +179,31 @@ export const AIMS = [
     const subject = firstModelSubject(model);
     return aim(subject, subject, FIRST_PICTURE, both(/PLY|STL|images/.test(model) ? 1.5 : 1.15));
   }),
-  aim('moving one of 10,000 boxes to three.js, script', 'script, moving one of 10,000 boxes', SCRIPT, both(2.8)),
+  aim(
+    'moving one of 10,000 boxes to three.js, script',
+    'script, moving one of 10,000 boxes',
+    SCRIPT,
+    both(2.8),
+  ),
   aim('start, 2,000 boxes', 'start, 2,000 boxes', FIRST_PICTURE, both(1.5)),
   aim('start, 10,000 boxes', 'start, 10,000 boxes', FIRST_PICTURE, both(4)),
   aim('start, 64 viewers', 'start, 64 viewers', FIRST_PICTURE, both(1.2)),
-  aim('toggling one of 5,000 lights, µs', 'script, toggling one of 5,000 lights', SCRIPT, both(2000), VALUE),
-  aim('20 turning viewers, frame rate to one viewer’s', '20 turning viewers', 'frame rate', both(0.7), {
-    least: true,
-  }),
+  aim(
+    'toggling one of 5,000 lights, µs',
+    'script, toggling one of 5,000 lights',
+    SCRIPT,
+    both(2000),
+    VALUE,
+  ),
+  aim(
+    '20 turning viewers, frame rate to one viewer’s',
+    '20 turning viewers',
+    'frame rate',
+    both(0.7),
+    {
+      least: true,
+    },
+  ),
   aim('start, standalone', 'start', FIRST_PICTURE, both(1.1), { side: 'standalone' }),
   aim('start, bundled', 'start', FIRST_PICTURE, both(1.2), { side: 'bundled' }),
   aim('heap, standalone', 'start', 'heap', both(1.15), { side: 'standalone' }),
@@ -159,7 +217,10 @@ export const AIMS = [
   aim('bytes, standalone', 'bytes', 'brotli', both(0.8), { side: 'standalone' }),
 ];
 
-/** Labels of what is an aim on a kind of stack, not a limit: it was not reached when it was measured last. */
+/**
+ * Labels of what is an aim on a kind of stack, not a limit: it was not reached when it was measured
+ * last.
+ */
 const UNMET = {
   gpu: new Set([
     `${sphere(32)}, settled`, // 0.84
@@ -197,8 +258,9 @@ const UNMET = {
 export const stackKind = ({ stack }) => (stack.startsWith('software') ? 'software' : 'gpu');
 
 /**
- * What a result says of an aim: median and quartiles, the aim on this stack, whether it is met, and whether it is a limit.
- * Undefined where it was not measured, or where there is no aim for this kind of stack.
+ * What a result says of an aim: median and quartiles, the aim on this stack, whether it is met, and
+ * whether it is a limit. Undefined where it was not measured, or where there is no aim for this
+ * kind of stack.
  * @param {Aim} aim @param {import('./results.mjs').BenchResult} result
  */
 export function judge(aim, result) {
@@ -211,7 +273,8 @@ export function judge(aim, result) {
 }
 
 /**
- * A line for each limit that a result misses by more than its noise: even the better quartile lies beyond it.
+ * A line for each limit that a result misses by more than its noise: even the better quartile lies
+ * beyond it.
  * @param {import('./results.mjs').BenchResult} result @returns {string[]}
  */
 export const missedLimits = (result) =>
@@ -224,7 +287,8 @@ export const missedLimits = (result) =>
   });
 
 /**
- * The largest ratio of a side's figure to the least of those that it is held against, over the subjects that were measured.
+ * The largest ratio of a side's figure to the least of those that it is held against, over the
+ * subjects that were measured.
  * @param {Aim} aim @param {import('./results.mjs').BenchResult} result
  */
 function worstRatio({ subjects = [], against = [], measure, side = '' }, result) {

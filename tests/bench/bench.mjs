@@ -1,6 +1,7 @@
 // @ts-check
-// `npm run bench`: measures real scenes with the element and with plain three.js, in turns, over fresh launches of a browser, and
-// writes one result for the stack. See options.mjs for its options and subjects.mjs for what it measures.
+// `npm run bench`: measures real scenes with the element and with plain three.js, in turns, over
+// fresh launches of a browser, and writes one result for the stack. See options.mjs for its options
+// and subjects.mjs for what it measures.
 
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -31,16 +32,21 @@ const PICTURE_SIZE = /** @type {const} */ ([400, 300]);
 const ROUNDS = 3;
 /** Of whole pictures, which take seconds each in software. */
 const PICTURE_ROUNDS = 2;
-/** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
+/**
+ * More lights than these are drawn with fewer pixels in software, where a frame would last seconds.
+ */
 const MOST_LIGHTS_AT_SIZE = 32;
 
 /** @param {import('./options.mjs').Options} options */
 async function main(options) {
   const names = chosenSubjects(options.only);
-  if (names.length === 0) refuse(`No subject contains '${options.only.join('; ')}', --list prints them`);
+  if (names.length === 0) {
+    refuse(`No subject contains '${options.only.join('; ')}', --list prints them`);
+  }
   if (options.list) return void console.log(names.join('\n'));
-  if (options.built !== '' && !existsSync(join(options.built, 'built-from.json')))
+  if (options.built !== '' && !existsSync(join(options.built, 'built-from.json'))) {
     refuse(`There are no built pages in ${options.built}`);
+  }
   const { buildPages } = await import('./build.mjs');
   if (options.build !== '') return buildPages(resolve(options.build));
   const begun = Date.now();
@@ -53,7 +59,9 @@ async function main(options) {
   const lab = new Lab(folder, await launchOptions(options.browser, options.flags));
   await lab.open();
   const machine = await lab.machine();
-  for (const [key, value] of Object.entries(machine)) console.log(`${key}: ${value}`);
+  for (const [key, value] of Object.entries(machine)) {
+    console.log(`${key}: ${value}`);
+  }
   const isPart = !options.add && (options.quick || options.only.length > 0);
   const out = options.out || (isPart ? '' : join(here, 'results', `${options.stack}.json`));
   const date = new Date(begun).toISOString().slice(0, 10);
@@ -67,31 +75,46 @@ async function main(options) {
   /** @type {string[]} */
   const subjects = [];
   const { launches, note } = options;
-  if (options.add) (result.added ??= []).push({ subjects, machine, date, launches, note });
+  if (options.add) {
+    (result.added ??= []).push({ subjects, machine, date, launches, note });
+  }
   await measureAll(lab, names, options, result, begun, (name) => {
-    if (!subjects.includes(name)) subjects.push(name);
+    if (!subjects.includes(name)) {
+      subjects.push(name);
+    }
     write(out, result);
   });
   await lab.close();
-  if (out !== '') console.log(`\n${out}`);
+  if (out !== '') {
+    console.log(`\n${out}`);
+  }
   const faults = result.failures.map(({ subject, message }) => `${subject}: ${message}`);
-  if (options.limits) faults.push(...missedLimits(result));
-  for (const fault of faults) console.error(fault);
-  if (faults.length > 0) process.exitCode = 1;
+  if (options.limits) {
+    faults.push(...missedLimits(result));
+  }
+  for (const fault of faults) {
+    console.error(fault);
+  }
+  if (faults.length > 0) {
+    process.exitCode = 1;
+  }
 }
 
 /**
  * All subjects once, then all of them again, so that a run that ends early has launches of each.
- * @param {Lab} lab @param {readonly string[]} names @param {import('./options.mjs').Options} options
- * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {(name: string) => void} save a subject has been measured once more
+ * @param {Lab} lab @param {readonly string[]} names @param {import('./options.mjs').Options}
+ * options
+ * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {(name: string)
+ * => void} save a subject has been measured once more
  */
 async function measureAll(lab, names, { launches, minutes, size }, result, begun, save) {
   const parts = Array.from({ length: launches }, () => names).flat();
   const from = Date.now();
   for (const [i, name] of parts.entries()) {
     const average = (Date.now() - from) / Math.max(i, 1);
-    if (Date.now() - begun + average > 60_000 * minutes)
+    if (Date.now() - begun + average > 60_000 * minutes) {
       return void console.log(`Stopped: ${minutes} minutes are over.`);
+    }
     const launch = Math.floor(i / names.length);
     try {
       const patience = SUBJECTS[name]?.kind === 'picture' ? PATIENCE_WITH_TRUTH : PATIENCE;
@@ -101,12 +124,17 @@ async function measureAll(lab, names, { launches, minutes, size }, result, begun
       result.failures.push({ subject: name, message });
     }
     const left = ((Date.now() - from) / (i + 1)) * (parts.length - i - 1);
-    console.log(`[${i + 1}/${parts.length}, about ${timeText(left / 1000)} left] ${name}: ${summary(result, name)}`);
+    console.log(
+      `[${i + 1}/${parts.length}, about ${timeText(left / 1000)} left] ${name}: ${summary(result, name)}`,
+    );
     save(name);
   }
 }
 
-/** @param {import('./subjects.mjs').FrameSubject} subject @param {import('./results.mjs').BenchResult} result @returns {readonly [number, number]} */
+/**
+ * @param {import('./subjects.mjs').FrameSubject} subject @param
+ * {import('./results.mjs').BenchResult} result @returns {readonly [number, number]}
+ */
 function sizeOf({ scene }, { machine, size }) {
   const lights = Number(scene.split(':')[1]);
   if (!isSoftware(machine['renderer'] ?? '') || lights <= MOST_LIGHTS_AT_SIZE) return size;
@@ -120,11 +148,17 @@ async function withPatience(work, patience) {
     throw new Error(`took longer than ${patience / 1000} s`);
   });
   // Either may fail once it is too late.
-  for (const one of [work, late]) one.catch(() => {});
+  for (const one of [work, late]) {
+    one.catch(() => {});
+  }
   await Promise.race([work, late]);
 }
 
-/** One launch of a subject. `size`: of pictures, if asked for. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result @param {readonly [number, number] | null} size */
+/**
+ * One launch of a subject. `size`: of pictures, if asked for. @param {Lab} lab @param {string} name
+ * @param {number} launch @param {import('./results.mjs').BenchResult} result @param {readonly
+ * [number, number] | null} size
+ */
 async function measure(lab, name, launch, result, size) {
   const subject = SUBJECTS[name];
   const options = {
@@ -150,11 +184,16 @@ async function measure(lab, name, launch, result, size) {
     case 'still':
       return measureStill(lab, subject, { ...options, size: subject.size ?? options.size });
     case 'bytes':
-      if (launch === 0) measureBytes(lab, options);
+      if (launch === 0) {
+        measureBytes(lab, options);
+      }
   }
 }
 
-/** What is known of a subject so far, in one line. @param {import('./results.mjs').BenchResult} result @param {string} name */
+/**
+ * What is known of a subject so far, in one line. @param {import('./results.mjs').BenchResult}
+ * result @param {string} name
+ */
 function summary(result, name) {
   const failure = result.failures.findLast(({ subject }) => subject === name);
   if (failure !== undefined) return `failed: ${failure.message}`;
@@ -174,7 +213,10 @@ function summary(result, name) {
     .join('; ');
 }
 
-/** Error and time of each picture. @param {import('./results.mjs').BenchResult} result @param {string} subject */
+/**
+ * Error and time of each picture. @param {import('./results.mjs').BenchResult} result @param
+ * {string} subject
+ */
 function pictureSummary(result, subject) {
   const errors = rowOf(result, subject, RMSE.triangles);
   return Object.keys(errors?.samples ?? {})
@@ -187,7 +229,8 @@ function pictureSummary(result, subject) {
 
 /**
  * A result without these subjects, to be measured again; undefined where there is none.
- * @param {string} file @param {readonly string[]} names @returns {import('./results.mjs').BenchResult | undefined}
+ * @param {string} file @param {readonly string[]} names @returns
+ * {import('./results.mjs').BenchResult | undefined}
  */
 function readWithout(file, names) {
   if (!existsSync(file)) return undefined;

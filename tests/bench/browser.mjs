@@ -1,19 +1,27 @@
 // @ts-check
-// Fresh launches of one Chromium on the built pages, and the CPU time that its processes use: steady where wall time is not,
-// because it leaves out waiting for other programs. Knows no subject.
+// Fresh launches of one Chromium on the built pages, and the CPU time that its processes use:
+// steady where wall time is not, because it leaves out waiting for other programs. Knows no
+// subject.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { cpus, release } from 'node:os';
 import { serveFolder } from '../support/built-pages.mjs';
 import { builtFrom } from './build.mjs';
 
-/** @typedef {import('playwright-core').Browser} Browser @typedef {import('playwright-core').Page} Page */
+/**
+ * @typedef {import('playwright-core').Browser} Browser @typedef {import('playwright-core').Page}
+ * Page
+ */
 
 /** No launch finds programs that an earlier one compiled. */
 const FLAGS = ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'];
 
-/** A CPU draws: a GPU's timer says nothing there. @param {string} renderer the driver's name for itself */
-export const isSoftware = (renderer) => /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
+/**
+ * A CPU draws: a GPU's timer says nothing there. @param {string} renderer the driver's name for
+ * itself
+ */
+export const isSoftware = (renderer) =>
+  /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
 
 export class Lab {
   /** @type {import('playwright-core').LaunchOptions} */
@@ -76,14 +84,17 @@ export class Lab {
 
 /**
  * A page whose errors make the measurement fail: the time of a broken page means nothing.
- * @param {Browser} browser @param {string} url @param {readonly [number, number]} size @returns {Promise<{ page: Page, check: () => void }>}
+ * @param {Browser} browser @param {string} url @param {readonly [number, number]} size @returns
+ * {Promise<{ page: Page, check: () => void }>}
  */
 export async function openPage(browser, url, [width, height]) {
   const page = await browser.newPage({ viewport: { width, height } });
   /** @type {string[]} */
   const errors = [];
   page.on('console', (message) => {
-    if (message.type() === 'error') errors.push(message.text());
+    if (message.type() === 'error') {
+      errors.push(message.text());
+    }
   });
   page.on('pageerror', (error) => errors.push(String(error)));
   await page.goto(url);
@@ -120,7 +131,10 @@ function hasCpuTime() {
   }
 }
 
-/** Ids of a browser's processes of one type. @param {Browser} browser @param {'GPU' | 'renderer'} type */
+/**
+ * Ids of a browser's processes of one type. @param {Browser} browser @param {'GPU' | 'renderer'}
+ * type
+ */
 export async function processesOf(browser, type) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
@@ -129,12 +143,15 @@ export async function processesOf(browser, type) {
 }
 
 /** The GPU process; null where CPU time is unknown. @param {Browser} browser */
-export const gpuProcess = async (browser) => (hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null);
+export const gpuProcess = async (browser) =>
+  hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null;
 
 /**
- * Milliseconds that frames take: the GPU's own, or where a CPU draws the CPU time of the GPU process.
+ * Milliseconds that frames take: the GPU's own, or where a CPU draws the CPU time of the GPU
+ * process.
  * @param {string} renderer @param {number | null} gpu see {@link gpuProcess}
- * @param {() => Promise<number>} time by the GPU's timer @param {() => Promise<number>} draw by the clock
+ * @param {() => Promise<number>} time by the GPU's timer @param {() => Promise<number>} draw by the
+ * clock
  */
 export async function frameTime(renderer, gpu, time, draw) {
   if (!isSoftware(renderer)) return time();
@@ -145,7 +162,8 @@ export async function frameTime(renderer, gpu, time, draw) {
 }
 
 /**
- * Reads the CPU time of a page's main thread so far, in milliseconds, from the browser's own counters.
+ * Reads the CPU time of a page's main thread so far, in milliseconds, from the browser's own
+ * counters.
  * @param {Page} page @returns {Promise<() => Promise<number>>}
  */
 export async function mainThreadTime(page) {

@@ -1,6 +1,7 @@
 // @ts-check
-// Builds the bench's pages into a folder, with the models they show, the standalone file, the sizes of what users download, and
-// the versions of everything. A machine without a network can measure with this folder alone.
+// Builds the bench's pages into a folder, with the models they show, the standalone file, the sizes
+// of what users download, and the versions of everything. A machine without a network can measure
+// with this folder alone.
 
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -19,7 +20,8 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 /**
  * @typedef {object} BuiltFrom
  * @property {Record<string, string>} versions revision and packages
- * @property {Record<string, number>} bytes brotli sizes of all scripts that a page loads for its first picture
+ * @property {Record<string, number>} bytes brotli sizes of all scripts that a page loads for its
+ * first picture
  */
 
 /** The ray caster's file among the built pages. */
@@ -45,12 +47,19 @@ export async function buildPages(folder) {
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
   writeModels(join(folder, 'models'));
   writeFirstModels(join(folder, 'models'));
-  cpSync(join(repository, 'node_modules/three/examples/jsm/libs/draco/gltf'), join(folder, 'draco'), {
-    recursive: true,
-  });
+  cpSync(
+    join(repository, 'node_modules/three/examples/jsm/libs/draco/gltf'),
+    join(folder, 'draco'),
+    {
+      recursive: true,
+    },
+  );
   const peers = installPeers();
-  if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
-  else copyPeers(join(folder, 'peers'));
+  if (peers === null) {
+    console.error('The other viewers cannot be installed: no model will be measured.');
+  } else {
+    copyPeers(join(folder, 'peers'));
+  }
   writeFileSync(join(folder, CASTER), await casterCode());
   compress(folder);
   const bytes = {
@@ -62,7 +71,10 @@ export async function buildPages(folder) {
   writeFileSync(join(folder, 'built-from.json'), about);
 }
 
-/** Keeps in brotli too what servers compress of the pages that are measured over a network. @param {string} folder */
+/**
+ * Keeps in brotli too what servers compress of the pages that are measured over a network. @param
+ * {string} folder
+ */
 function compress(folder) {
   for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
     if (!/^(?:dist|peers|models|start-model).*\.(?:html|js|wasm|gltf)$/.test(file)) continue;
@@ -74,17 +86,22 @@ function compress(folder) {
 }
 
 /** @param {string} folder @returns {BuiltFrom} */
-export const builtFrom = (folder) => JSON.parse(readFileSync(join(folder, 'built-from.json'), 'utf8'));
+export const builtFrom = (folder) =>
+  JSON.parse(readFileSync(join(folder, 'built-from.json'), 'utf8'));
 
 function versions() {
   /** @param {string} name */
   const version = (name) =>
-    JSON.parse(readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8')).version;
+    JSON.parse(readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8'))
+      .version;
   /** @param {string[]} args */
   const git = (...args) => execFileSync('git', args, { cwd: repository, encoding: 'utf8' }).trim();
   const changed = git('status', '--short', 'src', 'shaders') === '' ? '' : ' and changes';
   const packages = ['three', 'lit', 'vite'].map((name) => [name, version(name)]);
-  return { revision: git('rev-parse', '--short', 'HEAD') + changed, ...Object.fromEntries(packages) };
+  return {
+    revision: git('rev-parse', '--short', 'HEAD') + changed,
+    ...Object.fromEntries(packages),
+  };
 }
 
 /** @param {string} file */
@@ -98,8 +115,11 @@ function pageSize(folder, page) {
   // A set's iteration reaches what is added on the way.
   for (const file of found) {
     const text = readFileSync(join(folder, file), 'utf8');
-    for (const [, name] of text.matchAll(/(?:^|[;}])import(?:[^"'();]*from)?\s*["']\.\/([^"']+\.js)["']/g))
+    for (const [, name] of text.matchAll(
+      /(?:^|[;}])import(?:[^"'();]*from)?\s*["']\.\/([^"']+\.js)["']/g,
+    )) {
       found.add(`assets/${name}`);
+    }
   }
   return [...found].reduce((sum, file) => sum + brotliSize(join(folder, file)), 0);
 }

@@ -1,12 +1,14 @@
 // @ts-check
-// Writes glTF, as GLB or as JSON with a buffer beside it. Positions and normals have no unit; counter-clockwise triangles face outward.
+// Writes glTF, as GLB or as JSON with a buffer beside it. Positions and normals have no unit;
+// counter-clockwise triangles face outward.
 
 const FLOAT = 5126;
 const UNSIGNED_SHORT = 5123;
 const UNSIGNED_INT = 5125;
 
 /**
- * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array | Uint32Array }} Triangles
+ * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array | Uint32Array }}
+ * Triangles
  * @typedef {Triangles & { uvs?: Float32Array }} Grid
  */
 
@@ -31,26 +33,42 @@ export class Gltf {
     const start = this.#length;
     this.#parts.push({ start, bytes });
     this.#length += padded(bytes.length);
-    return this.json.bufferViews.push({ buffer: 0, byteOffset: start, byteLength: bytes.length, ...more }) - 1;
+    return (
+      this.json.bufferViews.push({
+        buffer: 0,
+        byteOffset: start,
+        byteLength: bytes.length,
+        ...more,
+      }) - 1
+    );
   }
 
-  /** @param {ArrayBufferView} data @param {object} accessor @param {object} [view] @returns {number} */
+  /**
+   * @param {ArrayBufferView} data @param {object} accessor @param {object} [view] @returns {number}
+   */
   accessor(data, accessor, view) {
     return this.json.accessors.push({ bufferView: this.view(data, view), ...accessor }) - 1;
   }
 
-  /** One mesh of one primitive, at a node. @param {Grid} grid @param {object} [more] of the primitive @param {object} [node] */
+  /**
+   * One mesh of one primitive, at a node. @param {Grid} grid @param {object} [more] of the
+   * primitive @param {object} [node]
+   */
   add({ positions, normals, uvs, indices }, more = {}, node = {}) {
     const vector = { componentType: FLOAT, count: positions.length / 3, type: 'VEC3' };
     const attributes = {
       POSITION: this.accessor(positions, { ...vector, ...bounds(positions) }),
       NORMAL: this.accessor(normals, vector),
-      ...(uvs && 'material' in more && { TEXCOORD_0: this.accessor(uvs, { ...vector, type: 'VEC2' }) }),
+      ...(uvs &&
+        'material' in more && { TEXCOORD_0: this.accessor(uvs, { ...vector, type: 'VEC2' }) }),
     };
     this.addPrimitive(attributes, indices, more, node);
   }
 
-  /** @param {object} attributes @param {Uint16Array | Uint32Array} list @param {object} [more] @param {object} [node] */
+  /**
+   * @param {object} attributes @param {Uint16Array | Uint32Array} list @param {object} [more]
+   * @param {object} [node]
+   */
   addPrimitive(attributes, list, more = {}, node = {}) {
     const componentType = list instanceof Uint32Array ? UNSIGNED_INT : UNSIGNED_SHORT;
     const indices = this.accessor(list, { componentType, count: list.length, type: 'SCALAR' });
@@ -60,7 +78,9 @@ export class Gltf {
 
   #bin() {
     const bin = new Uint8Array(this.#length);
-    for (const { start, bytes } of this.#parts) bin.set(bytes, start);
+    for (const { start, bytes } of this.#parts) {
+      bin.set(bytes, start);
+    }
     return bin;
   }
 
@@ -70,7 +90,10 @@ export class Gltf {
 
   /** The JSON and its buffer apart. @param {string} uri @returns {readonly [string, Uint8Array]} */
   pair(uri) {
-    return [JSON.stringify({ ...this.json, buffers: [{ byteLength: this.#length, uri }] }), this.#bin()];
+    return [
+      JSON.stringify({ ...this.json, buffers: [{ byteLength: this.#length, uri }] }),
+      this.#bin(),
+    ];
   }
 }
 
@@ -78,8 +101,12 @@ export class Gltf {
 export function bounds(positions) {
   const [min, max] = [Infinity, -Infinity].map((x) => [x, x, x]);
   positions.forEach((x, i) => {
-    if (min) min[i % 3] = Math.min(min[i % 3] ?? x, x);
-    if (max) max[i % 3] = Math.max(max[i % 3] ?? x, x);
+    if (min) {
+      min[i % 3] = Math.min(min[i % 3] ?? x, x);
+    }
+    if (max) {
+      max[i % 3] = Math.max(max[i % 3] ?? x, x);
+    }
   });
   return { min, max };
 }

@@ -1,6 +1,7 @@
 // @ts-check
-// The model files that the bench loads in every viewer: five by other people and five made here, each with another kind of
-// work (triangles, textures, parts, materials, several files). Knows no viewer.
+// The model files that the bench loads in every viewer: five by other people and five made here,
+// each with another kind of work (triangles, textures, parts, materials, several files). Knows no
+// viewer.
 
 import { cpSync, mkdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -8,7 +9,10 @@ import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { bounds, Gltf, glbOf, gltfOf } from './glb.mjs';
 
-/** A surface over (u, v) in 0–1, as glTF's attributes. @typedef {Required<import('./glb.mjs').Grid>} Grid */
+/**
+ * A surface over (u, v) in 0–1, as glTF's attributes. @typedef {Required<import('./glb.mjs').Grid>}
+ * Grid
+ */
 
 /** Name of each model, and its file in the folder that `writeModels` fills. */
 export const MODELS = /** @type {const} */ ({
@@ -24,7 +28,10 @@ export const MODELS = /** @type {const} */ ({
   engine: '2CylinderEngine.gltf',
 });
 
-/** Models whose first picture is compared with that of a page with three.js's own loader, and their files. */
+/**
+ * Models whose first picture is compared with that of a page with three.js's own loader, and their
+ * files.
+ */
 export const FIRST_MODELS = /** @type {const} */ ({
   'GLB of 1 MB': 'first-1.glb',
   'GLB of 10 MB': 'first-10.glb',
@@ -46,7 +53,10 @@ const CHECKS_SIZE = 64;
 const PARTS = 500;
 
 const assets = fileURLToPath(new URL('../../demo/assets/models/', import.meta.url));
-/** Licences: demo/assets/models/real/NOTICE.md. The engine is a text file with a .bin; it and the first three use Draco. */
+/**
+ * Licences: demo/assets/models/real/NOTICE.md. The engine is a text file with a .bin; it and the
+ * first three use Draco.
+ */
 const REAL = [
   'bunny.glb',
   'real/suzi.glb',
@@ -61,7 +71,9 @@ export function writeModels(folder) {
   mkdirSync(folder, { recursive: true });
   /** @param {string} name @param {string | Uint8Array} file */
   const write = (name, file) => writeFileSync(join(folder, name), file);
-  for (const file of REAL) cpSync(join(assets, file), join(folder, basename(file)));
+  for (const file of REAL) {
+    cpSync(join(assets, file), join(folder, basename(file)));
+  }
   write(MODELS['10 k triangles'], glbOf(bumpySphere(100, 51)));
   write(MODELS['100 k triangles'], glbOf(bumpySphere(320, 158)));
   write(MODELS['400 k triangles'], quantizedPatches().glb());
@@ -86,7 +98,8 @@ export function writeFirstModels(folder) {
 
 /**
  * A sphere of radius about 1 with bumps: `columns` × `rows` quads, over a part of the turn.
- * @param {number} columns @param {number} rows @param {number} [from] 0–1 @param {number} [to] 0–1 @returns {Grid}
+ * @param {number} columns @param {number} rows @param {number} [from] 0–1 @param {number} [to] 0–1
+ * @returns {Grid}
  */
 function bumpySphere(columns, rows, from = 0, to = 1) {
   const count = (columns + 1) * (rows + 1);
@@ -97,7 +110,11 @@ function bumpySphere(columns, rows, from = 0, to = 1) {
     for (let column = 0; column <= columns; column++, vertex++) {
       const [u, v] = [from + ((to - from) * column) / columns, row / rows];
       const [turn, polar] = [2 * Math.PI * u, Math.PI * v];
-      const normal = [Math.sin(polar) * Math.cos(turn), Math.cos(polar), -Math.sin(polar) * Math.sin(turn)];
+      const normal = [
+        Math.sin(polar) * Math.cos(turn),
+        Math.cos(polar),
+        -Math.sin(polar) * Math.sin(turn),
+      ];
       const radius = 1 + 0.03 * Math.sin(12 * turn) * Math.sin(9 * polar);
       positions?.set(
         normal.map((x) => x * radius),
@@ -132,7 +149,11 @@ function quantizedPatches() {
     const box = bounds(places.filter((_, slot) => slot % 4 < 3));
     const vector = { count, type: 'VEC3', normalized: true };
     const attributes = {
-      POSITION: gltf.accessor(places, { ...vector, componentType: SHORT, ...box }, { byteStride: 8 }),
+      POSITION: gltf.accessor(
+        places,
+        { ...vector, componentType: SHORT, ...box },
+        { byteStride: 8 },
+      ),
       NORMAL: gltf.accessor(directions, { ...vector, componentType: BYTE }, { byteStride: 4 }),
     };
     gltf.addPrimitive(attributes, indices);
@@ -158,7 +179,10 @@ function texturedSpheres(count = 4, size = TEXTURE_SIZE) {
   return gltf;
 }
 
-/** Adds images and a material for each texture. @param {Gltf} gltf @param {readonly Uint8Array[]} pngs @param {readonly object[]} textures */
+/**
+ * Adds images and a material for each texture. @param {Gltf} gltf @param {readonly Uint8Array[]}
+ * pngs @param {readonly object[]} textures
+ */
 const texture = (gltf, pngs, textures) =>
   Object.assign(gltf.json, {
     images: pngs.map((file) => ({ mimeType: 'image/png', bufferView: gltf.view(file) })),
@@ -174,7 +198,9 @@ function textStl({ positions, normals, indices }) {
   const at = (list, i) => list.subarray(3 * i, 3 * i + 3).join(' ');
   let text = 'solid sphere\n';
   for (let i = 0; i < indices.length; i += 3) {
-    const corners = [...indices.subarray(i, i + 3)].map((corner) => `vertex ${at(positions, corner)}\n`);
+    const corners = [...indices.subarray(i, i + 3)].map(
+      (corner) => `vertex ${at(positions, corner)}\n`,
+    );
     text += `facet normal ${at(normals, indices[i] ?? 0)}\nouter loop\n${corners.join('')}endloop\nendfacet\n`;
   }
   return `${text}endsolid sphere\n`;
@@ -185,14 +211,24 @@ function binaryPly({ positions, indices }) {
   const header = [
     ...['ply', 'format binary_little_endian 1.0', `element vertex ${positions.length / 3}`],
     ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
-    ...[`element face ${indices.length / 3}`, 'property list uchar int vertex_indices', 'end_header', ''],
+    ...[
+      `element face ${indices.length / 3}`,
+      'property list uchar int vertex_indices',
+      'end_header',
+      '',
+    ],
   ].join('\n');
   const faces = Buffer.alloc((13 * indices.length) / 3, 3);
-  indices.forEach((corner, i) => faces.writeUInt32LE(corner, 13 * Math.floor(i / 3) + 1 + 4 * (i % 3)));
+  indices.forEach((corner, i) =>
+    faces.writeUInt32LE(corner, 13 * Math.floor(i / 3) + 1 + 4 * (i % 3)),
+  );
   return Buffer.concat([Buffer.from(header), Buffer.from(positions.buffer), faces]);
 }
 
-/** A texture so small that each texel covers several pixels: its sampling is exact without smaller levels. */
+/**
+ * A texture so small that each texel covers several pixels: its sampling is exact without smaller
+ * levels.
+ */
 function checkedSphere() {
   const gltf = new Gltf();
   Object.assign(gltf.json, { samplers: [{ magFilter: LINEAR, minFilter: LINEAR }] });
@@ -218,7 +254,10 @@ function manyParts() {
   return gltf;
 }
 
-/** An RGB picture of stripes under noise of 8 levels, so that it shrinks to about a third as photographs do. @param {number} size @param {number} seed */
+/**
+ * An RGB picture of stripes under noise of 8 levels, so that it shrinks to about a third as
+ * photographs do. @param {number} size @param {number} seed
+ */
 function noisePng(size, seed) {
   let state = seed;
   return png(size, (x) => {
@@ -228,12 +267,23 @@ function noisePng(size, seed) {
   });
 }
 
-/** A square RGB picture. @param {number} size @param {(x: number, y: number) => number[]} colorAt row by row */
+/**
+ * A square RGB picture. @param {number} size @param {(x: number, y: number) => number[]} colorAt
+ * row by row
+ */
 function png(size, colorAt) {
   // Only now: measuring built pages needs the names of models, and no package.
   const { PNG } = /** @type {typeof import('pngjs')} */ (createRequire(import.meta.url)('pngjs'));
   const picture = new PNG({ width: size, height: size });
-  for (let y = 0; y < size; y++)
-    for (let x = 0; x < size; x++) picture.data.set([...colorAt(x, y), 255], 4 * (y * size + x));
-  return PNG.sync.write(picture, { colorType: 2, filterType: 0, deflateLevel: 6, deflateStrategy: 0 });
+  for (let y = 0; y < size; y++) {
+    for (let x = 0; x < size; x++) {
+      picture.data.set([...colorAt(x, y), 255], 4 * (y * size + x));
+    }
+  }
+  return PNG.sync.write(picture, {
+    colorType: 2,
+    filterType: 0,
+    deflateLevel: 6,
+    deflateStrategy: 0,
+  });
 }

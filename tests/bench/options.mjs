@@ -1,5 +1,6 @@
 // @ts-check
-// The command line of `npm run bench`: its options, their defaults and their help. Knows nothing about measuring.
+// The command line of `npm run bench`: its options, their defaults and their help. Knows nothing
+// about measuring.
 
 import { numberOption, readCommandLine, refuse } from '../support/command-line.mjs';
 
@@ -47,7 +48,9 @@ export function readOptions(args = process.argv.slice(2)) {
       .map((part) => part.trim())
       .filter((part) => part !== '');
   const size = /^(\d+)x(\d+)$/.exec(values.size);
-  if (values.size !== '' && size === null) refuse(`--size takes pixels such as 480x360, not '${values.size}'`);
+  if (values.size !== '' && size === null) {
+    refuse(`--size takes pixels such as 480x360, not '${values.size}'`);
+  }
   return {
     ...values,
     only: split(values.only, ';'),
@@ -58,7 +61,10 @@ export function readOptions(args = process.argv.slice(2)) {
   };
 }
 
-/** Flags begin with a dash, which parseArgs takes for an option unless an equals sign is before it. @param {readonly string[]} args */
+/**
+ * Flags begin with a dash, which parseArgs takes for an option unless an equals sign is before it.
+ * @param {readonly string[]} args
+ */
 function joined(args) {
   const at = args.indexOf('--flags');
   if (at < 0 || at === args.length - 1) return args;

@@ -1,5 +1,6 @@
 // @ts-check
-// The bench's pages: the script, the body and the style of each. vite.config.ts builds them from here.
+// The bench's pages: the script, the body and the style of each. vite.config.ts builds them from
+// here.
 
 const HOLDER = '<div id="holder"></div>';
 const SIZE = 'display: block; width: 400px; height: 300px;';
@@ -15,7 +16,10 @@ const SPHERE = `<phong-viewer alt="A sphere" geometry="sphere">
 
 /** @typedef {readonly [script: string, body: string, style?: string]} BenchPage */
 
-/** @param {string} script @param {string} name @param {string} attributes @param {string} source the attribute with the file's address @param {string} loaded the event @returns {BenchPage} */
+/**
+ * @param {string} script @param {string} name @param {string} attributes @param {string} source the
+ * attribute with the file's address @param {string} loaded the event @returns {BenchPage}
+ */
 const modelPage = (script, name, attributes, source, loaded) => [
   script,
   `<${name} ${attributes}></${name}>
@@ -47,13 +51,17 @@ const PAGES = {
   'start-element': ['./start-element.ts', SPHERE, START],
   'start-standalone': [STANDALONE, SPHERE, START],
   'start-three': ['./start-three.ts', HOLDER, START],
-  // Where WebGPU is offered but cannot start, the viewer would lose time before it falls back to WebGL.
+  // Where WebGPU is offered but cannot start, the viewer would lose time before it falls back to
+  // WebGL.
   'start-model-babylon': modelPage(
     './peers/babylon/babylon-viewer.esm.min.js',
     ...['babylon-viewer', 'engine="WebGL"', 'source', 'modelchange'],
   ),
   'start-model-element': modelPage(STANDALONE, 'phong-viewer', 'alt="A model"', 'src', 'load'),
-  'start-model-google': modelPage('./peers/model-viewer.min.js', ...['model-viewer', 'alt="A model"', 'src', 'load']),
+  'start-model-google': modelPage(
+    './peers/model-viewer.min.js',
+    ...['model-viewer', 'alt="A model"', 'src', 'load'],
+  ),
   'start-model-three': ['./start-model-three.ts', HOLDER, `${MODEL} #holder { ${SIZE} }`],
   'start-viewers-element': ['./start-viewers-element.ts', '', VIEWERS],
   'start-viewers-three': ['./start-viewers-three.ts', '', VIEWERS],

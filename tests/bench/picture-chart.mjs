@@ -1,6 +1,7 @@
 // @ts-check
-// The chart of whole pictures: error over time, both logarithmic, one panel for each picture. The report has all panels in one SVG file
-// for each stack, with text of fixed size and colour, on white; the site lets each panel have the width that there is.
+// The chart of whole pictures: error over time, both logarithmic, one panel for each picture. The
+// report has all panels in one SVG file for each stack, with text of fixed size and colour, on
+// white; the site lets each panel have the width that there is.
 
 import * as Plot from '@observablehq/plot';
 import { parseHTML } from 'linkedom';
@@ -8,22 +9,36 @@ import { picturePoints, SERIES } from './pictures.mjs';
 import { PICTURES, pictureSubject } from './subjects.mjs';
 
 /** @typedef {keyof typeof PICTURES} Picture */
-/** @typedef {import('./pictures.mjs').PicturePoint & { picture: string, column: number, row: number }} PanelPoint */
+/**
+ * @typedef {import('./pictures.mjs').PicturePoint & { picture: string, column: number, row: number
+ * }} PanelPoint
+ */
 
 const COLUMNS = 3;
 
-/** Of all pictures that were measured. @param {import('./results.mjs').BenchResult} result @returns {PanelPoint[]} */
+/**
+ * Of all pictures that were measured. @param {import('./results.mjs').BenchResult} result @returns
+ * {PanelPoint[]}
+ */
 export function panelPoints(result) {
   const pictures = /** @type {Picture[]} */ (Object.keys(PICTURES));
   return pictures
     .map((picture) => ({ picture, points: picturePoints(result, pictureSubject(picture)) }))
     .filter(({ points }) => points.length > 0)
     .flatMap(({ picture, points }, i) =>
-      points.map((point) => ({ ...point, picture, column: i % COLUMNS, row: Math.floor(i / COLUMNS) })),
+      points.map((point) => ({
+        ...point,
+        picture,
+        column: i % COLUMNS,
+        row: Math.floor(i / COLUMNS),
+      })),
     );
 }
 
-/** The lines of panels. @param {readonly PanelPoint[]} points @param {{ fx?: string, fy?: string }} facets */
+/**
+ * The lines of panels. @param {readonly PanelPoint[]} points @param {{ fx?: string, fy?: string }}
+ * facets
+ */
 function panelMarks(points, facets) {
   const place = { x: 'time', y: 'error', stroke: 'series', ...facets };
   const kinds = [false, true].map((codes) => points.filter((point) => point.codes === codes));
@@ -36,7 +51,10 @@ function panelMarks(points, facets) {
   ];
 }
 
-/** Scales that all panels share. @param {readonly PanelPoint[]} points @param {readonly string[]} colors */
+/**
+ * Scales that all panels share. @param {readonly PanelPoint[]} points @param {readonly string[]}
+ * colors
+ */
 const panelScales = (points, colors) => ({
   x: scaleOf(points, 'time'),
   y: scaleOf(points, 'error'),
@@ -48,7 +66,10 @@ const COLORS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#e69f00'
 const WIDTH = 680;
 const TITLE = 'RMSE in codes over time, plain picture = 1 (dashed: average of codes)';
 
-/** The chart of a result's whole pictures; undefined without any. @param {import('./results.mjs').BenchResult} result */
+/**
+ * The chart of a result's whole pictures; undefined without any. @param
+ * {import('./results.mjs').BenchResult} result
+ */
 export function picturesChart(result) {
   const points = panelPoints(result);
   if (points.length === 0) return undefined;
@@ -56,7 +77,15 @@ export function picturesChart(result) {
   const { x, y, color } = panelScales(points, COLORS);
   const { document } = parseHTML('<!doctype html><html><body></body></html>');
   const svg = Plot.plot({
-    ...{ document, width: WIDTH, height: 530, marginTop: 80, marginLeft: 60, marginRight: 30, marginBottom: 45 },
+    ...{
+      document,
+      width: WIDTH,
+      height: 530,
+      marginTop: 80,
+      marginLeft: 60,
+      marginRight: 30,
+      marginBottom: 45,
+    },
     ariaLabel: TITLE,
     style: { fontSize: '13px', fontFamily: 'sans-serif', color: '#222', background: 'white' },
     fx: { axis: null, padding: 0.06 },
@@ -66,15 +95,31 @@ export function picturesChart(result) {
       Plot.frame({ stroke: '#ccc' }),
       ...panelMarks(points, { fx: 'column', fy: 'row' }),
       Plot.text(titles, {
-        ...{ fx: 'column', fy: 'row', text: 'picture', frameAnchor: 'top', dy: -14, fontWeight: 'bold' },
+        ...{
+          fx: 'column',
+          fy: 'row',
+          text: 'picture',
+          frameAnchor: 'top',
+          dy: -14,
+          fontWeight: 'bold',
+        },
       }),
     ],
   });
   /** @param {string} text @param {number} x @param {number} y @param {string} fill */
   const write = (text, x, y, fill) => {
     const element = document.createElementNS('http://www.w3.org/2000/svg', 'text');
-    const attributes = { x, y, fill, 'font-size': 15, 'font-weight': 'bold', 'text-anchor': 'start' };
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+    const attributes = {
+      x,
+      y,
+      fill,
+      'font-size': 15,
+      'font-weight': 'bold',
+      'text-anchor': 'start',
+    };
+    for (const [key, value] of Object.entries(attributes)) {
+      element.setAttribute(key, String(value));
+    }
     element.textContent = text;
     svg.append(element);
   };
@@ -86,11 +131,22 @@ export function picturesChart(result) {
   return svg.outerHTML;
 }
 
-/** One panel for the site, whose colours are the page's. @param {readonly PanelPoint[]} points of all panels @param {string} picture @param {readonly string[]} colors */
+/**
+ * One panel for the site, whose colours are the page's. @param {readonly PanelPoint[]} points of
+ * all panels @param {string} picture @param {readonly string[]} colors
+ */
 export function panelSvg(points, picture, colors) {
   const { document } = parseHTML('<!doctype html><html><body></body></html>');
   const svg = Plot.plot({
-    ...{ document, width: 300, height: 230, marginLeft: 34, marginRight: 8, marginTop: 8, marginBottom: 24 },
+    ...{
+      document,
+      width: 300,
+      height: 230,
+      marginLeft: 34,
+      marginRight: 8,
+      marginTop: 8,
+      marginBottom: 24,
+    },
     ...panelScales(points, colors),
     ariaLabel: `${picture}: error over time`,
     marks: panelMarks(
@@ -99,14 +155,21 @@ export function panelSvg(points, picture, colors) {
     ),
   });
   svg.querySelector('style')?.remove(); // a strict policy allows no styles but the page's
-  for (const name of ['style', 'class', 'width', 'height']) svg.removeAttribute(name);
+  for (const name of ['style', 'class', 'width', 'height']) {
+    svg.removeAttribute(name);
+  }
   svg.setAttribute('role', 'img');
   // Plot names its marks, which ARIA allows only where there is a role.
-  for (const mark of svg.querySelectorAll('g[aria-label]')) mark.removeAttribute('aria-label');
+  for (const mark of svg.querySelectorAll('g[aria-label]')) {
+    mark.removeAttribute('aria-label');
+  }
   return svg.outerHTML;
 }
 
-/** From the least to the most, widened so that no dot is cut. @param {readonly PanelPoint[]} points @param {'time' | 'error'} key */
+/**
+ * From the least to the most, widened so that no dot is cut. @param {readonly PanelPoint[]} points
+ * @param {'time' | 'error'} key
+ */
 function scaleOf(points, key) {
   const values = points.map((point) => point[key]);
   const type = /** @type {const} */ ('log');

@@ -1,5 +1,6 @@
 // @ts-check
-// The figures of whole pictures: names of measures and sides in results, and what report, charts and the site read from them.
+// The figures of whole pictures: names of measures and sides in results, and what report, charts
+// and the site read from them.
 
 import { ratioOf, rowOf, valueOf } from './results.mjs';
 
@@ -9,7 +10,10 @@ export const WITHIN = 'pixels within one code';
 export const TIME = 'time to the picture';
 /** The side that times are divided by. */
 export const PLAIN = 'edges';
-/** The end of the names of passes that average the equation's codes; without it they average linear light, as shipped. */
+/**
+ * The end of the names of passes that average the equation's codes; without it they average linear
+ * light, as shipped.
+ */
 export const CODES = ', codes';
 
 /** The numbers of samples of `full`. */
@@ -37,13 +41,20 @@ export const SERIES = [
 
 /** @typedef {{ time: number, error: number, series: string, codes: boolean }} PicturePoint */
 
-/** Median of a side; undefined where it was not measured. @param {import('./results.mjs').BenchResult} result @param {string} subject @param {string} measure @param {string} side */
+/**
+ * Median of a side; undefined where it was not measured. @param
+ * {import('./results.mjs').BenchResult} result @param {string} subject @param {string} measure
+ * @param {string} side
+ */
 export function pictureValue(result, subject, measure, side) {
   const row = rowOf(result, subject, measure);
   return row !== undefined && side in row.samples ? valueOf(row, side).median : undefined;
 }
 
-/** Time to a side's picture, the plain one = 1. @param {import('./results.mjs').BenchResult} result @param {string} subject @param {string} side */
+/**
+ * Time to a side's picture, the plain one = 1. @param {import('./results.mjs').BenchResult} result
+ * @param {string} subject @param {string} side
+ */
 export function pictureTime(result, subject, side) {
   const row = rowOf(result, subject, TIME);
   const shipped = side.endsWith(CODES) ? side.slice(0, -CODES.length) : side;
@@ -51,14 +62,19 @@ export function pictureTime(result, subject, side) {
   return ratioOf(row, shipped)?.median ?? 1;
 }
 
-/** All pictures of a subject, line by line. @param {import('./results.mjs').BenchResult} result @param {string} subject @returns {PicturePoint[]} */
+/**
+ * All pictures of a subject, line by line. @param {import('./results.mjs').BenchResult} result
+ * @param {string} subject @returns {PicturePoint[]}
+ */
 export const picturePoints = (result, subject) =>
   SERIES.flatMap(({ series, sides }) =>
     ['', CODES].flatMap((end) =>
       sides.flatMap((side) => {
         const time = pictureTime(result, subject, side);
         const error = pictureValue(result, subject, RMSE.triangles, `${side}${end}`);
-        return time === undefined || error === undefined ? [] : [{ time, error, series, codes: end !== '' }];
+        return time === undefined || error === undefined
+          ? []
+          : [{ time, error, series, codes: end !== '' }];
       }),
     ),
   );

@@ -1,5 +1,6 @@
 // @ts-check
-// `npm run bench:report`: writes REPORT.md, charts/ and the README's sentence from all results. Nothing in them is typed by hand.
+// `npm run bench:report`: writes REPORT.md, charts/ and the README's sentence from all results.
+// Nothing in them is typed by hand.
 
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,8 +23,22 @@ import {
   taa,
   WITHIN,
 } from './pictures.mjs';
-import { ratioOf, ratioOverSubjects, ratioToBest, readResults, rowOf, valueOf } from './results.mjs';
-import { modelSubject, modelSubjects, NETWORKS, PICTURES, pictureSubject, SUBJECTS } from './subjects.mjs';
+import {
+  ratioOf,
+  ratioOverSubjects,
+  ratioToBest,
+  readResults,
+  rowOf,
+  valueOf,
+} from './results.mjs';
+import {
+  modelSubject,
+  modelSubjects,
+  NETWORKS,
+  PICTURES,
+  pictureSubject,
+  SUBJECTS,
+} from './subjects.mjs';
 
 /** @typedef {import('./results.mjs').BenchResult} BenchResult */
 
@@ -34,7 +49,10 @@ npm run bench:report -- [options]: writes REPORT.md, its charts and the README's
   --folder DIR   holds results/ and gets REPORT.md and charts/; default tests/bench. Another one leaves the README alone
   --help`;
 
-/** @param {readonly BenchResult[]} results @returns {{ report: string, charts: Map<string, string> }} */
+/**
+ * @param {readonly BenchResult[]} results @returns {{ report: string, charts: Map<string, string>
+ * }}
+ */
 export function reportOf(results) {
   /** @type {Map<string, string>} */
   const charts = new Map();
@@ -106,7 +124,9 @@ function aimsTable(results) {
       const found = judge(aim, result);
       if (found === undefined) return '–';
       all += 1;
-      if (found.met) met += 1;
+      if (found.met) {
+        met += 1;
+      }
       const sign = aim.least === true ? '≥' : '≤';
       const word = found.limit ? 'limit' : 'aim';
       return `${found.met ? '✓' : '**✗**'} ${spreadText(found.measured)}, ${word} ${sign} ${found.most}`;
@@ -122,7 +142,9 @@ function framesTables(results) {
     const names = Object.keys(SUBJECTS).filter((name) => SUBJECTS[name]?.kind === 'frames');
     const rows = names.flatMap((subject) => {
       if (rowOf(result, subject, 'settled') === undefined) return [];
-      const cells = ['first frames', 'settled'].map((measure) => both(rowOf(result, subject, measure)));
+      const cells = ['first frames', 'settled'].map((measure) =>
+        both(rowOf(result, subject, measure)),
+      );
       return [[subject, ...cells, both(rowOf(result, subject, 'longest frame'), false)]];
     });
     const head = ['ms, base', 'first frames', 'settled', 'longest frame'];
@@ -130,7 +152,10 @@ function framesTables(results) {
   });
 }
 
-/** Ratio and both sides' values. @param {import('./results.mjs').Measure | undefined} row @param {boolean} [withRatio] */
+/**
+ * Ratio and both sides' values. @param {import('./results.mjs').Measure | undefined} row @param
+ * {boolean} [withRatio]
+ */
 function both(row, withRatio = true) {
   if (row === undefined) return '–';
   const sides = Object.keys(row.samples);
@@ -152,18 +177,25 @@ function modelTables(results) {
   return results.flatMap((result) => {
     const rows = Object.keys(MODELS).map((model) => [
       model,
-      ...columns.map(([, measure, network]) => besideBest(rowOf(result, modelSubject(model, network), measure))),
+      ...columns.map(([, measure, network]) =>
+        besideBest(rowOf(result, modelSubject(model, network), measure)),
+      ),
     ]);
     if (rows.every((cells) => cells.slice(1).every((cell) => cell === '–'))) return [];
     const medians = columns.map(([, measure, network]) => {
       const ratio = ratioOverSubjects(result, modelSubjects(network), measure);
       return ratio === undefined ? '–' : spreadText(ratio);
     });
-    return [`**${result.stack}**\n\n${table(['', ...head], [...rows, ['median ratio', ...medians]])}`];
+    return [
+      `**${result.stack}**\n\n${table(['', ...head], [...rows, ['median ratio', ...medians]])}`,
+    ];
   });
 }
 
-/** All sides' values, and the first one's ratio to the better of the others. @param {import('./results.mjs').Measure | undefined} row */
+/**
+ * All sides' values, and the first one's ratio to the better of the others. @param
+ * {import('./results.mjs').Measure | undefined} row
+ */
 function besideBest(row) {
   const ratio = row === undefined ? undefined : ratioToBest(row);
   if (row === undefined || ratio === undefined) return '–';
@@ -267,7 +299,8 @@ function digits(x) {
 }
 
 /**
- * About speed: frames of the sphere next to three.js, on the GPU that does worst. With the README's marks.
+ * About speed: frames of the sphere next to three.js, on the GPU that does worst. With the README's
+ * marks.
  * @param {readonly BenchResult[]} results
  */
 export function readmeSentence(results) {
@@ -288,8 +321,12 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { report, charts } = reportOf(results);
   rmSync(join(folder, 'charts'), { recursive: true, force: true });
   mkdirSync(join(folder, 'charts'));
-  for (const [file, svg] of charts) writeFileSync(join(folder, 'charts', file), `${svg}\n`);
+  for (const [file, svg] of charts) {
+    writeFileSync(join(folder, 'charts', file), `${svg}\n`);
+  }
   writeFileSync(join(folder, 'REPORT.md'), report);
   console.log(`REPORT.md and ${charts.size} charts from ${results.length} results`);
-  if (folder === here) writePart(readmeSentence(results));
+  if (folder === here) {
+    writePart(readmeSentence(results));
+  }
 }

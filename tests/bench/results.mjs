@@ -1,6 +1,6 @@
 // @ts-check
-// A result of the bench: samples of every subject by measure and side, one file for each stack. Says its shape, adds to it,
-// reads it and makes ratios of it.
+// A result of the bench: samples of every subject by measure and side, one file for each stack.
+// Says its shape, adds to it, reads it and makes ratios of it.
 
 import { readResultFiles } from '../support/command-line.mjs';
 import { median, pairedRatios, spread } from './statistics.mjs';
@@ -10,7 +10,8 @@ import { median, pairedRatios, spread } from './statistics.mjs';
  * @property {string} subject
  * @property {string} measure such as `settled`
  * @property {string} unit
- * @property {Record<string, number[]>} samples by side, round by round; the last side is the base of ratios
+ * @property {Record<string, number[]>} samples by side, round by round; the last side is the base
+ * of ratios
  *
  * @typedef {object} BenchResult
  * @property {string} stack
@@ -20,8 +21,8 @@ import { median, pairedRatios, spread } from './statistics.mjs';
  * @property {readonly [number, number]} size of pictures, in pixels
  * @property {Measure[]} measures
  * @property {{ subject: string, message: string }[]} failures
- * @property {{ subjects: string[], machine: Record<string, string>, date: string, launches: number, note: string }[]} [added]
- *   subjects that were measured on their own, with `--add`
+ * @property {{ subjects: string[], machine: Record<string, string>, date: string, launches: number,
+ * note: string }[]} [added] subjects that were measured on their own, with `--add`
  */
 
 /**
@@ -35,7 +36,9 @@ export function addSamples(result, subject, measure, unit, values) {
     row = { subject, measure, unit, samples: {} };
     result.measures.push(row);
   }
-  for (const [side, value] of Object.entries(values)) (row.samples[side] ??= []).push(Number(value.toPrecision(4)));
+  for (const [side, value] of Object.entries(values)) {
+    (row.samples[side] ??= []).push(Number(value.toPrecision(4)));
+  }
 }
 
 /**
@@ -45,8 +48,12 @@ export function addSamples(result, subject, measure, unit, values) {
 export const rowOf = ({ measures }, subject, measure) =>
   measures.find((row) => row.subject === subject && row.measure === measure);
 
-/** Median and quartiles of one side. @param {Measure} measure @param {string} [side] default: the first */
-export const valueOf = ({ samples }, side = Object.keys(samples)[0] ?? '') => spread(samples[side] ?? []);
+/**
+ * Median and quartiles of one side. @param {Measure} measure @param {string} [side] default: the
+ * first
+ */
+export const valueOf = ({ samples }, side = Object.keys(samples)[0] ?? '') =>
+  spread(samples[side] ?? []);
 
 /**
  * Of a side to the base, in rounds that both were measured in; undefined where there is one side.
@@ -59,7 +66,8 @@ export function ratioOf({ samples }, side = Object.keys(samples)[0] ?? '') {
 }
 
 /**
- * Of the first side to the better one of the others: the one with the least median. Undefined where there is one side.
+ * Of the first side to the better one of the others: the one with the least median. Undefined where
+ * there is one side.
  * @param {Measure} measure
  */
 export function ratioToBest({ samples }) {
@@ -68,7 +76,10 @@ export function ratioToBest({ samples }) {
   return best === undefined ? undefined : spread(pairedRatios(ours, best));
 }
 
-/** Its spread over several subjects: each one's median counts once. Undefined where none was measured. @param {BenchResult} result @param {readonly string[]} subjects @param {string} measure */
+/**
+ * Its spread over several subjects: each one's median counts once. Undefined where none was
+ * measured. @param {BenchResult} result @param {readonly string[]} subjects @param {string} measure
+ */
 export function ratioOverSubjects({ measures }, subjects, measure) {
   const ratios = measures
     .filter((one) => subjects.includes(one.subject) && one.measure === measure)
@@ -77,4 +88,5 @@ export function ratioOverSubjects({ measures }, subjects, measure) {
 }
 
 /** All results of a folder, by stack. @param {string} folder @returns {BenchResult[]} */
-export const readResults = (folder) => readResultFiles(folder, 'npm run bench').map(({ content }) => content);
+export const readResults = (folder) =>
+  readResultFiles(folder, 'npm run bench').map(({ content }) => content);

@@ -1,5 +1,6 @@
 // @ts-check
-// What is said of repeated measurements: quantiles, and ratios of samples that were taken side by side. Knows no unit.
+// What is said of repeated measurements: quantiles, and ratios of samples that were taken side by
+// side. Knows no unit.
 
 /**
  * Linear between neighbours, so that few samples have quartiles too.
@@ -36,7 +37,8 @@ export const spread = (numbers) => ({
 export const pairedRatios = (ours, theirs) => ours.map((sample, i) => sample / (theirs[i] ?? NaN));
 
 /**
- * Rounds of samples, one of each subject a round, every other round backwards, so that none always follows the same one.
+ * Rounds of samples, one of each subject a round, every other round backwards, so that none always
+ * follows the same one.
  * @template S, T
  * @param {readonly S[]} subjects @param {number} rounds
  * @param {(subject: S) => Promise<T>} sample
@@ -46,7 +48,9 @@ export async function interleaved(subjects, rounds, sample) {
   const samples = subjects.map(() => /** @type {T[]} */ ([]));
   for (let round = 0; round < rounds; round++) {
     const order = subjects.map((_, i) => (round % 2 === 0 ? i : subjects.length - 1 - i));
-    for (const i of order) samples[i]?.push(await sample(/** @type {S} */ (subjects[i])));
+    for (const i of order) {
+      samples[i]?.push(await sample(/** @type {S} */ (subjects[i])));
+    }
   }
   return samples;
 }

@@ -1,6 +1,6 @@
 // @ts-check
-// What `npm run bench` measures, by name. A subject has sides (the element, plain three.js, …) that are measured in turns; the
-// last side is the one that the others are divided by.
+// What `npm run bench` measures, by name. A subject has sides (the element, plain three.js, …) that
+// are measured in turns; the last side is the one that the others are divided by.
 
 import { FIRST_MODELS, MODELS } from './models.mjs';
 
@@ -12,7 +12,8 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @property {string} scene of pages/scenes.ts
  * @property {readonly SideName[]} sides
  *
- * @typedef {object} ScriptSubject the page's own CPU time per frame, on a canvas so small that drawing costs nothing
+ * @typedef {object} ScriptSubject the page's own CPU time per frame, on a canvas so small that
+ * drawing costs nothing
  * @property {'script'} kind
  * @property {string} scene
  * @property {readonly SideName[]} sides
@@ -22,7 +23,8 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @property {Readonly<Record<string, string>>} pages by side
  * @property {boolean} [pageSays] the page itself says when its pictures are there
  *
- * @typedef {object} ModelSubject from navigation to the first picture of a model file, next to other viewers
+ * @typedef {object} ModelSubject from navigation to the first picture of a model file, next to
+ * other viewers
  * @property {'model'} kind
  * @property {string} file in the folder that models.mjs fills
  * @property {boolean} slow over 10 Mbit/s; otherwise from this machine
@@ -33,13 +35,15 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @property {import('./pages/picture-scenes.js').PictureName} scene
  * @property {boolean} round it is compared with its round shape too
  *
- * @typedef {object} StillSubject from a change to the picture of 64 samples, on a page that draws in its own animation frames
+ * @typedef {object} StillSubject from a change to the picture of 64 samples, on a page that draws
+ * in its own animation frames
  * @property {'still'} kind
  * @property {string} geometry
  * @property {readonly [number, number]} [size] pixels; without, those of the stack
  *
  * @typedef {{ kind: 'viewers' } | { kind: 'bytes' }} SingleSubject
- * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject | StillSubject | SingleSubject} Subject
+ * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject |
+ * StillSubject | SingleSubject} Subject
  */
 
 /** @type {readonly SideName[]} */
@@ -59,7 +63,10 @@ const startBoxes = (scene) => ({
   },
 });
 
-/** Whole pictures by the end of their subject's name: the scene, and whether it has a round shape to compare with. */
+/**
+ * Whole pictures by the end of their subject's name: the scene, and whether it has a round shape to
+ * compare with.
+ */
 export const PICTURES = /** @type {const} */ ({
   sphere: ['sphere', true],
   torus: ['torus', true],
@@ -78,7 +85,9 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
 export const FRAMED_LIGHTS = [8, 32];
 export const FRAMED_SHAPES = /** @type {const} */ (['sphere', 'torus', 'teapot']);
-/** Pictures whose 64 samples are timed. @type {Readonly<Record<string, Omit<StillSubject, 'kind'>>>} */
+/**
+ * Pictures whose 64 samples are timed. @type {Readonly<Record<string, Omit<StillSubject, 'kind'>>>}
+ */
 export const STILL = {
   sphere: { geometry: 'sphere' },
   'sphere, 760 × 420': { geometry: 'sphere', size: [760, 420] },
@@ -94,9 +103,11 @@ export const NETWORKS = /** @type {const} */ (['local', '10 Mbit/s']);
 /** @param {string} model @param {(typeof NETWORKS)[number]} network */
 export const modelSubject = (model, network) => `model, ${model}, ${network}`;
 /** All models over one network. @param {(typeof NETWORKS)[number]} network */
-export const modelSubjects = (network) => Object.keys(MODELS).map((model) => modelSubject(model, network));
+export const modelSubjects = (network) =>
+  Object.keys(MODELS).map((model) => modelSubject(model, network));
 /** @param {string} model */
-export const firstModelSubject = (model) => `first picture of models against three's page, ${model}`;
+export const firstModelSubject = (model) =>
+  `first picture of models against three's page, ${model}`;
 const MODEL_PAGES = {
   element: 'start-model-element.html',
   'model-viewer': 'start-model-google.html',
@@ -105,7 +116,9 @@ const MODEL_PAGES = {
 
 /** @type {Readonly<Record<string, Subject>>} */
 export const SUBJECTS = {
-  ...Object.fromEntries(SPHERE_LIGHTS.map((count) => [`sphere, ${lights(count)}`, frames(`sphere:${count}`)])),
+  ...Object.fromEntries(
+    SPHERE_LIGHTS.map((count) => [`sphere, ${lights(count)}`, frames(`sphere:${count}`)]),
+  ),
   // Beyond what MeshPhongMaterial can draw.
   'sphere, 1,024 lights': frames('sphere:1024', ['element']),
   'box room, 8 lights': frames('room:8'),
@@ -134,7 +147,11 @@ export const SUBJECTS = {
   '20 turning viewers': { kind: 'viewers' },
   start: {
     kind: 'start',
-    pages: { standalone: 'start-standalone.html', bundled: 'start-element.html', three: 'start-three.html' },
+    pages: {
+      standalone: 'start-standalone.html',
+      bundled: 'start-element.html',
+      three: 'start-three.html',
+    },
   },
   'start, 2,000 boxes': startBoxes('boxes:3'),
   'start, 10,000 boxes': startBoxes('ten-thousand:3'),
@@ -159,7 +176,12 @@ export const SUBJECTS = {
     NETWORKS.flatMap((network) =>
       Object.entries(MODELS).map(([model, file]) => [
         modelSubject(model, network),
-        /** @type {ModelSubject} */ ({ kind: 'model', file, pages: MODEL_PAGES, slow: network !== 'local' }),
+        /** @type {ModelSubject} */ ({
+          kind: 'model',
+          file,
+          pages: MODEL_PAGES,
+          slow: network !== 'local',
+        }),
       ]),
     ),
   ),
@@ -170,12 +192,18 @@ export const SUBJECTS = {
     ]),
   ),
   ...Object.fromEntries(
-    Object.entries(STILL).map(([picture, still]) => [stillSubject(picture), { kind: 'still', ...still }]),
+    Object.entries(STILL).map(([picture, still]) => [
+      stillSubject(picture),
+      { kind: 'still', ...still },
+    ]),
   ),
   bytes: { kind: 'bytes' },
 };
 
-/** Names of the subjects that contain any of the texts, in order; all of them without texts. @param {readonly string[]} texts */
+/**
+ * Names of the subjects that contain any of the texts, in order; all of them without texts. @param
+ * {readonly string[]} texts
+ */
 export function chosenSubjects(texts) {
   const names = Object.keys(SUBJECTS);
   if (texts.length === 0) return names;

@@ -1,5 +1,6 @@
-// Builds one page of the bench, PHONG_VIEWER_BENCH_PAGE, into the folder PHONG_VIEWER_BENCH_OUT, as a user's bundler would: the
-// package comes from dist/. Each page is built alone, since pages built together share chunks and load what others need.
+// Builds one page of the bench, PHONG_VIEWER_BENCH_PAGE, into the folder PHONG_VIEWER_BENCH_OUT, as
+// a user's bundler would: the package comes from dist/. Each page is built alone, since pages built
+// together share chunks and load what others need.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';

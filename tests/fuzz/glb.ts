@@ -1,21 +1,30 @@
-// Writes small GLB and PNG files from parts, sound or not: what a document claims need not be in its bytes. Runs in
-// Node.
+// Writes small GLB and PNG files from parts, sound or not: what a document claims need not be in
+// its bytes. Runs in Node.
 import { deflateSync, gzipSync } from 'node:zlib';
 import { glbFile } from '../bench/glb.mjs';
 
 export type Json = Record<string, unknown>;
 
-/** A GLB of this document, or of a text in its place, and this binary chunk; both are padded to whole words. */
+/**
+ * A GLB of this document, or of a text in its place, and this binary chunk; both are padded to
+ * whole words.
+ */
 export const glbOf = (json: object | string, body: Uint8Array = new Uint8Array()): Buffer =>
   Buffer.from(glbFile(json, body).buffer);
 
 /** The document and the binary chunk of a sound GLB. */
 export function openGlb(file: Buffer): { json: Json; body: Buffer } {
   const size = file.readUInt32LE(12);
-  return { json: JSON.parse(file.toString('utf8', 20, 20 + size)) as Json, body: file.subarray(28 + size) };
+  return {
+    json: JSON.parse(file.toString('utf8', 20, 20 + size)) as Json,
+    body: file.subarray(28 + size),
+  };
 }
 
-/** A PNG of this size in one colour. @param bits per pixel: 1 is black and white, 32 is colour with alpha. */
+/**
+ * A PNG of this size in one colour. @param bits per pixel: 1 is black and white, 32 is colour with
+ * alpha.
+ */
 export function pngOf(width: number, height: number, bits: 1 | 32): Buffer {
   const row = 1 + Math.ceil((width * bits) / 8);
   return pngWith(width, height, bits, deflateSync(Buffer.alloc(row * height), { level: 1 }));
@@ -28,7 +37,11 @@ export function pngWith(width: number, height: number, bits: 1 | 32, data: Uint8
   header.writeUInt32BE(height, 4);
   header[8] = bits === 1 ? 1 : 8;
   header[9] = bits === 1 ? 0 : 6;
-  const parts = [pngChunk('IHDR', header), pngChunk('IDAT', data), pngChunk('IEND', new Uint8Array())];
+  const parts = [
+    pngChunk('IHDR', header),
+    pngChunk('IDAT', data),
+    pngChunk('IEND', new Uint8Array()),
+  ];
   return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), ...parts]);
 }
 
@@ -41,10 +54,15 @@ export function viewsOf(blobs: readonly Uint8Array[]) {
     byteOffset += length;
     return view;
   });
-  return { bufferViews, buffers: [{ byteLength: byteOffset }] as Json[], body: Buffer.concat(padded) };
+  return {
+    bufferViews,
+    buffers: [{ byteLength: byteOffset }] as Json[],
+    body: Buffer.concat(padded),
+  };
 }
 
-export const floats = (...values: readonly number[]): Buffer => Buffer.from(Float32Array.from(values).buffer);
+export const floats = (...values: readonly number[]): Buffer =>
+  Buffer.from(Float32Array.from(values).buffer);
 
 function pngChunk(type: string, data: Uint8Array): Buffer {
   const named = Buffer.concat([Buffer.from(type), data]);
@@ -54,5 +72,8 @@ function pngChunk(type: string, data: Uint8Array): Buffer {
   return Buffer.concat([length, named, sum]);
 }
 
-/** The checksum of PNG chunks (ISO 3309): gzip's too, at its end. Node has `crc32` from version 22 on only. */
+/**
+ * The checksum of PNG chunks (ISO 3309): gzip's too, at its end. Node has `crc32` from version 22
+ * on only.
+ */
 const crc32 = (bytes: Uint8Array): number => gzipSync(bytes).subarray(-8).readUInt32LE();

@@ -1,5 +1,6 @@
-// Loads hostile models one after the other in one viewer, and holds what must be true after each: an event, the
-// picture, nothing unhandled, no request, bounded memory. Memory is read from the system, so only on Linux.
+// Loads hostile models one after the other in one viewer, and holds what must be true after each:
+// an event, the picture, nothing unhandled, no request, bounded memory. Memory is read from the
+// system, so only on Linux.
 import { readFileSync } from 'node:fs';
 import type { Browser, Locator, Page } from '@playwright/test';
 import type { PhongViewer } from '../element/support/viewer.js';
@@ -42,10 +43,14 @@ export async function fuzzModels(
   let bytes = triangleGlb();
   const requests: string[] = [];
   await page.route('**/fuzz/*', (route) => route.fulfill({ body: bytes }));
-  const viewer = await mount('<phong-viewer src="/fuzz/base.glb"></phong-viewer>', { width: 60, height: 40 });
+  const viewer = await mount('<phong-viewer src="/fuzz/base.glb"></phong-viewer>', {
+    width: 60,
+    height: 40,
+  });
   const before = await pictureOf(viewer);
   const memory = await MemoryWatch.of(browser);
-  // Changed animations may be left out; this one is, so that the claim is met. Others need an extension that is none.
+  // Changed animations may be left out; this one is, so that the claim is met. Others need an
+  // extension that is none.
   consoleGuard.allow(/^warning: (.* is shown without |The model needs the glTF extension )/);
   bytes = barClaimsGlb(9, 1e6, 5126, false);
   expect(await load(viewer, `/fuzz/${seed}-bar.glb`)).toBe('load');
@@ -71,8 +76,12 @@ export async function fuzzModels(
     }
     expect(await pictureOf(viewer), `the picture after ${which}`).toBe(before);
   }
-  expect(requests.filter((path) => !path.startsWith('/fuzz/') && !path.startsWith('/dist/'))).toEqual([]);
-  console.log(`seed ${seed}: ${count} files, ${JSON.stringify(outcomes)}, grew by at most ${most.toFixed()} MB`);
+  expect(
+    requests.filter((path) => !path.startsWith('/fuzz/') && !path.startsWith('/dist/')),
+  ).toEqual([]);
+  console.log(
+    `seed ${seed}: ${count} files, ${JSON.stringify(outcomes)}, grew by at most ${most.toFixed()} MB`,
+  );
 }
 
 /** The type of the event that ends the load, or the code of the error. */
@@ -87,7 +96,8 @@ export function load(viewer: Locator, src: string): Promise<string> {
           void element.ready.then(() => resolve(outcome));
         };
         const loaded = (): void => end('load');
-        const failed = (event: Event): void => end((event as CustomEvent<{ code: string }>).detail.code);
+        const failed = (event: Event): void =>
+          end((event as CustomEvent<{ code: string }>).detail.code);
         const late = setTimeout(() => resolve('hangs'), patience);
         element.addEventListener('load', loaded);
         element.addEventListener('error', failed);
@@ -105,7 +115,9 @@ function pictureOf(viewer: Locator): Promise<string> {
   });
 }
 
-/** Resident memory of the browser's renderer and GPU processes, in MB, sampled 40 times a second. */
+/**
+ * Resident memory of the browser's renderer and GPU processes, in MB, sampled 40 times a second.
+ */
 export class MemoryWatch {
   readonly #processes: readonly number[];
   #timer: NodeJS.Timeout | undefined;
@@ -120,7 +132,9 @@ export class MemoryWatch {
     const session = await browser.newBrowserCDPSession();
     const { processInfo } = await session.send('SystemInfo.getProcessInfo');
     await session.detach();
-    return new MemoryWatch(processInfo.filter(({ type }) => /renderer|gpu/i.test(type)).map(({ id }) => id));
+    return new MemoryWatch(
+      processInfo.filter(({ type }) => /renderer|gpu/i.test(type)).map(({ id }) => id),
+    );
   }
 
   start(): void {
@@ -138,7 +152,9 @@ export class MemoryWatch {
     let kilobytes = 0;
     for (const id of this.#processes) {
       try {
-        kilobytes += Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0);
+        kilobytes += Number(
+          /VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0,
+        );
       } catch {
         // Ended, or another system.
       }

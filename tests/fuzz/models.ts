@@ -1,6 +1,6 @@
-// Files that claim too much, or are wrong in ways that authors and attackers come by: constructed ones, each about one
-// claim, and real ones with something changed. The same seed gives the same files. Knows nothing about how they are
-// loaded.
+// Files that claim too much, or are wrong in ways that authors and attackers come by: constructed
+// ones, each about one claim, and real ones with something changed. The same seed gives the same
+// files. Knows nothing about how they are loaded.
 import type { Random } from '../stress/random.js';
 import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, type Json, openGlb, pngWith, viewsOf } from './glb.js';
@@ -36,7 +36,10 @@ export function triangleDocument(more: Json = {}): Json {
 
 export const triangleGlb = (more: Json = {}): Buffer => glbOf(triangleDocument(more), TRIANGLE);
 
-/** Triangles of `count` vertices or indices that are not in the file: an accessor without a view stands for zeros. */
+/**
+ * Triangles of `count` vertices or indices that are not in the file: an accessor without a view
+ * stands for zeros.
+ */
 export function zerosGlb(count: number, primitive: Json = {}, accessor: Json = {}): Buffer {
   const zeros = { componentType: FLOAT, count, type: 'VEC3', ...accessor };
   return triangleGlb({
@@ -47,8 +50,13 @@ export function zerosGlb(count: number, primitive: Json = {}, accessor: Json = {
 
 /** The triangle at `count` nodes, which share a mesh or have one each. */
 export function instancesGlb(count: number, shared: boolean): Buffer {
-  const nodes = upTo(count).map((i) => ({ mesh: shared ? 0 : i, translation: [i % 99, i / 99, 0] }));
-  const meshes = upTo(shared ? 1 : count).map(() => ({ primitives: [{ attributes: { POSITION: 0 } }] }));
+  const nodes = upTo(count).map((i) => ({
+    mesh: shared ? 0 : i,
+    translation: [i % 99, i / 99, 0],
+  }));
+  const meshes = upTo(shared ? 1 : count).map(() => ({
+    primitives: [{ attributes: { POSITION: 0 } }],
+  }));
   return triangleGlb({ scenes: [{ nodes: upTo(count) }], nodes, meshes });
 }
 
@@ -67,7 +75,9 @@ export function texturedGlb(images: readonly Buffer[], textures: readonly Json[]
     scenes: [{ nodes: upTo(textures.length) }],
     nodes: textures.map((_, mesh) => ({ mesh })),
     meshes: textures.map((_, material) => ({ primitives: [{ attributes, material }] })),
-    materials: textures.map((_, index) => ({ pbrMetallicRoughness: { baseColorTexture: { index } } })),
+    materials: textures.map((_, index) => ({
+      pbrMetallicRoughness: { baseColorTexture: { index } },
+    })),
     textures,
     images: images.map((_, i) => ({ bufferView: i + 2, mimeType: 'image/png' })),
     accessors: [POSITIONS, { ...POSITIONS, bufferView: 1, type: 'VEC2' }],
@@ -77,7 +87,11 @@ export function texturedGlb(images: readonly Buffer[], textures: readonly Json[]
 }
 
 /** Draco data that end after a header with these counts; the accessors claim their own. */
-export function dracoGlb(faces: number, points: number, claimed: { faces: number; points: number }): Buffer {
+export function dracoGlb(
+  faces: number,
+  points: number,
+  claimed: { faces: number; points: number },
+): Buffer {
   const header = Buffer.concat([Buffer.from('DRACO'), Buffer.from([2, 2, 1, 1, 0, 0, 0])]);
   const counts = [varint(points), varint(faces), Buffer.from([0]), varint(faces), varint(0)];
   const data = Buffer.concat([header, ...counts, Buffer.alloc(600)]);
@@ -104,10 +118,16 @@ function varint(value: number): Buffer {
   }
 }
 
-/** The triangle, which moves by `channels` channels that share one sampler of `keys` keyframes of zeros. */
+/**
+ * The triangle, which moves by `channels` channels that share one sampler of `keys` keyframes of
+ * zeros.
+ */
 export function channelsGlb(channels: number, keys: number, animations = 1): Buffer {
   const channel = { sampler: 0, target: { node: 0, path: 'translation' } };
-  const animation = { samplers: [{ input: 1, output: 2 }], channels: Array<Json>(channels).fill(channel) };
+  const animation = {
+    samplers: [{ input: 1, output: 2 }],
+    channels: Array<Json>(channels).fill(channel),
+  };
   return triangleGlb({
     accessors: [
       POSITIONS,
@@ -119,7 +139,12 @@ export function channelsGlb(channels: number, keys: number, animations = 1): Buf
 }
 
 /** Nodes that have `count` instances each, in the origin, of a mesh of `primitives` triangles. */
-export function instancingGlb(count: number, primitives: number, nodes: number, attributes: readonly string[]): Buffer {
+export function instancingGlb(
+  count: number,
+  primitives: number,
+  nodes: number,
+  attributes: readonly string[],
+): Buffer {
   const lists = Object.fromEntries(attributes.map((name) => [name, name === 'ROTATION' ? 2 : 1]));
   const node = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: lists } } };
   return triangleGlb({
@@ -139,10 +164,16 @@ export function longListGlb(list: string, length: number): Buffer {
   const skins = [{ joints: [0] }];
   const document = triangleDocument({ materials: [{}], textures: [], skins, animations: [] });
   const entries = document[list] as readonly Json[];
-  return glbOf({ ...document, [list]: [...entries, ...Array<Json>(length).fill(entries[0] ?? {})] }, TRIANGLE);
+  return glbOf(
+    { ...document, [list]: [...entries, ...Array<Json>(length).fill(entries[0] ?? {})] },
+    TRIANGLE,
+  );
 }
 
-/** A fan: triangles of `corners` corners in all that meet at vertex 0, whose normals have no direction. */
+/**
+ * A fan: triangles of `corners` corners in all that meet at vertex 0, whose normals have no
+ * direction.
+ */
 export function fanGlb(corners: number): Buffer {
   const primitive = { attributes: { POSITION: 0, NORMAL: 1 }, indices: 2 };
   return triangleGlb({
@@ -174,9 +205,18 @@ export function jointsGlb(joints: number, nodes: number): Buffer {
 export const barGlb = (more: Json = {}): Buffer => glbOf({ ...bar(), ...more });
 
 /** The bar with one accessor that claims `count` elements that are not in the file. */
-export function barClaimsGlb(index: number, count: number, componentType: number, sparse: boolean): Buffer {
+export function barClaimsGlb(
+  index: number,
+  count: number,
+  componentType: number,
+  sparse: boolean,
+): Buffer {
   const accessors = bar()['accessors'] as Json[];
-  const few = { count: 1, indices: { bufferView: 0, componentType: 5121 }, values: { bufferView: 0 } };
+  const few = {
+    count: 1,
+    indices: { bufferView: 0, componentType: 5121 },
+    values: { bufferView: 0 },
+  };
   Object.assign(accessors[index % accessors.length]!, {
     ...{ bufferView: undefined, count, componentType },
     ...(sparse && { sparse: few }),
@@ -184,13 +224,18 @@ export function barClaimsGlb(index: number, count: number, componentType: number
   return barGlb({ accessors });
 }
 
-const whole = (random: Random, low: number, high: number): number => Math.floor(random.magnitude(low, high));
+const whole = (random: Random, low: number, high: number): number =>
+  Math.floor(random.magnitude(low, high));
 
 type Construct = (random: Random) => readonly [what: string, bytes: Buffer];
 
 const CONSTRUCTED: readonly Construct[] = [
   (random) => {
-    const [index, count, componentType] = [whole(random, 1, 15), whole(random, 3, 1e9), random.pick(TYPES)];
+    const [index, count, componentType] = [
+      whole(random, 1, 15),
+      whole(random, 3, 1e9),
+      random.pick(TYPES),
+    ];
     const sparse = random.chance(0.3);
     return [
       `a bar whose accessor ${index - 1} claims ${count} of ${componentType}${sparse ? ', sparse' : ''}`,
@@ -199,12 +244,19 @@ const CONSTRUCTED: readonly Construct[] = [
   },
   (random) => {
     const [count, mode] = [whole(random, 3, 1e9), random.pick([4, 5, 6])];
-    return [`${count} indices of mode ${mode} without bytes`, zerosGlb(count, { indices: 1, mode })];
+    return [
+      `${count} indices of mode ${mode} without bytes`,
+      zerosGlb(count, { indices: 1, mode }),
+    ];
   },
   (random) => {
     const [count, componentType] = [whole(random, 3, 1e9), random.pick(TYPES)];
     const type = random.pick(['VEC3', 'VEC3', 'VEC4', 'MAT4', 'SCALAR']);
-    const sparse = { count: 1, indices: { bufferView: 0, componentType: 5123 }, values: { bufferView: 0 } };
+    const sparse = {
+      count: 1,
+      indices: { bufferView: 0, componentType: 5123 },
+      values: { bufferView: 0 },
+    };
     const more = random.chance(0.3) ? { sparse } : {};
     return [
       `${count} elements of ${type} ${componentType}${'sparse' in more ? ', sparse' : ''}`,
@@ -215,7 +267,10 @@ const CONSTRUCTED: readonly Construct[] = [
     const [width, height] = [whole(random, 1, 70_000), whole(random, 1, 70_000)];
     return [
       `an image of ${width} × ${height}`,
-      texturedGlb([pngWith(width, height, random.pick([1, 32]), Buffer.alloc(64))], [{ source: 0 }]),
+      texturedGlb(
+        [pngWith(width, height, random.pick([1, 32]), Buffer.alloc(64))],
+        [{ source: 0 }],
+      ),
     ];
   },
   (random) => {
@@ -231,11 +286,20 @@ const CONSTRUCTED: readonly Construct[] = [
     const [channels, keys] = [whole(random, 1, 2e4), whole(random, 1, 2e7)];
     const animations = whole(random, 1, 100);
     const times = Math.max(1, Math.floor(Math.min(animations, 1e5 / channels)));
-    return [`${times} animations of ${channels} channels over ${keys} keyframes`, channelsGlb(channels, keys, times)];
+    return [
+      `${times} animations of ${channels} channels over ${keys} keyframes`,
+      channelsGlb(channels, keys, times),
+    ];
   },
   (random) => {
-    const [count, primitives, nodes] = [whole(random, 1, 1e9), whole(random, 1, 1e4), whole(random, 1, 3e4)];
-    const attributes = ['TRANSLATION', 'ROTATION', 'SCALE', '_COLOR_0'].filter(() => random.chance(0.5));
+    const [count, primitives, nodes] = [
+      whole(random, 1, 1e9),
+      whole(random, 1, 1e4),
+      whole(random, 1, 3e4),
+    ];
+    const attributes = ['TRANSLATION', 'ROTATION', 'SCALE', '_COLOR_0'].filter(() =>
+      random.chance(0.5),
+    );
     const instances = random.chance(0.3) ? 0 : count;
     return [
       `${nodes} nodes of ${instances} instances (${attributes.join(' ')}) of ${primitives} primitives`,
@@ -261,14 +325,19 @@ const CONSTRUCTED: readonly Construct[] = [
   (random) => {
     const [faces, points] = [whole(random, 1, 2e9), whole(random, 1, 2e9)];
     const claimed = random.chance(0.5) ? { faces: 1, points: 3 } : { faces, points };
-    return [`Draco data of ${faces} and ${points}, claimed ${claimed.faces}`, dracoGlb(faces, points, claimed)];
+    return [
+      `Draco data of ${faces} and ${points}, claimed ${claimed.faces}`,
+      dracoGlb(faces, points, claimed),
+    ];
   },
   (random) => {
     const byteStride = random.pick([1, 2, 3, 5, 7, 13, 252, 255, 1e6, 2 ** 31, -4, 0.5]);
     const byteOffset = random.pick([0, 0, 1, 2, 3, 35, 1e9]);
     const document = triangleDocument({
       bufferViews: [{ buffer: 0, byteLength: 36, byteStride }],
-      accessors: [{ bufferView: 0, byteOffset, componentType: random.pick(TYPES), count: 3, type: 'VEC3' }],
+      accessors: [
+        { bufferView: 0, byteOffset, componentType: random.pick(TYPES), count: 3, type: 'VEC3' },
+      ],
     });
     return [`stride ${byteStride}, offset ${byteOffset}`, glbOf(document, TRIANGLE)];
   },
@@ -285,7 +354,9 @@ const CONSTRUCTED: readonly Construct[] = [
     const times = whole(random, 1e3, 1e6);
     return [
       `JSON with ${times} values`,
-      glbOf(JSON.stringify(triangleDocument()).replace(/}$/, `,"extras":[${'{},'.repeat(times)}0]}`)),
+      glbOf(
+        JSON.stringify(triangleDocument()).replace(/}$/, `,"extras":[${'{},'.repeat(times)}0]}`),
+      ),
     ];
   },
 ];
@@ -296,7 +367,9 @@ const EXTREMES: readonly unknown[] = [
   ...[[], {}, [[]], [0], [1e9]],
 ];
 
-/** JSON longer than this is not parsed again: a constructed file of a million values has one change. */
+/**
+ * JSON longer than this is not parsed again: a constructed file of a million values has one change.
+ */
 const PARSED_JSON = 1e6;
 
 /** The file with one to four changed values, keys or bytes. */
@@ -320,7 +393,10 @@ function changedBytes(random: Random, file: Buffer): HostileFile {
   }
   const bytes = Buffer.from(file);
   const changes = Array.from({ length: whole(random, 1, 9) }, () => {
-    const [at, value] = [Math.floor(random.from(0, bytes.length)), random.pick([0, 1, 127, 128, 255])];
+    const [at, value] = [
+      Math.floor(random.from(0, bytes.length)),
+      random.pick([0, 1, 127, 128, 255]),
+    ];
     bytes[at] = value;
     return `byte ${at} is ${value}`;
   });
@@ -342,14 +418,21 @@ function changeValue(random: Random, root: Json): string {
       continue;
     }
     const deed = random.pick(['replace', 'replace', 'remove', 'repeat']);
-    if (deed === 'remove') Reflect.deleteProperty(place, key);
-    else if (deed === 'repeat' && Array.isArray(value)) place[key] = Array<unknown>(99).fill(value).flat();
-    else place[key] = random.pick(EXTREMES);
+    if (deed === 'remove') {
+      Reflect.deleteProperty(place, key);
+    } else if (deed === 'repeat' && Array.isArray(value)) {
+      place[key] = Array<unknown>(99).fill(value).flat();
+    } else {
+      place[key] = random.pick(EXTREMES);
+    }
     return `${deed} ${path}: ${JSON.stringify(place[key] ?? null).slice(0, 40)}`;
   }
 }
 
-/** One hostile file: constructed, made of one of these, or both: two changes can pass where each alone is refused. */
+/**
+ * One hostile file: constructed, made of one of these, or both: two changes can pass where each
+ * alone is refused.
+ */
 export function hostileFile(random: Random, files: readonly Buffer[]): HostileFile {
   if (random.chance(0.6)) return changed(random, random.pick(files));
   const [what, bytes] = random.pick(CONSTRUCTED)(random);

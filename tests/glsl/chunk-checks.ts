@@ -1,4 +1,5 @@
-// Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
+// Each chunk alone: its function on inputs from all over its domain, against the same law in
+// float64.
 import { TEXTURE_ROWS_LOG2 } from '../../src/phong/light/light-layout.js';
 import { LARGEST_MILD_CUTOFF, LIMIT_OPEN } from '../../src/phong/light/precision.js';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
@@ -17,7 +18,9 @@ type Numbers = readonly number[];
 export interface Check {
   /** What holds, as a sentence. */
   readonly title: string;
-  /** The program's defines, a name and a value each; without LIGHT_STORAGE, rows come from `rows`. */
+  /**
+   * The program's defines, a name and a value each; without LIGHT_STORAGE, rows come from `rows`.
+   */
   readonly defines?: readonly string[];
   /** Text before the loop's: the program's own `lightRow`. */
   readonly rows?: string;
@@ -56,7 +59,8 @@ const power = (x: number, y: number, k: number): number => {
   return y < 0.25 ? Math.exp(k * Math.log1p(-y)) : x ** k;
 };
 
-const isInside = (q: number, p: number, limit: number): number => ((limit < 0 ? p >= -limit : q <= limit) ? 1 : 0);
+const isInside = (q: number, p: number, limit: number): number =>
+  (limit < 0 ? p >= -limit : q <= limit) ? 1 : 0;
 
 const CHECKS: readonly Check[] = [
   {
@@ -116,20 +120,32 @@ const CHECKS: readonly Check[] = [
     glsl: 'result.x = insideCone(a.x, a.y, a.z, FEATURE_NARROW + FEATURE_WIDE) ? 1.0 : 0.0;',
     inputs(random) {
       const q = f(random.from(0, 1));
-      const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, 0)), LIMIT_OPEN]);
+      const limit = random.pick([
+        q,
+        f(random.from(0, 0.5)),
+        -f(1 - q),
+        f(random.from(-0.5, 0)),
+        LIMIT_OPEN,
+      ]);
       return [[q, f(1 - q), limit]];
     },
     expected: ([q, p, limit]) => [isInside(q!, p!, limit!)],
     bound: 0,
   },
   {
-    title: 'insideCone does the same where the features name the side, and lets all through where it has no cone',
+    title:
+      'insideCone does the same where the features name the side, and lets all through where it has no cone',
     glsl: `
       int features = a.z < 0.0 ? FEATURE_WIDE : FEATURE_NARROW;
       result.xy = vec2(insideCone(a.x, a.y, a.z, features), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
     inputs(random) {
       const q = f(random.from(0, 1));
-      const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, -1e-6))]);
+      const limit = random.pick([
+        q,
+        f(random.from(0, 0.5)),
+        -f(1 - q),
+        f(random.from(-0.5, -1e-6)),
+      ]);
       return [[q, f(1 - q), limit]];
     },
     expected: ([q, p, limit]) => [isInside(q!, p!, limit!), 1],
@@ -162,13 +178,23 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title: 'spotDecay takes a cosine for mild cutoffs from 1, also where rounding made it less than -1 or more than 1',
+    title:
+      'spotDecay takes a cosine for mild cutoffs from 1, also where rounding made it less than -1 or more than 1',
     glsl: `
       result.x = spotDecay(1.0 - a.x, a.x, a.y, int(a.y) << FEATURE_POWER_SHIFT);
       result.y = spotDecay(1.0 - a.x, a.x, a.z, FEATURE_DECAY);`,
     inputs: (random) => [
       [
-        f(random.pick([0, 1, -6e-8, 1 + 1.2e-7, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
+        f(
+          random.pick([
+            0,
+            1,
+            -6e-8,
+            1 + 1.2e-7,
+            random.from(0, 1),
+            1 - random.magnitude(1e-7, 0.1),
+          ]),
+        ),
         Math.floor(random.from(1, LARGEST_MILD_CUTOFF + 1)),
         f(random.pick([1, LARGEST_MILD_CUTOFF, random.from(1, LARGEST_MILD_CUTOFF)])),
       ],
@@ -189,7 +215,10 @@ const CHECKS: readonly Check[] = [
     glsl: 'vec3 N = vec3(0.0, 0.0, 1.0); result.x = specularLobe(N, a.xyz, specularView(N, b.xyz), a.w);',
     inputs(random) {
       const L = random.unit();
-      return [[...float32([L[0], L[1], Math.abs(L[2])]), f(random.from(1, 100))], float32(random.unit())];
+      return [
+        [...float32([L[0], L[1], Math.abs(L[2])]), f(random.from(1, 100))],
+        float32(random.unit()),
+      ];
     },
     expected([x, y, z, n], V) {
       const RoV = dot([-x!, -y!, z!], V as unknown as Vec3);
@@ -202,7 +231,9 @@ const CHECKS: readonly Check[] = [
   {
     title: 'srgbDecode follows the curve, and gives 0 for less than 0',
     glsl: 'result.x = srgbDecode(vec3(a.x)).x;',
-    inputs: (random) => [[f(random.pick([-0.1, 0, 0.04045, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))]],
+    inputs: (random) => [
+      [f(random.pick([-0.1, 0, 0.04045, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
+    ],
     expected: ([e]) => [srgbDecode(e!)],
     // 100 is decoded to 2^16, where exp2 may err by 35 ULP.
     bound: 1e-5,
@@ -211,14 +242,18 @@ const CHECKS: readonly Check[] = [
   {
     title: 'srgbEncode follows the curve, and gives 0 for less than 0',
     glsl: 'result.x = srgbEncode(vec3(a.x)).x;',
-    inputs: (random) => [[f(random.pick([-0.1, 0, 0.0031308, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))]],
+    inputs: (random) => [
+      [f(random.pick([-0.1, 0, 0.0031308, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))],
+    ],
     expected: ([l]) => [srgbEncode(l!)],
     bound: 6e-6,
     floor: 1e-6,
   },
 ];
 
-/** Runs all of them; the storages are checked by reading back a number of its own from every slot. */
+/**
+ * Runs all of them; the storages are checked by reading back a number of its own from every slot.
+ */
 export function checkChunks(
   gl: WebGL2RenderingContext,
   driver: Driver,
@@ -269,7 +304,9 @@ function runCheck(gl: Gl, check: Check, source: string, seed: number, cases: num
       const off = Math.abs(floats[at + k]! - wanted);
       // Not by Math.max: it would keep NaN, and a comparison with NaN is false.
       const error = off === 0 ? 0 : off / Math.max(Math.abs(wanted), floor);
-      if (!(error <= max)) max = Number.isNaN(error) ? Infinity : error;
+      if (!(error <= max)) {
+        max = Number.isNaN(error) ? Infinity : error;
+      }
     });
   }
   return { title, cases, bound, max };
@@ -298,14 +335,21 @@ function checkCodes(gl: Gl, source: string): Checked {
     max = Math.max(max, Math.abs(codes[i * 4]! - code), Math.abs(floats[i * 4]! * 255 - code));
   });
   // Two ULP of the division by 255 are 6e-5 of a code.
-  return { title: 'nearestCode gives the nearest of 256 codes', cases: inputs.length, bound: 1e-4, max };
+  return {
+    title: 'nearestCode gives the nearest of 256 codes',
+    cases: inputs.length,
+    bound: 1e-4,
+    max,
+  };
 }
 
 /** Every slot of a storage holds a number of its own. */
 function checkStorage(gl: Gl, storage: string, rows: number): Checked {
   const data = new Float32Array(rows * 4).map((_, i) => i + 1);
   const index = new Float32Array(Math.ceil(rows / WIDTH) * WIDTH * 4);
-  for (let i = 0; i < rows; i++) index[i * 4] = i;
+  for (let i = 0; i < rows; i++) {
+    index[i * 4] = i;
+  }
   const width = 1 << TEXTURE_ROWS_LOG2;
   const inTexture = storage === 'STORAGE_TEXTURE';
   const pass = new FloatPass(gl, {
@@ -315,7 +359,9 @@ function checkStorage(gl: Gl, storage: string, rows: number): Checked {
     main: 'result = lightRow(int(a.x));',
   });
   const input = { data: index, width: WIDTH };
-  const held: Uniforms = inTexture ? { uLightTextureScale: [1 / width, width / rows] } : { uLightRows: data };
+  const held: Uniforms = inTexture
+    ? { uLightTextureScale: [1 / width, width / rows] }
+    : { uLightRows: data };
   const { floats } = pass.run([input, ...(inTexture ? [{ data, width }] : [])], held);
   pass.dispose();
   let max = 0;

@@ -1,5 +1,5 @@
-// Runs GLSL on numbers: float textures in, one case a texel, RGBA32F and RGBA8 out, on whatever WebGL 2 the browser
-// has. Knows nothing of lighting.
+// Runs GLSL on numbers: float textures in, one case a texel, RGBA32F and RGBA8 out, on whatever
+// WebGL 2 the browser has. Knows nothing of lighting.
 
 const VERTEX = `#version 300 es
 void main() {
@@ -14,7 +14,9 @@ export interface PassSource {
   readonly inputs: readonly string[];
   /** Names of other float textures, read by the text itself as `sampler2D`. */
   readonly textures?: readonly string[];
-  /** Statements that set `result` (vec4, as it is) and may set `shown` (vec4, kept as 8-bit codes). */
+  /**
+   * Statements that set `result` (vec4, as it is) and may set `shown` (vec4, kept as 8-bit codes).
+   */
   readonly main: string;
 }
 
@@ -39,7 +41,9 @@ export function floatContext(): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
   const gl = canvas.getContext('webgl2', { antialias: false, depth: false });
   if (gl === null) throw new Error('no WebGL 2');
-  if (gl.getExtension('EXT_color_buffer_float') === null) throw new Error('no EXT_color_buffer_float');
+  if (gl.getExtension('EXT_color_buffer_float') === null) {
+    throw new Error('no EXT_color_buffer_float');
+  }
   return gl;
 }
 
@@ -83,7 +87,10 @@ void main() {
     );
   }
 
-  /** One texture an input and one a further texture, in the order of the source; inputs share one size. */
+  /**
+   * One texture an input and one a further texture, in the order of the source; inputs share one
+   * size.
+   */
   run(textures: readonly FloatTexture[], uniforms: Uniforms = {}): PassResult {
     const gl = this.#gl;
     const { data, width } = textures[0]!;
@@ -99,15 +106,19 @@ void main() {
       return target;
     });
     gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
-    if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE)
+    if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
       throw new Error('this driver cannot draw into RGBA32F and RGBA8 at once');
+    }
     gl.viewport(0, 0, width, height);
     gl.useProgram(this.#program);
     const bound = textures.map((texture, i) => this.#bind(texture, i));
     for (const [name, numbers] of Object.entries(uniforms)) {
       const place = gl.getUniformLocation(this.#program, name);
-      if (numbers.length === 2) gl.uniform2fv(place, Float32Array.from(numbers));
-      else gl.uniform4fv(place, Float32Array.from(numbers));
+      if (numbers.length === 2) {
+        gl.uniform2fv(place, Float32Array.from(numbers));
+      } else {
+        gl.uniform4fv(place, Float32Array.from(numbers));
+      }
     }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     const floats = new Float32Array(width * height * 4);
@@ -116,7 +127,9 @@ void main() {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, floats);
     gl.readBuffer(gl.COLOR_ATTACHMENT1);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, codes);
-    for (const texture of [...targets, ...bound]) gl.deleteTexture(texture);
+    for (const texture of [...targets, ...bound]) {
+      gl.deleteTexture(texture);
+    }
     gl.deleteFramebuffer(frame);
     const error = gl.getError();
     if (error !== gl.NO_ERROR) throw new Error(`WebGL error ${error}`);
@@ -154,14 +167,16 @@ export function fullScreenProgram(gl: WebGL2RenderingContext, fragment: string):
     const shader = gl.createShader(type)!;
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
-    if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) !== true)
+    if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) !== true) {
       throw new Error(`${gl.getShaderInfoLog(shader) ?? ''}\n${numbered(source)}`);
+    }
     gl.attachShader(program, shader);
     gl.deleteShader(shader);
   }
   gl.linkProgram(program);
-  if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true)
+  if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true) {
     throw new Error(gl.getProgramInfoLog(program) ?? 'the program does not link');
+  }
   return program;
 }
 

@@ -15,7 +15,11 @@ const FLOOR: Box = [-10, -0.5, -8, 10, 0.5, 8];
 /** Spots down onto the floor, two of them onto all of it, lamps above it, and a sun. */
 function lightsOverFloor(): LightValues[] {
   const random = new Random(2);
-  const colors = () => ({ ambient: random.color(9), diffuse: random.color(99), specular: random.color(99) });
+  const colors = () => ({
+    ambient: random.color(9),
+    diffuse: random.color(99),
+    specular: random.color(99),
+  });
   const place = (): Vec3 => [random.from(-10, 10), random.from(1, 4), random.from(-8, 8)];
   const spots = Array.from({ length: 24 }, () =>
     lightWith({
@@ -40,7 +44,9 @@ function lightsOverFloor(): LightValues[] {
 export function gridCheck(): Check {
   const lights = lightsOverFloor();
   const into = emptyPack();
-  if (!divideLights(packedFor(lights), FLOOR, into)) throw new Error('these lights are not divided');
+  if (!divideLights(packedFor(lights), FLOOR, into)) {
+    throw new Error('these lights are not divided');
+  }
   return {
     title: `lights in a grid add up to the reference’s sum, ${lights.length} lights`,
     ...programOf('grid', lights, into),

@@ -1,11 +1,17 @@
-// The programs that a stress case can be drawn by: the defines of the shipped general and specialised variants for its
-// lights and surface. What differs from light to light (feature masks, an integer exponent) is read at run time instead
-// of being written into the text, so that cases with other lights share a program.
+// The programs that a stress case can be drawn by: the defines of the shipped general and
+// specialised variants for its lights and surface. What differs from light to light (feature masks,
+// an integer exponent) is read at run time instead of being written into the text, so that cases
+// with other lights share a program.
 import { declaredFeatures } from '../../src/phong/light/light-features.js';
 import { isIntegerPower, isMildPower } from '../../src/phong/light/precision.js';
 import { LIGHT_FEATURES } from '../../src/phong/light/light-layout.js';
 import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
-import { type Form, FORMS, generalVariant, specialisedVariant } from '../../src/phong/material/program/variant.js';
+import {
+  type Form,
+  FORMS,
+  generalVariant,
+  specialisedVariant,
+} from '../../src/phong/material/program/variant.js';
 import { DEFAULT_STYLE, type Reflection } from '../../src/phong/material/material-values.js';
 import { TERMS } from '../../src/phong/light/light-state.js';
 import { lightWith, pack, type StressCase, type Variant } from '../stress/case.js';
@@ -21,7 +27,10 @@ export interface LoopProgram {
   readonly defines: readonly string[];
 }
 
-/** Which lights and exponents came before the case's own: none, or some of every sort. Code that they need stays. */
+/**
+ * Which lights and exponents came before the case's own: none, or some of every sort. Code that
+ * they need stays.
+ */
 type History = 'none' | 'everything';
 
 /** Every program that the shipped code may draw a case with. */
@@ -32,8 +41,10 @@ const DRAWN_BY: readonly Way[] = [
   ...FORMS.map((form) => [form, 'none'] as const),
 ];
 
-export const programsFor = (stress: StressCase, { reflection }: Variant): ReadonlySet<LoopProgram> =>
-  new Set(DRAWN_BY.map((way) => programOf(way, stress, reflection)));
+export const programsFor = (
+  stress: StressCase,
+  { reflection }: Variant,
+): ReadonlySet<LoopProgram> => new Set(DRAWN_BY.map((way) => programOf(way, stress, reflection)));
 
 /** The same, without taking over programs of other cases. */
 export function freshProgramsFor(stress: StressCase, { reflection }: Variant): LoopProgram[] {
@@ -47,7 +58,14 @@ const made = new Map<string, LoopProgram>();
 function programOf([form, history]: Way, stress: StressCase, reflection: Reflection): LoopProgram {
   const { shininess } = stress.surface;
   const declared = declaredBefore(history, stress);
-  const key = [form, history, reflection, declared, isMildPower(shininess), isIntegerPower(shininess)].join();
+  const key = [
+    form,
+    history,
+    reflection,
+    declared,
+    isMildPower(shininess),
+    isIntegerPower(shininess),
+  ].join();
   const known = made.get(key);
   if (known !== undefined) return known;
   const program = shared(loopProgram(form, variantDefines([form, history], stress, reflection)));
@@ -61,7 +79,9 @@ const programs = new Map<string, LoopProgram>();
 function shared(program: LoopProgram): LoopProgram {
   const key = [program.name, ...program.defines].join();
   const known = programs.get(key);
-  if (known === undefined) programs.set(key, program);
+  if (known === undefined) {
+    programs.set(key, program);
+  }
   return known ?? program;
 }
 
@@ -77,15 +97,16 @@ function variantDefines([form, history]: Way, stress: StressCase, reflection: Re
   const general = generalVariant(material, declaredBefore(history, stress), 0);
   if (form === 'general') return general.defines;
   const known = { terms: TERMS, integerShininess: isIntegerPower(shininess) ? shininess : null };
-  return specialisedVariant(general, known, form, pack(stress, { reflection, linear: false })).defines;
+  return specialisedVariant(general, known, form, pack(stress, { reflection, linear: false }))
+    .defines;
 }
 
 const COLORS = { ambient: [9, 9, 9], diffuse: [9, 9, 9], specular: [9, 9, 9] } as const;
 const PLACE = [0, 0, 1, 1] as const;
 
 /**
- * Lights that declare all but steep spots: code that only the lights of other cases need adds nothing to this one's
- * sums.
+ * Lights that declare all but steep spots: code that only the lights of other cases need adds
+ * nothing to this one's sums.
  */
 const EVERY_KIND = [
   lightWith({ ...COLORS, position: [0, 0, 1, 0] }),
@@ -101,8 +122,8 @@ const declaredBefore = (history: History, { lights }: StressCase): number =>
   history === 'everything' ? EVERYTHING : declaredFeatures([...EVERY_KIND, ...lights]);
 
 /**
- * What a define is in the harness's program, where it is not as it is in the shipped one; null: left out. The rows'
- * place and the numbers that belong to one case are read at run time.
+ * What a define is in the harness's program, where it is not as it is in the shipped one; null:
+ * left out. The rows' place and the numbers that belong to one case are read at run time.
  */
 const AT_RUN_TIME: Readonly<Record<string, string | null>> = {
   LIGHT_STORAGE: 'STORAGE_OWN',
@@ -121,13 +142,19 @@ const AT_RUN_TIME: Readonly<Record<string, string | null>> = {
   INTEGER_SHININESS: 'integerShininess',
 };
 
-/** Defines that leave code out but change no number, or that are what a form is: no part of a program's name. */
+/**
+ * Defines that leave code out but change no number, or that are what a form is: no part of a
+ * program's name.
+ */
 const isTrait = (name: string): boolean =>
-  name === 'INTEGER_SHININESS' || !(name in AT_RUN_TIME || NO_TRAITS.includes(name) || name.startsWith('HAS_'));
+  name === 'INTEGER_SHININESS' ||
+  !(name in AT_RUN_TIME || NO_TRAITS.includes(name) || name.startsWith('HAS_'));
 
 const NO_TRAITS = ['REFLECTION_BLINN_PHONG', 'DECLARED_FEATURES'];
 
-/** The features that a general program leaves out. A specialised one has the masks of its lights. */
+/**
+ * The features that a general program leaves out. A specialised one has the masks of its lights.
+ */
 function withoutFeatures(declared: number): string[] {
   const missing = Object.entries(LIGHT_FEATURES).filter(
     ([name, bit]) => name !== 'powerShift' && (EVERYTHING & bit) !== 0 && (declared & bit) === 0,
@@ -138,9 +165,17 @@ function withoutFeatures(declared: number): string[] {
 function loopProgram(form: LoopForm, variant: Defines): LoopProgram {
   // The masks of a specialised program's lights say more than what was declared.
   const declared = form === 'general' ? variant['DECLARED_FEATURES'] : String(EVERYTHING);
-  const defines = Object.entries({ ...variant, DECLARED_FEATURES: declared, ...AT_RUN_TIME }).flatMap(([name, value]) =>
+  const defines = Object.entries({
+    ...variant,
+    DECLARED_FEATURES: declared,
+    ...AT_RUN_TIME,
+  }).flatMap(([name, value]) =>
     name in variant && typeof value === 'string' ? [`${name} ${value.replace(/\n\s*/g, ' ')}`] : [],
   );
-  const name = [form, ...Object.keys(variant).filter(isTrait), ...withoutFeatures(Number(declared))].join(' ');
+  const name = [
+    form,
+    ...Object.keys(variant).filter(isTrait),
+    ...withoutFeatures(Number(declared)),
+  ].join(' ');
   return { form, name, defines };
 }

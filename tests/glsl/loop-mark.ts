@@ -5,7 +5,9 @@ import { LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
 export function markOf(glsl: string): string {
   const text = glsl.replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, '').replace(/\s+/g, ' ');
   let hash = 0x811c9dc5;
-  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  for (let i = 0; i < text.length; i++) {
+    hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  }
   return (hash >>> 0).toString(16).padStart(8, '0');
 }
 

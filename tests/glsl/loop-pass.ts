@@ -1,5 +1,6 @@
-// The whole shipped light loop on stress cases, in any form of program: one fragment a texel, each with lights of its
-// own, packed by the shipped packing. Only where rows and feature masks lie is the harness's own.
+// The whole shipped light loop on stress cases, in any form of program: one fragment a texel, each
+// with lights of its own, packed by the shipped packing. Only where rows and feature masks lie is
+// the harness's own.
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import type { LoopForm } from './loop-forms.js';
@@ -12,7 +13,17 @@ import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/phong/material/program
 import { srgbDecode } from '../../src/phong/math/color.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';
 
-const INPUTS = ['place', 'side', 'seer', 'ka', 'kd', 'ks', 'matrix0', 'matrix1', 'matrix2'] as const;
+const INPUTS = [
+  'place',
+  'side',
+  'seer',
+  'ka',
+  'kd',
+  'ks',
+  'matrix0',
+  'matrix1',
+  'matrix2',
+] as const;
 
 /** Rows of the texture that holds all lights of a batch. */
 const ROWS_WIDTH_LOG2 = 11;
@@ -36,8 +47,8 @@ function loopSource(defines: readonly string[], driver: Driver, edit: Edit | nul
   return `${defines.map((define) => `#define ${define}`).join('\n')}\n${OWN_ROWS}\n${onDriver(text, driver)}`;
 }
 
-// As phong.vert and phong.frag do it. Linear light is a flag of the case: IS_LINEAR changes nothing before the last
-// line.
+// As phong.vert and phong.frag do it. Linear light is a flag of the case: IS_LINEAR changes nothing
+// before the last line.
 const MAIN = `
   firstRow = int(side.w);
   firstMask = int(seer.w);
@@ -74,7 +85,10 @@ export class LoopPass {
     const inputs = INPUTS.map(() => new Float32Array(CASES_WIDTH * height * 4));
     const rows = new RowStore(form, variant);
     cases.forEach((stress, i) => writeCase(stress, i * 4, inputs, rows, variant));
-    return this.#pass.run([...inputs.map((data) => ({ data, width: CASES_WIDTH })), rows.texture()]);
+    return this.#pass.run([
+      ...inputs.map((data) => ({ data, width: CASES_WIDTH })),
+      rows.texture(),
+    ]);
   }
 
   dispose(): void {
@@ -112,7 +126,10 @@ interface Place {
   readonly masks: number;
 }
 
-/** Packed lights of all cases one after another, each with its masks; those of cases that share their lights once. */
+/**
+ * Packed lights of all cases one after another, each with its masks; those of cases that share
+ * their lights once.
+ */
 class RowStore {
   readonly #form: LoopForm;
   readonly #variant: Variant;
@@ -136,7 +153,9 @@ class RowStore {
     const at = this.#used * 4;
     this.#reserve(at + lights.length + grid.length + masks.length);
     this.#data.set(lights, at);
-    if (grid.length > 0) this.#data[at + HEADER.counts * 4 + 3] = packed.rows;
+    if (grid.length > 0) {
+      this.#data[at + HEADER.counts * 4 + 3] = packed.rows;
+    }
     this.#data.set([...grid, ...masks], at + lights.length);
     this.#used += (lights.length + grid.length + masks.length) / 4;
     this.#last = { lights: stress.lights, origin: stress.origin, place };
@@ -160,7 +179,8 @@ class RowStore {
 }
 
 /**
- * The feature masks that a specialised program of this form has as literals: of each light, or of each kind in a grid.
+ * The feature masks that a specialised program of this form has as literals: of each light, or of
+ * each kind in a grid.
  */
 function masksOf(form: LoopForm, packed: PackedLights): number[] {
   if (form === 'general') return [];
@@ -171,13 +191,22 @@ function masksOf(form: LoopForm, packed: PackedLights): number[] {
 }
 
 /**
- * A light grid of one cell that lists every spot: {@link GRID}. Which lights a cell lists is for the check of real
- * grids.
+ * A light grid of one cell that lists every spot: {@link GRID}. Which lights a cell lists is for
+ * the check of real grids.
  */
 function oneCell({ rows, counts }: PackedLights): number[] {
-  const firstSpot = HEADER.rows + counts.directional * ROWS.directional.rows + counts.point * ROWS.point.rows;
+  const firstSpot =
+    HEADER.rows + counts.directional * ROWS.directional.rows + counts.point * ROWS.point.rows;
   const list = Array.from({ length: counts.spot }, (_, i) => firstSpot + i * ROWS.spot.rows);
-  while (list.length % 4 > 0) list.push(0);
+  while (list.length % 4 > 0) {
+    list.push(0);
+  }
   const cell = rows + GRID.rows;
-  return [...[0, 0, 0, cell], ...[1, 1, 1, cell + 1], ...[1, 1, 1, 0], ...[0, counts.spot, 0, 0], ...list];
+  return [
+    ...[0, 0, 0, cell],
+    ...[1, 1, 1, cell + 1],
+    ...[1, 1, 1, 0],
+    ...[0, counts.spot, 0, 0],
+    ...list,
+  ];
 }

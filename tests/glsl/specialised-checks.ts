@@ -1,11 +1,16 @@
-// What the programs of src/phong/material/program/variant.ts add up to, in each form: the general loops, counted loops and
-// inlined lights. Also the lobes that a program with a known exponent has. Each against the same law in float64.
+// What the programs of src/phong/material/program/variant.ts add up to, in each form: the general
+// loops, counted loops and inlined lights. Also the lobes that a program with a known exponent has.
+// Each against the same law in float64.
 import { declaredFeatures } from '../../src/phong/light/light-features.js';
 import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/phong/light/pack-lights.js';
 import { type LightValues, type Term, TERMS } from '../../src/phong/light/light-state.js';
 import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
-import { type Form, generalVariant, specialisedVariant } from '../../src/phong/material/program/variant.js';
+import {
+  type Form,
+  generalVariant,
+  specialisedVariant,
+} from '../../src/phong/material/program/variant.js';
 import { DEFAULT_STYLE, type Reflection } from '../../src/phong/material/material-values.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
 import { shade } from '../../src/phong/reference/equation.js';
@@ -20,25 +25,34 @@ import { mildPowerError } from './worst-driver.js';
 function lobeInputs(random: Random): readonly [number[], number[]] {
   const [x, y, z] = random.unit();
   const L: Vec3 = [x, y, Math.abs(z)];
-  const V = random.pick([random.unit(), scale(L, -1), [0, 0, 0] as Vec3, add(L, scale(random.unit(), 0.1))]);
+  const V = random.pick([
+    random.unit(),
+    scale(L, -1),
+    [0, 0, 0] as Vec3,
+    add(L, scale(random.unit(), 0.1)),
+  ]);
   return [[...float32(L)], [...float32(normalize(V))]];
 }
 
-const phong: Check['expected'] = ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8];
+const phong: Check['expected'] = ([x, y, z], V) => [
+  Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8,
+];
 const blinn: Check['expected'] = ([x, y, z], V) => [
   Math.max(normalize(add([x!, y!, z!], V as unknown as Vec3))[2], 0) ** 8,
 ];
 
 /**
- * The same without V near -L, as in the contract: there H is mostly rounding. With |L + V| down to 1e-3 an H200's worst
- * driver was off by 7e-6.
+ * The same without V near -L, as in the contract: there H is mostly rounding. With |L + V| down to
+ * 1e-3 an H200's worst driver was off by 7e-6.
  */
 function blinnInputs(random: Random): readonly [number[], number[]] {
   for (;;) {
     const inputs = lobeInputs(random);
     const [L, V] = inputs;
     const isView = Math.hypot(...V) > 0;
-    if (!isView || Math.hypot(...add(L as unknown as Vec3, V as unknown as Vec3)) > BRANCHES.half) return inputs;
+    if (!isView || Math.hypot(...add(L as unknown as Vec3, V as unknown as Vec3)) > BRANCHES.half) {
+      return inputs;
+    }
   }
 }
 
@@ -88,7 +102,12 @@ const LOBES: readonly Check[] = [
     blinn,
     2e-5,
   ),
-  lobe(['SHININESS_IS_MILD'], 'specularLobe raises a mild exponent without the series', phong, 2e-5),
+  lobe(
+    ['SHININESS_IS_MILD'],
+    'specularLobe raises a mild exponent without the series',
+    phong,
+    2e-5,
+  ),
   {
     title: 'powMild keeps x^k to the error of log2, 0^k = 0 and x^0 = 1',
     glsl: 'result.x = powMild(a.x, a.y);',
@@ -113,8 +132,15 @@ function allLights(): LightValues[] {
   const random = new Random(1);
   const lamp = (values: Partial<LightValues>): LightValues => {
     const place = scale(random.unit(), random.from(2, 4));
-    const color = { ambient: random.color(60), diffuse: random.color(60), specular: random.color(60) };
-    const aim = { position: [...place, 1], axis: subtract(random.vector(-0.5, 0.5), place) } as const;
+    const color = {
+      ambient: random.color(60),
+      diffuse: random.color(60),
+      specular: random.color(60),
+    };
+    const aim = {
+      position: [...place, 1],
+      axis: subtract(random.vector(-0.5, 0.5), place),
+    } as const;
     return lightWith({ ...color, ...aim, ...values });
   };
   const none = [0, 0, 0] as const;
@@ -153,7 +179,11 @@ vec4 lightRow(int i) { return texelFetch(u_table, ivec2(i & 255, i >> 8), 0); }
 export function packedFor(lights: readonly LightValues[]): PackedLights {
   const packed = emptyPack();
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  packLights(lights, { worldToShading: identity, cameraToShading: identity, linear: false }, packed);
+  packLights(
+    lights,
+    { worldToShading: identity, cameraToShading: identity, linear: false },
+    packed,
+  );
   return packed;
 }
 
@@ -175,7 +205,8 @@ export function programOf(
   const any = { look: PLAIN_LOOK, style, linear: false, mildShininess: true };
   const general = generalVariant(any, declaredFeatures(lights), 0);
   const material = { terms, integerShininess: integerShininess ? SURFACE.shininess : null };
-  const { defines } = form === 'general' ? general : specialisedVariant(general, material, form, packed);
+  const { defines } =
+    form === 'general' ? general : specialisedVariant(general, material, form, packed);
   const list = Object.entries(defines).filter(([name]) => name !== 'LIGHT_STORAGE');
   const storage = form === 'inlined' ? 'STORAGE_INLINED' : 'STORAGE_OWN';
   const all = [`LIGHT_STORAGE ${storage}`, ...list.map((pair) => pair.join(' '))];
@@ -183,7 +214,11 @@ export function programOf(
   return { defines: all, rows: ROWS_BY_TABLE, table: packed.data.slice(0, packed.rows * 4) };
 }
 
-function sumsOf(form: Form | 'general', lights: readonly LightValues[], options: SumsOptions = {}): Check {
+function sumsOf(
+  form: Form | 'general',
+  lights: readonly LightValues[],
+  options: SumsOptions = {},
+): Check {
   const { terms = TERMS, reflection = 'phong' } = options;
   const what = terms.length === TERMS.length ? 'all terms' : terms.join(' and ');
   return {
@@ -229,9 +264,8 @@ const isGentle = ({ aperture, cutoff }: LightValues): boolean =>
 const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
 
 /**
- * @param every of the lights, each so many-th alone: a driver in software takes the square of a program's lights to
- * compile it, and
- *   four times as long with each built-in replaced by a function.
+ * @param every of the lights, each so many-th alone: a driver in software takes the square of a
+ * program's lights to compile it, and four times as long with each built-in replaced by a function.
  */
 export function specialisedChecks(every: number): readonly Check[] {
   const lights = allLights().filter((_, i) => i % every === 0);
@@ -247,6 +281,9 @@ export function specialisedChecks(every: number): readonly Check[] {
     sumsOf('counted', lights, { terms: ['diffuse', 'specular'], integerShininess: false }),
     sumsOf('inlined', lights),
     sumsOf('inlined', lights, { terms: ['specular'] }),
-    sumsOf('inlined', lights.filter(isSpot), { reflection: 'blinn-phong', integerShininess: false }),
+    sumsOf('inlined', lights.filter(isSpot), {
+      reflection: 'blinn-phong',
+      integerShininess: false,
+    }),
   ];
 }

@@ -1,7 +1,13 @@
-// A stress run in this browser: every category in every form of program, so many cases each, from one seed, on one
-// driver.
+// A stress run in this browser: every category in every form of program, so many cases each, from
+// one seed, on one driver.
 import { CATEGORIES, type Category } from '../stress/categories.js';
-import { type Judged, judged, type Measured, measureBatch, nothingMeasured } from '../stress/measure.js';
+import {
+  type Judged,
+  judged,
+  type Measured,
+  measureBatch,
+  nothingMeasured,
+} from '../stress/measure.js';
 import type { Variant } from '../stress/case.js';
 import { partSeed, Random } from '../stress/random.js';
 import type { Edit } from './edit.js';
@@ -12,7 +18,10 @@ import type { Driver } from './worst-driver.js';
 
 interface RunOptions {
   readonly seed: number;
-  /** Fragments in all programs together, shared by the categories alike; those with many lights take fewer. */
+  /**
+   * Fragments in all programs together, shared by the categories alike; those with many lights take
+   * fewer.
+   */
   readonly cases: number;
   readonly driver: Driver;
   readonly edit?: Edit | null;
@@ -24,7 +33,9 @@ interface RunOptions {
 /** Few enough that a batch is done between two frames of a browser in most cases. */
 const BATCH = 1 << 12;
 
-/** Of every category, however many lights it has: of two cases both may lie beside a branch point. */
+/**
+ * Of every category, however many lights it has: of two cases both may lie beside a branch point.
+ */
 const LEAST_CASES = 8;
 
 /** At least so many programs draw a case, each a fragment: see {@link programsFor}. */
@@ -38,7 +49,8 @@ export async function stressRun(
   const passes = new Passes(gl, driver, edit);
   // Where many lights make a case, the share of the work is what counts.
   const weight = ({ lights = 1 }: Category): number => 1 / Math.max(1, lights / 8);
-  const each = cases / PROGRAMS_A_CASE / chosen.reduce((sum, category) => sum + weight(category), 0);
+  const each =
+    cases / PROGRAMS_A_CASE / chosen.reduce((sum, category) => sum + weight(category), 0);
   const results: Measured[] = [];
   for (const category of chosen) {
     const measured = nothingMeasured(category);
@@ -49,13 +61,18 @@ export async function stressRun(
       for (let done = 0, batch = 0; done < wanted; batch++) {
         const random = new Random(partSeed(seed, `${category.id} ${v} ${batch}`));
         const count = Math.min(BATCH, wanted - done);
-        const list = Array.from({ length: count }, () => judged(category.make(random, variant), variant));
+        const list = Array.from({ length: count }, () =>
+          judged(category.make(random, variant), variant),
+        );
         for (const [program, part] of byProgram(list, variant)) {
           const result = passes.run(program, variant, part);
           measureBatch(measured, category, program.name, part, result);
         }
         done += count;
-        progress?.((results.length + (v + done / wanted) / variants.length) / chosen.length, category.id);
+        progress?.(
+          (results.length + (v + done / wanted) / variants.length) / chosen.length,
+          category.id,
+        );
         await new Promise((resolve) => setTimeout(resolve));
       }
     }
@@ -70,7 +87,9 @@ function byProgram(list: readonly Judged[], variant: Variant): Map<LoopProgram, 
   const parts = new Map<LoopProgram, Judged[]>();
   for (const one of list) {
     for (const program of programsFor(one.stress, variant)) {
-      if (!parts.has(program)) parts.set(program, []);
+      if (!parts.has(program)) {
+        parts.set(program, []);
+      }
       parts.get(program)!.push(one);
     }
   }
@@ -99,6 +118,8 @@ class Passes {
   }
 
   dispose(): void {
-    for (const pass of this.#made.values()) pass.dispose();
+    for (const pass of this.#made.values()) {
+      pass.dispose();
+    }
   }
 }

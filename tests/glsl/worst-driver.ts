@@ -1,21 +1,23 @@
-// The worst driver that is still lawful: the same GLSL with each built-in replaced by one that errs by its whole
-// allowance, and gives NaN wherever its result is undefined. Allowances are those of the Vulkan specification for
-// 32-bit floats ("Precision and Operation of SPIR-V Instructions"), which WebGL's own only loosen.
+// The worst driver that is still lawful: the same GLSL with each built-in replaced by one that errs
+// by its whole allowance, and gives NaN wherever its result is undefined. Allowances are those of
+// the Vulkan specification for 32-bit floats ("Precision and Operation of SPIR-V Instructions"),
+// which WebGL's own only loosen.
 
 /** Which way results err: all up, all down, or either way by chance, as their bits fall. */
 export type Driver = 'shipped' | 'up' | 'down' | 'either';
 export const WORST_DRIVERS = ['up', 'down', 'either'] as const satisfies readonly Driver[];
 
 /**
- * Statements for the end of a pass: NaN where any result was undefined, even one that nothing came of here. It could
- * have been any number, and a compiler that assumes no NaN is free to decide by it.
+ * Statements for the end of a pass: NaN where any result was undefined, even one that nothing came
+ * of here. It could have been any number, and a compiler that assumes no NaN is free to decide by
+ * it.
  */
 export const spoiledBy = (driver: Driver): string =>
   driver === 'shipped' ? '' : '\n  if (worst_undefined) result = vec4(worst_nan());';
 
 /**
- * Largest error of x^k for x to 1 and exponents to `most`, by log2's allowance of 2^-21. Twice: a worst driver errs
- * on top of the driver that runs it.
+ * Largest error of x^k for x to 1 and exponents to `most`, by log2's allowance of 2^-21. Twice: a
+ * worst driver errs on top of the driver that runs it.
  */
 export const mildPowerError = (most: number): number => 2 * most * Math.LN2 * 2 ** -21;
 
@@ -25,19 +27,35 @@ const SIGN: Readonly<Record<Exclude<Driver, 'shipped'>, string>> = {
   either: '((uint(floatBitsToInt(x)) * 2654435761u) >> 31) == 0u ? 1 : -1',
 };
 
-const REPLACED = ['exp2', 'log2', 'inversesqrt', 'sqrt', 'sin', 'cos', 'pow', 'exp', 'log'] as const;
+const REPLACED = [
+  'exp2',
+  'log2',
+  'inversesqrt',
+  'sqrt',
+  'sin',
+  'cos',
+  'pow',
+  'exp',
+  'log',
+] as const;
 
 /** `glsl` on the worst driver; what cannot be made worse yet (another built-in) throws. */
 export function onDriver(glsl: string, driver: Driver): string {
   if (driver === 'shipped') return glsl;
   const bare = glsl.replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, ' ');
-  const unknown = /\b(tan|asin|acos|atan|sinh|cosh|tanh|normalize|length|distance|reflect|refract|mod)\s*\(/.exec(bare);
+  const unknown =
+    /\b(tan|asin|acos|atan|sinh|cosh|tanh|normalize|length|distance|reflect|refract|mod)\s*\(/.exec(
+      bare,
+    );
   if (unknown !== null) throw new Error(`no allowance is known here for ${unknown[1]!}`);
   const renamed = bare.replace(new RegExp(`\\b(${REPLACED.join('|')})\\s*\\(`, 'g'), 'worst_$1(');
   return worstBuiltIns(driver) + divisionsAsCalls(renamed);
 }
 
-/** `a / b` as `worst_divide(a, b)`; directives are left alone. Operands are names, numbers, calls and parentheses. */
+/**
+ * `a / b` as `worst_divide(a, b)`; directives are left alone. Operands are names, numbers, calls
+ * and parentheses.
+ */
 export function divisionsAsCalls(glsl: string): string {
   return glsl
     .split(/(^#.*$)/m)
@@ -61,17 +79,29 @@ const NAME = /[\w.]/;
 
 function operandStart(text: string, slash: number): number {
   let i = slash - 1;
-  while (/\s/.test(text[i]!)) i -= 1;
-  if (text[i] === ')' || text[i] === ']') i = matching(text, i, -1) - 1;
-  while (i >= 0 && NAME.test(text[i]!)) i -= 1;
+  while (/\s/.test(text[i]!)) {
+    i -= 1;
+  }
+  if (text[i] === ')' || text[i] === ']') {
+    i = matching(text, i, -1) - 1;
+  }
+  while (i >= 0 && NAME.test(text[i]!)) {
+    i -= 1;
+  }
   return i + 1;
 }
 
 function operandEnd(text: string, from: number): number {
   let i = from;
-  while (/\s/.test(text[i]!)) i += 1;
-  while (i < text.length && NAME.test(text[i]!)) i += 1;
-  if (text[i] === '(' || text[i] === '[') i = matching(text, i, 1) + 1;
+  while (/\s/.test(text[i]!)) {
+    i += 1;
+  }
+  while (i < text.length && NAME.test(text[i]!)) {
+    i += 1;
+  }
+  if (text[i] === '(' || text[i] === '[') {
+    i = matching(text, i, 1) + 1;
+  }
   return i;
 }
 
@@ -79,8 +109,12 @@ function operandEnd(text: string, from: number): number {
 function matching(text: string, i: number, step: 1 | -1): number {
   let depth = 0;
   for (let k = i; k >= 0 && k < text.length; k += step) {
-    if ('(['.includes(text[k]!)) depth += step;
-    if (')]'.includes(text[k]!)) depth -= step;
+    if ('(['.includes(text[k]!)) {
+      depth += step;
+    }
+    if (')]'.includes(text[k]!)) {
+      depth -= step;
+    }
     if (depth === 0) return k;
   }
   throw new Error(`unbalanced brackets: ${text.slice(Math.max(0, i - 40), i + 40)}`);

@@ -1,6 +1,7 @@
 // @ts-check
-// Which wrong versions does a GLSL text have? Each operator below is a pattern; nothing here knows a chunk. Comments,
-// directives and the heads of loops stay as they are: a loop that never ends would hang the driver.
+// Which wrong versions does a GLSL text have? Each operator below is a pattern; nothing here knows
+// a chunk. Comments, directives and the heads of loops stay as they are: a loop that never ends
+// would hang the driver.
 
 /**
  * @typedef {object} GlslMutant
@@ -11,7 +12,9 @@
  * @property {string} text the whole text of the mutant
  */
 
-/** @typedef {{ what: string, pattern: RegExp, after: (match: RegExpExecArray) => string }} Operator */
+/**
+ * @typedef {{ what: string, pattern: RegExp, after: (match: RegExpExecArray) => string }} Operator
+ */
 
 /** @type {Record<string, string>} */
 const SWAPPED = {
@@ -21,7 +24,9 @@ const SWAPPED = {
 /** @param {RegExpExecArray} match */
 const swapped = ([text]) => SWAPPED[text] ?? text;
 
-/** A type's name at the start makes a statement a declaration: without it the text does not compile. */
+/**
+ * A type's name at the start makes a statement a declaration: without it the text does not compile.
+ */
 const TYPES =
   /^(const|highp|mediump|in|out|uniform|float|int|uint|bool|[biu]?vec[234]|mat[234]|[A-Z]\w*|return|else|if|for|break|continue|precision|struct)\b/;
 
@@ -47,7 +52,11 @@ const OPERATORS = [
     pattern: /(?<![\w.])(?<!\de[+-])\d+(?![\w.])/g,
     after: ([text]) => String(text === '1' ? 0 : Number(text) + 1),
   },
-  { what: 'never take a branch', pattern: /(?<=\bif \()[^;{}]*?(?=\) (\w|\{))/g, after: () => 'false' },
+  {
+    what: 'never take a branch',
+    pattern: /(?<=\bif \()[^;{}]*?(?=\) (\w|\{))/g,
+    after: () => 'false',
+  },
   { what: 'drop a statement', pattern: /(?<=[;{}]\s*)[a-z][^;{}]*;/g, after: () => ';' },
 ];
 
@@ -59,7 +68,9 @@ function changedFloat(text) {
   return (2 * value).toExponential().replace(/^(-?\d+)e/, '$1.0e');
 }
 
-/** All mutants of a text, in the order of their places. @param {string} text @returns {GlslMutant[]} */
+/**
+ * All mutants of a text, in the order of their places. @param {string} text @returns {GlslMutant[]}
+ */
 export function glslMutants(text) {
   const code = onlyCode(text);
   /** @type {(GlslMutant & { at: number })[]} */
@@ -79,7 +90,10 @@ export function glslMutants(text) {
   return mutants.sort((a, b) => a.at - b.at);
 }
 
-/** The text with everything that is left alone as spaces, each character in its place. @param {string} text */
+/**
+ * The text with everything that is left alone as spaces, each character in its place. @param
+ * {string} text
+ */
 function onlyCode(text) {
   const blank = (/** @type {string} */ part) => part.replace(/[^\n]/g, ' ');
   return text
@@ -92,8 +106,12 @@ function onlyCode(text) {
 function isBalanced(text) {
   let depth = 0;
   for (const character of text) {
-    if (character === '(') depth += 1;
-    if (character === ')') depth -= 1;
+    if (character === '(') {
+      depth += 1;
+    }
+    if (character === ')') {
+      depth -= 1;
+    }
     if (depth < 0) return false;
   }
   return depth === 0;

@@ -1,6 +1,6 @@
 // @ts-check
-// Runs mutants of the shader chunks in browsers, one mutant at a time in each. A mutant that hangs or loses the context
-// costs its browser, and counts as killed.
+// Runs mutants of the shader chunks in browsers, one mutant at a time in each. A mutant that hangs
+// or loses the context costs its browser, and counts as killed.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -35,10 +35,11 @@ export function mutantsOf({ name, text }) {
 }
 
 /**
- * @param {{ sample: number, seed: number, jobs: number, only: string, onResult: (name: string, done: number, total:
- * number) => void }} options
- *   sample: how many mutants, all where it is 0; only: a part of their names
- * @returns {Promise<{ results: Result[], notRun: string[] }>} notRun: chunks that the harness has no program for
+ * @param {{ sample: number, seed: number, jobs: number, only: string, onResult: (name: string,
+ * done: number, total: number) => void }} options sample: how many mutants, all where it is 0;
+ * only: a part of their names
+ * @returns {Promise<{ results: Result[], notRun: string[] }>} notRun: chunks that the harness has
+ * no program for
  */
 export async function runGlsl({ sample, seed, jobs, only, onResult }) {
   const { createServer } = await import('vite');
@@ -58,11 +59,16 @@ export async function runGlsl({ sample, seed, jobs, only, onResult }) {
   /** @type {Mutant[]} */
   let mutants = [];
   for (const chunk of chunks()) {
-    if (await first.page.evaluate((text) => window.isRun(text), chunk.text)) mutants.push(...mutantsOf(chunk));
-    else notRun.push(chunk.name);
+    if (await first.page.evaluate((text) => window.isRun(text), chunk.text)) {
+      mutants.push(...mutantsOf(chunk));
+    } else {
+      notRun.push(chunk.name);
+    }
   }
   mutants = mutants.filter(({ name }) => name.includes(only));
-  if (sample > 0) mutants = mutants.sort((a, b) => drawn(a.name, seed) - drawn(b.name, seed)).slice(0, sample);
+  if (sample > 0) {
+    mutants = mutants.sort((a, b) => drawn(a.name, seed) - drawn(b.name, seed)).slice(0, sample);
+  }
 
   /** @type {Result[]} */
   const results = [];
@@ -71,14 +77,18 @@ export async function runGlsl({ sample, seed, jobs, only, onResult }) {
   const work = async (browser) => {
     for (let mutant = mutants[next++]; mutant; mutant = mutants[next++]) {
       const outcome = await browser.run(mutant);
-      if (outcome === null) browser = await open();
+      if (outcome === null) {
+        browser = await open();
+      }
       const { status, by } = outcome ?? { status: 'killed', by: 'hangs or loses the context' };
       results.push({ name: mutant.name, status, by });
       onResult(mutant.name, results.length, mutants.length);
     }
     await browser.close();
   };
-  const others = Array.from({ length: Math.min(jobs, mutants.length) - 1 }, async () => work(await open()));
+  const others = Array.from({ length: Math.min(jobs, mutants.length) - 1 }, async () =>
+    work(await open()),
+  );
   await Promise.all([work(first), ...others]);
   await server.close();
   return { results, notRun };
@@ -99,9 +109,15 @@ async function openPage(address) {
     async run({ from, to }) {
       const late = setTimeout(LONGEST_MS, null, { ref: false });
       const given = { edit: { from, to }, extent: EXTENT };
-      const tried = page.evaluate(({ edit, extent }) => window.tryMutant(edit, extent), given).catch(() => null);
-      const outcome = /** @type {Omit<Result, 'name'> | null} */ (await Promise.race([tried, late]));
-      if (outcome === null) await browser.close();
+      const tried = page
+        .evaluate(({ edit, extent }) => window.tryMutant(edit, extent), given)
+        .catch(() => null);
+      const outcome = /** @type {Omit<Result, 'name'> | null} */ (
+        await Promise.race([tried, late])
+      );
+      if (outcome === null) {
+        await browser.close();
+      }
       return outcome;
     },
   };

@@ -1,21 +1,31 @@
 // @ts-check
-// `npm run mutation`: do the tests notice wrong code? Makes wrong versions of the sources, runs the tests on each, and
-// compares the share that some test kills with the recorded one in scores.json. Fails where a folder's score has
-// fallen.
+// `npm run mutation`: do the tests notice wrong code? Makes wrong versions of the sources, runs the
+// tests on each, and compares the share that some test kills with the recorded one in scores.json.
+// Fails where a folder's score has fallen.
 
 import { writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
-import { numberOption, Progress, readCommandLine, readJson, refuse, timeText } from '../support/command-line.mjs';
+import {
+  numberOption,
+  Progress,
+  readCommandLine,
+  readJson,
+  refuse,
+  timeText,
+} from '../support/command-line.mjs';
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
 
 /**
  * @typedef {import('./typescript.mjs').Result} Result
- * @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score: percent killed of
- * those that compile
+ * @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score:
+ * percent killed of those that compile
  */
 
-/** Each folder's files; those of `shaders` are listed by glsl.mjs. @type {Record<string, readonly string[]>} */
+/**
+ * Each folder's files; those of `shaders` are listed by glsl.mjs. @type {Record<string, readonly
+ * string[]>}
+ */
 const FOLDERS = {
   math: ['src/phong/math/**/*.ts'],
   fields: ['src/phong/fields/**/*.ts'],
@@ -49,7 +59,9 @@ const { values: options } = readCommandLine(USAGE, {
   list: { type: 'boolean', default: false },
 });
 const unknown = options.folder.find((name) => !(name in FOLDERS));
-if (unknown !== undefined) refuse(`Unknown folder '${unknown}'`);
+if (unknown !== undefined) {
+  refuse(`Unknown folder '${unknown}'`);
+}
 const sample = numberOption('sample', options.sample);
 const seed = numberOption('seed', options.seed);
 const jobs = numberOption('jobs', options.jobs, 1);
@@ -57,10 +69,18 @@ const jobs = numberOption('jobs', options.jobs, 1);
 /** @type {Record<string, Score>} */
 const recorded = readJson(file);
 const start = performance.now();
-if (sample > 0) console.log(`A sample of about ${sample} mutants, seed ${seed}`);
+if (sample > 0) {
+  console.log(`A sample of about ${sample} mutants, seed ${seed}`);
+}
 
 const results = [...(await typeScriptResults()), ...(await glslResults())];
-if (options.list) for (const { name, status } of results) if (status === 'survived') console.log(`survived: ${name}`);
+if (options.list) {
+  for (const { name, status } of results) {
+    if (status === 'survived') {
+      console.log(`survived: ${name}`);
+    }
+  }
+}
 /** @type {Record<string, Score>} */
 const measured = {};
 let fell = false;
@@ -73,14 +93,18 @@ for (const folder of options.folder) {
   console.log(
     `${folder.padEnd(10)} ${score.score.toFixed(1)} % of ${score.mutants} killed` +
       (score.notCompiled > 0 ? `, ${score.notCompiled} more did not compile` : '') +
-      (before === undefined ? '' : `; recorded: ${before.score.toFixed(1)} % of ${before.mutants}`) +
+      (before === undefined
+        ? ''
+        : `; recorded: ${before.score.toFixed(1)} % of ${before.mutants}`) +
       (worse ? '  FALLEN' : ''),
   );
 }
 console.log(`${results.length} mutants in ${timeText((performance.now() - start) / 1000)}`);
 if (options.record) {
   // Read again: another folder's run may have written since this one began.
-  const all = Object.entries({ ...readJson(file), ...measured }).sort(([a], [b]) => (a < b ? -1 : 1));
+  const all = Object.entries({ ...readJson(file), ...measured }).sort(([a], [b]) =>
+    a < b ? -1 : 1,
+  );
   writeFileSync(file, `${JSON.stringify(Object.fromEntries(all), null, 2)}\n`);
 }
 process.exit(fell && !options.record ? 1 : 0);
@@ -95,7 +119,10 @@ async function typeScriptResults() {
 
 async function glslResults() {
   if (!options.folder.includes('shaders')) return [];
-  /** Begins with the first result: starting browsers says nothing about the pace. @type {Progress | undefined} */
+  /**
+   * Begins with the first result: starting browsers says nothing about the pace. @type {Progress |
+   * undefined}
+   */
   let progress;
   const { results, notRun } = await runGlsl({
     sample: sample === 0 ? 0 : Math.ceil(share() * sizeOf('shaders')),
@@ -108,7 +135,9 @@ async function glslResults() {
     },
   });
   progress?.clear();
-  if (notRun.length > 0) console.log(`Not mutated, no check runs them alone: ${notRun.join(', ')}`);
+  if (notRun.length > 0) {
+    console.log(`Not mutated, no check runs them alone: ${notRun.join(', ')}`);
+  }
   return results;
 }
 
@@ -127,12 +156,15 @@ function sizeOf(folder) {
 /** @param {string} folder @param {string} name */
 function isIn(folder, name) {
   const places = (FOLDERS[folder] ?? []).map((pattern) => pattern.replace('**/*.ts', ''));
-  return folder === 'shaders' ? name.startsWith('shaders/') : places.some((place) => name.startsWith(place));
+  return folder === 'shaders'
+    ? name.startsWith('shaders/')
+    : places.some((place) => name.startsWith(place));
 }
 
 /** @param {readonly Result[]} list @returns {Score} */
 function scoreOf(list) {
-  const count = (/** @type {Result['status']} */ wanted) => list.filter(({ status }) => status === wanted).length;
+  const count = (/** @type {Result['status']} */ wanted) =>
+    list.filter(({ status }) => status === wanted).length;
   const [killed, notCompiled] = [count('killed'), count('did not compile')];
   const mutants = list.length - notCompiled;
   // Rounded down: what is recorded was reached.

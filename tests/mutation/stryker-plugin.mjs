@@ -1,6 +1,7 @@
 // @ts-check
-// Two plugins for Stryker: one leaves out the mutants that are not in the sample, the other shows progress. Stryker
-// loads this file in processes of its own, so the sample is in the environment: PHONG_VIEWER_SAMPLE="seed share".
+// Two plugins for Stryker: one leaves out the mutants that are not in the sample, the other shows
+// progress. Stryker loads this file in processes of its own, so the sample is in the environment:
+// PHONG_VIEWER_SAMPLE="seed share".
 
 import { relative } from 'node:path';
 import { declareClassPlugin, PluginKind } from '@stryker-mutator/api/plugin';

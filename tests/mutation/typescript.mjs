@@ -1,15 +1,23 @@
 // @ts-check
-// Runs mutants of the pure TypeScript with StrykerJS and the unit tests, in a copy of the repository.
+// Runs mutants of the pure TypeScript with StrykerJS and the unit tests, in a copy of the
+// repository.
 
 import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { Stryker } from '@stryker-mutator/core';
 
-/** @typedef {{ name: string, status: 'killed' | 'survived' | 'did not compile', by: string }} Result */
+/**
+ * @typedef {{ name: string, status: 'killed' | 'survived' | 'did not compile', by: string }} Result
+ */
 
 /** What Stryker finds, in this command's words. @type {Record<string, Result['status']>} */
-const STATUS = { Killed: 'killed', Timeout: 'killed', Survived: 'survived', NoCoverage: 'survived' };
+const STATUS = {
+  Killed: 'killed',
+  Timeout: 'killed',
+  Survived: 'survived',
+  NoCoverage: 'survived',
+};
 
 /**
  * @param {{ files: readonly string[], share: number, seed: number, jobs: number }} options
@@ -31,7 +39,14 @@ export async function runTypeScript({ files, share, seed, jobs }) {
     concurrency: jobs,
     // Neither in node_modules, which Vitest ignores, nor in test-results, which Playwright empties.
     tempDirName: mkdtempSync(join(tmpdir(), 'phong-viewer-mutation-')),
-    ignorePatterns: ['dist*', 'demo', 'test-results', 'tests/bench', 'tests/*/results', 'tests/visual/baselines'],
+    ignorePatterns: [
+      'dist*',
+      'demo',
+      'test-results',
+      'tests/bench',
+      'tests/*/results',
+      'tests/visual/baselines',
+    ],
     allowConsoleColors: false,
     logLevel: /** @type {import('@stryker-mutator/api/core').LogLevel} */ ('warn'),
   });

@@ -1,5 +1,5 @@
-// How Stryker runs the unit tests: those alone that import nothing above the mutated folders, in one environment, the
-// quickest files first. So most mutants die within a second.
+// How Stryker runs the unit tests: those alone that import nothing above the mutated folders, in
+// one environment, the quickest files first. So most mutants die within a second.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { mergeConfig } from 'vitest/config';
@@ -7,13 +7,15 @@ import { BaseSequencer, type TestSpecification } from 'vitest/node';
 import config from '../../vitest.config.js';
 
 /**
- * What a test of pure code has no need of: three.js, the layers above but for their tables of fields and what is pure
- * itself, tools and files.
+ * What a test of pure code has no need of: three.js, the layers above but for their tables of
+ * fields and what is pure itself, tools and files.
  */
 const ABOVE =
   /from '(three|[^']*\/(explained|model-files)|[^']*src\/(phong\/material|viewer\/scene|viewer\/element|extras\/panel)\/(?![^']*(fields|values|tiles|travel))|[^']*\/bench\/|node:)/;
 
-/** Longest time that a file has taken, in ms: a run that only needs a part of a file says little. */
+/**
+ * Longest time that a file has taken, in ms: a run that only needs a part of a file says little.
+ */
 const longest = new Map<string, number>();
 
 class QuickestFirst extends BaseSequencer {
@@ -30,7 +32,9 @@ class QuickestFirst extends BaseSequencer {
 }
 
 const pure = ['tests/unit', 'tests/extras']
-  .flatMap((folder) => readdirSync(folder, { recursive: true }).map((name) => `${folder}/${String(name)}`))
+  .flatMap((folder) =>
+    readdirSync(folder, { recursive: true }).map((name) => `${folder}/${String(name)}`),
+  )
   .filter((file) => file.endsWith('.test.ts'))
   .filter((file) => !ABOVE.test(readFileSync(file, 'utf8')));
 

@@ -1,5 +1,5 @@
-// How much does a page fetch before its first frame? Counts files and bytes, compressed by Brotli. The standalone file
-// contains three.js and Lit; for the ES modules they are not counted.
+// How much does a page fetch before its first frame? Counts files and bytes, compressed by Brotli.
+// The standalone file contains three.js and Lit; for the ES modules they are not counted.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -16,11 +16,17 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>
 </phong-viewer>`;
 
-/** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
+/**
+ * Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the
+ * same commit.
+ */
 const budgets = { standalone: 117_760, modules: 57_856 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`a viewer with a box and three lights fetches no unused part (${usage})`, async ({ page, site }) => {
+  test(`a viewer with a box and three lights fetches no unused part (${usage})`, async ({
+    page,
+    site,
+  }) => {
     const requests = new Requests(page);
     await page.goto(site.page(scene, usages[usage]));
     await allReady(page);
@@ -76,7 +82,9 @@ test('a bundled page that imports only the lights from core gets nothing of thre
 });
 
 test('@release the React components with the standalone file bring no second copy of the elements or of three.js', async () => {
-  const app = await bundleOf(`export * from ${JSON.stringify(join(outputFolder('dist'), 'react-standalone.js'))};`);
+  const app = await bundleOf(
+    `export * from ${JSON.stringify(join(outputFolder('dist'), 'react-standalone.js'))};`,
+  );
   // The standalone file, 0.7 kB of components, and 3 kB of React.
   expect(brotliSize(app) - sentSize(['phong-viewer.standalone.js'])).toBeLessThan(5000);
 });
@@ -84,7 +92,9 @@ test('@release the React components with the standalone file bring no second cop
 test('@release the sizes that the start page shows before the first build are about right', () => {
   for (const row of SIZES) {
     const kilobytes = measured(outputFolder('dist'), row) ?? NaN;
-    expect(Math.abs(row.noted - kilobytes), `${row.words}: ${kilobytes} kB`).toBeLessThan(0.1 * kilobytes);
+    expect(Math.abs(row.noted - kilobytes), `${row.words}: ${kilobytes} kB`).toBeLessThan(
+      0.1 * kilobytes,
+    );
   }
 });
 
@@ -95,7 +105,10 @@ test('the first files hold only characters that browsers keep as one byte', () =
   }
 });
 
-test('core and reference are one file each, and reference does not import three.js', async ({ page, site }) => {
+test('core and reference are one file each, and reference does not import three.js', async ({
+  page,
+  site,
+}) => {
   const requests = new Requests(page);
   const { csp = '', head = '' } = usages.modules;
   const importMap = head.replace(/<script type="module".*/, '');

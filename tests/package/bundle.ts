@@ -1,4 +1,5 @@
-// Bundles a script as a user's bundler does. The script may import packages of this repository or files of dist/.
+// Bundles a script as a user's bundler does. The script may import packages of this repository or
+// files of dist/.
 
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
@@ -13,8 +14,13 @@ interface BundleOptions {
   readonly define?: Record<string, string>;
 }
 
-/** The code that a page fetches at start, minified. Imports are resolved from the repository's root. */
-export async function bundleOf(script: string, { whole = false, define = {} }: BundleOptions = {}): Promise<string> {
+/**
+ * The code that a page fetches at start, minified. Imports are resolved from the repository's root.
+ */
+export async function bundleOf(
+  script: string,
+  { whole = false, define = {} }: BundleOptions = {},
+): Promise<string> {
   const built = await build({
     root: repository,
     configFile: false,
@@ -36,6 +42,8 @@ export async function bundleOf(script: string, { whole = false, define = {} }: B
   if (!('output' in built)) throw new Error('more than one bundle');
   const chunks = built.output.filter((part) => part.type === 'chunk');
   const main = chunks.find(({ isEntry }) => isEntry);
-  const atStart = chunks.filter(({ fileName, isEntry }) => isEntry || main?.imports.includes(fileName));
+  const atStart = chunks.filter(
+    ({ fileName, isEntry }) => isEntry || main?.imports.includes(fileName),
+  );
   return atStart.map(({ code }) => code).join('\n');
 }

@@ -1,5 +1,5 @@
-// What happens when a chunk cannot be fetched? A clear message, and the next use on the same viewer fetches it again.
-// For the standalone file and the ES modules.
+// What happens when a chunk cannot be fetched? A clear message, and the next use on the same viewer
+// fetches it again. For the standalone file and the ES modules.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -16,27 +16,42 @@ type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
 async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
   if (use === 'toBlob') return viewer.toBlob({ width: 8, height: 8 }).then(() => null, String);
   if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
-  if (use === 'shadeAt on') return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
+  if (use === 'shadeAt on') {
+    return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
+  }
   const said: string[] = [];
-  viewer.addEventListener('error', ({ detail }) => said.push(`${detail.code}: ${detail.message}`), { once: true });
-  if (use === 'torus') viewer.geometry = use;
-  else viewer.src = use;
+  viewer.addEventListener('error', ({ detail }) => said.push(`${detail.code}: ${detail.message}`), {
+    once: true,
+  });
+  if (use === 'torus') {
+    viewer.geometry = use;
+  } else {
+    viewer.src = use;
+  }
   await viewer.ready;
   return viewer.loaded ? null : said.join();
 }
 
 /**
- * A chunk or a pattern for several, a use of it, and what the failure is said to be. In this order on one page: a chunk
- * that an earlier use fetched is not fetched again.
+ * A chunk or a pattern for several, a use of it, and what the failure is said to be. In this order
+ * on one page: a chunk that an earlier use fetched is not fetched again.
  */
 const parts: readonly (readonly [chunk: string, use: Use, sentence: RegExp])[] = [
   ['picture-blob', 'toBlob', /The code of toBlob could not be fetched/],
   ['shade-at', 'shadeAt beside', /The code of shadeAt could not be fetched/],
   ['reference', 'shadeAt on', /The code of shadeAt could not be fetched/],
   ['solids', 'torus', /^load-failed: The code of the solid shapes could not be fetched/],
-  ['model-(content|shared)', '/fixtures/models/textured.glb', /^load-failed: The code of models could not be fetched/],
+  [
+    'model-(content|shared)',
+    '/fixtures/models/textured.glb',
+    /^load-failed: The code of models could not be fetched/,
+  ],
   ['read-obj', '/fixtures/models/quads.obj', /^load-failed: The code .*OBJ.* could not be fetched/],
-  ['draco(-worker)?', '/assets/models/bunny.glb', /^load-failed: The Draco decoder.* could not be fetched/],
+  [
+    'draco(-worker)?',
+    '/assets/models/bunny.glb',
+    /^load-failed: The Draco decoder.* could not be fetched/,
+  ],
 ];
 
 async function open(page: Page, address: string): Promise<void> {
@@ -47,22 +62,36 @@ async function open(page: Page, address: string): Promise<void> {
 const scene = '<phong-viewer geometry="box"></phong-viewer>';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`a part that failed to load is fetched with its next use (${usage})`, async ({ page, site, consoleGuard }) => {
+  test(`a part that failed to load is fetched with its next use (${usage})`, async ({
+    page,
+    site,
+    consoleGuard,
+  }) => {
     consoleGuard.allow(/error: Failed to load resource/);
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
     for (const [chunk, use, sentence] of parts) {
       const path = new RegExp(`/${chunk}(-[\\w-]{8})?\\.js`);
       await page.route(path, (route) => route.abort());
-      for (let time = 0; time < 2; time++) expect(await viewer.evaluate(useIn, use), chunk).toMatch(sentence);
+      for (let time = 0; time < 2; time++) {
+        expect(await viewer.evaluate(useIn, use), chunk).toMatch(sentence);
+      }
       await page.unroute(path);
-      for (let time = 0; time < 2; time++) expect(await viewer.evaluate(useIn, use), chunk).toBeNull();
+      for (let time = 0; time < 2; time++) {
+        expect(await viewer.evaluate(useIn, use), chunk).toBeNull();
+      }
     }
   });
 
-  test(`a panel or legend that failed to load is fetched again (${usage})`, async ({ page, site, consoleGuard }) => {
+  test(`a panel or legend that failed to load is fetched again (${usage})`, async ({
+    page,
+    site,
+    consoleGuard,
+  }) => {
     consoleGuard.allow(/error: Failed to load resource/);
-    const said = consoleGuard.allow(/warning: <phong-viewer>: .*The code of (the control panel|views) could not/);
+    const said = consoleGuard.allow(
+      /warning: <phong-viewer>: .*The code of (the control panel|views) could not/,
+    );
     await open(page, site.page(scene, usages[usage]));
     const viewer = page.locator('phong-viewer');
     for (const [chunk, values, shown] of [
@@ -89,7 +118,11 @@ for (const usage of ['standalone', 'modules'] as const) {
   });
 }
 
-test('a later attempt of the standalone file uses another address', async ({ page, site, consoleGuard }) => {
+test('a later attempt of the standalone file uses another address', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource/);
   await open(page, site.page(scene, usages.standalone));
   const asked: string[] = [];
@@ -112,13 +145,14 @@ test('a later attempt of the standalone file uses another address', async ({ pag
 test('no chunk that a use imports, and imports again after a failure, is also imported statically', () => {
   const folder = join(outputFolder('dist'), 'chunks');
   const files = readdirSync(folder).filter((name) => name.endsWith('.js'));
-  const codes = [...files.map((name) => join('chunks', name)), 'phong-viewer.standalone.js'].map((path) =>
-    readFileSync(join(outputFolder('dist'), path), 'utf8'),
+  const codes = [...files.map((name) => join('chunks', name)), 'phong-viewer.standalone.js'].map(
+    (path) => readFileSync(join(outputFolder('dist'), path), 'utf8'),
   );
   const imported = (pattern: RegExp): Set<string> =>
     new Set(codes.flatMap((code) => [...code.matchAll(pattern)].map(([, name]) => name ?? '')));
   const asParts = imported(/\bfrom\s*["'`]\.\/([^"'`]+)/g);
-  // The address of a second attempt: code that is only requested early has none, and its failure is that of its users.
+  // The address of a second attempt: code that is only requested early has none, and its failure is
+  // that of its users.
   const asUses = imported(/[`'"]\.\/(?:chunks\/)?([^`'"?]+)\?[`'"]\s*\+/g);
   expect(asUses.size).toBeGreaterThan(7);
   expect([...asUses].filter((name) => asParts.has(name))).toEqual([]);

@@ -1,4 +1,5 @@
-// Does a page opened from disk work? dist/phong-viewer.classic.js in a folder of its own, opened as file://.
+// Does a page opened from disk work? dist/phong-viewer.classic.js in a folder of its own, opened as
+// file://.
 
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -21,7 +22,10 @@ let folder: string;
 
 test.beforeEach(() => {
   folder = mkdtempSync(join(tmpdir(), 'phong-viewer-disk-'));
-  cpSync(join(outputFolder('dist'), 'phong-viewer.classic.js'), join(folder, 'phong-viewer.classic.js'));
+  cpSync(
+    join(outputFolder('dist'), 'phong-viewer.classic.js'),
+    join(folder, 'phong-viewer.classic.js'),
+  );
 });
 
 test.afterEach(() => rmSync(folder, { recursive: true, force: true }));
@@ -33,7 +37,9 @@ function handout(text: string): string {
   return pathToFileURL(path).href;
 }
 
-test('a page opened from disk shows the picture, with the script before or after the element', async ({ page }) => {
+test('a page opened from disk shows the picture, with the script before or after the element', async ({
+  page,
+}) => {
   for (const text of [classic + scene, scene + classic]) {
     await page.goto(handout(text));
     await allReady(page);
@@ -43,11 +49,17 @@ test('a page opened from disk shows the picture, with the script before or after
   }
 });
 
-test('a page opened from disk has every shape, the panel, shadeAt and toBlob, without a request', async ({ page }) => {
+test('a page opened from disk has every shape, the panel, shadeAt and toBlob, without a request', async ({
+  page,
+}) => {
   const requests: string[] = [];
-  page.on('request', (request) => requests.push(new URL(request.url()).pathname.split('/').at(-1)!));
+  page.on('request', (request) =>
+    requests.push(new URL(request.url()).pathname.split('/').at(-1)!),
+  );
   const shapes = ['cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
-  const meshes = shapes.map((name, i) => `<phong-mesh geometry="${name}" position="${i} 0 0"></phong-mesh>`);
+  const meshes = shapes.map(
+    (name, i) => `<phong-mesh geometry="${name}" position="${i} 0 0"></phong-mesh>`,
+  );
   await page.goto(
     handout(
       `${classic}<phong-viewer ${sized} geometry="box" target="0 0 0" radius="12" gui>${meshes.join('')}</phong-viewer>`,
@@ -69,28 +81,45 @@ test('a page opened from disk has every shape, the panel, shadeAt and toBlob, wi
 test('a page opened from disk shows a model that it contains', async ({ page }) => {
   const model = readFileSync(join(fixtures, 'models/textured.glb')).toString('base64');
   await page.goto(
-    handout(`${classic}<phong-viewer ${sized} src="data:model/gltf-binary;base64,${model}"></phong-viewer>`),
+    handout(
+      `${classic}<phong-viewer ${sized} src="data:model/gltf-binary;base64,${model}"></phong-viewer>`,
+    ),
   );
   await allReady(page);
   const { data } = await pixels(page.locator('phong-viewer'), size);
-  expect(data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length).toBeGreaterThan(0.1 * 60 * 40);
+  expect(data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length).toBeGreaterThan(
+    0.1 * 60 * 40,
+  );
 });
 
-test('a model beside a page opened from disk is an error that names a server', async ({ page, consoleGuard }) => {
+test('a model beside a page opened from disk is an error that names a server', async ({
+  page,
+  consoleGuard,
+}) => {
   // The browser's own words: two lines of a browser with windows, one of a headless shell.
   consoleGuard.allow(
     /^error: (Access to fetch at 'file:.* blocked by CORS policy|Failed to load resource|Fetch API cannot load file:)/,
   );
-  consoleGuard.allow(/textured\.glb\. Serve the folder, with `npx serve` or `python3 -m http\.server`/, 1);
+  consoleGuard.allow(
+    /textured\.glb\. Serve the folder, with `npx serve` or `python3 -m http\.server`/,
+    1,
+  );
   cpSync(join(fixtures, 'models/textured.glb'), join(folder, 'textured.glb'));
   await page.goto(handout(`${classic}<phong-viewer ${sized} src="textured.glb"></phong-viewer>`));
   const notice = page.locator('phong-viewer').locator('[part=notice]');
-  await expect(notice).toHaveText('A page opened from disk may not read files, such as textured.glb.');
+  await expect(notice).toHaveText(
+    'A page opened from disk may not read files, such as textured.glb.',
+  );
 });
 
-test('the classic script draws what the module draws, also sandboxed', async ({ page, site, mount }) => {
+test('the classic script draws what the module draws, also sandboxed', async ({
+  page,
+  site,
+  mount,
+}) => {
   const head = '<script src="/dist/phong-viewer.classic.js"></script>';
-  const markup = '<phong-viewer geometry="box" theta="20" gui><phong-light></phong-light></phong-viewer>';
+  const markup =
+    '<phong-viewer geometry="box" theta="20" gui><phong-light></phong-light></phong-viewer>';
   const expected = await pixels(await mount(markup), size);
   await page.goto(site.page(markup, { head }));
   await allReady(page);
@@ -99,7 +128,9 @@ test('the classic script draws what the module draws, also sandboxed', async ({ 
   expect(compare(await pixels(viewer, size), expected).max).toBe(0);
   // Where learning platforms put pages.
   const inner = site.page(scene, { csp: '', head });
-  await page.goto(site.page(`<iframe sandbox="allow-scripts" src="${inner}"></iframe>`, { csp: '' }));
+  await page.goto(
+    site.page(`<iframe sandbox="allow-scripts" src="${inner}"></iframe>`, { csp: '' }),
+  );
   const framed = page.frameLocator('iframe').locator('phong-viewer');
   await framed.evaluate((element: PhongViewer) => element.ready);
   expect(pixelAt(await pixels(framed, size), 30, 20)).toEqual([200, 100, 50, 255]);

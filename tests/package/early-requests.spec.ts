@@ -1,5 +1,5 @@
-// When does a page request the models that its markup names? Before the first file has run, once, and only those that
-// the elements would request.
+// When does a page request the models that its markup names? Before the first file has run, once,
+// and only those that the elements would request.
 
 import { allReady, expect, test } from '../support/test.js';
 import { Requests, usages } from './requests.js';
@@ -10,10 +10,14 @@ const scene = `<phong-viewer src="/fixtures/models/mask.glb">
   <phong-viewer src="/fixtures/models/mask.glb" geometry="box"></phong-viewer>
   <phong-viewer loading="lazy" id="far" src="/fixtures/models/lazy.glb"></phong-viewer>`;
 
-const css = 'phong-viewer { display: block; width: 200px; height: 150px } #far { margin-top: 9000px }';
+const css =
+  'phong-viewer { display: block; width: 200px; height: 150px } #far { margin-top: 9000px }';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`models in the markup alone are requested, once, before the definitions (${usage})`, async ({ page, site }) => {
+  test(`models in the markup alone are requested, once, before the definitions (${usage})`, async ({
+    page,
+    site,
+  }) => {
     await page.addInitScript(() => {
       const steps: string[] = [];
       Object.assign(window, { steps });

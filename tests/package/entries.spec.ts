@@ -1,5 +1,5 @@
-// Which files are in the package, and what happens when Node imports its entries? Tests dist/ as `npm run build` left
-// it.
+// Which files are in the package, and what happens when Node imports its entries? Tests dist/ as
+// `npm run build` left it.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -57,7 +57,8 @@ test.describe('the packed package', () => {
   test('contains the files for users and no others, and no source map above 1 MB', () => {
     const strays = packedFiles().filter(
       ({ path, size }) =>
-        !intended.some((pattern) => pattern.test(path)) || (path.endsWith('.map') && size > 1_000_000),
+        !intended.some((pattern) => pattern.test(path)) ||
+        (path.endsWith('.map') && size > 1_000_000),
     );
     expect(strays).toEqual([]);
   });
@@ -67,7 +68,9 @@ test.describe('the packed package', () => {
     // One `*` stands for any language.
     const isThere = (name: string): boolean => {
       const [start = '', end] = name.split('*');
-      return present.some((path) => (end === undefined ? path === name : path.startsWith(start) && path.endsWith(end)));
+      return present.some((path) =>
+        end === undefined ? path === name : path.startsWith(start) && path.endsWith(end),
+      );
     };
     const named = Object.values(manifest.exports).flatMap((entry) =>
       typeof entry === 'string' ? [entry] : Object.values(entry),
@@ -87,11 +90,17 @@ test.describe('the packed package', () => {
       .filter((name) => name.endsWith('.d.ts'))
       .flatMap((name) => {
         const text = readFileSync(join(folder, name), 'utf8');
-        const imports = text.matchAll(/^(?:im|ex)port (?:type )?\{([^}]*)\} from '(\.[^']*)\.js';/gm);
+        const imports = text.matchAll(
+          /^(?:im|ex)port (?:type )?\{([^}]*)\} from '(\.[^']*)\.js';/gm,
+        );
         return [...imports].flatMap(([, names = '', from = '']) => {
           const source = readFileSync(join(folder, dirname(name), `${from}.d.ts`), 'utf8');
-          const wanted = names.split(',').map((one) => one.replace(/^\s*type |\s+as .*$/g, '').trim());
-          return wanted.filter((one) => one !== '' && !new RegExp(`^export .*\\b${one}\\b`, 'm').test(source));
+          const wanted = names
+            .split(',')
+            .map((one) => one.replace(/^\s*type |\s+as .*$/g, '').trim());
+          return wanted.filter(
+            (one) => one !== '' && !new RegExp(`^export .*\\b${one}\\b`, 'm').test(source),
+          );
         });
       });
     expect(missing).toEqual([]);
@@ -109,11 +118,15 @@ test.describe('the entries in Node', () => {
         const exported = Object.keys(await import(${address}));
         process.stdout.write(names().length === before && exported.length > 0 ? 'quiet' : names().join());
       `;
-      const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], {
-        cwd: repository,
-        encoding: 'utf8',
-        timeout: 20_000,
-      });
+      const { status, stdout, stderr } = spawnSync(
+        process.execPath,
+        ['--input-type=module', '-e', code],
+        {
+          cwd: repository,
+          encoding: 'utf8',
+          timeout: 20_000,
+        },
+      );
       expect({ status, stdout, stderr }).toEqual({ status: 0, stdout: 'quiet', stderr: '' });
     });
   }
@@ -131,12 +144,19 @@ test.describe('dist/', () => {
   });
 
   test('keeps three, Lit, lil-gui and React out of the ES modules and inside the files for pages without a bundler', () => {
-    const statement = /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
-    const imports = (text: string): string[] => Array.from(text.matchAll(statement), (match) => match[1]!);
+    const statement =
+      /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
+    const imports = (text: string): string[] =>
+      Array.from(text.matchAll(statement), (match) => match[1]!);
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
-      if (/^(phong-viewer\.|chunks)/.test(path)) expect(bare, path).toEqual([]);
-      else for (const name of bare) expect(name, path).toMatch(/^(three|lit$|lil-gui|react$|@playwright\/test$)/);
+      if (/^(phong-viewer\.|chunks)/.test(path)) {
+        expect(bare, path).toEqual([]);
+      } else {
+        for (const name of bare) {
+          expect(name, path).toMatch(/^(three|lit$|lil-gui|react$|@playwright\/test$)/);
+        }
+      }
     }
   });
 
@@ -144,7 +164,9 @@ test.describe('dist/', () => {
     for (const entry of ['react', 'react-standalone']) {
       const code = (name: string): string => readFileSync(join(dist, `${name}.js`), 'utf8');
       const names = 'PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer';
-      expect(code(`${entry}-client`)).toBe(`'use client';\nexport { ${names} } from './${entry}.js';\n`);
+      expect(code(`${entry}-client`)).toBe(
+        `'use client';\nexport { ${names} } from './${entry}.js';\n`,
+      );
       expect(code(entry)).not.toContain('use client');
     }
   });

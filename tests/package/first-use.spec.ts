@@ -1,4 +1,5 @@
-// Is each lazy chunk fetched with its first use and not before? For the standalone file and the ES modules.
+// Is each lazy chunk fetched with its first use and not before? For the standalone file and the ES
+// modules.
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongViewer } from '../../src/viewer/index.js';
@@ -19,7 +20,10 @@ const set =
 const explain =
   (x: number, y: number): Act =>
   (viewer) =>
-    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at)) === null, [x, y] as const);
+    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at)) === null, [
+      x,
+      y,
+    ] as const);
 
 const drawOften: Act = (viewer) =>
   viewer.evaluate(async (element: PhongViewer) => {
@@ -30,9 +34,12 @@ const drawOften: Act = (viewer) =>
   });
 
 const readOnce: Act = (viewer) =>
-  viewer.evaluate((element: PhongViewer) => [element.toHTML(), element.camera, element.stats].length);
+  viewer.evaluate(
+    (element: PhongViewer) => [element.toHTML(), element.camera, element.stats].length,
+  );
 
-const capture: Act = (viewer) => viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
+const capture: Act = (viewer) =>
+  viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
 
 const drag: Act = async (_, page) => {
   await page.mouse.move(75, 50);
@@ -49,8 +56,8 @@ const addAfter =
 const model = (name: string): Act => set({ src: `/fixtures/models/${name}` });
 
 /**
- * What is used, and the chunks that it fetches, in any order. Run in this order on one page: a chunk that an earlier use
- * fetched is not fetched again.
+ * What is used, and the chunks that it fetches, in any order. Run in this order on one page: a
+ * chunk that an earlier use fetched is not fetched again.
  */
 const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['a picture drawn again and again', drawOften, ''],
@@ -72,7 +79,11 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['a camera group', set({ cameraGroup: 'all' }), 'camera-group'],
   ['a comparison', addAfter('<phong-compare></phong-compare>'), 'comparison followed-drag'],
   ['the panel', set({ gui: true }), 'panel panel-rows round-number'],
-  ['a control', addAfter('<phong-control for="turned" attribute="theta"></phong-control>'), 'control'],
+  [
+    'a control',
+    addAfter('<phong-control for="turned" attribute="theta"></phong-control>'),
+    'control',
+  ],
   ['a model', model('textured.glb'), 'model-content model-shared read-gltf'],
   ['an STL file', model('coloured.stl'), 'model-triangles read-stl'],
   ['a PLY file', model('coloured.ply'), 'read-ply'],
@@ -85,13 +96,20 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ],
 ];
 
-/** The width of the panel, which the comparison needs too. The standalone build has it in a chunk with other code. */
+/**
+ * The width of the panel, which the comparison needs too. The standalone build has it in a chunk
+ * with other code.
+ */
 const WITH_OTHERS = 'panel-column';
 
 for (const usage of ['standalone', 'modules'] as const) {
-  test(`${usage === 'modules' ? '@release ' : ''}parts are fetched at first use (${usage})`, async ({ page, site }) => {
+  test(`${usage === 'modules' ? '@release ' : ''}parts are fetched at first use (${usage})`, async ({
+    page,
+    site,
+  }) => {
     const requests = new Requests(page);
-    const scene = '<phong-viewer id="turned" geometry="box"><phong-light></phong-light></phong-viewer>';
+    const scene =
+      '<phong-viewer id="turned" geometry="box"><phong-light></phong-light></phong-viewer>';
     const css = 'body { margin: 0 } phong-viewer { display: block; width: 150px; height: 100px }';
     await page.goto(site.page(scene, { ...usages[usage], css }));
     await allReady(page);
@@ -102,7 +120,11 @@ for (const usage of ['standalone', 'modules'] as const) {
       // Requests may start after the call. Two frames later no further one may have started.
       const late = new Set<string>();
       const came = (): string => {
-        for (const path of requests.take()) if (chunkName(path) !== WITH_OTHERS) late.add(chunkName(path));
+        for (const path of requests.take()) {
+          if (chunkName(path) !== WITH_OTHERS) {
+            late.add(chunkName(path));
+          }
+        }
         return [...late].sort().join(' ');
       };
       await expect.poll(came, { message: what, intervals: [10, 20, 50, 100] }).toBe(chunks);

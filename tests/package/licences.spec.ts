@@ -1,5 +1,5 @@
-// Does the package carry the licences of the code that it contains? Against dist/ as the build step left it, since
-// minification is what drops notices.
+// Does the package carry the licences of the code that it contains? Against dist/ as the build step
+// left it, since minification is what drops notices.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,8 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 const dist = outputFolder('dist');
 
 /** The first comment of a file below dist/; empty where it begins with code. */
-const notice = (path: string): string => /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
+const notice = (path: string): string =>
+  /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
 
 function version(name: string): string {
   const text = readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8');
@@ -34,8 +35,11 @@ test('THIRD-PARTY-LICENSES.txt holds the licences of the decoders in three, and 
     ['Draco decoder', 'Copyright The Draco Authors', 'Apache License'],
     ['Basis Universal transcoder', 'Binomial LLC', 'For Zstandard software'],
     ['meshoptimizer decoder', 'Arseny Kapoulkine'],
-  ])
-    for (const text of [`\n${decoder} (in three ${version('three')})\n`, ...words]) expect(licences()).toContain(text);
+  ]) {
+    for (const text of [`\n${decoder} (in three ${version('three')})\n`, ...words]) {
+      expect(licences()).toContain(text);
+    }
+  }
 });
 
 test('every bundle that contains code of others begins with a notice that names it', () => {
@@ -43,7 +47,10 @@ test('every bundle that contains code of others begins with a notice that names 
     `${folder}/${readdirSync(join(dist, folder)).find((file) => file.startsWith(name) && file.endsWith('.js'))}`;
   const expected: readonly (readonly [path: string, holders: readonly RegExp[]])[] = [
     ['phong-viewer.standalone.js', [/three\.js authors/, /Google LLC/]],
-    ['phong-viewer.classic.js', [/three\.js authors/, /Google LLC/, /George Michael Brower/, /Draco Authors/]],
+    [
+      'phong-viewer.classic.js',
+      [/three\.js authors/, /Google LLC/, /George Michael Brower/, /Draco Authors/],
+    ],
     [chunk('chunks', 'panel-rows'), [/George Michael Brower/]],
     [chunk('chunks', 'read-gltf'), [/three\.js authors/]],
     [chunk('chunks', 'teapot'), [/three\.js authors/]],
@@ -55,13 +62,26 @@ test('every bundle that contains code of others begins with a notice that names 
     [chunk('shared', 'ktx2'), [/Binomial LLC/]],
   ];
   for (const [path, holders] of expected) {
-    for (const holder of holders) expect(notice(path), path).toMatch(holder);
+    for (const holder of holders) {
+      expect(notice(path), path).toMatch(holder);
+    }
     expect(notice(path), path).toContain('THIRD-PARTY-LICENSES.txt');
   }
 });
 
 test("every entry begins with the package's own name, version and licence", () => {
-  const own = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as { version: string };
-  const entries = ['index', 'core', 'reference', 'react', 'phong-viewer.standalone', 'phong-viewer.classic'];
-  for (const entry of entries) expect(notice(`${entry}.js`), entry).toContain(`phong-viewer ${own.version}, MIT`);
+  const own = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+    version: string;
+  };
+  const entries = [
+    'index',
+    'core',
+    'reference',
+    'react',
+    'phong-viewer.standalone',
+    'phong-viewer.classic',
+  ];
+  for (const entry of entries) {
+    expect(notice(`${entry}.js`), entry).toContain(`phong-viewer ${own.version}, MIT`);
+  }
 });

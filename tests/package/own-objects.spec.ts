@@ -1,5 +1,6 @@
-// Can a page use the standalone file together with its own three.js, without console lines? Objects of the page's copy
-// work in `viewer.scene` if they have their own shaders; three.js's materials give a clear error.
+// Can a page use the standalone file together with its own three.js, without console lines? Objects
+// of the page's copy work in `viewer.scene` if they have their own shaders; three.js's materials
+// give a clear error.
 
 import type * as Three from 'three';
 import type { PhongViewer } from '../../src/viewer/index.js';
@@ -8,10 +9,15 @@ import { allReady, compare, expect, pixels, test } from '../support/test.js';
 const box = '<phong-viewer geometry="box" radius="4"></phong-viewer>';
 const three = '/node_modules/three/build/three.module.js';
 
-test('a page with three.js of its own, before or after ours, has an empty console', async ({ page, site }) => {
+test('a page with three.js of its own, before or after ours, has an empty console', async ({
+  page,
+  site,
+}) => {
   const scripts = [three, '/dist/phong-viewer.standalone.js'];
   for (const order of [scripts, scripts.toReversed()]) {
-    const head = order.map((address) => `<script type="module" src="${address}"></script>`).join('');
+    const head = order
+      .map((address) => `<script type="module" src="${address}"></script>`)
+      .join('');
     await page.goto(site.page(box, { head }));
     await allReady(page);
     // three.js leaves its version there, and warns where it finds one.
@@ -20,13 +26,16 @@ test('a page with three.js of its own, before or after ours, has an empty consol
   }
 });
 
-test('objects of another three.js with a ShaderMaterial are drawn, coloured instances too', async ({ mount }) => {
+test('objects of another three.js with a ShaderMaterial are drawn, coloured instances too', async ({
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer radius="4" theta="0" phi="90"></phong-viewer>');
-  expect(await viewer.evaluate(() => '__THREE__' in window), 'the viewer registers none').toBe(false);
+  expect(await viewer.evaluate(() => '__THREE__' in window), 'the viewer registers none').toBe(
+    false,
+  );
   await viewer.evaluate(async (element: PhongViewer, address) => {
-    const { BufferAttribute, InstancedMesh, Matrix4, Mesh, PlaneGeometry, ShaderMaterial } = (await import(
-      address
-    )) as typeof Three;
+    const { BufferAttribute, InstancedMesh, Matrix4, Mesh, PlaneGeometry, ShaderMaterial } =
+      (await import(address)) as typeof Three;
     const plain = new ShaderMaterial({
       fragmentShader: 'void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }',
     });
@@ -40,7 +49,10 @@ test('objects of another three.js with a ShaderMaterial are drawn, coloured inst
       fragmentShader: 'varying vec3 vColor; void main() { gl_FragColor = vec4(vColor, 1.0); }',
     });
     const geometry = new PlaneGeometry(0.5, 0.5);
-    geometry.setAttribute('color', new BufferAttribute(Float32Array.from([0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]), 3));
+    geometry.setAttribute(
+      'color',
+      new BufferAttribute(Float32Array.from([0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]), 3),
+    );
     const planes = new InstancedMesh(geometry, colored, 2);
     planes.setMatrixAt(0, new Matrix4().makeTranslation(-1, 0, 0));
     planes.setMatrixAt(1, new Matrix4().makeTranslation(1, 0, 0));
@@ -54,8 +66,13 @@ test('objects of another three.js with a ShaderMaterial are drawn, coloured inst
   expect(green.join().match(/255(,255)*/g)).toHaveLength(3);
 });
 
-test('an object with a material of three.js gives an error that names the cure', async ({ mount, consoleGuard }) => {
-  const said = consoleGuard.allow(/does not contain all of three\.js \(basic is missing\): use the ES modules/);
+test('an object with a material of three.js gives an error that names the cure', async ({
+  mount,
+  consoleGuard,
+}) => {
+  const said = consoleGuard.allow(
+    /does not contain all of three\.js \(basic is missing\): use the ES modules/,
+  );
   const viewer = await mount(box);
   const before = await pixels(viewer);
   await viewer.evaluate(async (element: PhongViewer, address) => {
@@ -72,8 +89,12 @@ test('an object with a material of three.js gives an error that names the cure',
   expect(compare(await pixels(viewer), before).max).toBe(0);
 });
 
-test('a function that the standalone file leaves out gives an error that names it and the cure', async ({ mount }) => {
+test('a function that the standalone file leaves out gives an error that names it and the cure', async ({
+  mount,
+}) => {
   const viewer = await mount(box);
   const written = viewer.evaluate((element: PhongViewer) => element.scene.toJSON());
-  await expect(written).rejects.toThrow(/does not contain all of three\.js \(toJSON is missing\): use the ES modules/);
+  await expect(written).rejects.toThrow(
+    /does not contain all of three\.js \(toJSON is missing\): use the ES modules/,
+  );
 });

@@ -1,5 +1,5 @@
-// Records which files of dist/ a page fetches, and how large they are as sent. The package is used in two ways: as the
-// standalone file, and as ES modules through an import map.
+// Records which files of dist/ a page fetches, and how large they are as sent. The package is used
+// in two ways: as the standalone file, and as ES modules through an import map.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -27,9 +27,15 @@ const imports = {
 const css = 'phong-viewer { display: block; width: 600px; height: 400px }';
 const importMap = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
 
-/** Options of a page for each way. An import map is an inline script, which the strict policy forbids. */
+/**
+ * Options of a page for each way. An import map is an inline script, which the strict policy
+ * forbids.
+ */
 export const usages: Readonly<Record<'standalone' | 'modules', PageOptions>> = {
-  standalone: { css, head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>' },
+  standalone: {
+    css,
+    head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',
+  },
   modules: {
     css,
     csp: '',
@@ -46,7 +52,9 @@ export class Requests {
 
   /** Paths below dist/ that were requested since the last call. */
   take(): string[] {
-    return this.#paths.splice(0).flatMap((path) => (path.startsWith('/dist/') ? [path.slice(6)] : []));
+    return this.#paths
+      .splice(0)
+      .flatMap((path) => (path.startsWith('/dist/') ? [path.slice(6)] : []));
   }
 }
 

@@ -3,7 +3,17 @@ import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { CODES, full, MULTISAMPLED, PLAIN, RMSE, ssaa, taa, TIME, WITHIN } from '../bench/pictures.mjs';
+import {
+  CODES,
+  full,
+  MULTISAMPLED,
+  PLAIN,
+  RMSE,
+  ssaa,
+  taa,
+  TIME,
+  WITHIN,
+} from '../bench/pictures.mjs';
 import type { BenchResult } from '../bench/results.mjs';
 import { expect, test } from '../support/test.js';
 
@@ -20,12 +30,19 @@ test('@release measures frames, script and bytes, each side equally often', asyn
   expect(result.failures).toEqual([]);
   expect(result.machine['renderer']).toMatch(/SwiftShader|llvmpipe/);
   const sphere = result.measures.filter(({ subject }) => subject === 'sphere, 1 light');
-  expect(sphere.map(({ measure }) => measure)).toEqual(['first frames', 'longest frame', 'usual frame', 'settled']);
+  expect(sphere.map(({ measure }) => measure)).toEqual([
+    'first frames',
+    'longest frame',
+    'usual frame',
+    'settled',
+  ]);
   for (const { subject, measure, samples } of result.measures) {
     const sides = Object.values(samples);
     for (const values of sides) {
       expect(values.length, `${subject}: ${measure}`).toBe(sides[0]!.length);
-      for (const value of values) expect(value, `${subject}: ${measure}`).toBeGreaterThan(0);
+      for (const value of values) {
+        expect(value, `${subject}: ${measure}`).toBeGreaterThan(0);
+      }
     }
   }
 });
@@ -36,10 +53,16 @@ test('@release measures the first picture of a model in three viewers', async ({
   await bench('--quick', '--only', 'model, suzi, local', '--out', file);
   const { failures, measures } = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
   expect(failures).toEqual([]);
-  expect(measures.map(({ measure }) => measure)).toEqual(['first picture', 'longest task', 'peak memory']);
+  expect(measures.map(({ measure }) => measure)).toEqual([
+    'first picture',
+    'longest task',
+    'peak memory',
+  ]);
   for (const { measure, samples } of measures) {
     expect(Object.keys(samples)).toEqual(['element', 'model-viewer', 'babylon-viewer']);
-    for (const [value] of Object.values(samples)) expect(value, measure).toBeGreaterThan(0);
+    for (const [value] of Object.values(samples)) {
+      expect(value, measure).toBeGreaterThan(0);
+    }
   }
 });
 
@@ -57,9 +80,13 @@ test('@release measures error and time of a whole picture, and adds it to a resu
   expect(added).toMatchObject([{ subjects: [subject] }]);
   const samplesOf = (measure: string) => measures.find((row) => row.measure === measure)!.samples;
   const [errors, times] = [samplesOf(RMSE.triangles), samplesOf(TIME)];
-  for (const side of [full(64), MULTISAMPLED, ssaa(16), taa(0), taa(32), PLAIN])
-    for (const [value] of [errors[side]!, times[side]!]) expect(value, side).toBeGreaterThan(0);
-  // The better the method, the less is left: a wrong equation, camera or triangle would leave more than any of them.
+  for (const side of [full(64), MULTISAMPLED, ssaa(16), taa(0), taa(32), PLAIN]) {
+    for (const [value] of [errors[side]!, times[side]!]) {
+      expect(value, side).toBeGreaterThan(0);
+    }
+  }
+  // The better the method, the less is left: a wrong equation, camera or triangle would leave more
+  // than any of them.
   const [plain, exact] = [errors[PLAIN]![0]!, errors[full(256)]![0]!];
   expect(exact).toBeLessThan(plain / 4);
   expect(errors[MULTISAMPLED]![0]!).toBeLessThan(1.2 * plain);

@@ -1,6 +1,6 @@
-// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons, models, and pictures
-// against the equation. One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels
-// at the page's top left unless a check says otherwise.
+// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons,
+// models, and pictures against the equation. One list of pages and checks, for whatever drives the
+// browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check says otherwise.
 import { expect } from '@playwright/test';
 import { inPageModule } from '../../.ci/in-page.js';
 import type * as InPage from '../../src/extras/playwright/in-page.js';
@@ -47,7 +47,8 @@ const SEVERAL = [
   'geometry="torus-knot" shininess="2000"',
 ];
 
-const AMBIENT = '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
+const AMBIENT =
+  '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
 
 const cameraOf = (tab: Tab) =>
   tab.run(() => {
@@ -72,11 +73,16 @@ async function blobOf(
   return decodePng(Buffer.from(base64, 'base64'));
 }
 
-/** Waits until every viewer of the page is ready. Its own picture counts, so the frame after is waited for as well. */
+/**
+ * Waits until every viewer of the page is ready. Its own picture counts, so the frame after is
+ * waited for as well.
+ */
 export const allReady = (tab: Tab): Promise<null> =>
   tab.run(async () => {
     await customElements.whenDefined('phong-viewer');
-    for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) await viewer.ready;
+    for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) {
+      await viewer.ready;
+    }
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     return null;
   });
@@ -109,12 +115,16 @@ const typeIntoPanel = (tab: Tab, folder: string, name: string, text: string): Pr
         throw new Error(`the panel shows no ${words}`);
       };
       const button = await found('.lil-title', title);
-      if (button.getAttribute('aria-expanded') === 'false') button.click();
+      if (button.getAttribute('aria-expanded') === 'false') {
+        button.click();
+      }
       const row = (await found('.lil-name', label)).closest('.lil-controller')!;
       const input = [...row.querySelectorAll('input')].find(({ type }) => type !== 'range')!;
       input.focus();
       input.value = value;
-      for (const type of ['input', 'change']) input.dispatchEvent(new Event(type, { bubbles: true }));
+      for (const type of ['input', 'change']) {
+        input.dispatchEvent(new Event(type, { bubbles: true }));
+      }
       return null;
     },
     [folder, name, text] as const,
@@ -122,14 +132,16 @@ const typeIntoPanel = (tab: Tab, folder: string, name: string, text: string): Pr
 
 export const CHECKS: readonly Check[] = [
   {
-    title: 'element: reads colours of CSS, warns of mistakes, reports changes, and draws nothing while nothing changes',
+    title:
+      'element: reads colours of CSS, warns of mistakes, reports changes, and draws nothing while nothing changes',
     markup: `<phong-viewer geometry="box" fov="wide"><phong-light diffuse="oklch(70% 0.1 50)"></phong-light></phong-viewer>`,
     said: /fov="wide"/,
     async holds(tab) {
       const found = await tab.onViewer(async (viewer) => {
         const events = new Set<string>();
-        for (const type of ['render', 'light-change', 'camera-change'] as const)
+        for (const type of ['render', 'light-change', 'camera-change'] as const) {
           viewer.addEventListener(type as 'render', () => events.add(type));
+        }
         const isRead = viewer.lights[0]!.diffuse.every((c) => c > 0 && c < 256);
         viewer.append(document.createElement('phong-light'), document.createElement('phong-mesh'));
         viewer.theta = 40;
@@ -159,7 +171,9 @@ export const CHECKS: readonly Check[] = [
             const alpha = i % 4 === 3 ? 0 : picture[at | 3]!;
             const onWhite = 255 + ((picture[at]! - 255) * alpha) / 255;
             const shown = data[4 * (y + index * SMALL.height) * width + i]!;
-            if (Math.abs(shown - onWhite) > 1.5) differing += 1;
+            if (Math.abs(shown - onWhite) > 1.5) {
+              differing += 1;
+            }
           }
         }
         // The browser blends translucent edges by arithmetic of its own.
@@ -169,8 +183,10 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title: 'camera: drags, keys and the wheel turn and zoom; without the focus the wheel scrolls the page',
-    markup: '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer><div></div>',
+    title:
+      'camera: drags, keys and the wheel turn and zoom; without the focus the wheel scrolls the page',
+    markup:
+      '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer><div></div>',
     async holds(tab) {
       const start = { theta: 30, phi: 70, radius: 5 };
       await tab.wheel([300, 200], 40);
@@ -204,7 +220,11 @@ export const CHECKS: readonly Check[] = [
       await expect.poll(async () => (await cameraOf(tab)).theta).toBe(39);
       const shown = await tab.run(
         () =>
-          [...document.querySelector('phong-viewer')!.shadowRoot!.querySelectorAll('.lil-controller')]
+          [
+            ...document
+              .querySelector('phong-viewer')!
+              .shadowRoot!.querySelectorAll('.lil-controller'),
+          ]
             .find((row) => row.querySelector('.lil-name')?.textContent === 'θ azimuth °')
             ?.querySelector<HTMLInputElement>('input:not([type=range])')?.value,
       );
@@ -218,7 +238,9 @@ export const CHECKS: readonly Check[] = [
     async holds(tab) {
       await tab.run(async () => {
         const root = document.querySelector('phong-viewer')!.shadowRoot!;
-        while (root.querySelector('[role=option]') === null) await new Promise(requestAnimationFrame);
+        while (root.querySelector('[role=option]') === null) {
+          await new Promise(requestAnimationFrame);
+        }
       });
       // 50 pixels are a unit at the target: the light stands at 325, 180.
       await tab.drag([325, 180], [-60, 30]);
@@ -227,7 +249,9 @@ export const CHECKS: readonly Check[] = [
         return { position: viewer.lights[0]!.position, theta: viewer.camera.theta };
       });
       expect(found.theta).toBe(0);
-      [-0.7, -0.2, 0, 1].forEach((x, i) => expect(found.position[i], `position ${i}`).toBeCloseTo(x, 2));
+      [-0.7, -0.2, 0, 1].forEach((x, i) =>
+        expect(found.position[i], `position ${i}`).toBeCloseTo(x, 2),
+      );
     },
   },
   {
@@ -238,8 +262,11 @@ export const CHECKS: readonly Check[] = [
       const { width, data } = decodePng(Buffer.from(await tab.screenshot()));
       // The box's front faces the eye, and N·L is √½ there.
       const at = 4 * (200 * width + 300);
-      for (const code of data.slice(at, at + 3)) expect(Math.abs(code - 255 * Math.SQRT1_2)).toBeLessThan(1.01);
-      const legend = () => tab.onViewer((viewer) => viewer.shadowRoot!.querySelector('.legend')?.textContent);
+      for (const code of data.slice(at, at + 3)) {
+        expect(Math.abs(code - 255 * Math.SQRT1_2)).toBeLessThan(1.01);
+      }
+      const legend = () =>
+        tab.onViewer((viewer) => viewer.shadowRoot!.querySelector('.legend')?.textContent);
       expect(await legend()).toContain('N · L');
     },
   },
@@ -272,7 +299,8 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title: 'comparison: shows a viewer on each side of the divider, which follows a drag and then the keys',
+    title:
+      'comparison: shows a viewer on each side of the divider, which follows a drag and then the keys',
     markup: `<phong-compare><phong-viewer geometry="sphere" ka="255 0 0" kd="0" ks="0">${AMBIENT}</phong-viewer>
       <phong-viewer geometry="sphere" ka="0 0 255" kd="0" ks="0">${AMBIENT}</phong-viewer></phong-compare>`,
     async holds(tab) {
@@ -302,7 +330,8 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title: 'models: Draco, textures, vertex colours, alpha masks and embedded files are shown as the equation says',
+    title:
+      'models: Draco, textures, vertex colours, alpha masks and embedded files are shown as the equation says',
     markup: '<phong-viewer></phong-viewer>',
     size: SMALL,
     async holds(tab) {
@@ -335,7 +364,8 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title: 'pictures: every shading, reflection and interpolation follows the equation, by both kinds of programs',
+    title:
+      'pictures: every shading, reflection and interpolation follows the equation, by both kinds of programs',
     markup: '<phong-viewer></phong-viewer>',
     size: SMALL,
     async holds(tab) {
@@ -360,13 +390,15 @@ export const CHECKS: readonly Check[] = [
         const markup = sceneMarkup(randomScene(seed, seed % 3 === 0 ? 'box' : 'plane'));
         await show(tab, markup);
         const { data } = await blobOf(tab);
-        if (data.some((code, i) => i % 4 === 3 && code > 0))
+        if (data.some((code, i) => i % 4 === 3 && code > 0)) {
           await showsTheEquation(tab, `seed ${seed}: ${markup}`, 0.2);
+        }
       }
     },
   },
   {
-    title: 'pictures: antialias="full" converges to the mean of a larger picture, among other viewers, and then rests',
+    title:
+      'pictures: antialias="full" converges to the mean of a larger picture, among other viewers, and then rests',
     markup: [...SEVERAL, ...SEVERAL]
       .map((scene) => `<phong-viewer antialias="full" ${scene}>${LIGHTS}</phong-viewer>`)
       .join(''),

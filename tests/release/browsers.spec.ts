@@ -1,5 +1,5 @@
-// Do element, camera, panel, models and pictures work in Firefox and in WebKitGTK with software GL? Runs the checks of
-// browser-checks.ts, each on its own page under the strict policy.
+// Do element, camera, panel, models and pictures work in Firefox and in WebKitGTK with software GL?
+// Runs the checks of browser-checks.ts, each on its own page under the strict policy.
 import { expect, test } from '@playwright/test';
 import { startSite, strictPolicy, testMounts, type Site } from '../support/site.js';
 import { allReady, CHECKS } from './browser-checks.js';

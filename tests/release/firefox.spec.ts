@@ -1,6 +1,7 @@
-// What only Firefox tells, with Mesa's software renderer under Xvfb: does the GLSL keep its contract on a second GL,
-// does the next use fetch a chunk that could not be fetched (Firefox remembers failed modules by
-// their address), and does a page opened from disk work? For elements, camera, panel, models and pictures see browsers.spec.ts.
+// What only Firefox tells, with Mesa's software renderer under Xvfb: does the GLSL keep its
+// contract on a second GL, does the next use fetch a chunk that could not be fetched (Firefox
+// remembers failed modules by their address), and does a page opened from disk work? For elements,
+// camera, panel, models and pictures see browsers.spec.ts.
 import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -107,7 +108,8 @@ test('@release a later use fetches what could not be fetched in Firefox', async 
     ]);
   }
   broken = false;
-  // The parts that read a model are fetched one after another: none of them is remembered as missing.
+  // The parts that read a model are fetched one after another: none of them is remembered as
+  // missing.
   expect(await use()).toEqual(['blob', 'explanation', 'torus', 'bunny']);
 });
 
@@ -123,7 +125,10 @@ const HANDOUT = `<!doctype html>
 
 test('@release a page opened from disk shows picture and panel in Firefox', async () => {
   const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-disk-'));
-  cpSync(join(outputFolder('dist'), 'phong-viewer.classic.js'), join(folder, 'phong-viewer.classic.js'));
+  cpSync(
+    join(outputFolder('dist'), 'phong-viewer.classic.js'),
+    join(folder, 'phong-viewer.classic.js'),
+  );
   cpSync(MODEL, join(folder, 'textured.glb'));
   writeFileSync(join(folder, 'handout.html'), HANDOUT);
   try {
@@ -135,12 +140,19 @@ test('@release a page opened from disk shows picture and panel in Firefox', asyn
     const [text, notice] = await page.evaluate(async () => {
       const [shape, file] = document.querySelectorAll<PhongViewer>('phong-viewer');
       await file!.ready;
-      return [shape!.shadowRoot!.textContent, file!.shadowRoot!.querySelector('[part=notice]')?.textContent];
+      return [
+        shape!.shadowRoot!.textContent,
+        file!.shadowRoot!.querySelector('[part=notice]')?.textContent,
+      ];
     });
     expect(text).toContain('Controls');
     expect(notice).toContain('A page opened from disk may not read files');
     // The browser's own words about the model, and ours with the advice.
-    expect(said.filter((line) => !/Same Origin Policy .*textured\.glb|python3 -m http\.server/.test(line))).toEqual([]);
+    expect(
+      said.filter(
+        (line) => !/Same Origin Policy .*textured\.glb|python3 -m http\.server/.test(line),
+      ),
+    ).toEqual([]);
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

@@ -1,5 +1,6 @@
-// Do users' bundlers build the workers that unpack Draco and KTX2, and does the model show where they do not? The
-// packed tarball in fresh projects. Installs from the registry, so it is slow: @release.
+// Do users' bundlers build the workers that unpack Draco and KTX2, and does the model show where
+// they do not? The packed tarball in fresh projects. Installs from the registry, so it is slow:
+// @release.
 
 import { cpSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +14,10 @@ const body =
   '<phong-viewer alt="A bunny" src="bunny.glb"></phong-viewer><phong-viewer alt="A picture" src="ktx2.glb"></phong-viewer>';
 const index = pageOf(body);
 
-/** Which models the page shows, and how many workers it has for them. Draco's is only where WebAssembly is. */
+/**
+ * Which models the page shows, and how many workers it has for them. Draco's is only where
+ * WebAssembly is.
+ */
 async function shown(page: Page) {
   const loaded = await page.evaluate(async () => {
     await customElements.whenDefined('phong-viewer');
@@ -26,12 +30,20 @@ async function shown(page: Page) {
 
 test.describe('the decoders of the packed tarball @release', () => {
   const project = useFreshProject(
-    ['three', 'vite', 'rollup@^4', '@rollup/plugin-node-resolve@^16', 'webpack@^5', 'webpack-cli@^6'],
+    [
+      'three',
+      'vite',
+      'rollup@^4',
+      '@rollup/plugin-node-resolve@^16',
+      'webpack@^5',
+      'webpack-cli@^6',
+    ],
     ({ folder, write }) => {
       write('main.js', "import 'phong-viewer';\n");
       mkdirSync(join(folder, 'public'));
-      for (const path of ['demo/assets/models/bunny.glb', 'tests/fixtures/models/ktx2.glb'])
+      for (const path of ['demo/assets/models/bunny.glb', 'tests/fixtures/models/ktx2.glb']) {
         cpSync(join(repository, path), join(folder, 'public', path.replace(/.*\//, '')));
+      }
     },
   );
 
@@ -65,7 +77,10 @@ test.describe('the decoders of the packed tarball @release', () => {
     expect(await shown(page)).toEqual({ loaded: [true, true], workers: 2 });
   });
 
-  test('run on the main thread where Rollup left the workers out, but for KTX2', async ({ page, consoleGuard }) => {
+  test('run on the main thread where Rollup left the workers out, but for KTX2', async ({
+    page,
+    consoleGuard,
+  }) => {
     consoleGuard.allow(/404/);
     project().run(
       'npx rollup main.js --dir rolled --format es --plugin node-resolve --silent && cp public/*.glb rolled/',

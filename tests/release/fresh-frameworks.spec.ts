@@ -1,7 +1,8 @@
-// Does the packed tarball work in fresh projects with Vue, Svelte, Solid, React, Angular, Nuxt, SvelteKit, Next and Astro,
-// written as their users write it? Templates are type-checked, mistakes in them are errors, and the built page sets values
-// and hears events. The last five render pages at build time and hydrate them; Vue omits lists from that markup and sets
-// them when it hydrates, except constant ones: those have to be text. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in fresh projects with Vue, Svelte, Solid, React, Angular, Nuxt,
+// SvelteKit, Next and Astro, written as their users write it? Templates are type-checked, mistakes
+// in them are errors, and the built page sets values and hears events. The last five render pages
+// at build time and hydrate them; Vue omits lists from that markup and sets them when it hydrates,
+// except constant ones: those have to be text. Installs from the registry, so it is slow: @release.
 
 import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,7 +24,8 @@ interface Framework {
   readonly sent?: readonly string[];
 }
 
-const appOf = (script: string): string => pageOf(`<div id="app"></div><script type="module" src="${script}"></script>`);
+const appOf = (script: string): string =>
+  pageOf(`<div id="app"></div><script type="module" src="${script}"></script>`);
 
 const vite = ['three', '@types/three', 'typescript', 'vite'];
 
@@ -478,7 +480,13 @@ const sentByReact = [
 
 const oldestReact: Framework = {
   name: 'React 18',
-  packages: [...vite, 'react@18.0.0', 'react-dom@18.0.0', '@types/react@^18', '@types/react-dom@^18'],
+  packages: [
+    ...vite,
+    'react@18.0.0',
+    'react-dom@18.0.0',
+    '@types/react@^18',
+    '@types/react-dom@^18',
+  ],
   files: {
     'tsconfig.json': typescript({ jsx: 'react-jsx' }),
     'src/App.tsx': reactApp,
@@ -507,14 +515,24 @@ const oldestReact: Framework = {
       export const unknown = <PhongViewer id="wrong" theta={true} />;
     `,
   },
-  build: 'npx vite build --ssr src/server.tsx --outDir server && node server/server.js > index.html && npx vite build',
+  build:
+    'npx vite build --ssr src/server.tsx --outDir server && node server/server.js > index.html && npx vite build',
   output: 'dist',
   sent: sentByReact,
 };
 
 const next: Framework = {
   name: 'Next',
-  packages: ['three', '@types/three', 'next@^16', 'react', 'react-dom', 'typescript', '@types/react', '@types/node'],
+  packages: [
+    'three',
+    '@types/three',
+    'next@^16',
+    'react',
+    'react-dom',
+    'typescript',
+    '@types/react',
+    '@types/node',
+  ],
   files: {
     'next.config.mjs': "export default { output: 'export' };",
     'app/layout.tsx': `
@@ -570,19 +588,33 @@ import App from '../App.tsx';
   ],
 };
 
-for (const framework of [vue, svelte, solid, react, angular, nuxt, svelteKit, oldestReact, next, astro]) {
+for (const framework of [
+  vue,
+  svelte,
+  solid,
+  react,
+  angular,
+  nuxt,
+  svelteKit,
+  oldestReact,
+  next,
+  astro,
+]) {
   const { name, packages, files, check, mistakes, build, output, sent } = framework;
   test.describe(`the packed tarball in a fresh ${name} project @release`, () => {
     const project = useFreshProject(packages, ({ write }) => {
-      for (const [path, text] of Object.entries(files)) write(path, text);
+      for (const [path, text] of Object.entries(files)) {
+        write(path, text);
+      }
     });
 
-    if (check !== undefined)
+    if (check !== undefined) {
       test('accepts values and events in templates', () => {
         project().run(check);
       });
+    }
 
-    if (mistakes !== undefined)
+    if (mistakes !== undefined) {
       test('refuses mistakes in templates, each where it is, and nothing else', () => {
         project().write(mistakes.path, mistakes.text);
         const lines = mistakes.text.split('\n');
@@ -597,13 +629,19 @@ for (const framework of [vue, svelte, solid, react, angular, nuxt, svelteKit, ol
         const places = said.matchAll(/Mistakes\.\w+(?:" |\()(\d+)[:,]\d+/g);
         expect([...new Set(Array.from(places, ([, line]) => Number(line)))], said).toEqual(wrong);
       });
+    }
 
-    test('sends false and numbers as text, sets lists and false, hears events and follows state', async ({ page }) => {
+    test('sends false and numbers as text, sets lists and false, hears events and follows state', async ({
+      page,
+    }) => {
       project().run(build);
       const folder = join(project().folder, output);
       const markup = readFileSync(join(folder, 'index.html'), 'utf8');
-      for (const text of sent ?? []) expect(markup).toContain(text);
-      // The strict policy: no framework's production build needs more, unless inline scripts hydrate its pages.
+      for (const text of sent ?? []) {
+        expect(markup).toContain(text);
+      }
+      // The strict policy: no framework's production build needs more, unless inline scripts
+      // hydrate its pages.
       await project().open(page, folder, sent === undefined ? strictPolicy : '');
       const viewer = page.locator('phong-viewer.picture');
       const lights = () =>
@@ -621,13 +659,17 @@ for (const framework of [vue, svelte, solid, react, angular, nuxt, svelteKit, ol
       const own = sent === undefined ? { space: 'linear', terms: ['ambient'] } : {};
       const expected = { orbit: false, gui: false, ka: [255, 255, 255], ...own };
       expect(await viewer.evaluate(values)).toMatchObject(expected);
-      expect(pixelAt(await pixels(viewer, { width: 60, height: 40 }), 30, 20)).toEqual([200, 100, 50, 255]);
+      expect(pixelAt(await pixels(viewer, { width: 60, height: 40 }), 30, 20)).toEqual([
+        200, 100, 50, 255,
+      ]);
 
       // The page may still be hydrated.
       let theta = 40;
       await expect(async () => {
         await viewer.evaluate((element: PhongViewer, to) => (element.theta = to), ++theta);
-        await expect(page.locator('output')).toHaveText(`script to ${String(theta)}`, { timeout: 500 });
+        await expect(page.locator('output')).toHaveText(`script to ${String(theta)}`, {
+          timeout: 500,
+        });
       }).toPass();
       await page.getByText('light up').click();
       await expect.poll(async () => (await lights())[0]).toEqual([true, [20, 30, 40]]);

@@ -1,6 +1,7 @@
-// Does phong-viewer/playwright work from the packed tarball, in a project of ES modules and in one of CommonJS, which
-// Playwright makes by default? The page has a copy of dist/ anywhere on a server, under the strict policy, and fetches
-// lazy parts from there. Installs from the registry, so it is slow: @release.
+// Does phong-viewer/playwright work from the packed tarball, in a project of ES modules and in one
+// of CommonJS, which Playwright makes by default? The page has a copy of dist/ anywhere on a
+// server, under the strict policy, and fetches lazy parts from there. Installs from the registry,
+// so it is slow: @release.
 import { join } from 'node:path';
 import { launchOptions } from '../support/built-pages.mjs';
 import { startSite } from '../support/site.js';
@@ -25,13 +26,18 @@ test('lamp', async ({ page }) => {
 test('phong-viewer/playwright judges a page in fresh projects of both module kinds @release', async () => {
   test.setTimeout(300_000);
   const project = freshProject(['@playwright/test']);
-  const site = await startSite({ '/some/where/': join(project.folder, 'node_modules/phong-viewer/dist') });
+  const site = await startSite({
+    '/some/where/': join(project.folder, 'node_modules/phong-viewer/dist'),
+  });
   try {
     const address = site.page('<phong-viewer geometry="box"></phong-viewer>', {
       head: '<script type="module" src="/some/where/phong-viewer.standalone.js"></script>',
     });
     const use = { launchOptions: await launchOptions('', []) };
-    project.write('playwright.config.ts', `export default ${JSON.stringify({ timeout: 120_000, use })};`);
+    project.write(
+      'playwright.config.ts',
+      `export default ${JSON.stringify({ timeout: 120_000, use })};`,
+    );
     project.write('lamp.spec.ts', spec(address));
     for (const type of ['module', 'commonjs']) {
       project.run(`npm pkg set type=${type}`);

@@ -1,8 +1,17 @@
-// Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/
-// as `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
+// Makes a project in a temporary folder with the packed tarball installed as a user would. The
+// tarball comes from dist/ as `npm run build` left it, other packages from the registry at the
+// versions in this repository's package.json.
 
 import { exec, execSync, spawn } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -20,8 +29,8 @@ export const manifest = JSON.parse(readFileSync(join(repository, 'package.json')
 };
 
 /**
- * For the tests of the describe block it is called in, which then run in order: makes the project before the first and
- * removes it after the last.
+ * For the tests of the describe block it is called in, which then run in order: makes the project
+ * before the first and removes it after the last.
  */
 export function useFreshProject(
   packages: readonly string[],
@@ -56,8 +65,8 @@ export function freshProject(packages: readonly string[]) {
     /** The same without blocking this process. */
     runBeside: (command: string) => runBeside(command, folder),
     /**
-     * Starts a server by a script of an installed package, until the project is removed. Gives the address that it
-     * prints, such as `http://localhost:40123`.
+     * Starts a server by a script of an installed package, until the project is removed. Gives the
+     * address that it prints, such as `http://localhost:40123`.
      */
     serve(script: string, args: readonly string[]): Promise<string> {
       const { origin, stop } = serve(join(folder, 'node_modules', script), args, folder);
@@ -70,7 +79,9 @@ export function freshProject(packages: readonly string[]) {
       project.run('npx vite build --base ./ --logLevel warn');
       return join(folder, 'dist');
     },
-    /** Opens the index page of a folder under this policy, and waits until its viewers are drawn. */
+    /**
+     * Opens the index page of a folder under this policy, and waits until its viewers are drawn.
+     */
     async open(page: Page, root: string, policy = strictPolicy): Promise<void> {
       const site = await startSite({ '/': root }, policy);
       ends.push(() => site.close());
@@ -78,7 +89,9 @@ export function freshProject(packages: readonly string[]) {
       await allReady(page);
     },
     async remove(): Promise<void> {
-      for (const end of ends) await end();
+      for (const end of ends) {
+        await end();
+      }
       rmSync(folder, { recursive: true, force: true });
     },
   };
@@ -107,7 +120,9 @@ export const strictOptions = {
   types: [],
 };
 
-/** The first block of code under a heading of the README, or of the pages about frameworks and core. */
+/**
+ * The first block of code under a heading of the README, or of the pages about frameworks and core.
+ */
 export function readmeSample(heading: string): string {
   for (const page of ['README.md', 'src/FRAMEWORKS.md', 'src/CORE.md']) {
     const text = readFileSync(join(repository, page), 'utf8');
@@ -121,7 +136,9 @@ export function readmeSample(heading: string): string {
 /** The scripts of the documents that import the elements or ask `shadeAt`, in their order. */
 export const readmeScripts = (): string[] =>
   ['README.md', 'src/FRAMEWORKS.md', 'src/API.md']
-    .flatMap((page) => [...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g)])
+    .flatMap((page) => [
+      ...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g),
+    ])
     .map(([, code = '']) => code)
     .filter((code) => /(?:from|import) 'phong-viewer'|\.shadeAt\(/.test(code));
 
@@ -129,8 +146,11 @@ export const readmeScripts = (): string[] =>
 function pack(folder: string): string {
   const staged = join(folder, 'packed');
   mkdirSync(staged);
-  for (const name of ['package.json', 'README.md', 'LICENSE', 'CHANGELOG.md'])
-    if (existsSync(join(repository, name))) cpSync(join(repository, name), join(staged, name));
+  for (const name of ['package.json', 'README.md', 'LICENSE', 'CHANGELOG.md']) {
+    if (existsSync(join(repository, name))) {
+      cpSync(join(repository, name), join(staged, name));
+    }
+  }
   cpSync(outputFolder('dist'), join(staged, 'dist'), { recursive: true });
   run(`npm pack --ignore-scripts --pack-destination ${JSON.stringify(folder)}`, staged);
   rmSync(staged, { recursive: true });
@@ -153,8 +173,11 @@ function serve(script: string, args: readonly string[], cwd: string) {
   const origin = new Promise<string>((resolve, reject) => {
     const hear = (chunk: Buffer): void => {
       said += chunk.toString();
-      const [, port] = /http:\/\/(?:localhost|127\.0\.0\.1|0\.0\.0\.0|\[::\]):(\d+)/.exec(said) ?? [];
-      if (port !== undefined) resolve(`http://localhost:${port}`);
+      const [, port] =
+        /http:\/\/(?:localhost|127\.0\.0\.1|0\.0\.0\.0|\[::\]):(\d+)/.exec(said) ?? [];
+      if (port !== undefined) {
+        resolve(`http://localhost:${port}`);
+      }
     };
     server.stdout.on('data', hear);
     server.stderr.on('data', hear);
@@ -173,12 +196,18 @@ function run(command: string, cwd: string): string {
 }
 
 function runBeside(command: string, cwd: string): Promise<string> {
-  // Playwright tells workers by variables, which a Playwright of the project's own must not inherit.
-  const own = Object.fromEntries(Object.entries(env).filter(([name]) => !/^(TEST_|PW_|PLAYWRIGHT_)/.test(name)));
+  // Playwright tells workers by variables, which a Playwright of the project's own must not
+  // inherit.
+  const own = Object.fromEntries(
+    Object.entries(env).filter(([name]) => !/^(TEST_|PW_|PLAYWRIGHT_)/.test(name)),
+  );
   return new Promise((resolve, reject) =>
     exec(command, { cwd, env: own, timeout: 240_000 }, (error, stdout, stderr) => {
-      if (error === null) resolve(stdout);
-      else reject(new Error(`${command}\n${stdout}\n${stderr}`, { cause: error }));
+      if (error === null) {
+        resolve(stdout);
+      } else {
+        reject(new Error(`${command}\n${stdout}\n${stderr}`, { cause: error }));
+      }
     }),
   );
 }

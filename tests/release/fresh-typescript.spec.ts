@@ -1,5 +1,6 @@
-// Does the packed tarball work in a fresh TypeScript project with Vite and three.js? Elements, `core` and types; React
-// is absent. arethetypeswrong and publint judge it too. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in a fresh TypeScript project with Vite and three.js? Elements,
+// `core` and types; React is absent. arethetypeswrong and publint judge it too. Installs from the
+// registry, so it is slow: @release.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -122,8 +123,15 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     project().write('properties.ts', PROPERTIES);
     const scripts = readmeScripts();
     expect(scripts.length).toBeGreaterThan(0);
-    scripts.forEach((code, i) => project().write(`readme-${i}.ts`, `import 'phong-viewer';\n${code}\n`));
-    const files = ['entries.ts', 'typed.ts', 'properties.ts', ...scripts.map((_, i) => `readme-${i}.ts`)];
+    scripts.forEach((code, i) =>
+      project().write(`readme-${i}.ts`, `import 'phong-viewer';\n${code}\n`),
+    );
+    const files = [
+      'entries.ts',
+      'typed.ts',
+      'properties.ts',
+      ...scripts.map((_, i) => `readme-${i}.ts`),
+    ];
     // As a bundler and as Node resolve them.
     for (const [moduleResolution, module] of [
       ['bundler', 'ESNext'],
@@ -135,7 +143,9 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     }
   });
 
-  test('draws in a page that Vite built from the standalone file, lazy parts included', async ({ page }) => {
+  test('draws in a page that Vite built from the standalone file, lazy parts included', async ({
+    page,
+  }) => {
     project().write('standalone.ts', "import 'phong-viewer/standalone';\n");
     const folder = project().build(
       '<script type="module" src="./standalone.ts"></script>' +
@@ -146,11 +156,14 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     const { data } = await pixels(viewer, { width: 64, height: 64 });
     expect(data.some((code, i) => i % 4 === 3 && code === 255)).toBe(true);
     await expect(viewer.getByText('sun').first()).toBeAttached();
-    // three.js itself would have stamped its version there, so the bundle contains only the standalone file's copy.
+    // three.js itself would have stamped its version there, so the bundle contains only the
+    // standalone file's copy.
     expect(await page.evaluate(() => '__THREE__' in window)).toBe(false);
   });
 
-  test('draws with plain three.js as the README says, without elements and without Lit', async ({ page }) => {
+  test('draws with plain three.js as the README says, without elements and without Lit', async ({
+    page,
+  }) => {
     project().write('core.js', readmeSample('With plain three.js'));
     const folder = project().build(
       '<canvas width="300" height="200"></canvas><script type="module" src="./core.js"></script>',

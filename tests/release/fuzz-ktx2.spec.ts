@@ -1,4 +1,5 @@
-// Can a damaged KTX2 texture hang a page or exhaust its memory? Damaged copies of valid files, unpacked in the worker.
+// Can a damaged KTX2 texture hang a page or exhaust its memory? Damaged copies of valid files,
+// unpacked in the worker.
 
 import { readFileSync } from 'node:fs';
 import { GROWTH_LIMIT_MB, load, MemoryWatch } from '../fuzz/model-run.js';
@@ -25,10 +26,15 @@ function damaged(random: Random): Buffer {
   return bytes;
 }
 
-// Chromium's headless shell crashes where WebAssembly reads out of bounds, which the transcoder does in damaged files.
+// Chromium's headless shell crashes where WebAssembly reads out of bounds, which the transcoder
+// does in damaged files.
 test.use({ launchOptions: await launchOptions('', []) });
 
-test(`@release ${COUNT} damaged textures end in events (seed ${FIRST})`, async ({ browser, consoleGuard, page }) => {
+test(`@release ${COUNT} damaged textures end in events (seed ${FIRST})`, async ({
+  browser,
+  consoleGuard,
+  page,
+}) => {
   consoleGuard.allow(/images\[0\]/);
   test.setTimeout(900_000);
   const random = new Random(FIRST);

@@ -1,5 +1,5 @@
-// Do pictures come back when the browser's GPU process crashes? In a browser of its own: the crash takes every page
-// along.
+// Do pictures come back when the browser's GPU process crashes? In a browser of its own: the crash
+// takes every page along.
 
 import { chromium } from '@playwright/test';
 import { launchOptions } from '../support/built-pages.mjs';
@@ -12,7 +12,9 @@ const scenes = ['geometry="box"', 'geometry="sphere" ka="0"'].map(
 );
 
 for (const count of [1, 2]) {
-  test(`@release ${count} on the page: a crash of the GPU process changes no picture`, async ({ site }) => {
+  test(`@release ${count} on the page: a crash of the GPU process changes no picture`, async ({
+    site,
+  }) => {
     test.setTimeout(120_000);
     const browser = await chromium.launch(await launchOptions('', []));
     try {
@@ -44,7 +46,9 @@ for (const count of [1, 2]) {
       await expect(notices).toHaveCount(count);
       await expect(notices).toHaveCount(0, { timeout: 60_000 });
       const after = await pictures();
-      expect(after.map((picture, i) => compare(picture, before[i]!).max)).toEqual(before.map(() => 0));
+      expect(after.map((picture, i) => compare(picture, before[i]!).max)).toEqual(
+        before.map(() => 0),
+      );
       expect(Buffer.compare(await viewers.first().screenshot(), shot)).toBe(0);
       expect(errors).toEqual([]);
     } finally {

@@ -12,14 +12,20 @@ import { test } from '../support/test.js';
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const HOUR = 3_600_000;
 
-// Of glsl/stress.spec.ts: all lights of the long programs at once, and drivers that err in one direction only.
+// Of glsl/stress.spec.ts: all lights of the long programs at once, and drivers that err in one
+// direction only.
 testContract({ driver: 'shipped', cases: 1e6, checks: 16384, everyLight: 1 }, '@release ');
-for (const driver of ['up', 'down', 'either'] as const)
+for (const driver of ['up', 'down', 'either'] as const) {
   testContract({ driver, cases: 2e5, checks: 16384, everyLight: 1 }, '@release ');
+}
 
 // Of element/faults/fault-histories.spec.ts, with pictures of 9000 × 9000 pixels.
 const FAULTS = Number(process.env['PHONG_VIEWER_FAULTS'] ?? 120);
-test(`@release pages recover from long random faults (seeds from ${FIRST})`, async ({ page, mount, consoleGuard }) => {
+test(`@release pages recover from long random faults (seeds from ${FIRST})`, async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   test.setTimeout(HOUR / 2);
   const long = { tasks: 40, withLargest: true };
   await expectRecovery({ page, mount, consoleGuard }, seedsFrom(FIRST, FAULTS), long);
@@ -40,26 +46,37 @@ for (const [what, kind] of [
 
 // Of element/models/fuzz-models.spec.ts, whose seeds are below 100.
 for (let seed = FIRST + 99; seed < FIRST + 105; seed++) {
-  test(`@release 400 hostile models end in events (seed ${seed})`, async ({ browser, page, mount, consoleGuard }) => {
+  test(`@release 400 hostile models end in events (seed ${seed})`, async ({
+    browser,
+    page,
+    mount,
+    consoleGuard,
+  }) => {
     test.setTimeout(HOUR / 2);
     await fuzzModels(browser, page, mount, { seed, count: 400, consoleGuard });
   });
 }
 
 // Of element/children/segments.spec.ts.
-test('@release the same markup gives the same picture of the same triangles at 100 loads', async ({ mount }) => {
+test('@release the same markup gives the same picture of the same triangles at 100 loads', async ({
+  mount,
+}) => {
   test.setTimeout(HOUR / 12);
   await loadAgain(mount, 100);
 });
 
 test('@release zooms of 150 frames show no jump and no blank frame', async ({ page, mount }) => {
   test.setTimeout(HOUR / 12);
-  for (const geometry of ['sphere', 'torus', 'cylinder', 'cone'])
+  for (const geometry of ['sphere', 'torus', 'cylinder', 'cone']) {
     expectSmooth(await filmZoom(page, mount, geometry, 150, { width: 160, height: 120 }), geometry);
+  }
 });
 
 // Of element/frames/programs.spec.ts.
-test(`@release walks of 400 steps make a general program per feature set (seed ${FIRST})`, async ({ page, mount }) => {
+test(`@release walks of 400 steps make a general program per feature set (seed ${FIRST})`, async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(HOUR / 2);
   await logGl(page);
   for (let seed = FIRST; seed < FIRST + 5; seed++) {

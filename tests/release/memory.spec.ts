@@ -1,5 +1,5 @@
-// Do models of the promised size load, and does any file, or a page of many, take a gigabyte? Measured in the browser's
-// own processes.
+// Do models of the promised size load, and does any file, or a page of many, take a gigabyte?
+// Measured in the browser's own processes.
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import type { PhongViewer } from '../element/support/viewer.js';
@@ -52,7 +52,10 @@ function gridGlb(side: number, normals: boolean): Buffer {
   return Buffer.from(gltf.glb());
 }
 
-/** What the files are; how they end, if not by `load`; whether they are sent with gzip; what the page says. */
+/**
+ * What the files are; how they end, if not by `load`; whether they are sent with gzip; what the
+ * page says.
+ */
 interface Case {
   readonly make: () => Buffer;
   readonly ends?: string;
@@ -75,32 +78,53 @@ const CASES: Readonly<Record<string, Case>> = {
 };
 
 for (const [what, { make, ends = 'load', isZipped = false, says }] of Object.entries(CASES)) {
-  test(`@release ${what} ends by ${ends} in less than a gigabyte`, async ({ browser, site, mount, consoleGuard }) => {
+  test(`@release ${what} ends by ${ends} in less than a gigabyte`, async ({
+    browser,
+    site,
+    mount,
+    consoleGuard,
+  }) => {
     test.setTimeout(600_000);
-    if (says !== undefined) consoleGuard.allow(says);
-    const viewer = await mount(`<phong-viewer src="${site.file(triangleGlb())}"></phong-viewer>`, SIZE);
+    if (says !== undefined) {
+      consoleGuard.allow(says);
+    }
+    const viewer = await mount(
+      `<phong-viewer src="${site.file(triangleGlb())}"></phong-viewer>`,
+      SIZE,
+    );
     const memory = await MemoryWatch.of(browser);
     const file = isZipped ? gzipSync(make(), { level: 9 }) : make();
     const address = site.file(file, isZipped);
     memory.start();
     expect(await load(viewer, `${address}?file`)).toBe(ends);
-    await viewer.evaluate(async (element: PhongViewer) => (await element.toBlob({ width: 30, height: 20 })).size);
+    await viewer.evaluate(
+      async (element: PhongViewer) => (await element.toBlob({ width: 30, height: 20 })).size,
+    );
     const growth = memory.stop();
     console.log(`${what}: ${file.length} bytes, ${growth.toFixed()} MB`);
     expect(growth).toBeLessThan(GROWTH_LIMIT_MB);
   });
 }
 
-test('@release ninety meshes of one model take the memory of one', async ({ browser, site, mount, consoleGuard }) => {
+test('@release ninety meshes of one model take the memory of one', async ({
+  browser,
+  site,
+  mount,
+  consoleGuard,
+}) => {
   test.setTimeout(300_000);
   consoleGuard.allow(/is shown without KHR_materials/, 1);
-  const model = readFileSync(new URL('../../demo/assets/models/real/magicleap-two.glb', import.meta.url));
+  const model = readFileSync(
+    new URL('../../demo/assets/models/real/magicleap-two.glb', import.meta.url),
+  );
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const memory = await MemoryWatch.of(browser);
   const address = site.file(model);
   memory.start();
   const shown = await viewer.evaluate(async (element: PhongViewer, src) => {
-    for (let i = 0; i < 90; i++) element.append(Object.assign(document.createElement('phong-mesh'), { src }));
+    for (let i = 0; i < 90; i++) {
+      element.append(Object.assign(document.createElement('phong-mesh'), { src }));
+    }
     await element.ready;
     return element.scene.children.length;
   }, address);
@@ -110,7 +134,10 @@ test('@release ninety meshes of one model take the memory of one', async ({ brow
   expect(growth).toBeLessThan(GROWTH_LIMIT_MB);
 });
 
-test('@release eight captures at once take the float buffers of one', async ({ browser, mount }) => {
+test('@release eight captures at once take the float buffers of one', async ({
+  browser,
+  mount,
+}) => {
   test.setTimeout(300_000);
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
   const memory = await MemoryWatch.of(browser);

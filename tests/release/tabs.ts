@@ -1,5 +1,5 @@
-// One page in Firefox or in WebKitGTK, with real input: what the checks of browser-checks.ts need of a browser.
-// Positions are CSS pixels of the page.
+// One page in Firefox or in WebKitGTK, with real input: what the checks of browser-checks.ts need
+// of a browser. Positions are CSS pixels of the page.
 import { startFirefox } from '../../.ci/firefox.mjs';
 import { startWebkit } from '../../.ci/webkit.mjs';
 import type { PhongViewer } from '../../src/viewer/index.js';
@@ -10,11 +10,17 @@ export interface Tab {
   /** Such as `Firefox 153.0`. */
   readonly browser: string;
   open(address: string): Promise<void>;
-  /** Runs a function in the page, which may use nothing outside itself; arguments and result travel as JSON. */
+  /**
+   * Runs a function in the page, which may use nothing outside itself; arguments and result travel
+   * as JSON.
+   */
   run<A, T>(work: (argument: A) => T | Promise<T>, argument: A): Promise<T>;
   run<T>(work: () => T | Promise<T>): Promise<T>;
   /** The same with the page's first viewer. */
-  onViewer<A, T>(work: (viewer: PhongViewer, argument: A) => T | Promise<T>, argument: A): Promise<T>;
+  onViewer<A, T>(
+    work: (viewer: PhongViewer, argument: A) => T | Promise<T>,
+    argument: A,
+  ): Promise<T>;
   onViewer<T>(work: (viewer: PhongViewer) => T | Promise<T>): Promise<T>;
   /** Presses the primary button at `from`, moves by `by` in several steps and releases. */
   drag(from: Place, by: Place): Promise<void>;
@@ -27,7 +33,10 @@ export interface Tab {
   close(): Promise<void>;
 }
 
-export const STARTS: Readonly<Record<string, () => Promise<Tab>>> = { Firefox: firefoxTab, WebKitGTK: webkitTab };
+export const STARTS: Readonly<Record<string, () => Promise<Tab>>> = {
+  Firefox: firefoxTab,
+  WebKitGTK: webkitTab,
+};
 
 async function firefoxTab(): Promise<Tab> {
   const { browser, close } = await startFirefox();
@@ -40,7 +49,8 @@ async function firefoxTab(): Promise<Tab> {
     },
     onViewer: (work: (viewer: PhongViewer, argument: never) => unknown, argument?: unknown) =>
       page.$eval('phong-viewer', work, argument as never) as never,
-    run: (work: (argument: never) => unknown, argument?: unknown) => page.evaluate(work, argument as never) as never,
+    run: (work: (argument: never) => unknown, argument?: unknown) =>
+      page.evaluate(work, argument as never) as never,
     async drag([x, y], [dx, dy]) {
       await page.mouse.move(x, y);
       await page.mouse.down();
@@ -62,7 +72,8 @@ const KEYS = { ArrowRight: '\uE014', Home: '\uE011', '+': '+' } as const;
 
 async function webkitTab(): Promise<Tab> {
   const { version, send, close } = await startWebkit();
-  const act = async (...actions: readonly object[]): Promise<void> => await send('POST', '/actions', { actions });
+  const act = async (...actions: readonly object[]): Promise<void> =>
+    await send('POST', '/actions', { actions });
   const mouse = (...actions: readonly object[]) =>
     act({ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions });
   const execute = async (call: string, argument: unknown): Promise<unknown> => {
@@ -85,7 +96,10 @@ async function webkitTab(): Promise<Tab> {
     run: (work: (argument: never) => unknown, argument?: unknown) =>
       execute(`(${String(work)})(argument)`, argument) as never,
     onViewer: (work: (viewer: PhongViewer, argument: never) => unknown, argument?: unknown) =>
-      execute(`(${String(work)})(document.querySelector('phong-viewer'), argument)`, argument) as never,
+      execute(
+        `(${String(work)})(document.querySelector('phong-viewer'), argument)`,
+        argument,
+      ) as never,
     drag: ([x, y], [dx, dy]) =>
       mouse(
         { type: 'pointerMove', x, y, duration: 0 },

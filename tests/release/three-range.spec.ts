@@ -1,6 +1,7 @@
-// Does the packed tarball work with the oldest and the newest three.js that its peer range allows, types included? Few
-// lights (uniforms) and many (a texture), a model with a texture, and an object of the page's own.
-// PHONG_VIEWER_THREE=~0.183.0 tries that release instead. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work with the oldest and the newest three.js that its peer range allows,
+// types included? Few lights (uniforms) and many (a texture), a model with a texture, and an object
+// of the page's own. PHONG_VIEWER_THREE=~0.183.0 tries that release instead. Installs from the
+// registry, so it is slow: @release.
 
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
@@ -51,7 +52,10 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
     const project = useFreshProject(
       [`three@${version}`, `@types/three@${version}`, typescript, 'vite'],
       ({ folder, write }) => {
-        cpSync(join(repository, 'tests/fixtures/models/textured.glb'), join(folder, 'public/model.glb'));
+        cpSync(
+          join(repository, 'tests/fixtures/models/textured.glb'),
+          join(folder, 'public/model.glb'),
+        );
         write('main.ts', main);
       },
     );
@@ -65,7 +69,9 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
     test('draws the equation, models and objects of the page', async ({ page }) => {
       await project().open(page, project().build(body));
       const revision = await page.evaluate(() => Reflect.get(window, 'revision') as string);
-      if (minor !== undefined) expect(revision).toBe(minor);
+      if (minor !== undefined) {
+        expect(revision).toBe(minor);
+      }
 
       for (const id of ['few', 'many', 'model']) {
         const viewer = page.locator(`#${id}`);
@@ -74,17 +80,23 @@ for (const version of asked === undefined ? [oldest, range] : [asked]) {
           const picture = await pixels(viewer, { width, height });
           for (const [x, y] of PLACES) {
             const color = await viewer.evaluate(
-              async (element: PhongViewer, [x, y]) => (await element.shadeAt(x + 0.5, y + 0.5))?.color,
+              async (element: PhongViewer, [x, y]) =>
+                (await element.shadeAt(x + 0.5, y + 0.5))?.color,
               [x, y] as const,
             );
             const codes = pixelAt(picture, x, y);
-            for (const [i, share] of color!.entries())
-              expect(Math.abs(codes[i]! - 255 * share), `${id} at ${x}, ${y}`).toBeLessThanOrEqual(1);
+            for (const [i, share] of color!.entries()) {
+              expect(Math.abs(codes[i]! - 255 * share), `${id} at ${x}, ${y}`).toBeLessThanOrEqual(
+                1,
+              );
+            }
           }
         };
         await check();
         await viewer.evaluate((element: PhongViewer) => {
-          for (const light of element.lights) light.diffuse = [10, 5, 9];
+          for (const light of element.lights) {
+            light.diffuse = [10, 5, 9];
+          }
         });
         await check();
       }

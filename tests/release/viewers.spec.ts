@@ -1,6 +1,6 @@
-// The long forms of element/page/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page, a long scroll, a
-// thousand that come and go. And of element/frames/still-films.spec.ts: fifty viewers with `antialias="full"`. That those
-// out of view wait is in still-losses.spec.ts.
+// The long forms of element/page/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page,
+// a long scroll, a thousand that come and go. And of element/frames/still-films.spec.ts: fifty
+// viewers with `antialias="full"`. That those out of view wait is in still-losses.spec.ts.
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -15,7 +15,10 @@ test.beforeEach(({ page }) => {
   return countEverything(page);
 });
 
-test('@release two hundred viewers share one context, come back when it is lost, and rest', async ({ page, mount }) => {
+test('@release two hundred viewers share one context, come back when it is lost, and rest', async ({
+  page,
+  mount,
+}) => {
   await holdContext(page);
   const viewer = await mount(reddening(200), small);
   expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 200, observers: 3 });
@@ -29,11 +32,17 @@ test('@release two hundred viewers share one context, come back when it is lost,
   expect(await spentIn(page, 2000)).toEqual(NOTHING);
 });
 
-test('@release four hundred viewers are scrolled through in bounded memory', async ({ page, mount }) => {
+test('@release four hundred viewers are scrolled through in bounded memory', async ({
+  page,
+  mount,
+}) => {
   await scrollThrough(page, mount, 400);
 });
 
-test('@release a thousand viewers come and go and leave nothing behind', async ({ page, mount }) => {
+test('@release a thousand viewers come and go and leave nothing behind', async ({
+  page,
+  mount,
+}) => {
   await mount('<phong-viewer geometry="box"></phong-viewer>', small);
   const kinds = [
     '<phong-viewer src="/fixtures/models/textured.glb"></phong-viewer>',
@@ -43,9 +52,11 @@ test('@release a thousand viewers come and go and leave nothing behind', async (
     '<phong-viewer src="/assets/models/bunny.glb" terms="diffuse"></phong-viewer>',
   ];
   const ledger = await Ledger.of(page);
-  for (let round = 0; round < 4; round++) await comeAndGo(page, kinds, 50); // until the browser has compiled what is hot
-  // The one that stays is drawn again as others come and go, and gets a program for exactly its lights: now rather than
-  // meanwhile.
+  for (let round = 0; round < 4; round++) {
+    await comeAndGo(page, kinds, 50); // until the browser has compiled what is hot
+  }
+  // The one that stays is drawn again as others come and go, and gets a program for exactly its
+  // lights: now rather than meanwhile.
   await page.evaluate(async () => {
     for (let frame = 0; frame < 60; frame++) {
       document.querySelector<PhongViewer>('phong-viewer')!.requestRender();
@@ -53,13 +64,16 @@ test('@release a thousand viewers come and go and leave nothing behind', async (
     }
   });
   const before = await ledger.read();
-  for (let round = 0; round < 16; round++) await comeAndGo(page, kinds, 50);
+  for (let round = 0; round < 16; round++) {
+    await comeAndGo(page, kinds, 50);
+  }
   await nextFrame(page);
   const { counts, objects, heap } = await ledger.read();
   expect(counts).toEqual(before.counts);
   expect(objects).toEqual(before.objects);
   console.log(`heap: ${before.heap} bytes after 200, ${heap} after 1000`);
-  // Counting from outside and compiling take some: 5 to 620 bytes each were measured. No viewer is that small.
+  // Counting from outside and compiling take some: 5 to 620 bytes each were measured. No viewer is
+  // that small.
   expect(heap - before.heap).toBeLessThan(800 * 1024);
 });
 
@@ -91,7 +105,10 @@ const countFloats = (page: Page): Promise<unknown> =>
     Object.assign(prototype, { texImage2D: count, deleteTexture: forget });
   });
 
-test('@release fifty viewers converge, each of them once, and then nothing runs', async ({ page, mount }) => {
+test('@release fifty viewers converge, each of them once, and then nothing runs', async ({
+  page,
+  mount,
+}) => {
   await countFloats(page);
   const kinds = ['box', 'sphere', 'cone', 'torus', 'teapot'];
   const markup = Array.from({ length: 50 }, (_, i) => {
@@ -116,10 +133,19 @@ test('@release fifty viewers converge, each of them once, and then nothing runs'
   await page.waitForTimeout(KEPT_MS);
   expect(await spentIn(page, 1000)).toEqual(NOTHING);
   const { textures, framebuffers, renderbuffers } = before;
-  expect(await countsOf(page)).toMatchObject({ textures, framebuffers, renderbuffers, contexts: 1 });
+  expect(await countsOf(page)).toMatchObject({
+    textures,
+    framebuffers,
+    renderbuffers,
+    contexts: 1,
+  });
   const floats = await page.evaluate(() => {
     const { live, ...rest } = Reflect.get(window, 'floats') as { readonly live: Set<unknown> };
     return { ...rest, live: live.size };
   });
-  expect(floats, 'one sum in two buffers, freed at the end').toEqual({ live: 0, most: 2, pixels: 64 * 48 });
+  expect(floats, 'one sum in two buffers, freed at the end').toEqual({
+    live: 0,
+    most: 2,
+    pixels: 64 * 48,
+  });
 });

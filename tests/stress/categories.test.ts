@@ -1,5 +1,5 @@
-// Are the adversarial cases valid: within the attributes' domains, the same for the same seed, and float32 for the
-// shader?
+// Are the adversarial cases valid: within the attributes' domains, the same for the same seed, and
+// float32 for the shader?
 import { serialize } from 'node:v8';
 import { describe, expect, it } from 'vitest';
 import { SURFACE_FIELDS } from '../../src/phong/material/material-values.js';
@@ -12,7 +12,11 @@ import { Random } from './random.js';
 
 const SEED = 11;
 
-function cases(make: (random: Random, variant: Variant) => StressCase, variant: Variant, count: number) {
+function cases(
+  make: (random: Random, variant: Variant) => StressCase,
+  variant: Variant,
+  count: number,
+) {
   const random = new Random(SEED);
   return Array.from({ length: count }, () => make(random, variant));
 }
@@ -27,17 +31,26 @@ describe('the adversarial categories', () => {
     const count = lights > 64 ? 2 : 50;
 
     it('hold only values within the attributes’ domains', () => {
-      // Fields throw at values outside of their domains. One expectation for each value took most of the time.
+      // Fields throw at values outside of their domains. One expectation for each value took most
+      // of the time.
       for (const { lights: declared, surface } of cases(make, variants[0]!, count)) {
         for (const light of declared) {
-          for (const [key, field] of Object.entries(LIGHT_FIELDS)) field.check(light[key as keyof typeof light]);
+          for (const [key, field] of Object.entries(LIGHT_FIELDS)) {
+            field.check(light[key as keyof typeof light]);
+          }
         }
-        for (const [key, field] of Object.entries(SURFACE_FIELDS)) field.check(surface[key as keyof typeof surface]);
+        for (const [key, field] of Object.entries(SURFACE_FIELDS)) {
+          field.check(surface[key as keyof typeof surface]);
+        }
       }
     });
 
     it('give the shader and the reference the same float32 values', () => {
-      for (const { p, eye, normal, normalMatrix = [], origin } of cases(make, variants[0]!, count)) {
+      for (const { p, eye, normal, normalMatrix = [], origin } of cases(
+        make,
+        variants[0]!,
+        count,
+      )) {
         const given = [...p, ...eye, ...normal, ...normalMatrix];
         expect(given.filter((x) => Math.fround(x) !== x)).toEqual([]);
         const rounded = p.filter((x, i) => origin[i]! + x - origin[i]! !== x);

@@ -7,7 +7,15 @@ import { LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';
 import { SURFACE_FIELDS, type SurfaceValues } from '../../src/phong/material/material-values.js';
 import { normalMatrix } from '../../src/phong/material/normal-matrix.js';
 import { radians } from '../../src/phong/math/angle.js';
-import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
+import {
+  add,
+  cross,
+  dot,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../src/phong/math/vector.js';
 import { lightWith, ORIGIN, type StressCase, type Variant } from './case.js';
 import { BOUNDS } from './contract.js';
 import {
@@ -47,7 +55,10 @@ const BLINN: Variant = { reflection: 'blinn-phong', linear: false };
 const BOTH: readonly Variant[] = [PHONG, BLINN];
 const LINEAR: readonly Variant[] = BOTH.map(({ reflection }) => ({ reflection, linear: true }));
 
-/** Entries by id. Without a bound they have that of ordinary scenes, without programs they go through `variants`. */
+/**
+ * Entries by id. Without a bound they have that of ordinary scenes, without programs they go
+ * through `variants`.
+ */
 const categories = (
   entries: Readonly<Record<string, Partial<Category> & Pick<Category, 'title' | 'make'>>>,
   variants: readonly Variant[] = BOTH,
@@ -80,7 +91,11 @@ const mildExponent = (random: Random, most: number): number =>
 
 /** In and around a highlight, under a spot near its axis: the errors of both powers add up. */
 function mildPowers(random: Random, variant: Variant): StressCase {
-  const stress = highlight(random, mildExponent(random, random.pick([64, LARGEST_MILD_POWER])), variant);
+  const stress = highlight(
+    random,
+    mildExponent(random, random.pick([64, LARGEST_MILD_POWER])),
+    variant,
+  );
   const light = stress.lights[0]!;
   if (light.position[3] === 0) return stress;
   const cutoff = mildExponent(random, 64);
@@ -97,7 +112,9 @@ function grazing(random: Random): StressCase {
   const off = random.sign() * random.magnitude(1e-6, 1e-2);
   const L = random.around(fragment.N, Math.PI / 2 - off);
   const light = { ambient: random.color(50), diffuse: WHITE, specular: random.color() };
-  const position = random.chance(0.5) ? direction(L) : place(add(fragment.p, scale(L, random.from(0.5, 4))));
+  const position = random.chance(0.5)
+    ? direction(L)
+    : place(add(fragment.p, scale(L, random.from(0.5, 4))));
   return stressCase(fragment, white(random.pick([1, 2, 32])), [lightWith({ ...light, position })]);
 }
 
@@ -105,10 +122,15 @@ function grazing(random: Random): StressCase {
 function behind(random: Random): StressCase {
   const fragment = seen(random);
   const L = scale(random.around(fragment.N, random.from(0, 1.56)), -1);
-  const light = { ...colors(random, 512), position: place(add(fragment.p, scale(L, random.from(0.1, 6)))) };
+  const light = {
+    ...colors(random, 512),
+    position: place(add(fragment.p, scale(L, random.from(0.1, 6)))),
+  };
   const axis = random.around(L, random.from(0, 1));
   const spot = random.chance(0.5) ? { axis, cutoff: random.from(0, 20) } : {};
-  return stressCase(fragment, surface(random, random.from(0, 64)), [lightWith({ ...light, ...spot })]);
+  return stressCase(fragment, surface(random, random.from(0, 64)), [
+    lightWith({ ...light, ...spot }),
+  ]);
 }
 
 /** A light so near that its and the fragment's coordinates have few digits left between them. */
@@ -124,7 +146,8 @@ function near(random: Random): StressCase {
 function attenuated(random: Random): StressCase {
   const fragment = seen(random);
   const constant = random.pick([0, 1, random.magnitude(1e-3, 1e6), 1e6]);
-  const falling = (): number => random.pick([0, random.magnitude(1e-6, 1e6), random.from(0, 1), 1e6]);
+  const falling = (): number =>
+    random.pick([0, random.magnitude(1e-6, 1e6), random.from(0, 1), 1e6]);
   const attenuation: Vec3 = random.chance(0.2) ? [0, 0, 0] : [constant, falling(), falling()];
   const L = random.around(fragment.N, random.from(0, 1.5));
   const far = random.pick([0.1, 1, 10, 1e3, 1e6, 1e12]) * random.from(0.5, 2);
@@ -149,7 +172,8 @@ function bright(random: Random): StressCase {
 const shininessTo = (most: '1e4' | '1e5' | '1e6'): Pick<Category, 'title' | 'bound' | 'make'> => ({
   title: `shininess to ${most}, in and around the highlight`,
   bound: BOUNDS[`shininess${most}`],
-  make: (random, variant) => highlight(random, random.magnitude(Number(most) / 10, Number(most)), variant),
+  make: (random, variant) =>
+    highlight(random, random.magnitude(Number(most) / 10, Number(most)), variant),
 });
 
 const ordinaryCategories = categories({
@@ -164,7 +188,11 @@ const ordinaryCategories = categories({
     title: 'shininess from 0 to 1, exponents below 1e-6 included',
     bound: BOUNDS.smallExponent,
     make: (random, variant) =>
-      highlight(random, random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]), variant),
+      highlight(
+        random,
+        random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]),
+        variant,
+      ),
   },
   'shininess-1e3': {
     title: 'shininess from 1 to 1,000, in and around the highlight',
@@ -194,9 +222,13 @@ const ordinaryCategories = categories({
   bright: { title: 'lights up to 1e6 of 255', make: bright },
 });
 
-// Spots where cones and decays are weakest: on the axis, straight behind, at the edge, with no width, with no axis.
+// Spots where cones and decays are weakest: on the axis, straight behind, at the edge, with no
+// width, with no axis.
 
-/** A white spot at this angle off its axis to the fragment: ambient light shows its cone and decay alone. */
+/**
+ * A white spot at this angle off its axis to the fragment: ambient light shows its cone and decay
+ * alone.
+ */
 function spot(random: Random, angle: number, values: Partial<LightValues>): StressCase {
   const fragment = seen(random);
   return stressCase(fragment, white(1), [spotOver(random, fragment.p, angle, values)]);
@@ -212,7 +244,10 @@ function nearAxis(random: Random, least: number, largest: number): StressCase {
 function antipode(random: Random): StressCase {
   const off = random.chance(0.1) ? 0 : random.magnitude(1e-9, 0.1);
   const aperture = random.chance(0.5) ? 180 : random.from(175, 180);
-  return spot(random, Math.PI - off, { aperture, cutoff: random.pick([0, 1, 2, random.from(1, 100)]) });
+  return spot(random, Math.PI - off, {
+    aperture,
+    cutoff: random.pick([0, 1, 2, random.from(1, 100)]),
+  });
 }
 
 /** Without a cone everything passes, wherever it lies. */
@@ -230,7 +265,10 @@ const WORLD_AXES: readonly Vec3[] = [
   [0, 0, -1],
 ];
 
-/** A cone of no width: fragments exactly on the axis, along the world's axes where doubles are exact, or beside it. */
+/**
+ * A cone of no width: fragments exactly on the axis, along the world's axes where doubles are
+ * exact, or beside it.
+ */
 function widthless(random: Random): StressCase {
   if (random.chance(0.5)) {
     const off = random.magnitude(1e-5, Math.PI);
@@ -251,7 +289,8 @@ function widthless(random: Random): StressCase {
 /** A cone at most half a degree wide, inside and outside of it. */
 function narrow(random: Random): StressCase {
   const aperture = random.magnitude(1e-3, 0.5);
-  const angle = radians(aperture) * random.pick([random.from(0, 1), random.from(1, 2), random.from(0, 20)]);
+  const angle =
+    radians(aperture) * random.pick([random.from(0, 1), random.from(1, 2), random.from(0, 20)]);
   return spot(random, angle, { aperture, cutoff: random.pick([0, 100]) });
 }
 
@@ -278,7 +317,11 @@ function axisless(random: Random): StressCase {
 /** An axis of any length from 1e-300 to 1e15. */
 function axisOfAnyLength(random: Random): StressCase {
   const fragment = seen(random);
-  const light = spotOver(random, fragment.p, random.from(0, 1), { aperture: 90, cutoff: 4, diffuse: WHITE });
+  const light = spotOver(random, fragment.p, random.from(0, 1), {
+    aperture: 90,
+    cutoff: 4,
+    diffuse: WHITE,
+  });
   const size = random.pick([1e-300, 5e-324, 1e-40, 1e-20, 1e15 / 11]);
   return stressCase(fragment, white(8), [{ ...light, axis: scale(light.axis, size) }]);
 }
@@ -290,9 +333,14 @@ const spotCategories = categories(
       bound: BOUNDS.smallExponent,
       make: (random) => {
         const cutoff = random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]);
-        // From where the contract begins, 1e-3 rad from straight behind: there the base is all but gone.
+        // From where the contract begins, 1e-3 rad from straight behind: there the base is all but
+        // gone.
         const back = Math.PI - random.magnitude(1e-3, 0.1);
-        return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]), { cutoff });
+        return spot(
+          random,
+          random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]),
+          { cutoff },
+        );
       },
     },
     'cutoff-1e4': {
@@ -316,8 +364,8 @@ const spotCategories = categories(
   [PHONG],
 );
 
-// Input that has no direction, no size or no number: lights at the fragment, vectors of zero, normals of any length,
-// and whatever can be written into an attribute.
+// Input that has no direction, no size or no number: lights at the fragment, vectors of zero,
+// normals of any length, and whatever can be written into an attribute.
 
 /** A light, perhaps a spot, at the fragment or no farther than float32 tells apart from it. */
 function atFragment(random: Random): StressCase {
@@ -326,15 +374,26 @@ function atFragment(random: Random): StressCase {
   const p = random.chance(0.5) ? ORIGIN : fragment.p;
   const off = random.chance(0.3) ? 0 : random.magnitude(1e-30, 0.9e-15);
   const position = place(add(p, scale(random.unit(), off)));
-  const spot = random.chance(0.5) ? { axis: random.unit(), aperture: random.from(0, 180), cutoff: 1e6 } : {};
-  const light = lightWith({ ...colors(random), position, attenuation: random.vector(0, 2), ...spot });
+  const spot = random.chance(0.5)
+    ? { axis: random.unit(), aperture: random.from(0, 180), cutoff: 1e6 }
+    : {};
+  const light = lightWith({
+    ...colors(random),
+    position,
+    attenuation: random.vector(0, 2),
+    ...spot,
+  });
   return stressCase({ ...fragment, p }, surface(random, random.from(0, 64)), [light]);
 }
 
 /** A directional light that points nowhere, beside one that does. */
 function directionless(random: Random): StressCase {
   const fragment = seen(random);
-  const nowhere = lightWith({ ...colors(random), position: [0, 0, 0, 0], aperture: random.from(0, 180) });
+  const nowhere = lightWith({
+    ...colors(random),
+    position: [0, 0, 0, 0],
+    aperture: random.from(0, 180),
+  });
   return stressCase(fragment, surface(random, random.from(0, 64)), [
     nowhere,
     anyLight(random, fragment.p, colors(random)),
@@ -346,19 +405,24 @@ function directionOfAnyLength(random: Random): StressCase {
   const fragment = seen(random);
   const size = random.pick([5e-324, 1e-300, 1e-40, 1e-15, 1e15 / 2]);
   const position = direction(scale(random.around(fragment.N, random.from(0, 1.5)), size));
-  return stressCase(fragment, surface(random, random.from(1, 64)), [lightWith({ ...colors(random), position })]);
+  return stressCase(fragment, surface(random, random.from(1, 64)), [
+    lightWith({ ...colors(random), position }),
+  ]);
 }
 
 /**
- * The eye looks straight into the light from behind the fragment: L + V is zero, and Blinn's half vector has no
- * direction.
+ * The eye looks straight into the light from behind the fragment: L + V is zero, and Blinn's half
+ * vector has no direction.
  */
 function opposite(random: Random): StressCase {
   const L = random.pick(AXES.slice(0, 3));
   const normal = shortNormal(random, random.around(L, random.from(0, 1.5)));
   const p: Vec3 = [random.pick([-1, 0, 2]), random.pick([-2, 0, 1]), random.pick([-1, 0, 1])];
   const eye = add(p, scale(L, -random.pick([0.5, 1, 3, 4])));
-  const light = lightWith({ ...colors(random), position: direction(scale(L, random.magnitude(0.1, 10))) });
+  const light = lightWith({
+    ...colors(random),
+    position: direction(scale(L, random.magnitude(0.1, 10))),
+  });
   return stressCase({ p, normal, eye }, surface(random, random.from(0, 64)), [light]);
 }
 
@@ -393,9 +457,26 @@ const AXES: readonly Vec3[] = [
 ];
 
 const TEXTS = 'NaN Infinity -Infinity 1e999 -1e999 -0 5e-324 1e-310 1e15 1e6'.split(' ').concat('');
-const NUMBERS = [NaN, Infinity, -Infinity, -0, 5e-324, 1e-310, 1e15, 1.0000001e15, 1e6, 180, -1, 0, 1];
+const NUMBERS = [
+  NaN,
+  Infinity,
+  -Infinity,
+  -0,
+  5e-324,
+  1e-310,
+  1e15,
+  1.0000001e15,
+  1e6,
+  180,
+  -1,
+  0,
+  1,
+];
 
-/** What stands after this was written into the attribute, or into the property: the value, or the default. */
+/**
+ * What stands after this was written into the attribute, or into the property: the value, or the
+ * default.
+ */
 function written<T>(random: Random, field: Field<T>): T {
   const size = Array.isArray(field.fallback) ? field.fallback.length : 1;
   const asText = random.chance(0.5);
@@ -419,17 +500,32 @@ const LIGHT_KEYS = [
 function anything(random: Random): StressCase {
   const fragment = seen(random);
   const values: Partial<Record<keyof LightValues, unknown>> = colors(random);
-  for (const key of LIGHT_KEYS) if (random.chance(0.5)) values[key] = written<unknown>(random, LIGHT_FIELDS[key]);
-  const worn: Partial<Record<keyof SurfaceValues, unknown>> = { ...surface(random, random.from(0, 64)) };
-  for (const key of ['ka', 'kd', 'ks', 'shininess'] as const)
-    if (random.chance(0.3)) worn[key] = written<unknown>(random, SURFACE_FIELDS[key]);
+  for (const key of LIGHT_KEYS) {
+    if (random.chance(0.5)) {
+      values[key] = written<unknown>(random, LIGHT_FIELDS[key]);
+    }
+  }
+  const worn: Partial<Record<keyof SurfaceValues, unknown>> = {
+    ...surface(random, random.from(0, 64)),
+  };
+  for (const key of ['ka', 'kd', 'ks', 'shininess'] as const) {
+    if (random.chance(0.3)) {
+      worn[key] = written<unknown>(random, SURFACE_FIELDS[key]);
+    }
+  }
   return stressCase(fragment, worn as SurfaceValues, [lightWith(values as Partial<LightValues>)]);
 }
 
 const degenerateCategories = categories({
-  'light-at-fragment': { title: 'a light at the fragment, or within 1e-15 of it', make: atFragment },
+  'light-at-fragment': {
+    title: 'a light at the fragment, or within 1e-15 of it',
+    make: atFragment,
+  },
   'direction-zero': { title: 'a directional light of zero length', make: directionless },
-  'direction-length': { title: 'directional lights of any length from 5e-324 to 1e15', make: directionOfAnyLength },
+  'direction-length': {
+    title: 'directional lights of any length from 5e-324 to 1e15',
+    make: directionOfAnyLength,
+  },
   opposite: { title: 'light and eye exactly opposite each other', make: opposite },
   normals: { title: 'zero, cancelling, denormal, tiny and huge normals', make: normals },
   anything: {
@@ -439,7 +535,8 @@ const degenerateCategories = categories({
   },
 });
 
-// Normals of meshes under any matrix: mirrored, flattened, sheared, scaled by 1e±12, through the shipped normal matrix.
+// Normals of meshes under any matrix: mirrored, flattened, sheared, scaled by 1e±12, through the
+// shipped normal matrix.
 
 const matrix3 = new Matrix3();
 
@@ -460,8 +557,9 @@ function onMesh(random: Random, matrix: Matrix4): StressCase {
 }
 
 /**
- * The normal of a moved surface from what a normal is: across both moved tangents, which is the cofactor matrix
- * applied; a mirror turns the cross product round, and the determinant's sign turns it back.
+ * The normal of a moved surface from what a normal is: across both moved tangents, which is the
+ * cofactor matrix applied; a mirror turns the cross product round, and the determinant's sign turns
+ * it back.
  */
 function movedNormal(matrix: Matrix4, first: Vec3, second: Vec3): Vec3 {
   const e = matrix.elements;
@@ -469,7 +567,8 @@ function movedNormal(matrix: Matrix4, first: Vec3, second: Vec3): Vec3 {
   if (largest === 0) return [0, 0, 0];
   const column = (i: number): Vec3 => [e[i]! / largest, e[i + 1]! / largest, e[i + 2]! / largest];
   const [x, y, z] = [column(0), column(4), column(8)];
-  const through = (v: Vec3): Vec3 => [0, 1, 2].map((k) => x[k]! * v[0] + y[k]! * v[1] + z[k]! * v[2]) as never;
+  const through = (v: Vec3): Vec3 =>
+    [0, 1, 2].map((k) => x[k]! * v[0] + y[k]! * v[1] + z[k]! * v[2]) as never;
   const across = cross(through(first), through(second));
   return scale(normalize(across), dot(cross(x, y), z) < 0 ? -1 : 1);
 }
@@ -484,7 +583,11 @@ const anySize = (random: Random): number => random.sign() * random.magnitude(0.1
 /** As a mesh element can place one: turned, and scaled by as much as attributes allow. */
 function placed(random: Random): StressCase {
   const uniform = random.pick([1e-12, 1e12, 1, random.magnitude(1e-12, 1e12)]);
-  const size: Vec3 = [uniform * anySize(random), uniform * anySize(random), uniform * anySize(random)];
+  const size: Vec3 = [
+    uniform * anySize(random),
+    uniform * anySize(random),
+    uniform * anySize(random),
+  ];
   return onMesh(random, turned(random, float32(size)));
 }
 
@@ -495,7 +598,10 @@ function flattened(random: Random): StressCase {
   return onMesh(random, turned(random, size));
 }
 
-/** One inside another, both scaled unevenly: the inner one's axes are no longer square to each other. */
+/**
+ * One inside another, both scaled unevenly: the inner one's axes are no longer square to each
+ * other.
+ */
 function sheared(random: Random): StressCase {
   const uneven = (): Matrix4 => turned(random, [anySize(random), anySize(random), anySize(random)]);
   return onMesh(random, uneven().multiply(uneven()));
@@ -520,14 +626,20 @@ function sum(count: number): Category['make'] {
     if (left === 0) {
       left = SHARED_BY;
       // Together as bright as four full lights, so that a part of the fragments is not clamped.
-      lights = Array.from({ length: count }, () => anyLight(random, fragment.p, colors(random, 1020 / count)));
+      lights = Array.from({ length: count }, () =>
+        anyLight(random, fragment.p, colors(random, 1020 / count)),
+      );
     }
     left -= 1;
     return stressCase(fragment, surface(random, random.from(1, 100)), lights);
   };
 }
 
-const sumOf = (count: number) => ({ title: `sums of ${count} lights`, lights: count, make: sum(count) });
+const sumOf = (count: number) => ({
+  title: `sums of ${count} lights`,
+  lights: count,
+  make: sum(count),
+});
 
 const sumCategories = categories(
   {

@@ -1,5 +1,5 @@
-// The numerical contract: how far a picture may be from the equation in float64, and beside which points nothing is
-// promised, because there the equation itself jumps or is infinitely steep.
+// The numerical contract: how far a picture may be from the equation in float64, and beside which
+// points nothing is promised, because there the equation itself jumps or is infinitely steep.
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { LEAST_EXPONENT, NEAREST } from '../../src/phong/light/precision.js';
 import { radians } from '../../src/phong/math/angle.js';
@@ -8,9 +8,9 @@ import type { LightShare, Shaded } from '../../src/phong/reference/equation.js';
 import type { StressCase, Variant } from './case.js';
 
 /**
- * Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities). `mildPower`: in and around
- * highlights with exponents to LARGEST_MILD_POWER, 0.089 was measured on a worst driver, 0.025 in SwiftShader.
- * `generic`: with exponents to 100.
+ * Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities).
+ * `mildPower`: in and around highlights with exponents to LARGEST_MILD_POWER, 0.089 was measured on
+ * a worst driver, 0.025 in SwiftShader. `generic`: with exponents to 100.
  */
 export const BOUNDS = {
   generic: 0.05,
@@ -24,48 +24,55 @@ export const BOUNDS = {
 } as const;
 
 /**
- * At least this share of 8-bit codes is exactly the nearest to float64, over all categories together and in each whose
- * bound is at most `upTo`: larger errors move more of them, by one.
+ * At least this share of 8-bit codes is exactly the nearest to float64, over all categories
+ * together and in each whose bound is at most `upTo`: larger errors move more of them, by one.
  */
 export const EXACT = { share: 0.9998, upTo: BOUNDS.generic } as const;
 
 /**
- * Of all categories together on the worst lawful drivers: 99.952 to 99.982 % were measured on six stacks and seeds, where
- * real ones have 99.987 to 99.99. The least is llvmpipe's, in Firefox.
+ * Of all categories together on the worst lawful drivers: 99.952 to 99.982 % were measured on six
+ * stacks and seeds, where real ones have 99.987 to 99.99. The least is llvmpipe's, in Firefox.
  */
 export const WORST_SHARE = 0.9995;
 
 /**
- * The same of each category alone. The least that was measured: 99.954 %, of 357,921 codes in and around highlights
- * with exponents from 1 to 64, on an H200 through OpenGL with every built-in function rounded up; 99.966 to 99.977 % on
- * the seven other drivers.
+ * The same of each category alone. The least that was measured: 99.954 %, of 357,921 codes in and
+ * around highlights with exponents from 1 to 64, on an H200 through OpenGL with every built-in
+ * function rounded up; 99.966 to 99.977 % on the seven other drivers.
  */
 export const WORST_CATEGORY_SHARE = 0.9995;
 
 /** Nearer to a cone's edge than this, radians, a fragment may be on either side. */
 export const CONE_EDGE = 5e-6;
 
-/** Where a base of powers below 1 is steeper than what float32 keeps of it, and where the specular term begins. */
+/**
+ * Where a base of powers below 1 is steeper than what float32 keeps of it, and where the specular
+ * term begins.
+ */
 export const BRANCHES = {
-  /** dot(N, L) around 0, where the specular term begins: some roundings of a float32 dot product. */
+  /**
+   * dot(N, L) around 0, where the specular term begins: some roundings of a float32 dot product.
+   */
   gate: 1e-6,
   /** R·V (or N·H) around 0 with shininess below 1: the lobe is infinitely steep there. */
   lobe: 1e-3,
   /** Radians from straight behind a spot with cutoff below 1: the same. */
   back: 1e-3,
   /**
-   * Distance to a light over the largest coordinate in shading space, or over the distance where that is larger:
-   * nearer, the float32 coordinates themselves leave the light's direction open by more than 3e-6.
+   * Distance to a light over the largest coordinate in shading space, or over the distance where
+   * that is larger: nearer, the float32 coordinates themselves leave the light's direction open by
+   * more than 3e-6.
    */
   near: 2e-2,
   /**
-   * That share, at most 1, times |L + V|, for Blinn's half vector: where light and eye are opposite each other, it is
-   * that much more open than the light's direction. Exactly opposite, there is no half vector, and nothing is open.
+   * That share, at most 1, times |L + V|, for Blinn's half vector: where light and eye are opposite
+   * each other, it is that much more open than the light's direction. Exactly opposite, there is no
+   * half vector, and nothing is open.
    */
   half: 4e-2,
   /**
-   * Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals
-   * keeps too little.
+   * Largest component of an interpolated normal: of a shorter one, which is not zero, a device that
+   * flushes denormals keeps too little.
    */
   normal: 2 ** -100,
 } as const;
@@ -76,16 +83,21 @@ function spotAngle(light: LightValues, share: LightShare): number {
   return Math.atan2(length(cross(share.L, A)), -dot(share.L, A));
 }
 
-const hasCone = (light: LightValues): boolean => light.aperture < 180 && dot(light.axis, light.axis) > 0;
+const hasCone = (light: LightValues): boolean =>
+  light.aperture < 180 && dot(light.axis, light.axis) > 0;
 
-/** Radians to the nearest edge of a cone, negative inside of it; Infinity where no light has a cone. */
+/**
+ * Radians to the nearest edge of a cone, negative inside of it; Infinity where no light has a cone.
+ */
 export function coneMargin(lights: readonly LightValues[], shaded: Shaded): number {
   let least = Infinity;
   lights.forEach((light, i) => {
     const share = shaded.shares[i];
     if (!share || !hasCone(light) || dot(share.L, share.L) === 0) return;
     const margin = spotAngle(light, share) - radians(light.aperture);
-    if (Math.abs(margin) < Math.abs(least)) least = margin;
+    if (Math.abs(margin) < Math.abs(least)) {
+      least = margin;
+    }
   });
   return least;
 }
@@ -107,7 +119,9 @@ export function branch(stress: StressCase, shaded: Shaded, variant: Variant): st
 }
 
 function nearLight(stress: StressCase, light: LightValues, share: LightShare): string | null {
-  if (share.d < Infinity && share.d >= NEAREST && openness(stress, share) < BRANCHES.near) return 'near';
+  if (share.d < Infinity && share.d >= NEAREST && openness(stress, share) < BRANCHES.near) {
+    return 'near';
+  }
   const isFlat = light.cutoff >= LEAST_EXPONENT && light.cutoff < 1;
   const hasAngle = dot(light.axis, light.axis) > 0 && dot(share.L, share.L) > 0;
   return isFlat && hasAngle && Math.PI - spotAngle(light, share) < BRANCHES.back ? 'back' : null;

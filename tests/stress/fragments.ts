@@ -1,7 +1,16 @@
-// Fragments and lights to build adversarial cases from: ordinary ones, and ones placed where a formula is weakest.
+// Fragments and lights to build adversarial cases from: ordinary ones, and ones placed where a
+// formula is weakest.
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { LIMITS } from '../../src/phong/light/light-state.js';
-import { add, dot, normalize, scale, subtract, type Vec3, type Vec4 } from '../../src/phong/math/vector.js';
+import {
+  add,
+  dot,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+  type Vec4,
+} from '../../src/phong/math/vector.js';
 import type { Surface } from '../../src/phong/reference/equation.js';
 import { CAMERA, lightWith, ORIGIN, type StressCase, type Variant } from './case.js';
 import { float32, type Random } from './random.js';
@@ -13,7 +22,8 @@ export const place = (v: Vec3): Vec4 => [v[0], v[1], v[2], 1];
 export const direction = (v: Vec3): Vec4 => [v[0], v[1], v[2], 0];
 
 /** Interpolated between unit normals of vertices: a little short. */
-export const shortNormal = (random: Random, N: Vec3): Vec3 => float32(scale(N, random.from(0.3, 1)));
+export const shortNormal = (random: Random, N: Vec3): Vec3 =>
+  float32(scale(N, random.from(0.3, 1)));
 
 export function surface(random: Random, shininess: number): Surface {
   return { ka: random.color(), kd: random.color(), ks: random.color(), shininess };
@@ -41,7 +51,9 @@ export function seen(random: Random): Seen & { readonly N: Vec3 } {
   const normal = shortNormal(random, random.unit());
   const N = normalize(normal);
   let V = random.unit();
-  if (dot(V, N) < 0 && random.chance(0.9)) V = scale(V, -1);
+  if (dot(V, N) < 0 && random.chance(0.9)) {
+    V = scale(V, -1);
+  }
   return { p, normal, N, eye: float32(add(p, scale(V, random.from(1, 6)))) };
 }
 
@@ -72,7 +84,11 @@ export function anyLight(random: Random, p: Vec3, light: LightColors): LightValu
     return lightWith({ ...light, position: direction(scale(L, random.magnitude(0.01, 100))) });
   }
   const at = add(p, scale(L, random.magnitude(0.2, 8)));
-  const point = { ...light, position: place(at), attenuation: random.chance(0.5) ? fading(random) : NONE };
+  const point = {
+    ...light,
+    position: place(at),
+    attenuation: random.chance(0.5) ? fading(random) : NONE,
+  };
   if (random.chance(0.4)) return lightWith(point);
   const axis = scale(random.around(scale(L, -1), random.from(0, 1.2)), random.magnitude(0.1, 10));
   return lightWith({
@@ -84,11 +100,15 @@ export function anyLight(random: Random, p: Vec3, light: LightColors): LightValu
 }
 
 const NONE: Vec3 = [1, 0, 0];
-const fading = (random: Random): Vec3 => [random.from(0, 2), random.from(0, 1), random.from(0, 0.5)];
+const fading = (random: Random): Vec3 => [
+  random.from(0, 2),
+  random.from(0, 1),
+  random.from(0, 0.5),
+];
 
 /**
- * The eye near the mirrored light: n·(1 - R·V) (or N·H) from 1e-3, the middle of the highlight, to 30, where it has
- * faded to 1e-13. Above n = 1, that is; below, the eye is anywhere.
+ * The eye near the mirrored light: n·(1 - R·V) (or N·H) from 1e-3, the middle of the highlight, to
+ * 30, where it has faded to 1e-13. Above n = 1, that is; below, the eye is anywhere.
  */
 export function highlight(random: Random, n: number, { reflection }: Variant): StressCase {
   const normal = shortNormal(random, random.unit());
@@ -108,28 +128,50 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
 }
 
 /** A white spot over p whose axis is this far, in radians, off the line to p. */
-export function spotOver(random: Random, p: Vec3, angle: number, values: Partial<LightValues>): LightValues {
+export function spotOver(
+  random: Random,
+  p: Vec3,
+  angle: number,
+  values: Partial<LightValues>,
+): LightValues {
   const L = random.unit();
   const at = add(p, scale(L, random.magnitude(0.05, 5)));
   const axis = scale(random.around(scale(L, -1), angle), random.magnitude(0.1, 10));
   const dark: Vec3 = [0, 0, 0];
-  return lightWith({ position: place(at), axis, ambient: WHITE, diffuse: dark, specular: dark, ...values });
+  return lightWith({
+    position: place(at),
+    axis,
+    ambient: WHITE,
+    diffuse: dark,
+    specular: dark,
+    ...values,
+  });
 }
 
-/** The same case with every length times s; attenuation so that it stays what it was, where that is in its domain. */
+/**
+ * The same case with every length times s; attenuation so that it stays what it was, where that is
+ * in its domain.
+ */
 export function scaled(stress: StressCase, s: number): StressCase {
   const lights = stress.lights.map((light): LightValues => {
     if (light.position[3] === 0) return light;
     const [x, y, z] = light.position;
     const [kc, kl, kq] = light.attenuation;
     const cap = (k: number): number => Math.min(k, LIMITS.attenuation);
-    return { ...light, position: [x * s, y * s, z * s, 1], attenuation: [kc, cap(kl / s), cap(kq / s / s)] };
+    return {
+      ...light,
+      position: [x * s, y * s, z * s, 1],
+      attenuation: [kc, cap(kl / s), cap(kq / s / s)],
+    };
   });
   const grown = (v: Vec3): Vec3 => float32(scale(v, s));
   return { ...stress, p: grown(stress.p), eye: grown(stress.eye), lights };
 }
 
-/** The same case elsewhere in the world. The fragment is put on a grid that doubles at that distance still resolve. */
+/**
+ * The same case elsewhere in the world. The fragment is put on a grid that doubles at that distance
+ * still resolve.
+ */
 export function moved(random: Random, stress: StressCase, distance: number): StressCase {
   const grid = (v: Vec3): Vec3 => [snap(v[0]), snap(v[1]), snap(v[2])];
   const origin = grid(scale(random.unit(), distance));

@@ -1,4 +1,5 @@
-// How far what a driver made of stress cases is from float64: errors, wrong codes, numbers that are none.
+// How far what a driver made of stress cases is from float64: errors, wrong codes, numbers that are
+// none.
 import type { PassResult } from '../glsl/float-pass.js';
 import type { Category } from './categories.js';
 import type { Shaded } from '../../src/phong/reference/equation.js';
@@ -23,9 +24,15 @@ export interface Measured {
   channels: number;
   /** Channels whose 8-bit code is exactly the nearest to float64. */
   exact: number;
-  /** Channels more than one code off, where the sum of intensities is at most 1; beyond, more than the bound too. */
+  /**
+   * Channels more than one code off, where the sum of intensities is at most 1; beyond, more than
+   * the bound too.
+   */
   wrongCodes: number;
-  /** Largest distance from a cone's edge, radians, at which a fragment was taken for one of the other side. */
+  /**
+   * Largest distance from a cone's edge, radians, at which a fragment was taken for one of the
+   * other side.
+   */
   edge: number;
   /** The case with the largest error, to look into, where that breaks the contract; else empty. */
   worst: string;
@@ -42,10 +49,16 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
   let squares = 0;
   for (const part of parts) {
     squares += part.rms ** 2 * part.channels;
-    for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const) sum[key] += part[key];
-    for (const [name, count] of Object.entries(part.excluded)) sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
+    for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const) {
+      sum[key] += part[key];
+    }
+    for (const [name, count] of Object.entries(part.excluded)) {
+      sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
+    }
     sum.edge = Math.max(sum.edge, part.edge);
-    for (const [name, max] of Object.entries(part.forms)) sum.forms[name] = Math.max(sum.forms[name] ?? 0, max);
+    for (const [name, max] of Object.entries(part.forms)) {
+      sum.forms[name] = Math.max(sum.forms[name] ?? 0, max);
+    }
     if (part.max > sum.max) {
       sum.max = part.max;
       sum.worst = part.worst;
@@ -82,14 +95,19 @@ export function measureBatch(
   cases.forEach(({ stress, variant, shaded, beside }, i) => {
     into.cases += 1;
     const got = floats.subarray(i * 4, i * 4 + 3);
-    for (const x of got) if (!Number.isFinite(x)) into.notFinite += 1;
+    for (const x of got) {
+      if (!Number.isFinite(x)) {
+        into.notFinite += 1;
+      }
+    }
     const scale = 255 / Math.max(1, intensity(stress));
     const error = (channel: number): number => {
       const off = Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
       return Number.isNaN(off) ? Infinity : off; // a comparison with NaN would let it pass
     };
-    if (beside === 'edge' && Math.max(error(0), error(1), error(2)) > category.bound)
+    if (beside === 'edge' && Math.max(error(0), error(1), error(2)) > category.bound) {
       into.edge = Math.max(into.edge, Math.abs(coneMargin(stress.lights, shaded)));
+    }
     if (beside !== null) {
       into.excluded[beside] = (into.excluded[beside] ?? 0) + 1;
       return;
@@ -101,15 +119,26 @@ export function measureBatch(
       max = Math.max(max, off);
       if (off > into.max) {
         into.max = off;
-        if (off > category.bound)
-          into.worst = JSON.stringify({ program, variant, stress, got: [...got], expected: shaded.sum });
+        if (off > category.bound) {
+          into.worst = JSON.stringify({
+            program,
+            variant,
+            stress,
+            got: [...got],
+            expected: shaded.sum,
+          });
+        }
       }
       const code = codes[i * 4 + channel]!;
       const exact = shaded.color[channel]! * 255;
-      if (code === Math.round(exact)) into.exact += 1;
+      if (code === Math.round(exact)) {
+        into.exact += 1;
+      }
       // Where lights are brighter than full, the bound itself may be more than a code.
       const allowed = Math.max(1, Math.ceil((category.bound * 255) / scale));
-      if (Math.abs(code - Math.round(exact)) > allowed) into.wrongCodes += 1;
+      if (Math.abs(code - Math.round(exact)) > allowed) {
+        into.wrongCodes += 1;
+      }
     }
   });
   into.forms[program] = max;

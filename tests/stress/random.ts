@@ -1,5 +1,5 @@
-// Random numbers from a seed, in the shapes that adversarial cases need. Everything that goes to the GPU as a float32
-// is rounded here, so that reference and shader are given the same input.
+// Random numbers from a seed, in the shapes that adversarial cases need. Everything that goes to
+// the GPU as a float32 is rounded here, so that reference and shader are given the same input.
 import { add, cross, normalize, scale, type Vec3 } from '../../src/phong/math/vector.js';
 
 export class Random {
@@ -67,8 +67,8 @@ export class Random {
 }
 
 /**
- * Uniform numbers in [0, 1): Chris Doty-Humphrey's sfc32 (PractRand). Its 128 bits of state do not come round in the
- * billions of numbers of a long run, as those of a 32-bit generator do.
+ * Uniform numbers in [0, 1): Chris Doty-Humphrey's sfc32 (PractRand). Its 128 bits of state do not
+ * come round in the billions of numbers of a long run, as those of a 32-bit generator do.
  */
 function sfc32(seed: number): () => number {
   let [a, b, c, counter] = [0, seed | 0, 0, 1];
@@ -80,7 +80,9 @@ function sfc32(seed: number): () => number {
     c = (((c << 21) | (c >>> 11)) + t) | 0;
     return (t >>> 0) / 2 ** 32;
   };
-  for (let i = 0; i < 12; i++) next(); // until the seed is in all of the state
+  for (let i = 0; i < 12; i++) {
+    next(); // until the seed is in all of the state
+  }
   return next;
 }
 
@@ -91,6 +93,8 @@ export const float32 = (v: Vec3): Vec3 => [Math.fround(v[0]), Math.fround(v[1]),
 export function partSeed(seed: number, part: string): number {
   let hash = seed >>> 0;
   // FNV-1a (Fowler, Noll, Vo), which spreads short texts well enough to start a generator from.
-  for (let i = 0; i < part.length; i++) hash = Math.imul(hash ^ part.charCodeAt(i), 0x01000193) >>> 0;
+  for (let i = 0; i < part.length; i++) {
+    hash = Math.imul(hash ^ part.charCodeAt(i), 0x01000193) >>> 0;
+  }
   return hash;
 }

@@ -1,6 +1,7 @@
 // @ts-check
-// `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each stack: REPORT.md here,
-// and one sentence of the README between its markers. Nothing in them is typed by hand.
+// `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each
+// stack: REPORT.md here, and one sentence of the README between its markers. Nothing in them is
+// typed by hand.
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -17,10 +18,11 @@ npm run stress:report -- [options]: writes REPORT.md and the README's sentence f
 const WORST = ['up', 'down', 'either'];
 
 /**
- * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[], measured:
- * import('./measure.js').Measured[] }} Result
+ * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[],
+ * measured: import('./measure.js').Measured[] }} Result
  * @typedef {{ name: string, renderer: string, browser: string, contract:
- * import('../glsl/page/page.js').Report['contract'], loop?: string, drivers: Record<string, Result> }} Stack
+ * import('../glsl/page/page.js').Report['contract'], loop?: string, drivers: Record<string, Result>
+ * }} Stack
  */
 
 /** What lies in a folder's results/, by name. @returns {Stack[]} */
@@ -115,7 +117,9 @@ ${table(
   checksOf(stacks).map(({ title, bound }) => [
     title,
     String(bound),
-    ...largestOfEach(stacks, ({ checked }) => checked.filter((one) => one.title === title).map(({ max }) => max)),
+    ...largestOfEach(stacks, ({ checked }) =>
+      checked.filter((one) => one.title === title).map(({ max }) => max),
+    ),
   ]),
 )}
 `;
@@ -156,7 +160,9 @@ ${millions(total(stacks, 'cases'))} fragments on ${stacks.length} stacks${formsT
 
 /** The README's sentence, markers included. @param {readonly Stack[]} stacks */
 export function readmeText(stacks) {
-  const worst = Math.max(...rowsOf(stacks).map(({ id }) => largest(stacks, ['shipped'], ofCategory(id))));
+  const worst = Math.max(
+    ...rowsOf(stacks).map(({ id }) => largest(stacks, ['shipped'], ofCategory(id))),
+  );
   return `<!-- contract: written by npm run stress:report -->
 Accuracy: of ${millions(total(stacks, 'cases'))} measured fragments on ${stacks.length} stacks none is further from the equation in double precision than ${digits(worst)} of an
 8-bit step ([report](tests/stress/REPORT.md)).
@@ -196,8 +202,13 @@ const checksOf = (stacks) => {
 function distinct(lists, keyOf) {
   /** @type {Map<string, T>} */
   const items = new Map();
-  for (const list of [...lists].sort((a, b) => b.length - a.length))
-    for (const item of list) if (!items.has(keyOf(item))) items.set(keyOf(item), item);
+  for (const list of [...lists].sort((a, b) => b.length - a.length)) {
+    for (const item of list) {
+      if (!items.has(keyOf(item))) {
+        items.set(keyOf(item), item);
+      }
+    }
+  }
   return [...items.values()];
 }
 
@@ -205,7 +216,8 @@ function distinct(lists, keyOf) {
 const leastBound = (stacks) => Math.min(...rowsOf(stacks).map(({ bound }) => bound));
 
 /** @param {readonly Stack[]} stacks @returns {string[]} */
-export const formNames = (stacks) => [...new Set(measuredOf(stacks).flatMap((one) => Object.keys(one.forms)))].sort();
+export const formNames = (stacks) =>
+  [...new Set(measuredOf(stacks).flatMap((one) => Object.keys(one.forms)))].sort();
 
 /** Which stacks lack forms of programs. @param {readonly Stack[]} stacks */
 function formsText(stacks) {
@@ -225,9 +237,13 @@ const resultsOf = (stacks, drivers) =>
   );
 
 /** @param {readonly Stack[]} stacks @param {readonly string[]} [drivers] */
-const measuredOf = (stacks, drivers) => resultsOf(stacks, drivers).flatMap(({ measured }) => measured);
+const measuredOf = (stacks, drivers) =>
+  resultsOf(stacks, drivers).flatMap(({ measured }) => measured);
 
-/** What the stacks' own drivers made of a category. @param {readonly Stack[]} stacks @param {string} id */
+/**
+ * What the stacks' own drivers made of a category. @param {readonly Stack[]} stacks @param {string}
+ * id
+ */
 const withId = (stacks, id) => measuredOf(stacks, ['shipped']).filter((one) => one.id === id);
 
 /** @typedef {(result: Result) => number[]} ErrorsOf */
@@ -238,28 +254,42 @@ const ofCategory =
   ({ measured }) =>
     measured.filter((one) => one.id === id).map(({ max }) => max);
 
-/** Over the categories with this bound. @param {string} form @param {number} least @returns {ErrorsOf} */
+/**
+ * Over the categories with this bound. @param {string} form @param {number} least @returns
+ * {ErrorsOf}
+ */
 const ofForm =
   (form, least) =>
   ({ measured }) =>
     measured.filter(({ bound }) => bound === least).map((one) => one.forms[form] ?? -Infinity);
 
-/** @param {readonly Stack[]} stacks @param {readonly string[]} drivers @param {ErrorsOf} errorsOf */
-const largest = (stacks, drivers, errorsOf) => Math.max(...resultsOf(stacks, drivers).flatMap(errorsOf));
+/**
+ * @param {readonly Stack[]} stacks @param {readonly string[]} drivers @param {ErrorsOf} errorsOf
+ */
+const largest = (stacks, drivers, errorsOf) =>
+  Math.max(...resultsOf(stacks, drivers).flatMap(errorsOf));
 
-/** Cells: each stack's own driver, then the worst drivers of all. @param {readonly Stack[]} stacks @param {ErrorsOf} errorsOf */
+/**
+ * Cells: each stack's own driver, then the worst drivers of all. @param {readonly Stack[]} stacks
+ * @param {ErrorsOf} errorsOf
+ */
 const largestOfEach = (stacks, errorsOf) =>
-  [...stacks.map((stack) => largest([stack], ['shipped'], errorsOf)), largest(stacks, WORST, errorsOf)].map((error) =>
-    error === -Infinity ? 'not measured here' : digits(error),
-  );
+  [
+    ...stacks.map((stack) => largest([stack], ['shipped'], errorsOf)),
+    largest(stacks, WORST, errorsOf),
+  ].map((error) => (error === -Infinity ? 'not measured here' : digits(error)));
 
 /** @param {readonly import('./measure.js').Measured[]} list */
 const exactShare = (list) => sum(list, 'exact') / sum(list, 'channels');
 
 /** @param {readonly Stack[]} stacks @param {readonly string[]} drivers */
-const widestEdge = (stacks, drivers) => Math.max(...measuredOf(stacks, drivers).map(({ edge }) => edge));
+const widestEdge = (stacks, drivers) =>
+  Math.max(...measuredOf(stacks, drivers).map(({ edge }) => edge));
 
-/** @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases'} key @param {readonly string[]} [drivers] */
+/**
+ * @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases'} key
+ * @param {readonly string[]} [drivers]
+ */
 const total = (stacks, key, drivers) => sum(measuredOf(stacks, drivers), key);
 
 /**
@@ -268,14 +298,20 @@ const total = (stacks, key, drivers) => sum(measuredOf(stacks, drivers), key);
  */
 const sum = (list, key) => list.reduce((before, one) => before + one[key], 0);
 
-/** Shares of a category's cases beside a branch point. @param {readonly Stack[]} stacks @param {string} id */
+/**
+ * Shares of a category's cases beside a branch point. @param {readonly Stack[]} stacks @param
+ * {string} id
+ */
 function leftOut(stacks, id) {
   const all = withId(stacks, id);
   const cases = sum(all, 'cases');
   /** @type {Record<string, number>} */
   const counts = {};
-  for (const { excluded } of all)
-    for (const [name, count] of Object.entries(excluded)) counts[name] = (counts[name] ?? 0) + count;
+  for (const { excluded } of all) {
+    for (const [name, count] of Object.entries(excluded)) {
+      counts[name] = (counts[name] ?? 0) + count;
+    }
+  }
   return Object.entries(counts)
     .filter(([, count]) => count / cases >= 5e-5)
     .map(([name, count]) => `${name} ${percent(count / cases, 2)}`)
@@ -316,7 +352,8 @@ function percent(share, places = 4) {
 }
 
 /** @param {number} count */
-const millions = (count) => (count >= 1e6 ? `${Math.floor(count / 1e5) / 10} million` : count.toLocaleString('en-GB'));
+const millions = (count) =>
+  count >= 1e6 ? `${Math.floor(count / 1e5) / 10} million` : count.toLocaleString('en-GB');
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
@@ -326,6 +363,8 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));
   const report = reportText(stacks, module.LOOP_MARK);
   writeFileSync(join(values.folder, 'REPORT.md'), report);
-  if (values.folder === here) writePart(readmeText(stacks));
+  if (values.folder === here) {
+    writePart(readmeText(stacks));
+  }
   console.log(`REPORT.md from ${stacks.length} stacks`);
 }

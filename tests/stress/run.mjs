@@ -1,14 +1,22 @@
 // @ts-check
-// `npm run stress`: many stress cases in a real browser, over several pages at once, from a new seed, on the shipped
-// shader and on the worst lawful drivers; prints each category and writes one JSON a stack. Plain JavaScript, so that
-// it runs on any machine with Node, a browser and dist-harness/.
+// `npm run stress`: many stress cases in a real browser, over several pages at once, from a new
+// seed, on the shipped shader and on the worst lawful drivers; prints each category and writes one
+// JSON a stack. Plain JavaScript, so that it runs on any machine with Node, a browser and
+// dist-harness/.
 
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { launchOptions, serveFolder } from '../support/built-pages.mjs';
-import { numberOption, Progress, readCommandLine, readJson, refuse, timeText } from '../support/command-line.mjs';
+import {
+  numberOption,
+  Progress,
+  readCommandLine,
+  readJson,
+  refuse,
+  timeText,
+} from '../support/command-line.mjs';
 
 const DRIVERS = ['shipped', 'up', 'down', 'either'];
 
@@ -42,12 +50,17 @@ const seed = numberOption('seed', options.seed);
 const pages = numberOption('pages', options.pages, 1);
 const chosen = options.drivers.split(',');
 const strange = chosen.find((driver) => !DRIVERS.includes(driver));
-if (strange !== undefined) refuse(`Unknown driver '${strange}'`);
+if (strange !== undefined) {
+  refuse(`Unknown driver '${strange}'`);
+}
 
-if (options.harness !== '' && !existsSync(join(options.harness, 'index.html')))
+if (options.harness !== '' && !existsSync(join(options.harness, 'index.html'))) {
   refuse(`There is no built harness in ${options.harness}`);
+}
 // A file that cannot be read is refused now, not after hours of measuring.
-if (existsSync(options.out)) readJson(options.out);
+if (existsSync(options.out)) {
+  readJson(options.out);
+}
 
 /** So many that starting a page is little of its time, so few that all pages have work. */
 const CASES_A_PAGE = 2e6;
@@ -61,8 +74,8 @@ const browser = await launch();
 console.log(`seed ${seed}`);
 
 /**
- * @typedef {{ seed?: number, broken: readonly string[], checked: readonly Checked[], measured: readonly Measured[] }}
- * Result
+ * @typedef {{ seed?: number, broken: readonly string[], checked: readonly Checked[], measured:
+ * readonly Measured[] }} Result
  */
 /** @type {Record<string, Result>} */
 const drivers = {};
@@ -79,13 +92,18 @@ for (const driver of chosen) {
   drivers[driver] = { seed, ...result };
   print(driver, (performance.now() - start) / 1000, result);
   // After each driver, so that a run that is cut short leaves something.
-  if (options.out !== '') keep(options.out);
+  if (options.out !== '') {
+    keep(options.out);
+  }
 }
 await browser.close();
 site.close();
 process.exit(Object.values(drivers).some(({ broken }) => broken.length > 0) ? 1 : 0);
 
-/** Writes what was measured beside what the file holds of other drivers on the same stack. @param {string} file */
+/**
+ * Writes what was measured beside what the file holds of other drivers on the same stack. @param
+ * {string} file
+ */
 function keep(file) {
   mkdirSync(dirname(file), { recursive: true });
   const before = existsSync(file) ? readJson(file) : {};
@@ -104,12 +122,20 @@ async function runDriver(driver) {
   let next = 0;
   const worker = async () => {
     for (let part = next++; part < parts; part = next++) {
-      const query = new URLSearchParams({ driver, seed: String(seed + part), cases: String(cases / parts) });
-      if (options.only !== '') query.set('only', options.only);
+      const query = new URLSearchParams({
+        driver,
+        seed: String(seed + part),
+        cases: String(cases / parts),
+      });
+      if (options.only !== '') {
+        query.set('only', options.only);
+      }
       const report = await browser.report(`${site.origin}/index.html?${query}`);
       const ids = report.measured.map(({ id }) => id);
       const strange = options.only.split(',').find((id) => id !== '' && !ids.includes(id));
-      if (strange !== undefined && report.error === null) refuse(`Unknown category '${strange}'`);
+      if (strange !== undefined && report.error === null) {
+        refuse(`Unknown category '${strange}'`);
+      }
       reports.push(report);
       const done = Object.keys(drivers).length * parts + reports.length;
       progress.show(done, chosen.length * parts, `${driver}, ${reports.length} of ${parts} pages`);
@@ -160,7 +186,9 @@ async function firefox() {
   const own = await startFirefox();
   // Of a page only what both drivers have alike is used here.
   const open = async () =>
-    /** @type {import('playwright-core').Page} */ (/** @type {unknown} */ (await own.browser.newPage()));
+    /** @type {import('playwright-core').Page} */ (
+      /** @type {unknown} */ (await own.browser.newPage())
+    );
   return { open, close: own.close };
 }
 

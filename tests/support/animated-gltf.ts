@@ -1,5 +1,5 @@
-// A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of every interpolation. As
-// a data: address.
+// A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of
+// every interpolation. As a data: address.
 import { viewsOf } from '../fuzz/glb.js';
 
 export interface BarOptions {
@@ -20,8 +20,9 @@ const USHORT = 5123;
 const TYPES = ['', 'SCALAR', 'VEC2', 'VEC3', 'VEC4'] as const;
 
 /**
- * The document; a bar of height 2 and width 0.5 about y, from y = 0. Joint 0 is at its foot, joint 1 at y = 1. Animations:
- * `bend` (rotation, linear), `slide` (translation, step; scale, cubic), `swell` (weights, linear).
+ * The document; a bar of height 2 and width 0.5 about y, from y = 0. Joint 0 is at its foot, joint
+ * 1 at y = 1. Animations: `bend` (rotation, linear), `slide` (translation, step; scale, cubic),
+ * `swell` (weights, linear).
  */
 export function bar(options: BarOptions = {}): Record<string, unknown> {
   const { skinned = true, morphed = true, normals = true, times = [0, 1, 2] } = options;
@@ -40,8 +41,11 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
     return { y, x: Math.cos(angle), z: Math.sin(angle) };
   });
   type Vertex = (typeof vertices)[number];
-  const perVertex = (items: number, of: (vertex: Vertex) => readonly number[], integer = false): number =>
-    add(items, vertices.flatMap(of), integer);
+  const perVertex = (
+    items: number,
+    of: (vertex: Vertex) => readonly number[],
+    integer = false,
+  ): number => add(items, vertices.flatMap(of), integer);
   const indices = Array.from({ length: (RINGS - 1) * 4 }, (_, i) => {
     const a = Math.floor(i / 4) * 4 + (i % 4);
     const b = Math.floor(i / 4) * 4 + ((i + 1) % 4);
@@ -50,7 +54,9 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
   const attributes: Record<string, number> = {
     POSITION: perVertex(3, ({ x, y, z }) => [0.25 * x, y, 0.25 * z]),
   };
-  if (normals) attributes['NORMAL'] = perVertex(3, ({ x, z }) => [x, 0, z]);
+  if (normals) {
+    attributes['NORMAL'] = perVertex(3, ({ x, z }) => [x, 0, z]);
+  }
   if (skinned) {
     attributes['JOINTS_0'] = perVertex(4, () => [0, 1, 0, 0], true);
     attributes['WEIGHTS_0'] = perVertex(4, ({ y }) => [1 - y / 2, y / 2, 0, 0]);
@@ -58,12 +64,19 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
   const thicker = perVertex(3, ({ x, z }) => [0.5 * x, 0, 0.5 * z]);
   const leaning = perVertex(3, ({ y }) => [y * y, 0, 0]);
   const tilted = perVertex(3, ({ x }) => [0, -x / 2, 0]);
-  const targets = [{ POSITION: thicker }, { POSITION: leaning, ...(normals ? { NORMAL: tilted } : {}) }];
+  const targets = [
+    { POSITION: thicker },
+    { POSITION: leaning, ...(normals ? { NORMAL: tilted } : {}) },
+  ];
   const order = add(1, indices, true);
   const inverses = add(16, [...IDENTITY, ...IDENTITY.slice(0, 13), -1, 0, 1]);
   const input = add(1, times);
   const half = Math.SQRT1_2;
-  const scales = [...[0, 0, 0, 1, 1, 1, 0.5, 0, 0], ...[0, 1, 0, 2, 1, 0.5, 0, 0, 1], ...[0, 0, 0, 1, -1, 1, 0, 0, 0]];
+  const scales = [
+    ...[0, 0, 0, 1, 1, 1, 0.5, 0, 0],
+    ...[0, 1, 0, 2, 1, 0.5, 0, 0, 1],
+    ...[0, 0, 0, 1, -1, 1, 0, 0, 0],
+  ];
   const turns = [0, 0, 0, 1, 0, 0, half, half, 0, 0, -0.6, 0.8];
   const samplers = {
     bend: { input, output: add(4, turns), interpolation: 'LINEAR' },
@@ -101,7 +114,9 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
     ],
     accessors,
     bufferViews,
-    buffers: [{ ...buffers[0], uri: `data:application/octet-stream;base64,${body.toString('base64')}` }],
+    buffers: [
+      { ...buffers[0], uri: `data:application/octet-stream;base64,${body.toString('base64')}` },
+    ],
   };
 }
 

@@ -1,5 +1,5 @@
-// axe without what costs most: a tab of its own for each run, which serves frames of other hosts, and lists of what
-// passes.
+// axe without what costs most: a tab of its own for each run, which serves frames of other hosts,
+// and lists of what passes.
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';

@@ -1,6 +1,6 @@
 // @ts-check
-// How commands in plain JavaScript get at a browser and at a folder of built pages on a free port. What is not named is looked up
-// in .ci/, which a machine without the repository has not.
+// How commands in plain JavaScript get at a browser and at a folder of built pages on a free port.
+// What is not named is looked up in .ci/, which a machine without the repository has not.
 
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -31,12 +31,16 @@ export async function launchOptions(browser, args) {
   const own = ['--no-sandbox', '--disable-background-networking', ...args];
   if (browser !== '' && args.length > 0) return { executablePath: browser, args: own };
   const { ensureBrowser, softwareGl } = await import('../../.ci/browser.mjs');
-  return { executablePath: browser || (await ensureBrowser()), args: args.length > 0 ? own : softwareGl };
+  return {
+    executablePath: browser || (await ensureBrowser()),
+    args: args.length > 0 ? own : softwareGl,
+  };
 }
 
 /**
  * @param {string} folder
- * @param {() => boolean} [compresses] whether files that are kept in brotli too are sent so now, as over a network
+ * @param {() => boolean} [compresses] whether files that are kept in brotli too are sent so now, as
+ * over a network
  */
 export async function serveFolder(folder, compresses = () => false) {
   const server = createServer((request, response) => {

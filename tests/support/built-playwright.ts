@@ -1,4 +1,5 @@
-// `phong-viewer/playwright` as the package has it: functions that run in pages are bundled by the build.
+// `phong-viewer/playwright` as the package has it: functions that run in pages are bundled by the
+// build.
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type * as Entry from 'phong-viewer/playwright';

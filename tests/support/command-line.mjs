@@ -1,14 +1,15 @@
 // @ts-check
-// What the commands of this repository have in common: --help, one line for an option that does not exist and for a
-// file that cannot be read, and progress with the time left. Needs nothing but Node.
+// What the commands of this repository have in common: --help, one line for an option that does not
+// exist and for a file that cannot be read, and progress with the time left. Needs nothing but
+// Node.
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 
 /**
- * The options and names that a command was given. Prints `usage` and ends where --help is among them; prints one line
- * and ends with status 2 where an option or a name is unknown.
+ * The options and names that a command was given. Prints `usage` and ends where --help is among
+ * them; prints one line and ends with status 2 where an option or a name is unknown.
  * @template {NonNullable<import('node:util').ParseArgsConfig['options']>} T
  * @param {string} usage
  * @param {T} options as parseArgs takes them
@@ -49,8 +50,9 @@ export function refuse(message) {
  */
 export function numberOption(name, text, least = 0) {
   const value = Number(text);
-  if (text.trim() === '' || !Number.isFinite(value) || value < least)
+  if (text.trim() === '' || !Number.isFinite(value) || value < least) {
     refuse(`--${name} takes a number of at least ${least}, not '${text}'`);
+  }
   return value;
 }
 
@@ -69,14 +71,25 @@ export function readJson(file) {
  * @param {string} command that writes them
  */
 export function readResultFiles(folder, command) {
-  const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.json')) : [];
-  if (files.length === 0) refuse(`There are no results in ${folder}: run \`${command}\` first`);
-  return files.sort().map((file) => ({ name: basename(file, '.json'), content: readJson(join(folder, file)) }));
+  const files = existsSync(folder)
+    ? readdirSync(folder).filter((file) => file.endsWith('.json'))
+    : [];
+  if (files.length === 0) {
+    refuse(`There are no results in ${folder}: run \`${command}\` first`);
+  }
+  return files
+    .sort()
+    .map((file) => ({ name: basename(file, '.json'), content: readJson(join(folder, file)) }));
 }
 
-/** Refuses to go on without a file that another command builds. @param {string} file @param {string} command */
+/**
+ * Refuses to go on without a file that another command builds. @param {string} file @param {string}
+ * command
+ */
 export function needBuilt(file, command) {
-  if (!existsSync(file)) refuse(`${file} is missing: run \`${command}\` first`);
+  if (!existsSync(file)) {
+    refuse(`${file} is missing: run \`${command}\` first`);
+  }
 }
 
 /** A span of time for people: "40 s", "3 min", "1 h 20 min". @param {number} seconds */
@@ -87,32 +100,45 @@ export function timeText(seconds) {
 }
 
 /**
- * Prints how much of a long run is done and the time left: on a terminal one line that changes, else a line every 15 s.
+ * Prints how much of a long run is done and the time left: on a terminal one line that changes,
+ * else a line every 15 s.
  */
 export class Progress {
   #start = performance.now();
   #printed = -Infinity;
   #oneLine;
 
-  /** @param {{ oneLine?: boolean }} [options] oneLine: a line that changes; on a terminal where nothing else is said */
+  /**
+   * @param {{ oneLine?: boolean }} [options] oneLine: a line that changes; on a terminal where
+   * nothing else is said
+   */
   constructor({ oneLine = process.stdout.isTTY } = {}) {
     this.#oneLine = oneLine;
   }
 
-  /** @param {number} done @param {number} total in the same unit @param {string} what is being done, in a few words */
+  /**
+   * @param {number} done @param {number} total in the same unit @param {string} what is being done,
+   * in a few words
+   */
   show(done, total, what) {
     const now = performance.now();
     if (now - this.#printed < (this.#oneLine ? 200 : 15_000) && done < total) return;
     this.#printed = now;
     const elapsed = (now - this.#start) / 1000;
-    const left = done > 0 && done < total ? `, about ${timeText((elapsed / done) * (total - done))} left` : '';
+    const left =
+      done > 0 && done < total ? `, about ${timeText((elapsed / done) * (total - done))} left` : '';
     const line = `${((100 * done) / total).toFixed(0)} % after ${timeText(elapsed)}${left}: ${what}`;
-    if (this.#oneLine) process.stdout.write(`\r\x1b[K${line.slice(0, (process.stdout.columns ?? 80) - 1)}`);
-    else console.log(line);
+    if (this.#oneLine) {
+      process.stdout.write(`\r\x1b[K${line.slice(0, (process.stdout.columns ?? 80) - 1)}`);
+    } else {
+      console.log(line);
+    }
   }
 
   /** Ends the line that changes, so that others can follow. */
   clear() {
-    if (this.#oneLine) process.stdout.write('\r\x1b[K');
+    if (this.#oneLine) {
+      process.stdout.write('\r\x1b[K');
+    }
   }
 }

@@ -1,5 +1,6 @@
-// No stray line: everything that pages say on the console, every uncaught error and every report of the
-// Content-Security-Policy fails the test, unless the test has claimed it beforehand; so does a claim that nothing met.
+// No stray line: everything that pages say on the console, every uncaught error and every report of
+// the Content-Security-Policy fails the test, unless the test has claimed it beforehand; so does a
+// claim that nothing met.
 
 import type { BrowserContext } from '@playwright/test';
 
@@ -9,10 +10,11 @@ interface Claim {
   readonly met: string[];
 }
 
-// Remarks that depend on the machine's pace, not on the page: the graphics driver's about reading pixels back, and the
-// browser's about its own work in what it skips (that the package asks for none of it is counted: `layouts` of
-// ../element/support/counting.ts). The package's own about a viewer without a name: most tests make theirs by script
-// and are about other things. Tests of that warning claim it.
+// Remarks that depend on the machine's pace, not on the page: the graphics driver's about reading
+// pixels back, and the browser's about its own work in what it skips (that the package asks for
+// none of it is counted: `layouts` of ../element/support/counting.ts). The package's own about a
+// viewer without a name: most tests make theirs by script and are about other things. Tests of that
+// warning claim it.
 const remark =
   /GL Driver Message \(OpenGL, Performance|^verbose: Rendering was performed in a subtree hidden|^warning: A <phong-viewer> has no alt/;
 
@@ -58,7 +60,10 @@ export class ConsoleGuard {
 
   #hear(text: string): void {
     const claim = this.#claims.find(({ pattern }) => pattern.test(text));
-    if (claim !== undefined) claim.met.push(text);
-    else if (!isRemark(text)) this.#strays.push(text);
+    if (claim !== undefined) {
+      claim.met.push(text);
+    } else if (!isRemark(text)) {
+      this.#strays.push(text);
+    }
   }
 }

@@ -1,5 +1,5 @@
-// Small glTF documents for tests, as data: addresses: one curved patch with normals, tangents and two sets of texture
-// coordinates, and textures made of texels.
+// Small glTF documents for tests, as data: addresses: one curved patch with normals, tangents and
+// two sets of texture coordinates, and textures made of texels.
 import { PNG } from 'pngjs';
 import { Gltf } from '../bench/glb.mjs';
 

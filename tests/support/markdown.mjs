@@ -1,17 +1,23 @@
 // @ts-check
-// What the reports that commands write have in common: tables, and a part of the README between two marks.
+// What the reports that commands write have in common: tables, and a part of the README between two
+// marks.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 /** @param {readonly string[]} head @param {readonly (readonly string[])[]} rows */
 export const table = (head, rows) =>
-  [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.map(escaped).join(' | ')} |`).join('\n');
+  [head, head.map(() => '---'), ...rows]
+    .map((cells) => `| ${cells.map(escaped).join(' | ')} |`)
+    .join('\n');
 
 /** What would end a cell or begin a tag. @param {string} text */
 export const escaped = (text) => text.replaceAll('|', '\\|').replaceAll('<', '&lt;');
 
-/** Puts `part` into the README in place of what begins and ends with the same lines. @param {string} part */
+/**
+ * Puts `part` into the README in place of what begins and ends with the same lines. @param {string}
+ * part
+ */
 export function writePart(part) {
   const file = fileURLToPath(new URL('../../README.md', import.meta.url));
   const readme = readFileSync(file, 'utf8');

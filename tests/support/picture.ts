@@ -1,5 +1,5 @@
-// Pictures of viewers as numbers: read through `toBlob`, compared channel by channel, held against baselines.
-// Channels are 8-bit codes 0-255, straight alpha, rows from the top.
+// Pictures of viewers as numbers: read through `toBlob`, compared channel by channel, held against
+// baselines. Channels are 8-bit codes 0-255, straight alpha, rows from the top.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
@@ -23,7 +23,9 @@ interface Difference {
   readonly rmse: number;
 }
 
-/** How far a picture may be from its baseline: rasterization and rounding differ between machines. */
+/**
+ * How far a picture may be from its baseline: rasterization and rounding differ between machines.
+ */
 const baselineTolerance = { codes: 2, share: 0.005 } as const;
 
 /** The part of `<phong-viewer>` that the helpers use. */
@@ -50,7 +52,11 @@ export async function pixels(
 }
 
 /** The codes of one pixel, x to the right and y down from the top left. */
-export function pixelAt({ width, height, data }: Picture, x: number, y: number): [number, number, number, number] {
+export function pixelAt(
+  { width, height, data }: Picture,
+  x: number,
+  y: number,
+): [number, number, number, number] {
   if (x < 0 || y < 0 || x >= width || y >= height) throw new RangeError(`no pixel ${x}, ${y}`);
   const at = 4 * (y * width + x);
   return [data[at]!, data[at + 1]!, data[at + 2]!, data[at + 3]!];
@@ -66,16 +72,21 @@ export function compare(a: Picture, b: Picture, tolerance = 0): Difference {
   let squares = 0;
   for (let i = 0; i < a.data.length; i++) {
     const difference = Math.abs(a.data[i]! - b.data[i]!);
-    if (difference > max) max = difference;
-    if (difference > tolerance) beyond++;
+    if (difference > max) {
+      max = difference;
+    }
+    if (difference > tolerance) {
+      beyond++;
+    }
     squares += difference * difference;
   }
   return { max, share: beyond / a.data.length, rmse: Math.sqrt(squares / a.data.length) };
 }
 
 /**
- * Holds a picture against tests/visual/baselines/<name>.png. With UPDATE_PICTURES=1 it becomes the baseline.
- * On failure the picture and its difference (16 times as strong) lie among the test's results.
+ * Holds a picture against tests/visual/baselines/<name>.png. With UPDATE_PICTURES=1 it becomes the
+ * baseline. On failure the picture and its difference (16 times as strong) lie among the test's
+ * results.
  */
 export function expectPicture(name: string, actual: Picture): void {
   const baseline = fileURLToPath(new URL(`../visual/baselines/${name}.png`, import.meta.url));
@@ -85,10 +96,14 @@ export function expectPicture(name: string, actual: Picture): void {
   }
   if (!existsSync(baseline)) {
     const path = write(base.info().outputPath(`${name}-actual.png`), actual);
-    throw new Error(`No baseline ${name}.png. If ${path} is right, run again with UPDATE_PICTURES=1.`);
+    throw new Error(
+      `No baseline ${name}.png. If ${path} is right, run again with UPDATE_PICTURES=1.`,
+    );
   }
   const expected = decodePng(readFileSync(baseline));
-  expect(`${actual.width}×${actual.height}`, `size of ${name}`).toBe(`${expected.width}×${expected.height}`);
+  expect(`${actual.width}×${actual.height}`, `size of ${name}`).toBe(
+    `${expected.width}×${expected.height}`,
+  );
   const difference = compare(actual, expected, baselineTolerance.codes);
   if (difference.share <= baselineTolerance.share) return;
   const path = write(base.info().outputPath(`${name}-actual.png`), actual);
@@ -103,7 +118,9 @@ export function expectPicture(name: string, actual: Picture): void {
 function differencePicture(a: Picture, b: Picture): Picture {
   const data = new Uint8Array(a.data.length).fill(255);
   for (let i = 0; i < data.length; i++) {
-    if (i % 4 !== 3) data[i] = Math.min(255, 16 * Math.abs(a.data[i]! - b.data[i]!));
+    if (i % 4 !== 3) {
+      data[i] = Math.min(255, 16 * Math.abs(a.data[i]! - b.data[i]!));
+    }
   }
   return { width: a.width, height: a.height, data };
 }

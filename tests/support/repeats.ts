@@ -1,15 +1,20 @@
-// How often does a random test repeat? As often as its claim says in a release run, a twentieth of it otherwise: the
-// first repetitions find nearly everything, and mutants run them thousands of times.
+// How often does a random test repeat? As often as its claim says in a release run, a twentieth of
+// it otherwise: the first repetitions find nearly everything, and mutants run them thousands of
+// times.
 
 const RELEASE = typeof process !== 'undefined' && process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 
-/** The number of repetitions in this run, for a test with `count` in a release run. At least one. */
+/**
+ * The number of repetitions in this run, for a test with `count` in a release run. At least one.
+ */
 export const repeats = (count: number): number => (RELEASE ? count : Math.ceil(count / 20));
 
 /** A size or a number of points: `full` in a release run, `short` otherwise. */
 export const fullOr = (full: number, short: number): number => (RELEASE ? full : short);
 
 /**
- * The whole list in a release run, its first `count` entries otherwise: entries that stand for the others come first.
+ * The whole list in a release run, its first `count` entries otherwise: entries that stand for the
+ * others come first.
  */
-export const firstOf = <T>(list: readonly T[], count: number): readonly T[] => (RELEASE ? list : list.slice(0, count));
+export const firstOf = <T>(list: readonly T[], count: number): readonly T[] =>
+  RELEASE ? list : list.slice(0, count);

@@ -1,9 +1,15 @@
-// One page for all tests of a worker that ask for the same kind: opening a page of its own takes as long as half a
-// test. Playwright's own `reuseContext` loads three pages between two tests and empties the cache, compiled scripts
-// included; this loads an empty page and takes back what the test has asked of the page. The pages of this repository
-// store nothing.
+// One page for all tests of a worker that ask for the same kind: opening a page of its own takes as
+// long as half a test. Playwright's own `reuseContext` loads three pages between two tests and
+// empties the cache, compiled scripts included; this loads an empty page and takes back what the
+// test has asked of the page. The pages of this repository store nothing.
 
-import type { Browser, BrowserContext, BrowserContextOptions, CDPSession, Page } from '@playwright/test';
+import type {
+  Browser,
+  BrowserContext,
+  BrowserContextOptions,
+  CDPSession,
+  Page,
+} from '@playwright/test';
 
 type Undo = () => unknown;
 type Method = (...given: never[]) => unknown;
@@ -42,12 +48,16 @@ export class SharedPage {
     const pages = this.#context?.pages() ?? [];
     if (failed || this.#spent || pages.length === 0) return this.close();
     const [first, ...others] = pages;
-    for (const page of others) await page.close();
+    for (const page of others) {
+      await page.close();
+    }
     try {
       await first!.goto('about:blank', { timeout: 5000 });
       // A mouse that rests where the next test's viewer appears hovers over it.
       await first!.mouse.move(-1, -1);
-      for (const undo of this.#undo.splice(0).reverse()) await undo();
+      for (const undo of this.#undo.splice(0).reverse()) {
+        await undo();
+      }
     } catch {
       await this.close();
     }
@@ -62,12 +72,27 @@ export class SharedPage {
   }
 
   #watch(target: BrowserContext | Page): void {
-    this.#after(target, 'addInitScript', (script: { dispose(): Promise<void> }) => () => script.dispose());
+    this.#after(
+      target,
+      'addInitScript',
+      (script: { dispose(): Promise<void> }) => () => script.dispose(),
+    );
     this.#after(target, 'route', () => () => target.unrouteAll({ behavior: 'ignoreErrors' }));
-    for (const name of ['on', 'once'])
-      this.#after(target, name, (_, type: never, listener: never) => () => target.off(type, listener));
-    this.#after(target, 'newCDPSession', (session: CDPSession) => () => session.detach().catch(() => undefined));
-    for (const name of FINAL) this.#after(target, name, () => () => undefined, true);
+    for (const name of ['on', 'once']) {
+      this.#after(
+        target,
+        name,
+        (_, type: never, listener: never) => () => target.off(type, listener),
+      );
+    }
+    this.#after(
+      target,
+      'newCDPSession',
+      (session: CDPSession) => () => session.detach().catch(() => undefined),
+    );
+    for (const name of FINAL) {
+      this.#after(target, name, () => () => undefined, true);
+    }
     this.#after(target.clock, 'install', () => () => undefined, true);
   }
 
@@ -85,7 +110,9 @@ export class SharedPage {
     Reflect.set(target, name, (...given: never[]): unknown => {
       const result: unknown = Reflect.apply(real, target, given);
       this.#undo.push(async () => (undo(...([await result, ...given] as never[])) as Undo)());
-      if (final) this.#spent = true;
+      if (final) {
+        this.#spent = true;
+      }
       return result;
     });
   }

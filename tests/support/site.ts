@@ -1,5 +1,6 @@
-// The server behind the browser tests: folders under fixed addresses, pages from memory, every page under a
-// Content-Security-Policy. Listens on a free port, so that several runs can share a machine. Knows no test.
+// The server behind the browser tests: folders under fixed addresses, pages from memory, every page
+// under a Content-Security-Policy. Listens on a free port, so that several runs can share a
+// machine. Knows no test.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer, type ServerResponse } from 'node:http';
@@ -14,7 +15,10 @@ export const strictPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
 
 /** The same for models that need WebAssembly. */
-export const wasmPolicy = strictPolicy.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'");
+export const wasmPolicy = strictPolicy.replace(
+  "script-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+);
 
 export interface PageOptions {
   /** Content-Security-Policy; default strict; empty for none. */
@@ -22,8 +26,8 @@ export interface PageOptions {
   /** Rules of the page's one style sheet (inline styles are refused by the strict policy). */
   readonly css?: string;
   /**
-   * true: viewers without a name keep none, and the package warns. Default: they get an `alt`, because most tests are
-   * about other things.
+   * true: viewers without a name keep none, and the package warns. Default: they get an `alt`,
+   * because most tests are about other things.
    */
   readonly nameless?: boolean;
   /** What goes into the head after the style sheet, such as a `<script type="module" src="…">`. */
@@ -35,7 +39,10 @@ export interface Site {
   readonly origin: string;
   /** Keeps a page with this body in memory and gives its address. */
   page(body: string, options?: PageOptions): string;
-  /** Keeps a file in memory and gives its address; a later file takes its place. `gzip`: its bytes are compressed. */
+  /**
+   * Keeps a file in memory and gives its address; a later file takes its place. `gzip`: its bytes
+   * are compressed.
+   */
   file(bytes: Uint8Array, gzip?: boolean): string;
   close(): Promise<void>;
 }
@@ -60,14 +67,21 @@ export const testMounts: Readonly<Record<string, string>> = {
 };
 
 /** @param policy the Content-Security-Policy of files; pages from memory have their own. */
-export async function startSite(mounts: Readonly<Record<string, string>>, policy = strictPolicy): Promise<Site> {
+export async function startSite(
+  mounts: Readonly<Record<string, string>>,
+  policy = strictPolicy,
+): Promise<Site> {
   const stored = new Map<string, Stored>();
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
     const page = stored.get(path);
-    if (page) sendText(response, page);
-    else if (path === '/favicon.ico') response.writeHead(204).end();
-    else sendFile(response, fileUnder(mounts, path), policy);
+    if (page) {
+      sendText(response, page);
+    } else if (path === '/favicon.ico') {
+      response.writeHead(204).end();
+    } else {
+      sendFile(response, fileUnder(mounts, path), policy);
+    }
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = server.address() as AddressInfo;
@@ -94,15 +108,19 @@ export async function startSite(mounts: Readonly<Record<string, string>>, policy
   };
 }
 
-/** Gives each viewer of this markup an `alt`, unless it has a name or is hidden from assistive technology. */
+/**
+ * Gives each viewer of this markup an `alt`, unless it has a name or is hidden from assistive
+ * technology.
+ */
 export const named = (markup: string): string =>
   markup.replace(
     /<phong-viewer(?=[\s>])(?![^>]*\s(?:alt\b|aria-label\b|aria-labelledby\b|aria-hidden\b|role="(?:none|presentation)))/g,
     '<phong-viewer alt="A test scene"',
   );
 
-// Browsers keep compiled code only of scripts that they may cache: a sixth of the CPU time of a small page. An hour
-// outlives a run. Each server has a port of its own, so that no run meets the scripts of another.
+// Browsers keep compiled code only of scripts that they may cache: a sixth of the CPU time of a
+// small page. An hour outlives a run. Each server has a port of its own, so that no run meets the
+// scripts of another.
 const kept = { 'cache-control': 'max-age=3600' } as const;
 const keptTypes: ReadonlySet<string> = new Set(['.js', '.mjs']);
 
@@ -117,7 +135,9 @@ function fileUnder(mounts: Readonly<Record<string, string>>, path: string): stri
 }
 
 function sendText(response: ServerResponse, { type, text, csp, gzip = false }: Stored): void {
-  response.writeHead(200, { ...headers(type, csp), ...(gzip ? { 'content-encoding': 'gzip' } : {}) }).end(text);
+  response
+    .writeHead(200, { ...headers(type, csp), ...(gzip ? { 'content-encoding': 'gzip' } : {}) })
+    .end(text);
 }
 
 function sendFile(response: ServerResponse, file: string | undefined, policy: string): void {

@@ -1,5 +1,5 @@
-// What every browser test starts from: `test` with a guarded page, a server and `mount`, and `expect`.
-// Fails if WebGL 2 does not work, so that a machine without it cannot pass.
+// What every browser test starts from: `test` with a guarded page, a server and `mount`, and
+// `expect`. Fails if WebGL 2 does not work, so that a machine without it cannot pass.
 
 import {
   expect,
@@ -23,7 +23,10 @@ export { compare, expectPicture, pixelAt, pixels, type Picture } from './picture
 export { type Site, strictPolicy } from './site.js';
 
 interface MountOptions extends PageOptions {
-  /** CSS pixels of every viewer on the page, the first of which lies at the page's top left; default 600 × 400. */
+  /**
+   * CSS pixels of every viewer on the page, the first of which lies at the page's top left; default
+   * 600 × 400.
+   */
   readonly width?: number;
   readonly height?: number;
   /** Device pixels per CSS pixel; default 1. `setPixelRatio` changes it later. */
@@ -66,9 +69,15 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   webgl2: [
     async ({ browser }, use) => {
       const page = await browser.newPage();
-      const works = await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null);
+      const works = await page.evaluate(
+        () => document.createElement('canvas').getContext('webgl2') !== null,
+      );
       await page.close();
-      if (!works) throw new Error(`This browser (${browser.version()}) gives no WebGL 2, not even in software.`);
+      if (!works) {
+        throw new Error(
+          `This browser (${browser.version()}) gives no WebGL 2, not even in software.`,
+        );
+      }
       await use(undefined);
     },
     { scope: 'worker' },
@@ -84,7 +93,11 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   ],
 
   // The other options of the configuration are added by Playwright, and no test changes them.
-  context: async ({ browser, sharedPage, baseURL, viewport, deviceScaleFactor, hasTouch, forcedColors }, use, info) => {
+  context: async (
+    { browser, sharedPage, baseURL, viewport, deviceScaleFactor, hasTouch, forcedColors },
+    use,
+    info,
+  ) => {
     const context = await sharedPage.take(browser, {
       viewport,
       hasTouch,
@@ -114,10 +127,16 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   // Named here so that they are at work wherever a page is.
   page: async ({ context, consoleGuard: _guard, webgl2: _works }, use) => use(context.pages()[0]!),
 
-  mount: async ({ page, site }, use) => use((markup, options = {}) => mount(page, site, markup, options)),
+  mount: async ({ page, site }, use) =>
+    use((markup, options = {}) => mount(page, site, markup, options)),
 });
 
-async function mount(page: Page, site: Site, markup: string, options: MountOptions): Promise<Locator> {
+async function mount(
+  page: Page,
+  site: Site,
+  markup: string,
+  options: MountOptions,
+): Promise<Locator> {
   const { width = 600, height = 400, css = '', head = '' } = options;
   const { deviceScaleFactor = 1, waitForReady = true } = options;
   const address = site.page(markup, {
@@ -125,11 +144,15 @@ async function mount(page: Page, site: Site, markup: string, options: MountOptio
     css: `body { margin: 0 } phong-viewer { display: block; width: ${width}px; height: ${height}px }\n${css}`,
     head: `<script type="module" src="/dist/phong-viewer.standalone.js"></script>${head}`,
   });
-  if (deviceScaleFactor !== 1) await setPixelRatio(page, deviceScaleFactor);
+  if (deviceScaleFactor !== 1) {
+    await setPixelRatio(page, deviceScaleFactor);
+  }
   await page.goto(address);
   await defined(page);
   const viewer = page.locator('phong-viewer').first();
-  if (waitForReady) await allReady(page);
+  if (waitForReady) {
+    await allReady(page);
+  }
   return viewer;
 }
 
@@ -137,9 +160,9 @@ async function mount(page: Page, site: Site, markup: string, options: MountOptio
 const scaled = new WeakMap<Page, CDPSession>();
 
 /**
- * Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen does. Emulated:
- * `devicePixelRatio` and `resolution` queries change, a `device-pixel-content-box` stays that of the real screen.
- * Holds until the next screenshot or change of the viewport's size.
+ * Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen
+ * does. Emulated: `devicePixelRatio` and `resolution` queries change, a `device-pixel-content-box`
+ * stays that of the real screen. Holds until the next screenshot or change of the viewport's size.
  */
 export async function setPixelRatio(page: Page, deviceScaleFactor: number): Promise<void> {
   const { width, height } = page.viewportSize() ?? { width: 1000, height: 700 };
@@ -167,7 +190,10 @@ async function restorePixelRatio(page: Page): Promise<void> {
 async function defined(page: Page): Promise<void> {
   await page.evaluate(async () => {
     const late = new Promise<never>((_, reject) =>
-      setTimeout(() => reject(new Error('dist/ did not define <phong-viewer> within 20 s')), 20_000),
+      setTimeout(
+        () => reject(new Error('dist/ did not define <phong-viewer> within 20 s')),
+        20_000,
+      ),
     );
     await Promise.race([customElements.whenDefined('phong-viewer'), late]);
   });

@@ -1,7 +1,11 @@
 // The keys of texts, and the ready sets, from the table that the build makes them of.
 
 import { textsIn } from '../../.ci/texts.mjs';
-import type { CompleteTexts, ViewerErrorCode, ViewerText } from '../../src/viewer/element/fields/texts.js';
+import type {
+  CompleteTexts,
+  ViewerErrorCode,
+  ViewerText,
+} from '../../src/viewer/element/fields/texts.js';
 
 export const readyTexts = (language: string): CompleteTexts => textsIn(language) as CompleteTexts;
 

@@ -1,5 +1,6 @@
 // @ts-check
-// A Playwright reporter that says, every 15 s, how many tests have ended and about how much time is left.
+// A Playwright reporter that says, every 15 s, how many tests have ended and about how much time is
+// left.
 
 import { Progress } from './command-line.mjs';
 
@@ -8,7 +9,10 @@ export default class TimeLeft {
   #total = 0;
   #ended = 0;
 
-  /** @param {import('@playwright/test/reporter').FullConfig} _config @param {import('@playwright/test/reporter').Suite} suite */
+  /**
+   * @param {import('@playwright/test/reporter').FullConfig} _config @param
+   * {import('@playwright/test/reporter').Suite} suite
+   */
   onBegin(_config, suite) {
     this.#total = suite.allTests().length;
   }

@@ -1,5 +1,5 @@
-// Lights drawn from the whole of their domains, and moderate ones as authors write them. Values in HTML's units.
-// Knows only what a light's values may be, never how they are used.
+// Lights drawn from the whole of their domains, and moderate ones as authors write them. Values in
+// HTML's units. Knows only what a light's values may be, never how they are used.
 
 import fc from 'fast-check';
 import { LIGHT_FIELDS, type LightValues, LIMITS } from '../../src/phong/light/light-state.js';
@@ -7,23 +7,45 @@ import type { Vec3, Vec4 } from '../../src/phong/math/vector.js';
 
 /** Every light of a test is written as what differs from the defaults. */
 export function light(values: Partial<LightValues> = {}): LightValues {
-  const defaults = Object.fromEntries(Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]));
+  const defaults = Object.fromEntries(
+    Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]),
+  );
   return { ...(defaults as unknown as LightValues), ...values };
 }
 
 /** Doubles from `min` to `max`, the ends, 0, denormals and whole powers of ten among them. */
 export function numbers(min: number, max: number): fc.Arbitrary<number> {
   const inside = (n: number): boolean => n >= min && n <= max;
-  const special = [0, 5e-324, 1e-310, 1e-45, 1e-30, 1e-15, 1e-6, 0.5, 1, 255, 1e6, 1e12, 1e15, min, max];
+  const special = [
+    0,
+    5e-324,
+    1e-310,
+    1e-45,
+    1e-30,
+    1e-15,
+    1e-6,
+    0.5,
+    1,
+    255,
+    1e6,
+    1e12,
+    1e15,
+    min,
+    max,
+  ];
   const usual = { min: Math.max(min, -1000), max: Math.min(max, 1000) };
   return fc.oneof(
     { weight: 3, arbitrary: fc.double({ min, max, noNaN: true }) },
     { weight: 3, arbitrary: fc.double({ ...usual, noNaN: true }) },
-    { weight: 2, arbitrary: fc.constantFrom(...[...special, ...special.map((n) => -n)].filter(inside)) },
+    {
+      weight: 2,
+      arbitrary: fc.constantFrom(...[...special, ...special.map((n) => -n)].filter(inside)),
+    },
   );
 }
 
-export const triple = (number: fc.Arbitrary<number>): fc.Arbitrary<Vec3> => fc.tuple(number, number, number);
+export const triple = (number: fc.Arbitrary<number>): fc.Arbitrary<Vec3> =>
+  fc.tuple(number, number, number);
 
 const placed = (number: fc.Arbitrary<number>): fc.Arbitrary<Vec4> =>
   fc.tuple(number, number, number, fc.constantFrom(0, 1));
@@ -67,7 +89,9 @@ export const plainLight: fc.Arbitrary<LightValues> = lightsFrom({
 });
 
 /** Directions and places within a few units, never zero. */
-export const plainVector: fc.Arbitrary<Vec3> = triple(plain(-5, 5)).filter((v) => v.some((x) => x !== 0));
+export const plainVector: fc.Arbitrary<Vec3> = triple(plain(-5, 5)).filter((v) =>
+  v.some((x) => x !== 0),
+);
 
 /** A rotation by columns: orthonormal to a few roundings. */
 export const rotation: fc.Arbitrary<readonly [Vec3, Vec3, Vec3]> = fc

@@ -1,5 +1,5 @@
-// Are the published report, its charts and the README's sentence what the results say, and which missed limits fail? And
-// the arithmetic of the bench, without a browser.
+// Are the published report, its charts and the README's sentence what the results say, and which
+// missed limits fail? And the arithmetic of the bench, without a browser.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -27,26 +27,39 @@ test('every chart is an SVG that the report shows, with its series and pictures 
   expect(readdirSync(join(bench, 'charts')).sort()).toEqual([...charts.keys()].sort());
   for (const [file, svg] of charts) {
     // Not by toContain, which would print all of it.
-    expect(/^<svg [^]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"[^]*<\/svg>$/.test(svg), file).toBe(true);
-    for (const text of ['TAARenderPass', 'sphere']) expect(svg.includes(`>${text}</text>`), file).toBe(true);
-    expect([svg.includes('NaN'), report.includes(`](charts/${file})`)], file).toEqual([false, true]);
+    expect(/^<svg [^]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"[^]*<\/svg>$/.test(svg), file).toBe(
+      true,
+    );
+    for (const text of ['TAARenderPass', 'sphere']) {
+      expect(svg.includes(`>${text}</text>`), file).toBe(true);
+    }
+    expect([svg.includes('NaN'), report.includes(`](charts/${file})`)], file).toEqual([
+      false,
+      true,
+    ]);
   }
 });
 
 test('an aim names subjects that exist', () => {
-  for (const { label, subject, subjects = [] } of AIMS)
-    for (const name of [subject, ...subjects]) expect(Object.keys(SUBJECTS), label).toContain(name);
+  for (const { label, subject, subjects = [] } of AIMS) {
+    for (const name of [subject, ...subjects]) {
+      expect(Object.keys(SUBJECTS), label).toContain(name);
+    }
+  }
 });
 
 test('a limit is missed where even the better quartile lies beyond it', () => {
   const about = { stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] as const };
   const result: BenchResult = { ...about, measures: [], failures: [] };
   const subject = 'script, toggling one of 5,000 lights';
-  const took = (element: number): void => addSamples(result, subject, 'script per frame', 'µs', { element });
+  const took = (element: number): void =>
+    addSamples(result, subject, 'script per frame', 'µs', { element });
   took(2400.04);
   expect(result.measures[0]!.samples).toEqual({ element: [2400] }); // rounded to four digits
   expect(missedLimits(result)).toEqual(['toggling one of 5,000 lights, µs: 2.40e+3, limit 2000']);
-  for (const time of [1800, 2400, 1800]) took(time);
+  for (const time of [1800, 2400, 1800]) {
+    took(time);
+  }
   expect(missedLimits(result)).toEqual([]);
   // An aim that is not reached yet is no limit.
   addSamples(result, 'start', 'first picture', 'ms', { standalone: 20, bundled: 13, three: 10 });
@@ -68,7 +81,10 @@ test('a trace of a page gives frames and the longest task since its navigation',
   const task = (ts: number, dur: number, tid = 1) => ({ ...event('RunTask', ts, {}), tid, dur });
   const navigation = (ts: number, documentLoaderURL: string) =>
     event('navigationStart', ts, { data: { documentLoaderURL } });
-  const frame = (ts: number, snapshot: string) => ({ ...event('Screenshot', ts, { snapshot }), pid: 2 });
+  const frame = (ts: number, snapshot: string) => ({
+    ...event('Screenshot', ts, { snapshot }),
+    pid: 2,
+  });
   const traceEvents = [
     ...[navigation(0, ''), task(100, 900_000), frame(200, 'before')],
     ...[navigation(1000, 'http://localhost/'), task(2000, 30_000), task(3000, 70_000, 2)],
@@ -78,7 +94,9 @@ test('a trace of a page gives frames and the longest task since its navigation',
     frames: [{ ms: 40, jpeg: 'after' }],
     longestTask: 30,
   });
-  expect(() => readTrace(Buffer.from('{"traceEvents":[]}'))).toThrow('the trace holds no navigation');
+  expect(() => readTrace(Buffer.from('{"traceEvents":[]}'))).toThrow(
+    'the trace holds no navigation',
+  );
 });
 
 test('lights alternate between directional, point and spot, and every cone contains the sphere', () => {

@@ -1,5 +1,5 @@
-// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known shapes. On smaller
-// pictures than in a release run.
+// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known
+// shapes. On smaller pictures than in a release run.
 import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { LightState, type Vec3 } from '../../src/phong/reference/index.js';
@@ -19,12 +19,21 @@ const sceneOf = (distance: number, ...objects: readonly CastObject[]): CastScene
   camera: { eye: [0, 0, distance], right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1], fov: FOV },
   ...{ lights: [], objects },
 });
-const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({ shape: { kind }, material });
+const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({
+  shape: { kind },
+  material,
+});
 
 async function torusOfTriangles(): Promise<CastObject> {
   const geometry = await createGeometry('torus', 16);
-  const [positions, normals] = [geometry.getAttribute('position').array, geometry.getAttribute('normal').array];
-  return { shape: { kind: 'triangles', positions, normals, index: geometry.index!.array }, material: UNLIT };
+  const [positions, normals] = [
+    geometry.getAttribute('position').array,
+    geometry.getAttribute('normal').array,
+  ];
+  return {
+    shape: { kind: 'triangles', positions, normals, index: geometry.index!.array },
+    material: UNLIT,
+  };
 }
 
 /** Covered area in pixels. */
@@ -48,7 +57,10 @@ describe('a picture by the ray caster', () => {
     const middle = Math.atan2(0.35, distance);
     const half = Math.asin(0.15 / Math.hypot(0.35, distance));
     const ring = pixels * (Math.tan(middle + half) ** 2 - Math.tan(middle - half) ** 2);
-    expect(areaOf(castHere(sceneOf(distance, solid('torus')), options)) / ring).toBeCloseTo(1, digits);
+    expect(areaOf(castHere(sceneOf(distance, solid('torus')), options)) / ring).toBeCloseTo(
+      1,
+      digits,
+    );
   });
 
   it('is the same from threads and from disk', async () => {
@@ -81,7 +93,10 @@ describe('a ray of the ray caster', () => {
         [-0.36, 0.48, 0.8],
       ] as const) {
         // On the side toward the eye, whichever way the shape is mirrored.
-        const local = scale([a < 0 ? -direction[0] : direction[0], direction[1], direction[2]], 0.5);
+        const local = scale(
+          [a < 0 ? -direction[0] : direction[0], direction[1], direction[2]],
+          0.5,
+        );
         const place: Vec3 = [a * local[0] + 0.2, b * local[1] + 0.1, c * local[2]];
         const N = normalize([local[0] / a, local[1] / b, local[2] / c]);
         const { x, y } = tracer.screen.project(subtract(place, scene.camera.eye));
@@ -104,7 +119,10 @@ describe('a ray of the ray caster', () => {
       const back = normalize([0.5, 0.4, 1.3]);
       const right = normalize([1.3, 0, -0.5]);
       const up: Vec3 = normalize([-0.4 * 0.5, 0.25 + 1.69, -0.4 * 1.3]);
-      const scene = { ...sceneOf(4, solid(kind)), camera: { eye: scale(back, 3), right, up, back, fov: 30 } };
+      const scene = {
+        ...sceneOf(4, solid(kind)),
+        camera: { eye: scale(back, 3), right, up, back, fov: 30 },
+      };
       const tracer = new Tracer(scene, 200, 200);
       const step = fullOr(2, 5);
       let [hits, most, inside] = [0, 0, 0];
@@ -112,11 +130,18 @@ describe('a ray of the ray caster', () => {
         for (let x = 1; x < 200; x += step) {
           const { t } = tracer.hitAt(x, y);
           const along = tracer.screen.direction(x, y);
-          const at = (depth: number): number => implicit[kind](add(scene.camera.eye, scale(along, depth)));
-          if (t < Infinity) most = Math.max(most, Math.abs(at(t)));
-          if (t < Infinity) hits++;
+          const at = (depth: number): number =>
+            implicit[kind](add(scene.camera.eye, scale(along, depth)));
+          if (t < Infinity) {
+            most = Math.max(most, Math.abs(at(t)));
+          }
+          if (t < Infinity) {
+            hits++;
+          }
           // Nothing on the way is inside the shape.
-          for (let depth = 2.2; depth < Math.min(t, 3.8); depth += 0.1) inside = Math.min(inside, at(depth));
+          for (let depth = 2.2; depth < Math.min(t, 3.8); depth += 0.1) {
+            inside = Math.min(inside, at(depth));
+          }
         }
       }
       expect(most, kind).toBeLessThan(1e-12);

@@ -1,5 +1,5 @@
-// Do the commands of package.json explain themselves, refuse what they do not know in one line, and say in one line
-// what is missing? A stack trace tells a user nothing.
+// Do the commands of package.json explain themselves, refuse what they do not know in one line, and
+// say in one line what is missing? A stack trace tells a user nothing.
 
 import { execFile } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -29,7 +29,8 @@ function run(
       process.execPath,
       [...own, ...args],
       { cwd: repository, env: { ...process.env, ...variables } },
-      (error, out, said) => resolve({ code: typeof error?.code === 'number' ? error.code : 0, out, said }),
+      (error, out, said) =>
+        resolve({ code: typeof error?.code === 'number' ? error.code : 0, out, said }),
     );
   });
 }
@@ -46,7 +47,9 @@ describe.each(firstOf(names, 2))('npm run %s', (name) => {
     for (const strange of ['--nonsense', 'nonsense']) {
       const { code, out, said } = await run(name, [strange]);
       expect({ code, out }).toEqual({ code: 2, out: '' });
-      expect(said).toBe(`Unknown ${strange.startsWith('-') ? 'option' : 'argument'} '${strange}'. See --help.\n`);
+      expect(said).toBe(
+        `Unknown ${strange.startsWith('-') ? 'option' : 'argument'} '${strange}'. See --help.\n`,
+      );
     }
   });
 });
@@ -86,7 +89,9 @@ describe('a command', () => {
     async (name) => {
       const { code, said } = await run(name, [], { PHONG_VIEWER_OUT: folder });
       expect(code).toBe(2);
-      expect(said).toMatch(/^\S+ is missing: run `npm run build(?::site)?` first\. See --help\.\n$/);
+      expect(said).toMatch(
+        /^\S+ is missing: run `npm run build(?::site)?` first\. See --help\.\n$/,
+      );
     },
   );
 });

@@ -1,5 +1,5 @@
-// Do the documents match the code? Links lead to files and headings that exist, tables list every attribute, and the
-// README stays short.
+// Do the documents match the code? Links lead to files and headings that exist, tables list every
+// attribute, and the README stays short.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, statSync } from 'node:fs';
@@ -14,10 +14,14 @@ import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Every page of the repository. */
-const documents = execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard', '*.md'], {
-  cwd: repository,
-  encoding: 'utf8',
-})
+const documents = execFileSync(
+  'git',
+  ['ls-files', '--cached', '--others', '--exclude-standard', '*.md'],
+  {
+    cwd: repository,
+    encoding: 'utf8',
+  },
+)
   .split('\n')
   .filter((path) => path !== '' && existsSync(join(repository, path)));
 const decisions = documents.filter((path) => path.startsWith('src/decisions/'));
@@ -34,7 +38,9 @@ const anchorsOf = (path: string): readonly string[] =>
   );
 
 /** Links of a page to files of the repository and to headings in them. */
-const linksOf = (path: string): readonly { readonly file: string; readonly anchor: string | undefined }[] =>
+const linksOf = (
+  path: string,
+): readonly { readonly file: string; readonly anchor: string | undefined }[] =>
   Array.from(
     read(path)
       .replaceAll(/^```[^]*?^```/gm, '')
@@ -50,10 +56,13 @@ const linksOf = (path: string): readonly { readonly file: string; readonly ancho
 function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]): boolean {
   const place = join(repository, file);
   if (!existsSync(place)) return true;
-  return anchor !== undefined && (statSync(place).isDirectory() || !anchorsOf(file).includes(anchor));
+  return (
+    anchor !== undefined && (statSync(place).isDirectory() || !anchorsOf(file).includes(anchor))
+  );
 }
 
-const codeIn = (cell: string): readonly string[] => Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
+const codeIn = (cell: string): readonly string[] =>
+  Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
 
 const fieldsOf: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
   'phong-light': LIGHT_FIELDS,
@@ -79,7 +88,9 @@ describe('the documents', () => {
     const rows = shortTable();
     expect(rows).toHaveLength(12);
     for (const [element, name, text] of rows) {
-      const [, field] = Object.entries(fieldsOf[element]!).find(([key]) => attributeOf(key) === name)!;
+      const [, field] = Object.entries(fieldsOf[element]!).find(
+        ([key]) => attributeOf(key) === name,
+      )!;
       expect([name, text]).toEqual([name, formatValue(field.fallback, field) ?? '']);
     }
   });
@@ -90,8 +101,9 @@ describe('the documents', () => {
 
   it('list every decision', () => {
     const listed = read('src/decisions/README.md');
-    for (const path of decisions.filter((name) => !name.endsWith('README.md')))
+    for (const path of decisions.filter((name) => !name.endsWith('README.md'))) {
       expect(listed).toContain(`(${path.replace('src/decisions/', '')})`);
+    }
   });
 
   it.each([

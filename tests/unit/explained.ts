@@ -3,7 +3,12 @@ import { Mesh } from 'three';
 import type { FragmentExplanation } from '../../src/viewer/element/explanation.js';
 import type { PhongViewer } from '../../src/viewer/element/phong-viewer.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
-import { coefficientsOf, type ReferenceOptions, shade, type Surface } from '../../src/phong/reference/index.js';
+import {
+  coefficientsOf,
+  type ReferenceOptions,
+  shade,
+  type Surface,
+} from '../../src/phong/reference/index.js';
 import { light } from './arbitraries.js';
 
 export interface Explained extends ReferenceOptions {
@@ -25,8 +30,15 @@ export function explained({ lights = [], ...given }: Explained): FragmentExplana
     ...surface,
     ...shaded,
     ...coefficientsOf(surface, options.linear),
-    shares: shaded.shares.map((share, i) => share && { ...share, light: null, name: `light ${i + 1}` }),
+    shares: shaded.shares.map(
+      (share, i) => share && { ...share, light: null, name: `light ${i + 1}` },
+    ),
   };
 }
 
-const SURFACE = { ka: [255, 255, 255], kd: [204, 204, 204], ks: [102, 102, 102], shininess: 8 } as const;
+const SURFACE = {
+  ka: [255, 255, 255],
+  kd: [204, 204, 204],
+  ks: [102, 102, 102],
+  shininess: 8,
+} as const;

@@ -1,5 +1,6 @@
-// As much of three.js's renderer as light data and programs need: textures with the calls that fill them, and programs
-// that link at once. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
+// As much of three.js's renderer as light data and programs need: textures with the calls that fill
+// them, and programs that link at once. Keeps a copy of each texture as the GPU would have it.
+// Knows nothing of lights.
 import type { BufferGeometry, ExternalTexture, Material, Mesh, WebGLRenderer } from 'three';
 
 interface Texels {
@@ -24,7 +25,12 @@ export class FakeRenderer {
   /** `name`: of the device, as the browser reports it. */
   constructor({ name = 'NVIDIA' }: { readonly name?: string } = {}) {
     const gl = {
-      ...{ RENDERER: 7, LINK_STATUS: 8, MAX_FRAGMENT_UNIFORM_VECTORS: 9, MAX_VERTEX_UNIFORM_VECTORS: 9 },
+      ...{
+        RENDERER: 7,
+        LINK_STATUS: 8,
+        MAX_FRAGMENT_UNIFORM_VECTORS: 9,
+        MAX_VERTEX_UNIFORM_VECTORS: 9,
+      },
       getExtension: () => null,
       getParameter: (what: number) => (what === 7 ? name : 1024),
       getProgramParameter: () => true,
@@ -38,19 +44,29 @@ export class FakeRenderer {
       },
       deleteTexture: (texture: object | null) => texture !== null && this.#held.delete(texture),
       ...{ TEXTURE_WRAP_S: 'wrap s', TEXTURE_WRAP_T: 'wrap t', CLAMP_TO_EDGE: 'clamp' },
-      texParameteri: (...[, name, value]: [number, string, string]) => this.sampling.set(name, value),
+      texParameteri: (...[, name, value]: [number, string, string]) =>
+        this.sampling.set(name, value),
       texStorage2D: (...[, , , width, height]: [number, number, number, number, number]) => {
-        Object.assign(this.#texels(), { width, height, data: new Float32Array(width * height * 4) });
+        Object.assign(this.#texels(), {
+          width,
+          height,
+          data: new Float32Array(width * height * 4),
+        });
       },
       texSubImage2D: (...call: Parameters<FakeRenderer['texSubImage2D']>) => {
         this.texSubImage2D(...call);
       },
     };
     this.renderer = {
-      state: { bindTexture: (_: number, texture: object) => (this.#bound = texture), pixelStorei: () => undefined },
+      state: {
+        bindTexture: (_: number, texture: object) => (this.#bound = texture),
+        pixelStorei: () => undefined,
+      },
       getContext: () => gl,
       extensions: { has: () => true },
-      properties: { get: (material: Material) => ({ currentProgram: this.#programs.get(material) }) },
+      properties: {
+        get: (material: Material) => ({ currentProgram: this.#programs.get(material) }),
+      },
       compile: ({ material }: Mesh<BufferGeometry, Material>) => {
         this.compiled.push(material);
         this.#programs.set(material, { program: material, isReady: () => true });
@@ -84,7 +100,9 @@ export class FakeRenderer {
     for (let line = 0; line < height; line++) {
       const from = first + line * width * 4;
       const to = ((y + line) * bound.width + x) * 4;
-      if (to + width * 4 > bound.data.length || x + width > bound.width) throw new RangeError('beyond the texture');
+      if (to + width * 4 > bound.data.length || x + width > bound.width) {
+        throw new RangeError('beyond the texture');
+      }
       bound.data.set(data.subarray(from, from + width * 4), to);
     }
   }

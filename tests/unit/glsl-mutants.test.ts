@@ -12,7 +12,10 @@ describe('mutants of GLSL', () => {
   it.each([
     ['float y = a + b;', ['swap + and -: + -> -']],
     ['float y = -a * b;', ['drop a sign: - -> ']],
-    ['float y = min(a, 0.5);', ['swap min and max: min -> max', 'change a constant: 0.5 -> 1.0e+0']],
+    [
+      'float y = min(a, 0.5);',
+      ['swap min and max: min -> max', 'change a constant: 0.5 -> 1.0e+0'],
+    ],
     ['float y = 1e-20;', ['change a constant: 1e-20 -> 2.0e-20']],
     ['int k = a & 3;', ['change a constant: 3 -> 4']],
     ['a += b;', ['drop a statement: a += b; -> ;', 'swap + and -: += -> -=']],
@@ -35,7 +38,9 @@ describe('mutants of GLSL', () => {
     expect(new Set(mutants.map((mutant) => mutant.text)).size).toBe(mutants.length);
     for (const mutant of mutants) {
       let at = 0;
-      while (text[at] === mutant.text[at]) at += 1;
+      while (text[at] === mutant.text[at]) {
+        at += 1;
+      }
       expect(text.slice(0, at).split('\n').length).toBe(mutant.line);
       expect(mutant.text.length - text.length).toBe(mutant.after.length - mutant.before.length);
     }

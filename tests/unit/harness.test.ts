@@ -1,5 +1,5 @@
-// Do the browser tests' own instruments detect what they should? A console guard that records nothing would pass every
-// test.
+// Do the browser tests' own instruments detect what they should? A console guard that records
+// nothing would pass every test.
 
 import { EventEmitter } from 'node:events';
 import type { BrowserContext } from '@playwright/test';
@@ -7,7 +7,10 @@ import { describe, expect, it } from 'vitest';
 import { ConsoleGuard } from '../support/console-guard.js';
 import { compare, pixelAt, type Picture } from '../support/picture.js';
 
-async function guarded(): Promise<{ guard: ConsoleGuard; say: (type: string, text: string) => void }> {
+async function guarded(): Promise<{
+  guard: ConsoleGuard;
+  say: (type: string, text: string) => void;
+}> {
   const context = Object.assign(new EventEmitter(), { addInitScript: () => Promise.resolve() });
   const guard = new ConsoleGuard();
   await guard.watch(context as unknown as BrowserContext);
@@ -49,7 +52,11 @@ describe('ConsoleGuard', () => {
 });
 
 describe('pictures', () => {
-  const picture = (...data: number[]): Picture => ({ width: data.length / 4, height: 1, data: new Uint8Array(data) });
+  const picture = (...data: number[]): Picture => ({
+    width: data.length / 4,
+    height: 1,
+    data: new Uint8Array(data),
+  });
   const a = picture(10, 20, 30, 255, 0, 0, 0, 255);
   const b = picture(12, 20, 26, 255, 0, 0, 0, 255);
 

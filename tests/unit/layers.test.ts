@@ -7,15 +7,24 @@ describe('layers of src/', () => {
   const allowed = [
     ['src/phong/light/light-set.ts', "import { dot } from '../math/vector.js';"],
     ['src/phong/light/light-set.ts', "import { one } from './light-state.js';"],
-    ['src/phong/material/phong-material.ts', "import text from '../../../shaders/phong.frag.glsl?raw';"],
-    ['src/extras/models/gltf.ts', "import { material } from '../../phong/material/phong-material.js';"],
+    [
+      'src/phong/material/phong-material.ts',
+      "import text from '../../../shaders/phong.frag.glsl?raw';",
+    ],
+    [
+      'src/extras/models/gltf.ts',
+      "import { material } from '../../phong/material/phong-material.js';",
+    ],
     ['src/extras/models/gltf.ts', "const m = import('three/examples/jsm/loaders/GLTFLoader.js');"],
     ['src/viewer/element/phong-viewer.ts', "import { LitElement } from 'lit';"],
     ['src/viewer/element/phong-viewer.ts', "const r = import('../../phong/reference/index.js');"],
     ['src/viewer/element/phong-viewer.ts', "import type { Scene } from 'three';"],
     ['src/viewer/index.ts', "const panel = () => import('../extras/panel/panel.js');"],
     ['src/phong/core.ts', "export { pack } from './light/pack-lights.js';"],
-    ['src/extras/playwright/subpixel.ts', "import type { PhongViewer } from '../../viewer/index.js';"],
+    [
+      'src/extras/playwright/subpixel.ts',
+      "import type { PhongViewer } from '../../viewer/index.js';",
+    ],
   ] as const;
   it.each(allowed)('lets %s write %s', (file, code) => {
     expect(breaches(file, code)).toEqual([]);
@@ -26,15 +35,24 @@ describe('layers of src/', () => {
     ['src/phong/light/light-set.ts', "import { Vector3 } from 'three';"],
     ['src/viewer/scene/gpu/stage.ts', "export { html } from 'lit';"],
     ['src/viewer/element/phong-viewer.ts', "import { x } from '../../extras/panel/panel.js';"],
-    ['src/viewer/element/phong-viewer.ts', "import { explain } from '../../phong/reference/index.js';"],
+    [
+      'src/viewer/element/phong-viewer.ts',
+      "import { explain } from '../../phong/reference/index.js';",
+    ],
     ['src/viewer/element/phong-viewer.ts', "import { Vector3 } from 'three';"],
     ['src/viewer/index.ts', "import { makePanel } from '../extras/panel/panel.js';"],
     ['src/phong/core.ts', "import { LitElement } from 'lit';"],
     ['src/extras/playwright/index.ts', "import { PhongViewer } from '../../viewer/index.js';"],
     ['src/viewer/index.ts', "import { settled } from '../extras/playwright/index.js';"],
-    ['src/phong/reference/index.ts', "import type { Judgement } from '../../extras/playwright/judge-in-page.js';"],
+    [
+      'src/phong/reference/index.ts',
+      "import type { Judgement } from '../../extras/playwright/judge-in-page.js';",
+    ],
     ['src/phong/light/light-set.ts', "import { x } from '../../../tests/support/test.js';"],
-    ['src/viewer/element/phong-viewer.ts', "import text from '../../../shaders/phong.frag.glsl?raw';"],
+    [
+      'src/viewer/element/phong-viewer.ts',
+      "import text from '../../../shaders/phong.frag.glsl?raw';",
+    ],
     ['src/helpers/anything.ts', "import { x } from '../phong/math/vector.js';"],
     ['src/phong/math/vector.ts', "export * from '../light/light-set.js';"],
     ['src/phong/math/vector.ts', "export type X = import('../light/light-set.js').X;"],
@@ -44,8 +62,13 @@ describe('layers of src/', () => {
   });
 
   it('says where, and what may be done instead', () => {
-    const found = breaches('src/viewer/index.ts', "\nimport { makePanel } from '../extras/panel/panel.js';");
-    expect(found).toEqual(['2: src/viewer may import extras/panel only by import() or import type.']);
+    const found = breaches(
+      'src/viewer/index.ts',
+      "\nimport { makePanel } from '../extras/panel/panel.js';",
+    );
+    expect(found).toEqual([
+      '2: src/viewer may import extras/panel only by import() or import type.',
+    ]);
   });
 
   it.each([

@@ -9,10 +9,20 @@ import { attributesPage } from '../../.ci/manifest/attributes-page.mjs';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
-import type { CompareProperties, CompareValues } from '../../src/viewer/element/fields/compare-fields.js';
+import type {
+  CompareProperties,
+  CompareValues,
+} from '../../src/viewer/element/fields/compare-fields.js';
 import type { ControlProperties, ControlValues } from '../../src/extras/panel/control-fields.js';
-import type { LightProperties, MeshProperties, SingleNumber } from '../../src/viewer/element/fields/properties.js';
-import type { ViewerProperties, ViewerValues } from '../../src/viewer/element/fields/viewer-fields.js';
+import type {
+  LightProperties,
+  MeshProperties,
+  SingleNumber,
+} from '../../src/viewer/element/fields/properties.js';
+import type {
+  ViewerProperties,
+  ViewerValues,
+} from '../../src/viewer/element/fields/viewer-fields.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import type { MeshValues } from '../../src/viewer/scene/mesh/mesh-fields.js';
 import { PhongLight } from '../../src/viewer/element/phong-light.js';
@@ -21,7 +31,8 @@ import { PhongMesh } from '../../src/viewer/element/phong-mesh.js';
 const elements = describeElements(tables);
 const manifest = customElementsManifest(elements);
 const declarations = manifest.modules[0]!.declarations as CustomElementDeclaration[];
-const declared = (tag: string): CustomElementDeclaration => declarations.find((d) => d.tagName === tag)!;
+const declared = (tag: string): CustomElementDeclaration =>
+  declarations.find((d) => d.tagName === tag)!;
 const attributes = declarations.flatMap(({ tagName, attributes = [] }) =>
   attributes.map((attribute) => ({ ...attribute, title: `${tagName!} ${attribute.name}` })),
 );
@@ -40,7 +51,9 @@ it('the page of attributes is written from the fields (`npm run manifest` writes
 describe('the custom elements manifest', () => {
   it('keeps to the published schema', () => {
     const path = createRequire(import.meta.url).resolve('custom-elements-manifest/schema.json');
-    const validate = new Ajv({ strict: false }).compile(JSON.parse(readFileSync(path, 'utf8')) as object);
+    const validate = new Ajv({ strict: false }).compile(
+      JSON.parse(readFileSync(path, 'utf8')) as object,
+    );
     validate(manifest);
     expect(validate.errors).toBeNull();
   });
@@ -63,11 +76,17 @@ describe('the custom elements manifest', () => {
       expect(tables.attributeOf(attribute.fieldName!)).toBe(attribute.name);
       const field = fieldOf(title);
       const words = field.kind === 'number' && field.word !== undefined ? [field.word] : [];
-      for (const word of field.choices ?? words) expect(attribute.type!.text).toContain(`'${word}'`);
+      for (const word of field.choices ?? words) {
+        expect(attribute.type!.text).toContain(`'${word}'`);
+      }
       const { fallback } = field;
-      if (fallback === null) expect(text).toBeUndefined();
-      else if (fallback === false) expect(text).toBe('false');
-      else expect(text).toBe(tables.formatValue(fallback, field) ?? '');
+      if (fallback === null) {
+        expect(text).toBeUndefined();
+      } else if (fallback === false) {
+        expect(text).toBe('false');
+      } else {
+        expect(text).toBe(tables.formatValue(fallback, field) ?? '');
+      }
     },
   );
 
@@ -76,8 +95,12 @@ describe('the custom elements manifest', () => {
     const offered = ['camera', 'lights', 'meshes', 'loaded', 'scene', 'stats', 'ready'];
     offered.push('toBlob', 'toHTML', 'resetCamera', 'requestRender', 'refit', 'autoRotate');
     expect(members).toEqual(expect.arrayContaining(offered));
-    expect(members.filter((name) => /^#|Callback$|^(state|declared|render|updated)$/.test(name))).toEqual([]);
-    for (const member of declared('phong-viewer').members!) expect(member.description, member.name).toBeTruthy();
+    expect(
+      members.filter((name) => /^#|Callback$|^(state|declared|render|updated)$/.test(name)),
+    ).toEqual([]);
+    for (const member of declared('phong-viewer').members!) {
+      expect(member.description, member.name).toBeTruthy();
+    }
   });
 
   it('lists properties without an attribute, once', () => {
@@ -89,14 +112,18 @@ describe('the custom elements manifest', () => {
     ]);
     expect(writable('phong-light')).toEqual([]);
     const { properties } = tags.find(({ name }) => name === 'phong-viewer')!.js;
-    expect(properties.filter(({ name }) => name === 'texts')).toMatchObject([{ type: 'ViewerTexts | null' }]);
+    expect(properties.filter(({ name }) => name === 'texts')).toMatchObject([
+      { type: 'ViewerTexts | null' },
+    ]);
   });
 
   it('lists the events with their details, the slots, the parts and the states', () => {
     const { events, slots, cssParts, cssStates } = declared('phong-viewer');
     const names = 'answer camera-change error light-change load probe-change progress render';
     expect(events!.map(({ name }) => name).sort()).toEqual(names.split(' '));
-    expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
+    expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(
+      /source: .*'pointer'/,
+    );
     expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
     expect(cssStates!.map(({ name }) => name)).toEqual(['loading', 'error', 'empty']);
     expect(cssParts!.map(({ name }) => name)).toEqual(expect.arrayContaining(['surface', 'panel']));
@@ -127,7 +154,8 @@ describe("JetBrains' web-types and VS Code's data", () => {
 
 describe('the types of properties and JSX', () => {
   it('have for every value a setter that accepts undefined, as the compiler checks', () => {
-    // A value without a setter of its own makes the type of what can be assigned to any key `never`.
+    // A value without a setter of its own makes the type of what can be assigned to any key
+    // `never`.
     const resets = {
       light: (light: LightProperties, key: keyof LightValues) => (light[key] = undefined),
       mesh: (mesh: MeshProperties, key: keyof MeshValues) => (mesh[key] = undefined),

@@ -1,14 +1,24 @@
-// Packed lights read back as the GLSL reads them: rows by the layout, and the loop over them in float64. Shading
-// space, radians nowhere, colours where 1 is full. Knows the layout, not how rows came about.
+// Packed lights read back as the GLSL reads them: rows by the layout, and the loop over them in
+// float64. Shading space, radians nowhere, colours where 1 is full. Knows the layout, not how rows
+// came about.
 
 import { HEADER, ROWS } from '../../src/phong/light/light-layout.js';
-import { emptyPack, type PackedLights, packLights, type PackSpace } from '../../src/phong/light/pack-lights.js';
+import {
+  emptyPack,
+  type PackedLights,
+  packLights,
+  type PackSpace,
+} from '../../src/phong/light/pack-lights.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-export const WORLD: PackSpace = { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false };
+export const WORLD: PackSpace = {
+  worldToShading: IDENTITY,
+  cameraToShading: IDENTITY,
+  linear: false,
+};
 
 type PackedLight = Readonly<Record<string, { readonly xyz: Vec3; readonly w: number }>>;
 
@@ -29,7 +39,9 @@ export function read({ data, rows }: PackedLights) {
   const lights = (kind: keyof typeof ROWS, count: number): PackedLight[] =>
     Array.from({ length: count }, () => {
       const { rows: size, ...offsets } = ROWS[kind];
-      const light = Object.fromEntries(Object.entries(offsets).map(([name, i]) => [name, row(next + i)]));
+      const light = Object.fromEntries(
+        Object.entries(offsets).map(([name, i]) => [name, row(next + i)]),
+      );
       next += size;
       return light;
     });
@@ -47,7 +59,13 @@ export function read({ data, rows }: PackedLights) {
 const quarter = (v: Vec3): number => dot(v, v) / 4;
 
 /** The loop of the GLSL over packed lights, in float64: p and eye in shading space, N unit. */
-export function loop(lights: ReturnType<typeof read>, p: Vec3, N: Vec3, eye: Vec3, shininess: number) {
+export function loop(
+  lights: ReturnType<typeof read>,
+  p: Vec3,
+  N: Vec3,
+  eye: Vec3,
+  shininess: number,
+) {
   const V = normalize(subtract(eye, p));
   let { ambient } = lights;
   let diffuse: Vec3 = [0, 0, 0];
@@ -59,7 +77,9 @@ export function loop(lights: ReturnType<typeof read>, p: Vec3, N: Vec3, eye: Vec
     diffuse = add(diffuse, scale(light['diffuse']!.xyz, factor * NoL));
     specular = add(specular, scale(light['specular']!.xyz, factor * Math.max(RoV, 0) ** shininess));
   };
-  for (const light of lights.directional) addLobes(light['direction']!.xyz, light, 1);
+  for (const light of lights.directional) {
+    addLobes(light['direction']!.xyz, light, 1);
+  }
   for (const light of [...lights.point, ...lights.spot]) {
     const toLight = subtract(light['position']!.xyz, p);
     const d = Math.hypot(...toLight);

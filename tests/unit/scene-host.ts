@@ -21,7 +21,9 @@ export function meshOf(host: MeshHost, scene: Scene, values: Partial<MeshValues>
   const store = new FieldStore(MESH_FIELDS);
   const mesh = new SceneMesh(store, host);
   const set = (changed: Partial<MeshValues>): void => {
-    for (const [key, value] of Object.entries(changed)) store.set(key as 'src', value);
+    for (const [key, value] of Object.entries(changed)) {
+      store.set(key as 'src', value);
+    }
     mesh.update();
   };
   mesh.attach(scene);

@@ -1,4 +1,5 @@
-// Does every scene come back from the playground's address, and does every other address give an error message?
+// Does every scene come back from the playground's address, and does every other address give an
+// error message?
 import { deflateRawSync } from 'node:zlib';
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
@@ -34,7 +35,9 @@ test('the longest text fits, whatever its letters, and an empty fragment is no f
 
 test('a short text that would inflate to a gigabyte is refused', async () => {
   const bomb = deflateRawSync(Buffer.alloc(100_000_000, ' ')).toString('base64url');
-  expect(await readFragment(`#scene=${bomb}`)).toEqual({ fault: expect.stringContaining('too long') as string });
+  expect(await readFragment(`#scene=${bomb}`)).toEqual({
+    fault: expect.stringContaining('too long') as string,
+  });
 });
 
 test.each([

@@ -1,4 +1,5 @@
-// Does the site turn the change log and the manifest's descriptions into HTML, and is their own markup escaped?
+// Does the site turn the change log and the manifest's descriptions into HTML, and is their own
+// markup escaped?
 import { expect, test } from 'vitest';
 import { blocksHtml, escapeHtml, inlineHtml } from '../../.ci/site/markdown.js';
 import { releasesHtml } from '../../.ci/site/generated.js';
@@ -16,10 +17,15 @@ test('links and bold text, but not inside code', () => {
   );
 });
 
-test.each(['javascript:alert(1)', 'data:text/html,x', '"onclick="x'])('no link to %s', (address) => {
-  expect(inlineHtml(`[x](${address})`)).not.toMatch(/<a href="(?!https:\/\/base\/)/);
-  expect(inlineHtml(`[x](${address})`, 'https://base/')).not.toMatch(/<a href="(javascript|data)/);
-});
+test.each(['javascript:alert(1)', 'data:text/html,x', '"onclick="x'])(
+  'no link to %s',
+  (address) => {
+    expect(inlineHtml(`[x](${address})`)).not.toMatch(/<a href="(?!https:\/\/base\/)/);
+    expect(inlineHtml(`[x](${address})`, 'https://base/')).not.toMatch(
+      /<a href="(javascript|data)/,
+    );
+  },
+);
 
 test('headings, paragraphs and lists with folded lines', () => {
   expect(blocksHtml('## A\n\none\ntwo\n\n- three\n  four\n- five\n')).toBe(
@@ -28,7 +34,10 @@ test('headings, paragraphs and lists with folded lines', () => {
 });
 
 test('a version of the change log can be linked to', () => {
-  const html = releasesHtml('# Changelog\n\nWords.\n\n## [1.2.0] - 2026-01-02\n\n- x\n', 'https://x.example');
+  const html = releasesHtml(
+    '# Changelog\n\nWords.\n\n## [1.2.0] - 2026-01-02\n\n- x\n',
+    'https://x.example',
+  );
   expect(html).toContain('<h2 id="1.2.0">1.2.0 - 2026-01-02</h2>');
   expect(html).not.toContain('<h1>');
 });

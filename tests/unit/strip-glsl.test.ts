@@ -15,7 +15,11 @@ describe('a stripped shader', () => {
       'int a;\n  #ifdef HAS_SPOT // why\nint b;\nint c;\n#endif\nint d;',
       'int a;\n#ifdef HAS_SPOT\nint b;int c;\n#endif\nint d;\n',
     ],
-    ['a continued macro with its spaces: F(x) differs from F (x)', '#define F (x) \\\n   + 1', '#define F (x) + 1\n'],
+    [
+      'a continued macro with its spaces: F(x) differs from F (x)',
+      '#define F (x) \\\n   + 1',
+      '#define F (x) + 1\n',
+    ],
     ['no two operators joined into one', 'a = b - -c + +d;', 'a=b - -c + +d;\n'],
     ['separate words', 'const\nhighp  float x;', 'const highp float x;\n'],
   ])('has %s, and stays if stripped again', (_, text, stripped) => {

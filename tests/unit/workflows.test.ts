@@ -1,5 +1,6 @@
-// Would the workflows run? No machine here runs them, so what they name must exist: npm scripts, options and steps of
-// our own commands, files, versions. Reads them line by line, which suffices for how they are written.
+// Would the workflows run? No machine here runs them, so what they name must exist: npm scripts,
+// options and steps of our own commands, files, versions. Reads them line by line, which suffices
+// for how they are written.
 
 import { execFileSync } from 'node:child_process';
 import { accessSync, constants, existsSync, readdirSync, readFileSync } from 'node:fs';
@@ -15,7 +16,9 @@ const { scripts, engines, peerDependencies } = jsonOf('package.json') as Readonl
 
 /** The values of a key in all workflows, without quotes. */
 const valuesOf = (key: string, text: string): readonly string[] =>
-  Array.from(text.matchAll(new RegExp(`^[ -]*${key}: (.+)$`, 'gm')), ([, value = '']) => value.replaceAll("'", ''));
+  Array.from(text.matchAll(new RegExp(`^[ -]*${key}: (.+)$`, 'gm')), ([, value = '']) =>
+    value.replaceAll("'", ''),
+  );
 
 /** The entries of a list in brackets. */
 const listOf = (key: string, text: string): readonly string[] =>
@@ -38,7 +41,8 @@ const runs = workflows.flatMap(({ name, text }) =>
 const helps = new Map<string, string>();
 function helpOf(script: string): string {
   const [, program = ''] = /^node (\S+)/.exec(scripts[script] ?? '') ?? [];
-  const help = helps.get(script) ?? execFileSync(process.execPath, [program, '--help'], { encoding: 'utf8' });
+  const help =
+    helps.get(script) ?? execFileSync(process.execPath, [program, '--help'], { encoding: 'utf8' });
   helps.set(script, help);
   return help;
 }
@@ -56,19 +60,28 @@ describe('the workflows', () => {
     if (args.length === 0 || !/^node /.test(scripts[script]!)) return;
     const words = helpOf(script).split(/[\s,[\]]+/);
     const known = args.filter((arg) => arg.startsWith('--') || script === 'test');
-    for (const arg of known) expect(words).toContain(arg);
+    for (const arg of known) {
+      expect(words).toContain(arg);
+    }
   });
 
-  it.each(workflows)('$name uploads only what a step writes, and watches files that exist', ({ text }) => {
-    const outs = Array.from(text.matchAll(/--out (\S+)/g), ([, file]) => file);
-    for (const path of valuesOf('path', text)) expect(['test-results', 'site', ...outs]).toContain(path);
-    const watched = /^ +paths: /m.test(text) ? listOf('paths', text) : [];
-    expect(watched.filter((path) => !existsSync(path.replace('/**', '')))).toEqual([]);
-  });
+  it.each(workflows)(
+    '$name uploads only what a step writes, and watches files that exist',
+    ({ text }) => {
+      const outs = Array.from(text.matchAll(/--out (\S+)/g), ([, file]) => file);
+      for (const path of valuesOf('path', text)) {
+        expect(['test-results', 'site', ...outs]).toContain(path);
+      }
+      const watched = /^ +paths: /m.test(text) ? listOf('paths', text) : [];
+      expect(watched.filter((path) => !existsSync(path.replace('/**', '')))).toEqual([]);
+    },
+  );
 
   it('use one version of each action', () => {
     const used = new Set(workflows.flatMap(({ text }) => valuesOf('uses', text)));
-    for (const each of used) expect(each).toMatch(/^[^@]+@v\d+$/);
+    for (const each of used) {
+      expect(each).toMatch(/^[^@]+@v\d+$/);
+    }
     expect(new Set(Array.from(used, (each) => each.split('@')[0])).size).toBe(used.size);
   });
 

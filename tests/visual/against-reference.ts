@@ -1,14 +1,18 @@
-// How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away from cones' edges.
+// How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away
+// from cones' edges.
 import type { Vec3 } from '../../src/phong/math/vector.js';
 import type { Picture } from '../support/picture.js';
 import { caster, type DeclaredScene, type Hit } from './ray-cast.js';
 
-/** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
+/**
+ * Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser
+ * snaps vertices.
+ */
 export const CONE_EDGE = 3e-3;
 
 /**
- * Vertices lie on a grid of sixteenths of a pixel at worst, so that a pixel shows what lies up to half of one beside
- * its ray.
+ * Vertices lie on a grid of sixteenths of a pixel at worst, so that a pixel shows what lies up to
+ * half of one beside its ray.
  */
 const SNAPPED = 1 / 32;
 
@@ -36,8 +40,8 @@ interface InnerPixel {
 }
 
 /**
- * A memoised `tell`, because several pictures of one scene are compared: results are kept as long as the scene exists,
- * keyed by the text of the other arguments.
+ * A memoised `tell`, because several pictures of one scene are compared: results are kept as long
+ * as the scene exists, keyed by the text of the other arguments.
  */
 export function remembered<A extends readonly (number | string)[], T>(
   tell: (scene: DeclaredScene, ...more: A) => T,
@@ -53,23 +57,32 @@ export function remembered<A extends readonly (number | string)[], T>(
   };
 }
 
-/** Pixels whose neighbours all hit the same face, so that multisampling mixes nothing: one of `every`. */
-export const innerPixels = remembered((scene: DeclaredScene, width: number, height: number, every: number) => {
-  const cast = caster(scene, width, height);
-  const hits = Array.from({ length: width * height }, (_, i) => cast(i % width, Math.floor(i / width)));
-  const inner: InnerPixel[] = [];
-  for (let y = 2; y < height - 2; y++) {
-    for (let x = 2; x < width - 2; x++) {
-      const hit = hits[y * width + x];
-      if ((y * width + x) % every > 0) continue;
-      const inside = [-2, 0, 2].every((dy) =>
-        [-2, 0, 2].every((dx) => hits[(y + dy) * width + x + dx]?.face === hit?.face),
-      );
-      if (hit && inside && !(hit.coneMargin < CONE_EDGE)) inner.push({ x, y, hit });
+/**
+ * Pixels whose neighbours all hit the same face, so that multisampling mixes nothing: one of
+ * `every`.
+ */
+export const innerPixels = remembered(
+  (scene: DeclaredScene, width: number, height: number, every: number) => {
+    const cast = caster(scene, width, height);
+    const hits = Array.from({ length: width * height }, (_, i) =>
+      cast(i % width, Math.floor(i / width)),
+    );
+    const inner: InnerPixel[] = [];
+    for (let y = 2; y < height - 2; y++) {
+      for (let x = 2; x < width - 2; x++) {
+        const hit = hits[y * width + x];
+        if ((y * width + x) % every > 0) continue;
+        const inside = [-2, 0, 2].every((dy) =>
+          [-2, 0, 2].every((dx) => hits[(y + dy) * width + x + dx]?.face === hit?.face),
+        );
+        if (hit && inside && !(hit.coneMargin < CONE_EDGE)) {
+          inner.push({ x, y, hit });
+        }
+      }
     }
-  }
-  return inner;
-});
+    return inner;
+  },
+);
 
 /** `colorOf`: the expected colour of a hit, 0–1. Default: the shaded colour. */
 export function compareWithReference(
@@ -81,8 +94,8 @@ export function compareWithReference(
   const errors: Errors = { max: 0, at: '', compared: 0, exact: 0 };
   const cast = caster(scene, width, height);
   /**
-   * Where highlights of small exponents begin, codes change by several within that: a code is right that is seen right
-   * beside.
+   * Where highlights of small exponents begin, codes change by several within that: a code is right
+   * that is seen right beside.
    */
   const beside = (x: number, y: number, channel: number): number[] =>
     around(SNAPPED, (dx, dy) => {
@@ -96,11 +109,16 @@ export function compareWithReference(
       const actual = picture.data[4 * (y * width + x) + channel]!;
       let error = Math.abs(expected - actual);
       errors.compared += 1;
-      if (error === 0) errors.exact += 1;
-      if (error > 1) error = outside(actual, [expected, ...beside(x, y, channel).filter(Number.isFinite)]);
+      if (error === 0) {
+        errors.exact += 1;
+      }
+      if (error > 1) {
+        error = outside(actual, [expected, ...beside(x, y, channel).filter(Number.isFinite)]);
+      }
       const max = Math.max(errors.max, error); // keeps NaN
-      if (!Object.is(max, errors.max))
+      if (!Object.is(max, errors.max)) {
         errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${color[channel]! * 255}`;
+      }
       errors.max = max;
     }
   }

@@ -1,5 +1,5 @@
-// How far is a picture from its own triangles in float64? In 8-bit codes. Under Gouraud shading the colours of their
-// vertices are interpolated.
+// How far is a picture from its own triangles in float64? In 8-bit codes. Under Gouraud shading the
+// colours of their vertices are interpolated.
 import { BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
 import { flatGeometry } from '../../src/phong/material/flat-geometry.js';
 import { srgbEncode } from '../../src/phong/math/color.js';
@@ -10,23 +10,32 @@ import { coneMargin } from '../stress/contract.js';
 import { Tracer } from '../support/caster/tracer.js';
 import type { Picture } from '../support/test.js';
 import { around, CONE_EDGE, type Errors, outside, remembered } from './against-reference.js';
-import { type CastMesh, castSceneOf, type DeclaredScene, matrixOf, trianglesOf } from './ray-cast.js';
+import {
+  type CastMesh,
+  castSceneOf,
+  type DeclaredScene,
+  matrixOf,
+  trianglesOf,
+} from './ray-cast.js';
 
 /**
- * Whose square of this half side lies in one triangle, in pixels, a pixel is of one sample: also where edges are snapped
- * to the coarsest grid that OpenGL ES allows, 1/16 of a pixel.
+ * Whose square of this half side lies in one triangle, in pixels, a pixel is of one sample: also
+ * where edges are snapped to the coarsest grid that OpenGL ES allows, 1/16 of a pixel.
  */
 const WHOLE = 1 / 2 + 1 / 16;
 
-/** Of channels inside triangles. `snapped`: those more than a code off, which snapped vertices may explain. */
+/**
+ * Of channels inside triangles. `snapped`: those more than a code off, which snapped vertices may
+ * explain.
+ */
 interface TriangleErrors extends Errors {
   snapped: number;
 }
 
 /**
- * Rasterisers move vertices to a grid of `1 / 2^subpixelBits` pixels, so what is interpolated is that of a point up to
- * half a step away on each axis. A channel more than a code off is held against the range of colours among which that
- * is.
+ * Rasterisers move vertices to a grid of `1 / 2^subpixelBits` pixels, so what is interpolated is
+ * that of a point up to half a step away on each axis. A channel more than a code off is held
+ * against the range of colours among which that is.
  */
 export function compareWithTriangles(
   { width, height, data }: Picture,
@@ -43,7 +52,9 @@ export function compareWithTriangles(
       const actual = data[4 * (y * width + x) + channel]!;
       let error = Math.abs(actual - code(color, channel));
       errors.compared += 1;
-      if (error === 0) errors.exact += 1;
+      if (error === 0) {
+        errors.exact += 1;
+      }
       if (error > 1) {
         const near = around(reach, (dx, dy) => colorAt(x + dx, y + dy).color);
         error = outside(
@@ -53,8 +64,9 @@ export function compareWithTriangles(
         errors.snapped += 1;
       }
       const max = Math.max(errors.max, error); // keeps NaN
-      if (!Object.is(max, errors.max))
+      if (!Object.is(max, errors.max)) {
         errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * color[channel]!}`;
+      }
       errors.max = max;
     }
   }
@@ -63,39 +75,54 @@ export function compareWithTriangles(
 
 const code = (color: Vec3, channel: number): number => Math.round(color[channel]! * 255);
 
-/** A colour, 0–1, and the angle to the nearest cone's edge: the least of the vertices' under Gouraud. */
+/**
+ * A colour, 0–1, and the angle to the nearest cone's edge: the least of the vertices' under
+ * Gouraud.
+ */
 interface Seen {
   readonly color: Vec3;
   readonly margin: number;
 }
 
 /** The pixels inside triangles, but those at the picture's border, and the colour anywhere. */
-const seenOf = remembered((scene: DeclaredScene, width: number, height: number, shading: string) => {
-  const geometry = cornersOf(scene.meshes[0]!, shading);
-  const tracer = new Tracer(
-    castSceneOf(scene, () => trianglesOf(geometry)),
-    width,
-    height,
-  );
-  const triangleAt = (x: number, y: number): number => tracer.hitAt(x + 0.5, y + 0.5).triangle;
-  const colorAt = shading === 'gouraud' ? perVertex(scene, tracer, geometry) : perFragment(scene, tracer);
-  const inside: (Seen & { readonly x: number; readonly y: number })[] = [];
-  for (let y = 1; y < height - 1; y++) {
-    for (let x = 1; x < width - 1; x++) {
-      const triangle = triangleAt(x, y);
-      const isWhole = around(WHOLE, (dx, dy) => triangleAt(x + dx, y + dy)).every((other) => other === triangle);
-      if (triangle >= 0 && isWhole) inside.push({ x, y, ...colorAt(x, y) });
+const seenOf = remembered(
+  (scene: DeclaredScene, width: number, height: number, shading: string) => {
+    const geometry = cornersOf(scene.meshes[0]!, shading);
+    const tracer = new Tracer(
+      castSceneOf(scene, () => trianglesOf(geometry)),
+      width,
+      height,
+    );
+    const triangleAt = (x: number, y: number): number => tracer.hitAt(x + 0.5, y + 0.5).triangle;
+    const colorAt =
+      shading === 'gouraud' ? perVertex(scene, tracer, geometry) : perFragment(scene, tracer);
+    const inside: (Seen & { readonly x: number; readonly y: number })[] = [];
+    for (let y = 1; y < height - 1; y++) {
+      for (let x = 1; x < width - 1; x++) {
+        const triangle = triangleAt(x, y);
+        const isWhole = around(WHOLE, (dx, dy) => triangleAt(x + dx, y + dy)).every(
+          (other) => other === triangle,
+        );
+        if (triangle >= 0 && isWhole) {
+          inside.push({ x, y, ...colorAt(x, y) });
+        }
+      }
     }
-  }
-  return { inside, colorAt };
-});
+    return { inside, colorAt };
+  },
+);
 
-/** The mesh's own triangles. Corners share nothing, and u and v are the shares of a triangle's first two corners. */
+/**
+ * The mesh's own triangles. Corners share nothing, and u and v are the shares of a triangle's first
+ * two corners.
+ */
 function cornersOf({ geometry, segments }: CastMesh, shading: string): BufferGeometry {
   const made = createGeometry(geometry, segments) as BufferGeometry;
   const split = shading === 'flat' ? flatGeometry(made) : made;
   const corners = split.index === null ? split : split.toNonIndexed();
-  const shares = Array.from({ length: corners.getAttribute('position').count / 3 }, () => [1, 0, 0, 1, 0, 0]);
+  const shares = Array.from({ length: corners.getAttribute('position').count / 3 }, () => [
+    1, 0, 0, 1, 0, 0,
+  ]);
   return corners.setAttribute('uv', new BufferAttribute(Float32Array.from(shares.flat()), 2));
 }
 
@@ -108,7 +135,10 @@ const perFragment =
     return { color: shaded.color, margin: Math.abs(coneMargin(scene.lights, shaded)) };
   };
 
-/** Gouraud: the vertices' colours are interpolated before they are clamped and, for linear light, encoded. */
+/**
+ * Gouraud: the vertices' colours are interpolated before they are clamped and, for linear light,
+ * encoded.
+ */
 function perVertex(scene: DeclaredScene, tracer: Tracer, geometry: BufferGeometry): ColorAt {
   const [mesh] = scene.meshes as [CastMesh];
   const matrix = matrixOf(mesh);
@@ -119,12 +149,21 @@ function perVertex(scene: DeclaredScene, tracer: Tracer, geometry: BufferGeometr
   const shadeCorner = (corner: number, front: boolean) => {
     const present = known.get(corner);
     if (present) return present;
-    const at = (name: string): Vector3 => new Vector3().fromBufferAttribute(geometry.getAttribute(name), corner);
+    const at = (name: string): Vector3 =>
+      new Vector3().fromBufferAttribute(geometry.getAttribute(name), corner);
     const p = at('position').applyMatrix4(matrix).toArray();
     const normal = scale(at('normal').applyNormalMatrix(normalMatrix).toArray(), front ? 1 : -1);
-    const shaded = shade({ p, normal, eye: camera.eye }, mesh, scene.lights, { ...scene.options, camera });
-    const terms = shaded.shares.flatMap((s) => (s === null ? [] : [s.ambient, s.diffuse, s.specular]));
-    const made = { sum: terms.reduce(add, [0, 0, 0]), margin: Math.abs(coneMargin(scene.lights, shaded)) };
+    const shaded = shade({ p, normal, eye: camera.eye }, mesh, scene.lights, {
+      ...scene.options,
+      camera,
+    });
+    const terms = shaded.shares.flatMap((s) =>
+      s === null ? [] : [s.ambient, s.diffuse, s.specular],
+    );
+    const made = {
+      sum: terms.reduce(add, [0, 0, 0]),
+      margin: Math.abs(coneMargin(scene.lights, shaded)),
+    };
     known.set(corner, made);
     return made;
   };

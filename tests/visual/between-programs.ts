@@ -1,5 +1,6 @@
-// How far are two pictures of one scene by two programs from each other? And how such pictures come about: pages of a
-// few viewers at a time, drawn by general programs at first and by specialised ones once they keep being drawn.
+// How far are two pictures of one scene by two programs from each other? And how such pictures come
+// about: pages of a few viewers at a time, drawn by general programs at first and by specialised
+// ones once they keep being drawn.
 
 import type { Locator, Page } from '@playwright/test';
 import { drawUntilSpecialised } from '../element/frames/driving.js';
@@ -16,15 +17,17 @@ interface ProgramDifference {
 }
 
 /**
- * A pixel that is covered in part has been drawn in as many codes less: there one code is several of straight alpha, up
- * to four where one sample of four is covered. Differences are those of what was drawn.
+ * A pixel that is covered in part has been drawn in as many codes less: there one code is several
+ * of straight alpha, up to four where one sample of four is covered. Differences are those of what
+ * was drawn.
  */
 export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
   expect([a.width, a.height]).toEqual([b.width, b.height]);
   let max = 0;
   let differing = 0;
   let channels = 0;
-  const drawn = ({ data }: Picture, i: number): number => Math.round((data[i]! * data[i | 3]!) / 255);
+  const drawn = ({ data }: Picture, i: number): number =>
+    Math.round((data[i]! * data[i | 3]!) / 255);
   for (let i = 0; i < a.data.length; i++) {
     const shown = a.data[i | 3] !== 0 || b.data[i | 3] !== 0;
     if (i % 4 === 3 || !shown) continue;
@@ -73,7 +76,9 @@ export async function showAll(page: Page, markups: readonly string[]): Promise<L
 export async function expectDrawnBy(page: Page, kind: 'specialised' | 'general'): Promise<void> {
   const lit = (await drawnWith(page)).filter(isLit);
   expect(lit.length).toBeGreaterThan(0);
-  expect(lit.map((one) => (isSpecialised(one) ? 'specialised' : 'general'))).toEqual(lit.map(() => kind));
+  expect(lit.map((one) => (isSpecialised(one) ? 'specialised' : 'general'))).toEqual(
+    lit.map(() => kind),
+  );
 }
 
 export async function picturesBy(
@@ -84,14 +89,16 @@ export async function picturesBy(
 ): Promise<Picture[]> {
   await glSpent(page);
   const pictures: Picture[] = [];
-  for (const viewer of viewers) pictures.push(await pixels(viewer, size));
+  for (const viewer of viewers) {
+    pictures.push(await pixels(viewer, size));
+  }
   await expectDrawnBy(page, kind);
   return pictures;
 }
 
 /**
- * Each viewer's picture by the general and by the specialised program. `markups`: at most A_PAGE viewers of one mesh
- * each.
+ * Each viewer's picture by the general and by the specialised program. `markups`: at most A_PAGE
+ * viewers of one mesh each.
  */
 export async function bothPictures(
   page: Page,

@@ -24,9 +24,13 @@ function contactSheet(tiles: readonly Picture[]): Picture {
 /** @param name of the baseline */
 export async function expectPictures(page: Page, name: string): Promise<void> {
   const tiles: Picture[] = [];
-  for (const viewer of await page.locator('phong-viewer').all()) tiles.push(await pixels(viewer, TILE));
+  for (const viewer of await page.locator('phong-viewer').all()) {
+    tiles.push(await pixels(viewer, TILE));
+  }
   expect(tiles.length).toBeGreaterThan(0);
   const blank = { ...TILE, data: new Uint8Array(TILE.width * TILE.height * 4) };
-  for (const tile of tiles) expect(compare(tile, blank).max, 'something is drawn').toBeGreaterThan(100);
+  for (const tile of tiles) {
+    expect(compare(tile, blank).max, 'something is drawn').toBeGreaterThan(100);
+  }
   expectPicture(name, contactSheet(tiles));
 }

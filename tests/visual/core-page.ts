@@ -11,19 +11,23 @@ export const SIZE = { width: 56, height: 42 };
 /** Frames after which all specialised programs have taken over. */
 export const SETTLED = 40;
 
-/** `gpu`: software under another renderer name, so that it gets uniform arrays and counted loops. */
+/**
+ * `gpu`: software under another renderer name, so that it gets uniform arrays and counted loops.
+ */
 export type Device = 'software' | 'gpu';
 
 export async function openCore(page: Page, device: Device = 'software'): Promise<void> {
-  if (device === 'gpu')
+  if (device === 'gpu') {
     await page.addInitScript(() => {
       const gl = WebGL2RenderingContext.prototype;
-      const real = Object.getOwnPropertyDescriptor(gl, 'getParameter')?.value as typeof gl.getParameter;
+      const real = Object.getOwnPropertyDescriptor(gl, 'getParameter')
+        ?.value as typeof gl.getParameter;
       const names = [0x9246, gl.RENDERER]; // UNMASKED_RENDERER_WEBGL
       gl.getParameter = function (this: WebGL2RenderingContext, what: number): unknown {
         return names.includes(what) ? 'A GPU' : (Reflect.apply(real, this, [what]) as unknown);
       };
     });
+  }
   await page.goto('/harness/core.html');
   await page.waitForFunction(() => 'drawCore' in window);
 }
@@ -38,7 +42,9 @@ export function expectSame(a: Drawn, b: Drawn, message: string): void {
   a.codes.forEach((code, i) => {
     const off = Math.abs(code - b.codes[i]!);
     max = Math.max(max, off);
-    if (off > 0) differing += 1;
+    if (off > 0) {
+      differing += 1;
+    }
   });
   expect.soft(max, message).toBeLessThanOrEqual(1);
   expect.soft(differing / a.codes.length, message).toBeLessThanOrEqual(2e-4);

@@ -1,4 +1,5 @@
-// Does `phong-viewer/core` draw the same with every program and storage, with and without back faces?
+// Does `phong-viewer/core` draw the same with every program and storage, with and without back
+// faces?
 
 import type { Step } from '../glsl/page/core.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
@@ -23,7 +24,9 @@ const view: Step = { eye: [1.2, 0.9, 1.4], fov: 45 };
 /** From one light to more than any uniform array holds: the last two are read from a texture. */
 const COUNTS = firstOf([1, 70, 400, 60, 2000], 3);
 
-test('the general program draws the same from a texture, from uniform arrays, and specialised', async ({ page }) => {
+test('the general program draws the same from a texture, from uniform arrays, and specialised', async ({
+  page,
+}) => {
   test.setTimeout(180_000);
   const steps = COUNTS.flatMap((count): Step[] => [
     { ...view, lights: mixedLights(count) },
@@ -38,9 +41,13 @@ test('the general program draws the same from a texture, from uniform arrays, an
     expectSame(again!, drawn[device][0]!, `${device}, one light after many`);
   }
   COUNTS.forEach((count, i) => {
-    const [first, ...others] = [drawn.software, drawn.gpu].flatMap((list) => list.slice(2 * i, 2 * i + 2));
+    const [first, ...others] = [drawn.software, drawn.gpu].flatMap((list) =>
+      list.slice(2 * i, 2 * i + 2),
+    );
     expect(tellingChannels(first!), `${String(count)} lights`).toBeGreaterThan(880);
-    for (const other of others) expectSame(other, first!, `${String(count)} lights`);
+    for (const other of others) {
+      expectSame(other, first!, `${String(count)} lights`);
+    }
   });
   expect(drawn.software[1]!.isSpecialised).toBe(true);
   expect(drawn.gpu[1]!.isSpecialised).toBe(true);
@@ -58,7 +65,11 @@ for (const device of firstOf(['gpu', 'software'] as const, 1)) {
       [8, { style: { terms: ['diffuse'] } }],
     ] as const satisfies readonly (readonly [number, Step])[]) {
       const lights = mixedLights(count, count);
-      const [general, settled] = await drawCore(page, { ...view, ...step, lights }, { frames: SETTLED });
+      const [general, settled] = await drawCore(
+        page,
+        { ...view, ...step, lights },
+        { frames: SETTLED },
+      );
       expect(general!.isSpecialised).toBe(false);
       expect(settled!.isSpecialised, JSON.stringify(step)).toBe(true);
       expect(settled!.programs).toBe(general!.programs + 1);
@@ -102,7 +113,12 @@ for (const device of firstOf(['gpu', 'software'] as const, 1)) {
     for (const lights of [mixedLights(4), mixedLights(400)]) {
       const frames = lights.length < 100 ? SETTLED : fullOr(SETTLED, 2);
       const first: Step = { ...view, lights, frames };
-      const [before, after, settled] = await drawCore(page, first, { lose: true, frames: 2 }, { frames });
+      const [before, after, settled] = await drawCore(
+        page,
+        first,
+        { lose: true, frames: 2 },
+        { frames },
+      );
       expect(tellingChannels(before!)).toBeGreaterThan(880);
       expectSame(after!, before!, `${String(lights.length)} lights, at once`);
       expectSame(settled!, before!, `${String(lights.length)} lights, settled`);
@@ -111,7 +127,12 @@ for (const device of firstOf(['gpu', 'software'] as const, 1)) {
 }
 
 test('a three.js camera draws what the equation says, as the element does', async ({ page }) => {
-  const surface = { ka: [200, 200, 200], kd: [200, 200, 200], ks: [128, 128, 128], shininess: 32 } as const;
+  const surface = {
+    ka: [200, 200, 200],
+    kd: [200, 200, 200],
+    ks: [128, 128, 128],
+    shininess: 32,
+  } as const;
   const lights = [
     lightWith({ position: [1, 2, 3, 1], ambient: [20, 20, 20] }),
     lightWith({ space: 'camera', position: [-1, 0, 1, 0] }),
@@ -119,7 +140,9 @@ test('a three.js camera draws what the equation says, as the element does', asyn
   const scene: DeclaredScene = {
     pose: { theta: 30, phi: 70, radius: 3, target: [0, 0, 0] },
     fov: 45,
-    meshes: [{ geometry: 'box', position: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1], ...surface }],
+    meshes: [
+      { geometry: 'box', position: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1], ...surface },
+    ],
     lights,
     options: {},
   };

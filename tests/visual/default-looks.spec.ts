@@ -1,5 +1,5 @@
-// Do shapes stand out with defaults alone, on white and black pages, and do the README's lights keep their tones? Tones
-// are in codes; a face is one of the picture's most frequent tones.
+// Do shapes stand out with defaults alone, on white and black pages, and do the README's lights
+// keep their tones? Tones are in codes; a face is one of the picture's most frequent tones.
 
 import { readmeSnippet } from '../../.ci/readme-picture.mjs';
 import { GEOMETRIES } from '../../src/viewer/scene/mesh/shapes/shapes.js';
@@ -14,8 +14,11 @@ const lightings = [
 /** The brightest channel of every pixel that is covered entirely. */
 function tones({ data }: Picture): readonly number[] {
   const found: number[] = [];
-  for (let i = 0; i < data.length; i += 4)
-    if (data[i + 3] === 255) found.push(Math.max(data[i]!, data[i + 1]!, data[i + 2]!));
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] === 255) {
+      found.push(Math.max(data[i]!, data[i + 1]!, data[i + 2]!));
+    }
+  }
   return found;
 }
 
@@ -23,7 +26,10 @@ const share = (all: readonly number[], which: (tone: number) => boolean): number
   all.filter(which).length / all.length;
 
 for (const [lighting, light] of lightings) {
-  test(`shapes stand out from white and black, and faces from each other, ${lighting}`, async ({ page, mount }) => {
+  test(`shapes stand out from white and black, and faces from each other, ${lighting}`, async ({
+    page,
+    mount,
+  }) => {
     const kinds = GEOMETRIES.map((geometry) => `geometry="${geometry}"`);
     const matte = 'geometry="box" ks="0"';
     await mount([...kinds, matte].map((kind) => `<phong-viewer ${kind}>${light}</phong-viewer>`).join(''), size); // oxfmt-ignore
@@ -36,7 +42,9 @@ for (const [lighting, light] of lightings) {
       expect(share(found, (tone) => tone < 24), `${kind} is black`).toBeLessThan(0.03); // oxfmt-ignore
     }
     const counts = new Map<number, number>();
-    for (const tone of await tonesAt(kinds.length)) counts.set(tone, (counts.get(tone) ?? 0) + 1);
+    for (const tone of await tonesAt(kinds.length)) {
+      counts.set(tone, (counts.get(tone) ?? 0) + 1);
+    }
     const faces = [...counts].sort(([, a], [, b]) => b - a).slice(0, 3).map(([tone]) => tone); // oxfmt-ignore
     const [dark, middle, bright] = faces.sort((a, b) => a - b);
     expect(middle! - dark!).toBeGreaterThan(20);
@@ -44,8 +52,14 @@ for (const [lighting, light] of lightings) {
   });
 }
 
-test("the README's first scene reaches full brightness only in the centres of its highlights", async ({ mount }) => {
-  const viewer = await mount(readmeSnippet().replace('full', 'edges'), { csp: '', width: 380, height: 210 });
+test("the README's first scene reaches full brightness only in the centres of its highlights", async ({
+  mount,
+}) => {
+  const viewer = await mount(readmeSnippet().replace('full', 'edges'), {
+    csp: '',
+    width: 380,
+    height: 210,
+  });
   const found = tones(await pixels(viewer));
   expect(share(found, (tone) => tone === 255)).toBeLessThan(0.005);
 });

@@ -1,5 +1,5 @@
-// Does a screenshot of a long page show every picture? That each looks as before is tested with its page:
-// element/site/site.spec.ts.
+// Does a screenshot of a long page show every picture? That each looks as before is tested with its
+// page: element/site/site.spec.ts.
 import { allReady, expect, pixelAt, test } from '../support/test.js';
 import { decodePng } from '../support/picture.js';
 
@@ -19,7 +19,9 @@ test('@release a screenshot of the whole article shows every picture', async ({ 
     let drawn = 0;
     for (let y = Math.ceil(top) + 2; y < top + height - 2; y++) {
       for (let x = Math.ceil(left) + 2; x < left + width - 2; x++) {
-        if (pixelAt(whole, x, y).some((code, i) => Math.abs(code - edge[i]!) > 20)) drawn += 1;
+        if (pixelAt(whole, x, y).some((code, i) => Math.abs(code - edge[i]!) > 20)) {
+          drawn += 1;
+        }
       }
     }
     expect(drawn, `the picture at ${String(top)}`).toBeGreaterThan(200);

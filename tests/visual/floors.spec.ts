@@ -1,5 +1,5 @@
-// Are large floors and walls right where the eye and the lamps are near? Against the equation at points of rays in
-// float64.
+// Are large floors and walls right where the eye and the lamps are near? Against the equation at
+// points of rays in float64.
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import type { Vec3 } from '../../src/phong/math/vector.js';
 import { expect, pixels, test } from '../support/test.js';
@@ -27,10 +27,14 @@ test('shades floors and walls up to 1,000 times as large as the eye is near', as
     const { data, width, height } = await pixels(viewer, SIZE);
     for (const { x, y, hit } of innerPixels(scene, width, height, 1)) {
       const at = 4 * (y * width + x);
-      if (data[at + 3] !== 255) holes.push(`seed ${FIRST + i}: ${x}, ${y}`);
+      if (data[at + 3] !== 255) {
+        holes.push(`seed ${FIRST + i}: ${x}, ${y}`);
+      }
       hit.shaded.color.forEach((value, channel) => {
         compared += 1;
-        if (!(Math.abs(Math.round(255 * value) - data[at + channel]!) <= 1)) off += 1;
+        if (!(Math.abs(Math.round(255 * value) - data[at + channel]!) <= 1)) {
+          off += 1;
+        }
       });
     }
   }
@@ -57,14 +61,25 @@ function lamp(dice: Dice, height: number): LightValues {
 }
 
 /**
- * A face `side` units large, seen from `phi` degrees; the eye and the lamps are as far from each other as in a room.
+ * A face `side` units large, seen from `phi` degrees; the eye and the lamps are as far from each
+ * other as in a room.
  */
-function floorScene(seed: number, side: number, phi: number, mesh: Partial<CastMesh> = {}): DeclaredScene {
+function floorScene(
+  seed: number,
+  side: number,
+  phi: number,
+  mesh: Partial<CastMesh> = {},
+): DeclaredScene {
   const dice = new Dice(seed);
   const scale: Vec3 = [side, mesh.geometry === 'box' ? dice.from(0.5, 2) : 1, side];
   const radius = dice.from(2, 4);
   return {
-    pose: { theta: dice.from(-180, 180), phi, radius, target: [0, mesh.geometry === 'box' ? scale[1] / 2 : 0, 0] },
+    pose: {
+      theta: dice.from(-180, 180),
+      phi,
+      radius,
+      target: [0, mesh.geometry === 'box' ? scale[1] / 2 : 0, 0],
+    },
     fov: dice.from(30, 60),
     meshes: [
       {

@@ -1,5 +1,6 @@
-// Does the picture follow the table of limits at degenerate input? A light floor seen from straight above; the middle
-// pixel is the world's origin. The expected codes are computed by hand from the table.
+// Does the picture follow the table of limits at degenerate input? A light floor seen from straight
+// above; the middle pixel is the world's origin. The expected codes are computed by hand from the
+// table.
 import { expect, pixelAt, pixels, test } from '../support/test.js';
 
 /** Odd, so that one pixel's centre is the picture's. */
@@ -22,8 +23,18 @@ const ALL = 'ambient="90" diffuse="255" specular="255"';
 const MIRROR = 'ka="0" kd="0" ks';
 const SLANTED = Math.round(200 * ((1 + Math.SQRT1_2) / 2) ** 2);
 
-/** What the table says; a light; the codes in the middle and aside, null where the table says nothing. */
-type Row = readonly [says: string, light: string, middle: number, aside: number | null, mesh?: string, view?: string];
+/**
+ * What the table says; a light; the codes in the middle and aside, null where the table says
+ * nothing.
+ */
+type Row = readonly [
+  says: string,
+  light: string,
+  middle: number,
+  aside: number | null,
+  mesh?: string,
+  view?: string,
+];
 
 // oxfmt-ignore
 const ROWS: readonly Row[] = [
@@ -69,8 +80,8 @@ const ROWS: readonly Row[] = [
     `position="0 1 0 0" ${MATTE}="140"`, 140, 140, 'scale="-2 2 2"'],
   ['a scene of 1e12 along the normal is lit as any',
     `position="0 1 0 0" ${MATTE}="140"`, 140, 140, 'scale="2 1e12 2"'],
-  // One quad, whose corners are √2 from the middle and the light 1 above it: N·L is 1/√3 at each of them, and so in
-  // between; per fragment the middle would have 1.
+  // One quad, whose corners are √2 from the middle and the light 1 above it: N·L is 1/√3 at each of
+  // them, and so in between; per fragment the middle would have 1.
   ['the colours of vertices are interpolated under Gouraud shading',
     `position="0 1 0 1" ${MATTE}="255"`, 147, 147, '', 'shading="gouraud"'],
   ['the visible side is lit under Gouraud shading, also from below',
@@ -85,6 +96,8 @@ test('follows every row of the table of limits', async ({ mount, page }) => {
     const picture = await pixels(page.locator('phong-viewer').nth(i), SIZE);
     const grey = (code: number): number[] => [code, code, code, 255];
     expect.soft(pixelAt(picture, MIDDLE, MIDDLE), says).toEqual(grey(middle));
-    if (aside !== null) expect.soft(pixelAt(picture, ASIDE, MIDDLE), says).toEqual(grey(aside));
+    if (aside !== null) {
+      expect.soft(pixelAt(picture, ASIDE, MIDDLE), says).toEqual(grey(aside));
+    }
   }
 });

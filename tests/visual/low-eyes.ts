@@ -1,11 +1,15 @@
-// Scenes that a near plane may cut: eyes just above floors, inside rooms, beside walls and boxes, many of them far
-// larger than the distance of the eye.
+// Scenes that a near plane may cut: eyes just above floors, inside rooms, beside walls and boxes,
+// many of them far larger than the distance of the eye.
 import type { Vec3 } from '../../src/phong/math/vector.js';
 import type { CoverageMesh, CoverageScene } from './coverage.js';
 import { Dice } from './random-scene.js';
 
 const VIEW = { theta: 30, phi: 70, radius: 3, target: [0, 0, 0], fov: 45 } as const;
-const named = (name: string, change: Partial<CoverageScene>, ...meshes: CoverageMesh[]): CoverageScene => ({
+const named = (
+  name: string,
+  change: Partial<CoverageScene>,
+  ...meshes: CoverageMesh[]
+): CoverageScene => ({
   ...VIEW,
   name,
   ...change,
@@ -28,9 +32,17 @@ export const LOW_EYES: readonly CoverageScene[] = [
   named('a floor of 1e5', {}, { geometry: 'plane', scale: cube(1e5) }),
   named('a floor of 1e6 at phi 89', { phi: 89 }, { geometry: 'plane', scale: cube(1e6) }),
   named('a box of 1e6 × 1 × 1', {}, { geometry: 'box', scale: [1e6, 1, 1] }),
-  named('a box of 1e6 × 1 × 1, mirrored', { theta: 0, phi: 45 }, { geometry: 'box', scale: [-1e6, 1, 1] }),
+  named(
+    'a box of 1e6 × 1 × 1, mirrored',
+    { theta: 0, phi: 45 },
+    { geometry: 'box', scale: [-1e6, 1, 1] },
+  ),
   named('inside a box of 1e6', { theta: 0, phi: 45 }, { geometry: 'box', scale: cube(1e6) }),
-  named('on a box of 1e6', { phi: 85 }, { geometry: 'box', scale: cube(1e6), position: [0, -5e5, 0] }),
+  named(
+    'on a box of 1e6',
+    { phi: 85 },
+    { geometry: 'box', scale: cube(1e6), position: [0, -5e5, 0] },
+  ),
   named('inside a sphere of 1e6', {}, { geometry: 'sphere', scale: cube(1e6) }),
   named(
     'an eye in the plane of a floor, before a box',
@@ -83,12 +95,24 @@ export function randomLowEye(seed: number): CoverageScene {
   const side = dice.pick([0, 1, 2] as const);
   const eye = dice.vector(-0.3, 0.3).map((x) => x * room) as unknown as [number, number, number];
   eye[side] = gap - room / 2;
-  const target: Vec3 = [eye[0] - radius * back[0], eye[1] - radius * back[1], eye[2] - radius * back[2]];
+  const target: Vec3 = [
+    eye[0] - radius * back[0],
+    eye[1] - radius * back[1],
+    eye[2] - radius * back[2],
+  ];
   const mirror = dice.pick([1, -1]);
   const meshes: CoverageMesh[] = [{ geometry: 'box', scale: [mirror * room, room, room] }];
-  if (dice.chance(0.5)) meshes.push({ geometry: 'plane', scale: cube(room), position: [0, eye[1] - 2 * gap, 0] });
-  if (dice.chance(0.5))
-    meshes.push({ geometry: 'box', scale: cube(radius), position: target, rotation: dice.vector(-90, 90) });
+  if (dice.chance(0.5)) {
+    meshes.push({ geometry: 'plane', scale: cube(room), position: [0, eye[1] - 2 * gap, 0] });
+  }
+  if (dice.chance(0.5)) {
+    meshes.push({
+      geometry: 'box',
+      scale: cube(radius),
+      position: target,
+      rotation: dice.vector(-90, 90),
+    });
+  }
   return {
     name: `room of seed ${String(seed)}`,
     theta,

@@ -1,5 +1,6 @@
-// Do thousands of lights work within the limits that WebGL 2 guarantees, and do many small ones cost only where they
-// reach? Pictures are compared with float64 at samples, and with the loop over all lights.
+// Do thousands of lights work within the limits that WebGL 2 guarantees, and do many small ones
+// cost only where they reach? Pictures are compared with float64 at samples, and with the loop over
+// all lights.
 
 import type { Page } from '@playwright/test';
 import type { LightValues } from '../../src/phong/light/light-state.js';
@@ -21,7 +22,8 @@ const PROMISED = { vectors: 224, blockBytes: 16_384 } as const;
 const EVERY = 23;
 
 /**
- * The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared.
+ * The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many
+ * channels were compared.
  */
 function sampled({ width, height, data }: Picture, scene: DeclaredScene) {
   const samples = innerPixels(scene, width, height, EVERY);
@@ -36,8 +38,8 @@ function sampled({ width, height, data }: Picture, scene: DeclaredScene) {
 }
 
 /**
- * Lights of all kinds, so dim that `count` of them stay in range. Only the first few have cones, because their edges
- * are excluded.
+ * Lights of all kinds, so dim that `count` of them stay in range. Only the first few have cones,
+ * because their edges are excluded.
  */
 function crowd(count: number, seed: number): LightValues[] {
   const dice = new Dice(seed);
@@ -56,7 +58,10 @@ async function expectWithinPromises(page: Page): Promise<void> {
   }
 }
 
-test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 guarantees', async ({ page, mount }) => {
+test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 guarantees', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(120_000);
   await logGl(page, {
     MAX_FRAGMENT_UNIFORM_VECTORS: PROMISED.vectors,
@@ -75,7 +80,8 @@ test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 g
     expect(lightsSent).toBeGreaterThan(count - 8 - 1); // but for cones that miss
     const general = (await picturesBy(page, [viewer], 'general', SIZE))[0]!;
     const errors = sampled(general, scene);
-    // Within a code of the rounded value, as elsewhere: half a code beyond rounding is 1 code of difference at most.
+    // Within a code of the rounded value, as elsewhere: half a code beyond rounding is 1 code of
+    // difference at most.
     expect(errors.max, `${count} lights`).toBeLessThan(0.5);
     expect(errors.compared).toBeGreaterThan(100);
     found[count] = errors.max;
@@ -91,7 +97,9 @@ test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 g
   await expectWithinPromises(page);
 });
 
-/** Spots over a floor of 20 × 20, each reaching about a hundredth of it: a circle of radius 1.13. */
+/**
+ * Spots over a floor of 20 × 20, each reaching about a hundredth of it: a circle of radius 1.13.
+ */
 const FLOOR = { size: 20, height: 3, aperture: 20.6 } as const;
 
 function spots(count: number, seed: number): LightValues[] {
@@ -136,10 +144,15 @@ async function usesGrid(page: Page): Promise<boolean> {
   await glSpent(page);
   await drawFrames(page, 1);
   const drawn = await page.evaluate(() => window.glLog.drawnWith());
-  return drawn.filter(isLit).every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
+  return drawn
+    .filter(isLit)
+    .every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
 }
 
-test('five hundred spots on a floor look as with a loop over all, whatever changes', async ({ page, mount }) => {
+test('five hundred spots on a floor look as with a loop over all, whatever changes', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(120_000);
   await logGl(page);
   const scene = overFloor(spots(500, 3));
@@ -155,7 +168,8 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
     expect(difference.max, what).toBeLessThanOrEqual(1);
     sum.add(difference);
   };
-  const expectExact = async () => expect(sampled(await pixels(viewer, SIZE), scene).max).toBeLessThan(0.5);
+  const expectExact = async () =>
+    expect(sampled(await pixels(viewer, SIZE), scene).max).toBeLessThan(0.5);
   await expectExact();
   await drawUntilSpecialised(page);
   expect(await usesGrid(page)).toBe(true);
@@ -172,7 +186,9 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
   });
   await expectLike('after lights have moved');
   expect(await usesGrid(page)).toBe(true);
-  await viewer.evaluate((element: PhongViewer) => element.lights.forEach((light, i) => (light.active = i % 3 > 0)));
+  await viewer.evaluate((element: PhongViewer) =>
+    element.lights.forEach((light, i) => (light.active = i % 3 > 0)),
+  );
   await drawUntilSpecialised(page);
   expect(await usesGrid(page)).toBe(true);
   await expectLike('settled with a third of the lights out');
@@ -197,7 +213,10 @@ async function firstPicture(page: Page, markup: string): Promise<Picture> {
   return picture;
 }
 
-test('@release five hundred spots on a floor of many vertices look alike under Gouraud', async ({ page, mount }) => {
+test('@release five hundred spots on a floor of many vertices look alike under Gouraud', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(120_000);
   await logGl(page);
   const markup = sceneMarkup(overFloor(spots(500, 4), 'gouraud'), 'gouraud');

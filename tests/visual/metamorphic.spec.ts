@@ -1,5 +1,6 @@
-// Which changes of the markup must not change a picture? Random scenes and equivalent scenes on one page: equal to the
-// bit if the GPU gets the same numbers (or powers of two of them), else within the difference of two programs.
+// Which changes of the markup must not change a picture? Random scenes and equivalent scenes on one
+// page: equal to the bit if the GPU gets the same numbers (or powers of two of them), else within
+// the difference of two programs.
 import { Euler, Matrix4, Vector3 } from 'three';
 import { kindOf } from '../../src/phong/light/light-features.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
@@ -18,14 +19,16 @@ const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const SEEDS = `seeds ${FIRST} to ${FIRST + SCENES - 1}`;
 
 /**
- * Share of the channels that may differ where another program, or another order of the same sum, is at work. The
- * contract allows 2e-4; measured 1.5e-6 on 150 scenes, and few scenes have few channels to share one among.
+ * Share of the channels that may differ where another program, or another order of the same sum, is
+ * at work. The contract allows 2e-4; measured 1.5e-6 on 150 scenes, and few scenes have few
+ * channels to share one among.
  */
 const SHARE = 5e-5;
 
 /**
- * Nearer to N·L = 0 than this, a light's highlight may be there or not: it ends at once where n is small. A sphere of
- * 64 segments has normals up to that far, in radians, from those that this is judged by.
+ * Nearer to N·L = 0 than this, a light's highlight may be there or not: it ends at once where n is
+ * small. A sphere of 64 segments has normals up to that far, in radians, from those that this is
+ * judged by.
  */
 const TERMINATOR = 5e-3;
 
@@ -67,7 +70,10 @@ const EXACT: Readonly<Record<string, Law>> = {
 /** Other roundings in float64 before what is sent, another order of sums, or another program. */
 const NEAR: Readonly<Record<string, Law>> = {
   'moved by 1e8': (scene, dice) => away(scene, dice),
-  'with its lights in reverse': ({ lights, ...scene }) => ({ ...scene, lights: lights.toReversed() }),
+  'with its lights in reverse': ({ lights, ...scene }) => ({
+    ...scene,
+    lights: lights.toReversed(),
+  }),
   'with inactive lights of all kinds': (scene, _, seed) => withStrangers(scene, seed),
   'with each light as two halves': halved,
   'turned by a quarter': turned,
@@ -77,10 +83,18 @@ const NEAR: Readonly<Record<string, Law>> = {
 async function forEachLikeness(
   mount: Mount,
   laws: Readonly<Record<string, Law>>,
-  judge: (law: string, seed: number, scene: DeclaredScene, picture: Picture, other: Picture) => void,
+  judge: (
+    law: string,
+    seed: number,
+    scene: DeclaredScene,
+    picture: Picture,
+    other: Picture,
+  ) => void,
 ): Promise<void> {
   // Viewers are not displayed, so only toBlob draws.
-  const viewer = await mount('<main><phong-viewer></phong-viewer></main>', { css: 'main { display: none }' });
+  const viewer = await mount('<main><phong-viewer></phong-viewer></main>', {
+    css: 'main { display: none }',
+  });
   const main = viewer.page().locator('main');
   for (let seed = FIRST; seed < FIRST + SCENES; seed++) {
     const scene = sceneOf(seed);
@@ -89,7 +103,9 @@ async function forEachLikeness(
     const markup = scenes.map((s) => sceneMarkup(s)).join('');
     await main.evaluate((element, text) => (element.innerHTML = text), markup);
     const pictures: Picture[] = [];
-    for (const i of scenes.keys()) pictures.push(await pixels(main.locator('phong-viewer').nth(i), SIZE));
+    for (const i of scenes.keys()) {
+      pictures.push(await pixels(main.locator('phong-viewer').nth(i), SIZE));
+    }
     Object.keys(laws).forEach((law, i) => judge(law, seed, scene, pictures[0]!, pictures[i + 1]!));
   }
 }
@@ -101,26 +117,39 @@ test('draws the same bits for equivalent markup with the same numbers', async ({
   );
 });
 
-test('draws within one code a scene that is moved, rotated, or lit equivalently', async ({ mount }) => {
+test('draws within one code a scene that is moved, rotated, or lit equivalently', async ({
+  mount,
+}) => {
   test.setTimeout(1_800_000);
   const brightened = 'with lights brighter by a hundredth';
-  const sums = new Map<string, { compared: number; different: number; max: number; identical: number }>();
+  const sums = new Map<
+    string,
+    { compared: number; different: number; max: number; identical: number }
+  >();
   const laws = { ...NEAR, [brightened]: brighter };
   let inner: { seed: number; channels: readonly number[] } = { seed: -1, channels: [] };
   await forEachLikeness(mount, laws, (law, seed, scene, picture, other) => {
-    if (inner.seed !== seed) inner = { seed, channels: steadyChannels(scene) };
+    if (inner.seed !== seed) {
+      inner = { seed, channels: steadyChannels(scene) };
+    }
     const sum = sums.get(law) ?? { compared: 0, different: 0, max: 0, identical: 0 };
     sums.set(law, sum);
     let max = 0;
     for (const i of inner.channels) {
       const difference = Math.abs(picture.data[i]! - other.data[i]!);
-      if (difference > 0) sum.different += 1;
+      if (difference > 0) {
+        sum.different += 1;
+      }
       max = Math.max(max, difference);
     }
     sum.compared += inner.channels.length;
     sum.max = Math.max(sum.max, max);
-    if (compare(picture, other).max === 0) sum.identical += 1;
-    if (law in NEAR) expect.soft(max, `${law}, seed ${seed}\n${sceneMarkup(scene)}`).toBeLessThanOrEqual(1);
+    if (compare(picture, other).max === 0) {
+      sum.identical += 1;
+    }
+    if (law in NEAR) {
+      expect.soft(max, `${law}, seed ${seed}\n${sceneMarkup(scene)}`).toBeLessThanOrEqual(1);
+    }
   });
   for (const [law, { compared, different, max, identical }] of sums) {
     console.log(
@@ -128,20 +157,29 @@ test('draws within one code a scene that is moved, rotated, or lit equivalently'
         `${identical} of ${SCENES} pictures the same to the bit`,
     );
     expect(compared).toBeGreaterThan(1e4);
-    if (law in NEAR) expect.soft(different / compared, law).toBeLessThanOrEqual(SHARE);
+    if (law in NEAR) {
+      expect.soft(different / compared, law).toBeLessThanOrEqual(SHARE);
+    }
     // The same measure must detect a scene that is not equivalent.
-    else expect(different / compared, law).toBeGreaterThan(0.1);
+    else {
+      expect(different / compared, law).toBeGreaterThan(0.1);
+    }
   }
 });
 
 /** Indices of channels away from outlines, edges of cones and ends of highlights. */
 function steadyChannels(scene: DeclaredScene): number[] {
   return innerPixels(scene, SIZE.width, SIZE.height, 1)
-    .filter(({ hit }) => hit.shaded.shares.every((s) => s === null || Math.abs(s.NoL) >= TERMINATOR))
+    .filter(({ hit }) =>
+      hit.shaded.shares.every((s) => s === null || Math.abs(s.NoL) >= TERMINATOR),
+    )
     .flatMap(({ x, y }) => [0, 1, 2].map((channel) => 4 * (y * SIZE.width + x) + channel));
 }
 
-const lightsOf = (scene: DeclaredScene, change: (light: LightValues) => LightValues): DeclaredScene => ({
+const lightsOf = (
+  scene: DeclaredScene,
+  change: (light: LightValues) => LightValues,
+): DeclaredScene => ({
   ...scene,
   lights: scene.lights.map(change),
 });
@@ -166,7 +204,11 @@ function scaled(scene: DeclaredScene, s: number): DeclaredScene {
   return {
     ...lit,
     pose: { ...pose, radius: pose.radius * s, target: larger(pose.target) },
-    meshes: meshes.map((mesh) => ({ ...mesh, position: larger(mesh.position), scale: larger(mesh.scale) })),
+    meshes: meshes.map((mesh) => ({
+      ...mesh,
+      position: larger(mesh.position),
+      scale: larger(mesh.scale),
+    })),
   };
 }
 
@@ -174,7 +216,9 @@ function scaled(scene: DeclaredScene, s: number): DeclaredScene {
 function moved(scene: DeclaredScene, offset: Vec3): DeclaredScene {
   const there = (v: Vec3): Vec3 => add(v, offset);
   const lit = lightsOf(scene, (light) =>
-    light.position[3] === 1 && light.space === 'world' ? { ...light, position: placed(light, there) } : light,
+    light.position[3] === 1 && light.space === 'world'
+      ? { ...light, position: placed(light, there) }
+      : light,
   );
   return {
     ...lit,
@@ -186,15 +230,23 @@ function moved(scene: DeclaredScene, offset: Vec3): DeclaredScene {
 /** Scene, lights and camera a quarter turn about +y, which takes +z to +x; θ grows by 90. */
 function turned(scene: DeclaredScene): DeclaredScene {
   const round = ([x, y, z]: Vec3): Vec3 => [z, y, 0 - x];
-  const quarter = new Matrix4().makeBasis(new Vector3(0, 0, -1), new Vector3(0, 1, 0), new Vector3(1, 0, 0));
+  const quarter = new Matrix4().makeBasis(
+    new Vector3(0, 0, -1),
+    new Vector3(0, 1, 0),
+    new Vector3(1, 0, 0),
+  );
   const rotation = (degrees: Vec3): Vec3 => {
     const [x, y, z] = degrees.map((d) => (d * Math.PI) / 180) as [number, number, number];
-    const matrix = new Matrix4().makeRotationFromEuler(new Euler(x, y, z, 'XYZ')).premultiply(quarter);
+    const matrix = new Matrix4()
+      .makeRotationFromEuler(new Euler(x, y, z, 'XYZ'))
+      .premultiply(quarter);
     const angles = new Euler().setFromRotationMatrix(matrix, 'XYZ');
     return [angles.x, angles.y, angles.z].map((a) => (a * 180) / Math.PI) as unknown as Vec3;
   };
   const lit = lightsOf(scene, (light) =>
-    light.space === 'camera' ? light : { ...light, position: placed(light, round), axis: round(light.axis) },
+    light.space === 'camera'
+      ? light
+      : { ...light, position: placed(light, round), axis: round(light.axis) },
   );
   return {
     ...lit,
@@ -214,7 +266,9 @@ function withStrangers(scene: DeclaredScene, seed: number): DeclaredScene {
   return { ...scene, lights: [...strangers.slice(4), ...scene.lights, ...strangers.slice(0, 4)] };
 }
 
-/** Each light as two of half its intensity; where colours are encoded, half of what they decode to. */
+/**
+ * Each light as two of half its intensity; where colours are encoded, half of what they decode to.
+ */
 function halved(scene: DeclaredScene): DeclaredScene {
   const half = (c: Vec3): Vec3 => {
     if (scene.options.linear !== true) return scale(c, 0.5);
@@ -239,4 +293,8 @@ const stretched = (scene: DeclaredScene, s: number): DeclaredScene =>
 
 /** Not equivalent: every light is 1 % brighter. */
 const brighter = (scene: DeclaredScene): DeclaredScene =>
-  lightsOf(scene, (light) => ({ ...light, diffuse: scale(light.diffuse, 1.01), ambient: scale(light.ambient, 1.01) }));
+  lightsOf(scene, (light) => ({
+    ...light,
+    diffuse: scale(light.diffuse, 1.01),
+    ambient: scale(light.ambient, 1.01),
+  }));

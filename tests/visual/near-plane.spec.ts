@@ -1,5 +1,5 @@
-// Nothing in view is cut away by the near plane, and the largest shapes are drawn from close by: pictures against a
-// float64 ray caster.
+// Nothing in view is cut away by the near plane, and the largest shapes are drawn from close by:
+// pictures against a float64 ray caster.
 import { basisOf } from '../../src/phong/camera/orbit.js';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
@@ -14,7 +14,10 @@ const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 /** Scenes on one page. */
 const AT_ONCE = 50;
 
-test(`floors, rooms and boxes up to 1e6 have no holes from close by (seeds from ${SEED})`, async ({ mount, page }) => {
+test(`floors, rooms and boxes up to 1e6 have no holes from close by (seeds from ${SEED})`, async ({
+  mount,
+  page,
+}) => {
   test.setTimeout(1_800_000);
   const rooms = Array.from({ length: fullOr(100, 8) }, (_, i) => randomLowEye(SEED + i));
   const scenes = [...LOW_EYES, ...firstOf(floorsOfAllSizes(), 0), ...rooms];
@@ -26,11 +29,15 @@ test(`floors, rooms and boxes up to 1e6 have no holes from close by (seeds from 
   }
 });
 
-test('a picture in tiles, a linked viewer and shadeAt see the same floor as the picture', async ({ mount, page }) => {
+test('a picture in tiles, a linked viewer and shadeAt see the same floor as the picture', async ({
+  mount,
+  page,
+}) => {
   const [low] = LOW_EYES;
   const markup = markupOf(low!).replace('<phong-viewer', '<phong-viewer camera-group="low"');
   const viewer = await mount(markup + markup.replace(/theta="\d+"/u, 'theta="0"'), SIZE);
-  const codes = async (index: number): Promise<Picture> => pixels(page.locator('phong-viewer').nth(index), SIZE);
+  const codes = async (index: number): Promise<Picture> =>
+    pixels(page.locator('phong-viewer').nth(index), SIZE);
   expect((await codes(1)).data).toEqual((await codes(0)).data);
   // Larger than the GPU can draw at once: in tiles. Each column of the lowest row shows the floor.
   const { data } = await pixels(viewer, { width: 9000, height: 4 });
@@ -47,10 +54,17 @@ test('a picture in tiles, a linked viewer and shadeAt see the same floor as the 
 const TEAPOT = { width: 400, height: 300 };
 
 test('nothing of the page shows through the teapot, from all sides', async ({ mount }) => {
-  const viewer = await mount('<phong-viewer geometry="teapot" segments="64" ka="0"></phong-viewer>', TEAPOT);
+  const viewer = await mount(
+    '<phong-viewer geometry="teapot" segments="64" ka="0"></phong-viewer>',
+    TEAPOT,
+  );
   const geometry = await createGeometry('teapot', undefined);
   const array = (key: string) => geometry.getAttribute(key).array;
-  const shape = { positions: array('position'), normals: array('normal'), index: geometry.index!.array };
+  const shape = {
+    positions: array('position'),
+    normals: array('normal'),
+    index: geometry.index!.array,
+  };
   const black = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as const;
   const objects = [{ shape: { kind: 'triangles', ...shape }, material: black }] as const;
   const { width, height } = TEAPOT;

@@ -40,7 +40,10 @@ interface Look {
   readonly light?: Partial<LightValues>;
 }
 
-/** Looks for which the code of general and specialised programs differs, one at a time; the last eight stand for few. */
+/**
+ * Looks for which the code of general and specialised programs differs, one at a time; the last
+ * eight stand for few.
+ */
 export const LOOKS: Readonly<Record<string, Look>> = {
   'shininess 32': {},
   'shininess 33.5': { mesh: { shininess: 33.5 } },
@@ -60,12 +63,17 @@ export const LOOKS: Readonly<Record<string, Look>> = {
   'a cone of more than a right angle': { light: { aperture: 120 } },
   'no cone, only decay': { light: { aperture: 180, cutoff: 7 } },
   'a cone without decay': { light: { cutoff: 0 } },
-  'a spot of the camera': { light: { space: 'camera', position: [0.3, 0.3, 0, 1], axis: [0, 0, -1] } },
+  'a spot of the camera': {
+    light: { space: 'camera', position: [0.3, 0.3, 0, 1], axis: [0, 0, -1] },
+  },
   'shininess 64, the last that is multiplied out': { mesh: { shininess: 64 } },
   'shininess 0': { mesh: { shininess: 0 } },
   'shininess 1': { mesh: { shininess: 1 } },
   'shininess 1e3': { mesh: { shininess: 1e3 } },
-  'blinn-phong, shininess 200': { mesh: { shininess: 200 }, options: { reflection: 'blinn-phong' } },
+  'blinn-phong, shininess 200': {
+    mesh: { shininess: 200 },
+    options: { reflection: 'blinn-phong' },
+  },
   'a cutoff of 64': { light: { cutoff: 64 } },
   'a cutoff that is not whole': { light: { cutoff: 2.5 } },
   'ambient alone': { options: { terms: ['ambient'] } },
@@ -81,7 +89,12 @@ export function look(name: string): { readonly scene: DeclaredScene; readonly sh
       fov: 45,
       meshes: [{ ...SPHERE, ...mesh }],
       lights: LIGHTS.map((one, i) => (i === 2 ? { ...one, ...light } : one)),
-      options: { reflection: 'phong', terms: ['ambient', 'diffuse', 'specular'], linear: false, ...options },
+      options: {
+        reflection: 'phong',
+        terms: ['ambient', 'diffuse', 'specular'],
+        linear: false,
+        ...options,
+      },
     },
   };
 }
@@ -99,13 +112,23 @@ function drawnScene(seed: number) {
   const geometry = dice.pick(['plane', 'box', 'sphere'] as const);
   const shading = dice.pick(['phong', 'phong', 'flat', 'gouraud'] as const);
   const scene = randomScene(seed, geometry);
-  // The shape's own number among them, and as few as there can be: triangles as large as the picture.
+  // The shape's own number among them, and as few as there can be: triangles as large as the
+  // picture.
   const segments = dice.pick([3, 8, 16, 24, 64]);
-  if (geometry !== 'sphere') return { scene, seed, shading: shading === 'gouraud' ? 'phong' : shading };
-  return { scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, segments })) }, shading, seed };
+  if (geometry !== 'sphere') {
+    return { scene, seed, shading: shading === 'gouraud' ? 'phong' : shading };
+  }
+  return {
+    scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, segments })) },
+    shading,
+    seed,
+  };
 }
 
-/** Draws scenes by general and specialised programs and compares both with each other and with float64. */
+/**
+ * Draws scenes by general and specialised programs and compares both with each other and with
+ * float64.
+ */
 export async function compareRandomScenes(page: Page, first: number, count: number): Promise<void> {
   const subpixelBits = await subpixelBitsOf(page);
   const sum = new DifferenceSum();

@@ -1,5 +1,5 @@
-// Random scenes as data and as markup, from a seed that failures print. Values are what authors write: moderate
-// numbers with a few decimals.
+// Random scenes as data and as markup, from a seed that failures print. Values are what authors
+// write: moderate numbers with a few decimals.
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import { scale, type Vec3, type Vec4 } from '../../src/phong/math/vector.js';
 import { Random } from '../stress/random.js';
@@ -56,7 +56,9 @@ export function randomLight(dice: Dice): LightValues {
       : [0, 0, -1],
     aperture: spot ? dice.pick([8, 20, 45, 80, 120, 180]) : 180,
     cutoff: spot ? dice.pick([0, 0.5, 1, 4, 20]) : 0,
-    attenuation: dice.chance(0.5) ? [dice.from(0, 2), dice.from(0, 0.5), dice.from(0, 0.2)] : [1, 0, 0],
+    attenuation: dice.chance(0.5)
+      ? [dice.from(0, 2), dice.from(0, 0.5), dice.from(0, 0.2)]
+      : [1, 0, 0],
     space: dice.chance(0.2) ? 'camera' : 'world',
   };
 }
@@ -76,7 +78,9 @@ export function randomMesh(dice: Dice, geometry: CastMesh['geometry']): CastMesh
     geometry,
     position: dice.chance(0.3) ? dice.vector(-1, 1) : [0, 0, 0],
     rotation: turned ? dice.vector(-180, 180) : [0, 0, 0],
-    scale: dice.chance(0.5) ? [size, size, size] : [size * dice.from(0.5, 2), size, -size * dice.from(0.5, 2)],
+    scale: dice.chance(0.5)
+      ? [size, size, size]
+      : [size * dice.from(0.5, 2), size, -size * dice.from(0.5, 2)],
     ka: dice.color(255),
     kd: dice.color(255),
     ks: dice.color(255),
@@ -108,7 +112,10 @@ export function randomScene(seed: number, geometry: CastMesh['geometry'] = 'plan
 }
 
 /** The scene as an author would write it. */
-export function sceneMarkup({ pose, fov, meshes, lights, options }: DeclaredScene, shading = 'phong'): string {
+export function sceneMarkup(
+  { pose, fov, meshes, lights, options }: DeclaredScene,
+  shading = 'phong',
+): string {
   const list = (v: readonly number[]): string => v.join(' ');
   const mesh = (m: CastMesh): string =>
     `<phong-mesh geometry="${m.geometry}" ${m.segments === undefined ? '' : `segments="${m.segments}" `}position="${list(m.position)}" rotation="${list(m.rotation)}" scale="${list(m.scale)}" ` +

@@ -1,5 +1,6 @@
-// What the element must draw, pixel by pixel, in float64: a camera ray through each pixel's centre, the first face of
-// a declared mesh that it hits, and the equation there. World space; knows nothing of WebGL.
+// What the element must draw, pixel by pixel, in float64: a camera ray through each pixel's centre,
+// the first face of a declared mesh that it hits, and the equation there. World space; knows
+// nothing of WebGL.
 import { BoxGeometry, type BufferGeometry, Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { basisOf, type Pose } from '../../src/phong/camera/orbit.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
@@ -41,8 +42,14 @@ export interface Hit {
   readonly coneMargin: number;
 }
 
-/** Casts the ray through pixel x, y of a picture of `width` × `height`; null where nothing is hit. */
-export function caster(scene: DeclaredScene, width: number, height: number): (x: number, y: number) => Hit | null {
+/**
+ * Casts the ray through pixel x, y of a picture of `width` × `height`; null where nothing is hit.
+ */
+export function caster(
+  scene: DeclaredScene,
+  width: number,
+  height: number,
+): (x: number, y: number) => Hit | null {
   const tracer = new Tracer(castSceneOf(scene, idealShape), width, height);
   return (column, row) => {
     const [x, y] = [column + 0.5, row + 0.5];
@@ -70,11 +77,18 @@ export function cameraOf({ pose, fov }: DeclaredScene): CastCamera {
   return { eye: add(pose.target, scale(back, pose.radius)), right, up, back, fov };
 }
 
-export const castSceneOf = (scene: DeclaredScene, shapeOf: (mesh: CastMesh) => CastShape): CastScene => ({
+export const castSceneOf = (
+  scene: DeclaredScene,
+  shapeOf: (mesh: CastMesh) => CastShape,
+): CastScene => ({
   ...scene.options,
   camera: cameraOf(scene),
   lights: scene.lights,
-  objects: scene.meshes.map((mesh) => ({ shape: shapeOf(mesh), matrix: matrixOf(mesh).elements, material: mesh })),
+  objects: scene.meshes.map((mesh) => ({
+    shape: shapeOf(mesh),
+    matrix: matrixOf(mesh).elements,
+    material: mesh,
+  })),
 });
 
 /** Rotation order XYZ: the x rotation is applied last. */
@@ -98,6 +112,10 @@ const PLANE: CastShape = {
   normals: [0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0],
   index: [0, 1, 2, 0, 2, 3],
 };
-const SHAPES = { plane: PLANE, box: trianglesOf(new BoxGeometry()), sphere: { kind: 'sphere' } } as const;
+const SHAPES = {
+  plane: PLANE,
+  box: trianglesOf(new BoxGeometry()),
+  sphere: { kind: 'sphere' },
+} as const;
 
 const idealShape = ({ geometry }: CastMesh): CastShape => SHAPES[geometry];

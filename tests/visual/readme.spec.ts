@@ -1,4 +1,5 @@
-// Does the README's picture show its snippet? Compared left of the panel, whose text depends on the machine's fonts.
+// Does the README's picture show its snippet? Compared left of the panel, whose text depends on the
+// machine's fonts.
 
 import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -20,14 +21,18 @@ function leftOnWhite({ width, height, data }: Picture): Picture {
       const from = 4 * (y * width + x);
       const to = 4 * (y * FREE_WIDTH + x);
       const alpha = data[from + 3]! / 255;
-      for (let c = 0; c < 3; c++) left[to + c] = Math.round(255 + (data[from + c]! - 255) * alpha);
+      for (let c = 0; c < 3; c++) {
+        left[to + c] = Math.round(255 + (data[from + c]! - 255) * alpha);
+      }
       left[to + 3] = 255;
     }
   }
   return { width: FREE_WIDTH, height, data: left };
 }
 
-test("the README's picture shows its snippet (`npm run readme:picture` draws it again)", async ({ mount }) => {
+test("the README's picture shows its snippet (`npm run readme:picture` draws it again)", async ({
+  mount,
+}) => {
   const size = /style="width: (\d+)px; height: (\d+)px"/.exec(readmeSnippet());
   const width = Number(size?.[1]);
   const height = Number(size?.[2]);
@@ -35,7 +40,11 @@ test("the README's picture shows its snippet (`npm run readme:picture` draws it 
   const markup = readmeSnippet().replace(' antialias="full"', '');
   // Its style attribute is refused by the strict policy.
   const viewer = await mount(markup, { csp: '', width, height });
-  const drawn = await pixels(viewer, { width: FREE_WIDTH, height: height * README_PICTURE_SCALE, samples: 4 });
+  const drawn = await pixels(viewer, {
+    width: FREE_WIDTH,
+    height: height * README_PICTURE_SCALE,
+    samples: 4,
+  });
   const { width: across, height: down, data } = PNG.sync.read(readFileSync(file));
   const stored = { width: across, height: down, data: new Uint8Array(data) };
   const { share } = compare(leftOnWhite(drawn), leftOnWhite(stored), 4);

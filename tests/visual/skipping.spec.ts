@@ -1,5 +1,5 @@
-// Does skipping work change no picture? Compares the same scenes drawn by general and by specialised programs, with and
-// without lights that reach nothing, and all of them with float64.
+// Does skipping work change no picture? Compares the same scenes drawn by general and by
+// specialised programs, with and without lights that reach nothing, and all of them with float64.
 
 import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, test } from '../support/test.js';
@@ -14,14 +14,20 @@ const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(400, 12));
 
-test(`random scenes hardly differ between programs (seeds from ${FIRST})`, async ({ page, mount }) => {
+test(`random scenes hardly differ between programs (seeds from ${FIRST})`, async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(1_800_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
   await compareRandomScenes(page, FIRST, SCENES);
 });
 
-test('every kind of surface and light differs as little between the two programs', async ({ page, mount }) => {
+test('every kind of surface and light differs as little between the two programs', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(120_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
@@ -52,7 +58,10 @@ test('every kind of surface and light differs as little between the two programs
   sum.expectPromise();
 });
 
-test('a textured model differs as little between the two programs, under every shading', async ({ page, mount }) => {
+test('a textured model differs as little between the two programs, under every shading', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(120_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
@@ -66,13 +75,18 @@ test('a textured model differs as little between the two programs, under every s
     ),
   );
   const sum = new DifferenceSum();
-  for (const { general, specialised } of await bothPictures(page, markups, SIZE)) sum.add(betweenPrograms(general, specialised)); // oxfmt-ignore
+  for (const { general, specialised } of await bothPictures(page, markups, SIZE)) {
+    sum.add(betweenPrograms(general, specialised)); // oxfmt-ignore
+  }
   console.log(`textured models: ${String(sum)}`);
   expect(sum.channels).toBeGreaterThan(fullOr(10_000, 3000));
   sum.expectPromise();
 });
 
-/** Attributes of a light that brings nothing to what is seen, declared beside all that the scene's own light needs. */
+/**
+ * Attributes of a light that brings nothing to what is seen, declared beside all that the scene's
+ * own light needs.
+ */
 const IDLE = {
   inactive: 'active="false" position="0.3 1 0" axis="0 -1 0" aperture="40" cutoff="2"',
   'turned away': 'position="0.3 1 0" axis="0 1 0" aperture="40" cutoff="2"',
@@ -90,11 +104,15 @@ test('lights that reach nothing change no bit in the same program', async ({ pag
       `<phong-viewer geometry="torus" segments="24" shading="${shading}" theta="20" phi="50" target="0 0 0" radius="2">${own}${declared}${idle}</phong-viewer>`;
     const viewers = await showAll(page, [
       markup(''),
-      ...Object.values(IDLE).map((attributes) => markup(`<phong-light ${attributes}></phong-light>`)),
+      ...Object.values(IDLE).map((attributes) =>
+        markup(`<phong-light ${attributes}></phong-light>`),
+      ),
       markup(Object.values(IDLE).map((attributes) => `<phong-light ${attributes}></phong-light>`).join('')), // oxfmt-ignore
     ]);
     for (const kind of ['general', 'specialised'] as const) {
-      if (kind === 'specialised') await drawUntilSpecialised(page);
+      if (kind === 'specialised') {
+        await drawUntilSpecialised(page);
+      }
       const [alone, ...others] = await picturesBy(page, viewers, kind, SIZE);
       for (const [i, other] of others.entries()) {
         const { max } = betweenPrograms(alone!, other);

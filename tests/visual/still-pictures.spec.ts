@@ -1,5 +1,5 @@
-// Is the picture of `antialias="full"` the mean, over each pixel's square, of what the equation writes there? Against a
-// float64 ray caster on the same triangles.
+// Is the picture of `antialias="full"` the mean, over each pixel's square, of what the equation
+// writes there? Against a float64 ray caster on the same triangles.
 
 import { patch, type Texel } from '../support/gltf.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
@@ -12,14 +12,19 @@ const full = 'alt="" antialias="full" samples="64"';
 
 const lights = `<phong-light position="1 2 3 0" ambient="30 30 40"></phong-light>
   <phong-light position="-2 1 2 1" diffuse="120 80 60"></phong-light>`;
-const bright = '<phong-light position="1 2 3 0" ambient="0" diffuse="255" specular="255"></phong-light>';
+const bright =
+  '<phong-light position="1 2 3 0" ambient="0" diffuse="255" specular="255"></phong-light>';
 /** Its edge crosses the picture. */
-const cone = '<phong-light position="0.6 1.8 1.4 1" axis="-0.6 -1.85 -1.35" aperture="9" ambient="0"></phong-light>';
+const cone =
+  '<phong-light position="0.6 1.8 1.4 1" axis="-0.6 -1.85 -1.35" aperture="9" ambient="0"></phong-light>';
 
 /** Checks of eight texels, so fine that each pixel has about four texels along its side. */
 const CHECKS = 256;
-const checked = (x: number, y: number): Texel => (((x >> 3) + (y >> 3)) % 2 === 0 ? [230, 200, 120] : [60, 90, 150]);
-const texels = Array.from({ length: CHECKS ** 2 }, (_, i) => checked(i % CHECKS, Math.floor(i / CHECKS)));
+const checked = (x: number, y: number): Texel =>
+  ((x >> 3) + (y >> 3)) % 2 === 0 ? [230, 200, 120] : [60, 90, 150];
+const texels = Array.from({ length: CHECKS ** 2 }, (_, i) =>
+  checked(i % CHECKS, Math.floor(i / CHECKS)),
+);
 const texture: CastTexture = {
   width: CHECKS,
   height: CHECKS,
@@ -30,7 +35,10 @@ const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metal
 interface HardPicture {
   readonly markup: string;
   readonly texture?: CastTexture;
-  /** Largest error in codes, a fifth or more above what is measured: pictures this small are all outline. */
+  /**
+   * Largest error in codes, a fifth or more above what is measured: pictures this small are all
+   * outline.
+   */
   readonly rmse: number;
   /** Least share of pixels within one code. */
   readonly within: number;
@@ -65,9 +73,13 @@ function errorsOf({ data }: Picture, means: Float64Array): { rmse: number; withi
   let squares = 0;
   let within = 0;
   for (let i = 0; i < data.length; i += 4) {
-    const errors = [0, 1, 2].map((k) => Math.round((data[i + k]! * data[i + 3]!) / 255) - means[i + k]!);
+    const errors = [0, 1, 2].map(
+      (k) => Math.round((data[i + k]! * data[i + 3]!) / 255) - means[i + k]!,
+    );
     squares += errors.reduce((sum, error) => sum + error ** 2, 0);
-    if (errors.every((error) => Math.abs(error) <= 1)) within += 1;
+    if (errors.every((error) => Math.abs(error) <= 1)) {
+      within += 1;
+    }
   }
   return { rmse: Math.sqrt(squares / (0.75 * data.length)), within: within / (data.length / 4) };
 }

@@ -1,4 +1,5 @@
-// Do views show the quantities of the equation? Compared with float64 pixel by pixel, in 8-bit codes.
+// Do views show the quantities of the equation? Compared with float64 pixel by pixel, in 8-bit
+// codes.
 
 import type { Locator } from '@playwright/test';
 import { srgbEncode } from '../../src/phong/math/color.js';
@@ -21,7 +22,12 @@ const QUANTITIES = VIEWS.filter((view) => !['shaded', 'triangles'].includes(view
 const TERMS: readonly View[] = ['ambient', 'diffuse', 'specular'];
 
 /** A view of a scene, against float64. `only`: the index of the light it is limited to. */
-async function errorsOf(viewer: Locator, scene: DeclaredScene, view: View, only: number | null): Promise<Errors> {
+async function errorsOf(
+  viewer: Locator,
+  scene: DeclaredScene,
+  view: View,
+  only: number | null,
+): Promise<Errors> {
   const name = only === null ? '' : `light ${String(only + 1)}`;
   await assign(viewer, { view, viewLight: name });
   const picture = await pixels(viewer, SIZE);
@@ -30,7 +36,12 @@ async function errorsOf(viewer: Locator, scene: DeclaredScene, view: View, only:
   return compareWithReference(picture, scene, ({ p, mesh, shaded }) => {
     // A term's view shows that term whatever `terms` sums.
     const options = { ...scene.options, camera, ...(isTerm ? { terms: [view as 'ambient'] } : {}) };
-    const explained = shade({ p, normal: shaded.N, eye: camera.eye }, scene.meshes[mesh]!, scene.lights, options);
+    const explained = shade(
+      { p, normal: shaded.N, eye: camera.eye },
+      scene.meshes[mesh]!,
+      scene.lights,
+      options,
+    );
     const shares = only === null ? explained.shares : [explained.shares[only]!];
     const color = viewColor(view, { N: explained.N, shares });
     return isTerm && scene.options.linear === true ? map(color, srgbEncode) : color;
@@ -81,9 +92,17 @@ async function samplesOf(viewer: Locator, every: number): Promise<Sample[]> {
       for (let y = 2; y < height - 2; y += step) {
         for (let x = 2; x < width - 2; x += step) {
           const at = (dx: number, dy: number) => element.shadeAt(x + dx + 0.5, y + dy + 0.5);
-          const [here, ...around] = await Promise.all([at(0, 0), at(-1, 0), at(1, 0), at(0, -1), at(0, 1)]);
+          const [here, ...around] = await Promise.all([
+            at(0, 0),
+            at(-1, 0),
+            at(1, 0),
+            at(0, -1),
+            at(0, 1),
+          ]);
           if (!here || !around.every((other) => other?.triangle === here.triangle)) continue;
-          const shares = here.shares.map((share) => (share === null ? null : { ...share, light: null }));
+          const shares = here.shares.map((share) =>
+            share === null ? null : { ...share, light: null },
+          );
           found.push({ x, y, explained: { N: here.N, shares, triangle: here.triangle } });
         }
       }
@@ -97,7 +116,11 @@ const file = patch({
   material: {
     emissiveFactor: [0.2, 0.1, 0],
     normalTexture: { index: 0, scale: 0.8 },
-    pbrMetallicRoughness: { baseColorFactor: [0.9, 0.5, 0.2, 1], metallicFactor: 0.5, roughnessFactor: 0.6 },
+    pbrMetallicRoughness: {
+      baseColorFactor: [0.9, 0.5, 0.2, 1],
+      metallicFactor: 0.5,
+      roughnessFactor: 0.6,
+    },
   },
   textures: [[[128, 128, 255], [160, 140, 240], [100, 128, 250], [128, 90, 245]]], // oxfmt-ignore
 });
@@ -109,7 +132,9 @@ const lights = `
   <phong-light name="spot" space="camera" position="0.2 0.3 0 1" axis="0 -0.1 -1" aperture="14" cutoff="20" diffuse="0" ambient="30 0 0"></phong-light>`;
 
 for (const shading of firstOf(['phong', 'gouraud', 'flat', 'blinn-phong'] as const, 2)) {
-  test(`shows each quantity of a model with a normal map, metal and emission, ${shading}`, async ({ mount }) => {
+  test(`shows each quantity of a model with a normal map, metal and emission, ${shading}`, async ({
+    mount,
+  }) => {
     const style = shading === 'blinn-phong' ? 'reflection="blinn-phong"' : `shading="${shading}"`;
     const viewer = await mount(
       `<phong-viewer src="${file}" ${style} theta="20" phi="75" radius="3.5">${lights}</phong-viewer>`,
@@ -124,12 +149,17 @@ for (const shading of firstOf(['phong', 'gouraud', 'flat', 'blinn-phong'] as con
         const { data } = await pixels(viewer, SIZE);
         let wrong = 0;
         for (const { x, y, explained } of samples) {
-          const shares = name === '' ? explained.shares : explained.shares.filter((_, i) => names[i] === name);
+          const shares =
+            name === '' ? explained.shares : explained.shares.filter((_, i) => names[i] === name);
           const expected = viewColor(view, { ...explained, shares });
           const error = Math.max(
-            ...[0, 1, 2].map((c) => Math.abs(data[4 * (y * SIZE.width + x) + c]! - Math.round(expected[c]! * 255))),
+            ...[0, 1, 2].map((c) =>
+              Math.abs(data[4 * (y * SIZE.width + x) + c]! - Math.round(expected[c]! * 255)),
+            ),
           );
-          if (!(error <= 1)) wrong += 1;
+          if (!(error <= 1)) {
+            wrong += 1;
+          }
         }
         // A pixel beside a cone's edge or a light's horizon may lie on either side of it.
         expect.soft(wrong / samples.length, `${view} of ${name}`).toBeLessThan(0.01);
@@ -139,11 +169,15 @@ for (const shading of firstOf(['phong', 'gouraud', 'flat', 'blinn-phong'] as con
 }
 
 test('shadeAt explains the shaded picture in every view', async ({ mount }) => {
-  const viewer = await mount(`<phong-viewer geometry="sphere" segments="8">${lights}</phong-viewer>`, SIZE);
+  const viewer = await mount(
+    `<phong-viewer geometry="sphere" segments="8">${lights}</phong-viewer>`,
+    SIZE,
+  );
   const explain = () =>
     viewer.evaluate(async (element: PhongViewer) =>
-      JSON.stringify({ ...(await element.shadeAt(60, 40)), mesh: '', object: '' }, (key, value: unknown) =>
-        key === 'light' ? '' : value,
+      JSON.stringify(
+        { ...(await element.shadeAt(60, 40)), mesh: '', object: '' },
+        (key, value: unknown) => (key === 'light' ? '' : value),
       ),
     );
   const before = await explain();
@@ -155,14 +189,20 @@ test('shadeAt explains the shaded picture in every view', async ({ mount }) => {
   }
 });
 
-test('with a single light the shaded picture is that of the scene without the others', async ({ mount }) => {
+test('with a single light the shaded picture is that of the scene without the others', async ({
+  mount,
+}) => {
   const markup = `<phong-viewer src="${file}" theta="20" phi="75" radius="3.5">${lights}</phong-viewer>`;
   const viewer = await mount(markup, SIZE);
   await assign(viewer, { viewLight: 'lamp' });
   const alone = await pixels(viewer, SIZE);
   await assign(viewer, { viewLight: null });
   await viewer.evaluate((element: PhongViewer) => {
-    for (const light of element.lights) if (light.name !== 'lamp') light.remove();
+    for (const light of element.lights) {
+      if (light.name !== 'lamp') {
+        light.remove();
+      }
+    }
   });
   expect(compare(alone, await pixels(viewer, SIZE)).max).toBe(0);
 });
@@ -197,15 +237,17 @@ const grey = (value: number): Vec3 => [value, value, value];
 const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
 
 /**
- * What a view must show of a fragment, 0–1, from the equation's own numbers in float64. `shares` are those of the lights
- * that the view is limited to; a view of one light takes the first active one. Not for `shaded`, `triangles` and
- * `error`. Without `linear`: sums are not encoded.
+ * What a view must show of a fragment, 0–1, from the equation's own numbers in float64. `shares`
+ * are those of the lights that the view is limited to; a view of one light takes the first active
+ * one. Not for `shaded`, `triangles` and `error`. Without `linear`: sums are not encoded.
  */
 function viewColor(view: View, { N, shares }: Explained): Vec3 {
   const active = shares.filter((share) => share !== null);
   const [first] = active;
   const sum = (term: 'ambient' | 'diffuse' | 'specular'): Vec3 =>
-    [0, 1, 2].map((i) => clamped(active.reduce((all, share) => all + share[term][i]!, 0))) as unknown as Vec3;
+    [0, 1, 2].map((i) =>
+      clamped(active.reduce((all, share) => all + share[term][i]!, 0)),
+    ) as unknown as Vec3;
   switch (view) {
     case 'ambient':
     case 'diffuse':

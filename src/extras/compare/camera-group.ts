@@ -1,5 +1,6 @@
-// Cameras that move together: of viewers with one `camera-group` in a document, and of one <phong-compare>. All have
-// the same angles, radius and target, are framed as one, and show round shapes by the same rule. A chunk.
+// Cameras that move together: of viewers with one `camera-group` in a document, and of one
+// <phong-compare>. All have the same angles, radius and target, are framed as one, and show round
+// shapes by the same rule. A chunk.
 import type { Fit, Framing, SharedFit } from '../../viewer/scene/auto-fit.js';
 import type { SharedLevels } from '../../viewer/scene/mesh/levels.js';
 import type { CameraSource } from '../../viewer/element/elements.js';
@@ -23,10 +24,17 @@ export function create(member: Member): Extra {
 /** By the document and a name, or by a <phong-compare> and no name. */
 const groups = new WeakMap<Node, Map<string, CameraGroup>>();
 
-/** A name goes before the <phong-compare> around the viewer. Empty groups are removed from the map. */
+/**
+ * A name goes before the <phong-compare> around the viewer. Empty groups are removed from the map.
+ */
 function groupOf({ viewer, values: { cameraGroup: name } }: Member): CameraGroup | null {
   const { ownerDocument, parentElement } = viewer;
-  const place = name !== '' ? ownerDocument : parentElement?.localName === 'phong-compare' ? parentElement : null;
+  const place =
+    name !== ''
+      ? ownerDocument
+      : parentElement?.localName === 'phong-compare'
+        ? parentElement
+        : null;
   if (place === null) return null;
   const inPlace = groups.get(place) ?? new Map<string, CameraGroup>();
   groups.set(place, inPlace);
@@ -56,7 +64,9 @@ class CameraGroup implements SharedFit, SharedLevels {
     member.viewport.picture.fit.shared = this;
     member.viewport.picture.levels.shared = this;
     this.changed();
-    if (first !== undefined) member.camera.place(placementOf(first), 'script', true);
+    if (first !== undefined) {
+      member.camera.place(placementOf(first), 'script', true);
+    }
   }
 
   /** The member keeps the camera that it has, or fits it to its own scene if that is `auto`. */
@@ -66,8 +76,11 @@ class CameraGroup implements SharedFit, SharedLevels {
     member.viewport.picture.fit.shared = null;
     member.viewport.picture.levels.shared = null;
     member.viewport.picture.invalidate();
-    if (this.#members.size === 0) this.#emptied();
-    else this.changed();
+    if (this.#members.size === 0) {
+      this.#emptied();
+    } else {
+      this.changed();
+    }
   }
 
   /** A member's camera was moved or framed in another way, and not by the group. */
@@ -75,13 +88,19 @@ class CameraGroup implements SharedFit, SharedLevels {
     const mover = this.#members.get(camera);
     if (mover === undefined) return;
     const placement = placementOf(mover);
-    for (const other of this.#members.keys()) if (other !== camera) other.place(placement, source, true);
+    for (const other of this.#members.keys()) {
+      if (other !== camera) {
+        other.place(placement, source, true);
+      }
+    }
   }
 
   /** The first member with `auto-rotate` turns all. It pauses during a drag in any viewer. */
   turns(camera: ViewerCamera): boolean {
     const cameras = [...this.#members.keys()];
-    return cameras.find(({ turning }) => turning) === camera && !cameras.some(({ dragging }) => dragging);
+    return (
+      cameras.find(({ turning }) => turning) === camera && !cameras.some(({ dragging }) => dragging)
+    );
   }
 
   /** Fits at the end of the task, for members that are not drawn now, too. */
@@ -95,27 +114,48 @@ class CameraGroup implements SharedFit, SharedLevels {
     });
   }
 
-  /** The fit with the largest radius, and its target. Scenes that show nothing count only where all are empty. */
+  /**
+   * The fit with the largest radius, and its target. Scenes that show nothing count only where all
+   * are empty.
+   */
   fit(framing: Framing): Fit {
     if (this.#fitted?.framing !== framing) {
       const members = [...this.#members.values()];
-      const fits = members.map((from) => ({ framing, fit: from.viewport.picture.fit.fitOf(framing), from }));
+      const fits = members.map((from) => ({
+        framing,
+        fit: from.viewport.picture.fit.fitOf(framing),
+        from,
+      }));
       const full = fits.filter(({ fit }) => !fit.empty);
-      this.#fitted = (full.length > 0 ? full : fits).reduce((a, b) => (b.fit.radius > a.fit.radius ? b : a));
+      this.#fitted = (full.length > 0 ? full : fits).reduce((a, b) =>
+        b.fit.radius > a.fit.radius ? b : a,
+      );
     }
     return this.#fitted.fit;
   }
 
-  /** A picture shows round shapes by a fixed number of segments: then all do, so that outlines meet at a divider. */
+  /**
+   * A picture shows round shapes by a fixed number of segments: then all do, so that outlines meet
+   * at a divider.
+   */
   get isFixed(): boolean {
-    for (const { viewport } of this.#members.values()) if (viewport.picture.levels.isFixed) return true;
+    for (const { viewport } of this.#members.values()) {
+      if (viewport.picture.levels.isFixed) return true;
+    }
     return false;
   }
 
-  /** Moves all cameras to the fit, on behalf of its member. All draw again where {@link isFixed} has changed. */
+  /**
+   * Moves all cameras to the fit, on behalf of its member. All draw again where {@link isFixed} has
+   * changed.
+   */
   #settle(): void {
     const { isFixed } = this;
-    if (isFixed !== this.#wasFixed) for (const { viewport } of this.#members.values()) viewport.picture.invalidate();
+    if (isFixed !== this.#wasFixed) {
+      for (const { viewport } of this.#members.values()) {
+        viewport.picture.invalidate();
+      }
+    }
     this.#wasFixed = isFixed;
     const [first] = this.#members.values();
     const framing = first?.viewport.picture.fit.framing ?? null;

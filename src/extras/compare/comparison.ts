@@ -1,4 +1,5 @@
-// Lays out the viewers of a <phong-compare>: in panes clipped by the dividers beside them, or beside each other.
+// Lays out the viewers of a <phong-compare>: in panes clipped by the dividers beside them, or
+// beside each other.
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
 import { sameValue } from '../../phong/fields/field-store.js';
 import type { PictureBox } from '../../phong/camera/gesture.js';
@@ -41,8 +42,9 @@ export class Comparison implements ReactiveController {
     useTexts(this.#textUser);
     const { signal } = (this.#listeners = new AbortController());
     // The direction of the text may have changed, which no event reports.
-    for (const type of ['pointerover', 'focusin'] as const)
+    for (const type of ['pointerover', 'focusin'] as const) {
       root.addEventListener(type, () => this.#element.requestUpdate(), { signal });
+    }
     shareTouch(root, signal);
   }
 
@@ -75,7 +77,10 @@ export class Comparison implements ReactiveController {
     return getComputedStyle(this.#element).direction === 'rtl';
   }
 
-  placeOf(divider: Divider): { readonly place: number; readonly range: readonly [min: number, max: number] } {
+  placeOf(divider: Divider): {
+    readonly place: number;
+    readonly range: readonly [min: number, max: number];
+  } {
     const index = this.#dividers.indexOf(divider);
     const places = this.#places;
     return { place: places[index]!, range: rangeOf(places, index) };
@@ -92,7 +97,9 @@ export class Comparison implements ReactiveController {
   reset(): void {
     const { at } = this.#element;
     fieldsOf(this.#element).attributeChanged('at', this.#element.getAttribute('at'));
-    if (at !== this.#element.at) this.#reportMove();
+    if (at !== this.#element.at) {
+      this.#reportMove();
+    }
   }
 
   #reportMove(): void {
@@ -108,7 +115,10 @@ export class Comparison implements ReactiveController {
     const labels = this.#labelsOf(viewers);
     const rtl = this.isRtl();
     const dividers = split ? Math.max(viewers.length - 1, 0) : 0;
-    this.#dividers = Array.from({ length: dividers }, (_, i) => this.#dividers[i] ?? new Divider(this));
+    this.#dividers = Array.from(
+      { length: dividers },
+      (_, i) => this.#dividers[i] ?? new Divider(this),
+    );
     const open = split ? this.#withPanels(viewers) : [];
     const kinds = `${open.length > 0 ? ' docked' : ''}${rtl ? ' rtl' : ''}`;
     return html`<div class=${`box ${layout} ${direction}${kinds}`}>
@@ -118,13 +128,19 @@ export class Comparison implements ReactiveController {
         const range = split ? ([places[i - 1] ?? 0, places[i] ?? 100] as const) : null;
         return [
           this.#paneTemplate(i, labels[i] ?? '', range, rtl, [open.indexOf(viewer), open.length]),
-          divider?.template(dividerLabel(viewer, labels[i], labels[i + 1]), `${paneId(i)} ${paneId(i + 1)}`),
+          divider?.template(
+            dividerLabel(viewer, labels[i], labels[i + 1]),
+            `${paneId(i)} ${paneId(i + 1)}`,
+          ),
         ];
       })}
     </div>`;
   }
 
-  /** `range`: what the dividers leave, percent; null for all. `panel`: its index among the open ones; -1: not open. */
+  /**
+   * `range`: what the dividers leave, percent; null for all. `panel`: its index among the open
+   * ones; -1: not open.
+   */
   #paneTemplate(
     index: number,
     label: string,
@@ -148,16 +164,24 @@ export class Comparison implements ReactiveController {
       .style=${`${this.#room(...(range ?? [0, 100]), label)}; ${share}${clip}`}
     >
       <slot></slot>
-      <div class="label" part="label" aria-hidden="true" ?hidden=${label === ''} .textContent=${label}></div>
+      <div
+        class="label"
+        part="label"
+        aria-hidden="true"
+        ?hidden=${label === ''}
+        .textContent=${label}
+      ></div>
     </div>`;
   }
 
   /** Viewers whose panels are open; while none is, those whose panels are about to be. */
   #withPanels(viewers: readonly PhongViewer[]): readonly PhongViewer[] {
-    const place = (viewer: PhongViewer): string | null => panelPlace(viewer)?.getAttribute(OPEN_PANEL) ?? null;
+    const place = (viewer: PhongViewer): string | null =>
+      panelPlace(viewer)?.getAttribute(OPEN_PANEL) ?? null;
     const awaited = viewers.filter((viewer) => place(viewer) === AWAITED);
     const open = viewers.filter((viewer) => place(viewer) === '');
-    const waits = awaited.length > 0 && open.length === 0 && this.#element.clientWidth >= WIDE_PANEL;
+    const waits =
+      awaited.length > 0 && open.length === 0 && this.#element.clientWidth >= WIDE_PANEL;
     return waits ? awaited : open;
   }
 
@@ -173,14 +197,22 @@ export class Comparison implements ReactiveController {
       const surface = viewer.shadowRoot?.querySelector('[part=surface]') ?? viewer;
       this.#observer.observe(surface, { attributeFilter: ['aria-label'] });
       const panel = panelPlace(viewer);
-      if (panel !== null) this.#observer.observe(panel, { attributeFilter: [OPEN_PANEL] });
+      if (panel !== null) {
+        this.#observer.observe(panel, { attributeFilter: [OPEN_PANEL] });
+      }
     }
   }
 
   /** What a viewer shows over its picture, such as its panel, keeps to the visible part. */
   #room(from: number, to: number, label: string): string {
     const [start, end] = this.vertical ? ['top', 'bottom'] : ['start', 'end'];
-    const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : LABEL };
+    const room = {
+      start: '0%',
+      end: '0%',
+      top: '0%',
+      bottom: '0%',
+      label: label === '' ? '0px' : LABEL,
+    };
     const kept = { ...room, [start]: `${String(from)}%`, [end]: `${String(100 - to)}%` };
     return Object.entries(kept)
       .map(([side, length]) => `--phong-${side}: ${length}`)
@@ -190,7 +222,11 @@ export class Comparison implements ReactiveController {
   /** `more`: also what the style sheet leaves beside the picture, for the panel. */
   #clip(from: number, to: number, rtl: boolean, more: boolean): string {
     const [before, after] = [`${String(from)}%`, `${String(100 - to)}%`];
-    const sides = this.vertical ? [before, 0, after, 0] : rtl ? [0, before, 0, after] : [0, after, 0, before];
+    const sides = this.vertical
+      ? [before, 0, after, 0]
+      : rtl
+        ? [0, before, 0, after]
+        : [0, after, 0, before];
     // A viewer that is clipped away draws nothing.
     const rest = from === to ? '; visibility: hidden' : '';
     if (!more) return `clip-path: inset(${sides.join(' ')})${rest}`;
@@ -202,16 +238,21 @@ export class Comparison implements ReactiveController {
     return `clip-path: polygon(${own}, ${panel})`;
   }
 
-  /** The texts over the viewers: where none are given, the names that the viewers have themselves. */
+  /**
+   * The texts over the viewers: where none are given, the names that the viewers have themselves.
+   */
   #labelsOf(viewers: readonly PhongViewer[]): readonly string[] {
     const given = this.#values.labels?.split(',').map((text) => text.trim());
     return viewers.map((viewer, i) =>
-      given === undefined ? (viewer.getAttribute('aria-label') ?? '') || viewer.alt : (given[i] ?? ''),
+      given === undefined
+        ? (viewer.getAttribute('aria-label') ?? '') || viewer.alt
+        : (given[i] ?? ''),
     );
   }
 }
 
-const panelPlace = (viewer: PhongViewer): Element | null => viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
+const panelPlace = (viewer: PhongViewer): Element | null =>
+  viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
 
 const corners = (left: string, top: string, right: string, bottom: string): string =>
   `${left} ${top}, ${right} ${top}, ${right} ${bottom}, ${left} ${bottom}, ${left} ${top}`;
@@ -230,7 +271,10 @@ function dividerLabel({ texts }: PhongViewer, first = '', second = ''): string {
     : phrase(texts, 'Divider between {first} and {second}', { first, second });
 }
 
-/** Fingers on several viewers are one gesture of the viewer under the first, so that a pinch across a divider zooms. */
+/**
+ * Fingers on several viewers are one gesture of the viewer under the first, so that a pinch across
+ * a divider zooms.
+ */
 function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
   const early = { signal, capture: true, passive: false };
   const fingers = new Set<number>();
@@ -241,8 +285,12 @@ function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
     if (event.pointerType !== 'touch' || !event.isTrusted) return;
     const surface = linkedSurface(event);
     if (surface === null) return;
-    if (first?.isConnected !== true) fingers.clear();
-    if (fingers.size === 0) first = surface;
+    if (first?.isConnected !== true) {
+      fingers.clear();
+    }
+    if (fingers.size === 0) {
+      first = surface;
+    }
     fingers.add(event.pointerId);
     if (surface === first) return;
     joined = true;
@@ -252,21 +300,31 @@ function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
   };
   const lift = (event: Event): void => {
     fingers.delete((event as PointerEvent).pointerId);
-    if (fingers.size === 0) joined = false;
+    if (fingers.size === 0) {
+      joined = false;
+    }
   };
   // The pictures prevent scrolling by two fingers themselves, but count only their own.
   const keep = (event: Event): void => {
-    if (joined && event.cancelable) event.preventDefault();
+    if (joined && event.cancelable) {
+      event.preventDefault();
+    }
   };
   root.addEventListener('pointerdown', (event) => press(event as PointerEvent), early);
-  for (const type of ['pointerup', 'pointercancel']) root.addEventListener(type, lift, early);
-  for (const type of ['touchstart', 'touchmove']) root.addEventListener(type, keep, early);
+  for (const type of ['pointerup', 'pointercancel']) {
+    root.addEventListener(type, lift, early);
+  }
+  for (const type of ['touchstart', 'touchmove']) {
+    root.addEventListener(type, keep, early);
+  }
 }
 
 /** The picture that was pressed, of a viewer whose camera is linked to those of the comparison. */
 function linkedSurface(event: Event): Element | null {
   const path = event.composedPath();
-  const viewer = path.find((node): node is PhongViewer => (node as Partial<Element>).localName === 'phong-viewer');
+  const viewer = path.find(
+    (node): node is PhongViewer => (node as Partial<Element>).localName === 'phong-viewer',
+  );
   const surface = viewer?.shadowRoot?.querySelector('[part=surface]') ?? null;
   return viewer?.cameraGroup === '' && surface !== null && path.includes(surface) ? surface : null;
 }

@@ -1,4 +1,5 @@
-// A divider that the user moves by pointer and keys; Escape takes a drag back. Places: percent from the start or top.
+// A divider that the user moves by pointer and keys; Escape takes a drag back. Places: percent from
+// the start or top.
 import { html, type TemplateResult } from 'lit';
 import { followDrag } from '../../viewer/element/page/followed-drag.js';
 import type { Comparison } from './comparison.js';
@@ -44,7 +45,9 @@ export class Divider {
     const end = followDrag(handle, event, 0, {
       moved: (dx, dy) => {
         const travel = this.#travel(dx, dy);
-        if (travel !== null) this.#host.move(this, from + travel);
+        if (travel !== null) {
+          this.#host.move(this, from + travel);
+        }
       },
       ended: () => (this.#drag = null),
     });
@@ -52,7 +55,10 @@ export class Divider {
     handle.focus({ preventScroll: true });
   };
 
-  /** Percent of the box that a pointer has moved along it, on transformed pages too. Null while the box is hidden. */
+  /**
+   * Percent of the box that a pointer has moved along it, on transformed pages too. Null while the
+   * box is hidden.
+   */
   #travel(x: number, y: number): number | null {
     const { vertical } = this.#host;
     const { width, height, axes } = this.#host.measure();
@@ -61,7 +67,9 @@ export class Divider {
     const [alongX, alongY] = vertical ? [downX, downY] : [rightX, rightY];
     const squared = alongX ** 2 + alongY ** 2;
     const pixels = squared === 0 ? 0 : (x * alongX + y * alongY) / squared;
-    return ((!vertical && this.#host.isRtl() ? -pixels : pixels) * 100) / (vertical ? height : width);
+    return (
+      ((!vertical && this.#host.isRtl() ? -pixels : pixels) * 100) / (vertical ? height : width)
+    );
   }
 
   readonly #onKey = (event: KeyboardEvent): void => {
@@ -71,8 +79,11 @@ export class Divider {
       const { from, end } = this.#drag;
       end();
       this.#host.move(this, from);
-    } else if (step !== undefined) this.#host.move(this, this.#host.placeOf(this).place + step);
-    else return;
+    } else if (step !== undefined) {
+      this.#host.move(this, this.#host.placeOf(this).place + step);
+    } else {
+      return;
+    }
     event.preventDefault();
     event.stopPropagation();
   };
@@ -84,17 +95,24 @@ export function placesOf(at: readonly number[] | 'auto', count: number): readonl
   const given = at === 'auto' ? [] : at.slice(0, dividers);
   const from = given.at(-1) ?? 0;
   const parts = count - given.length;
-  const rest = Array.from({ length: dividers - given.length }, (_, i) => from + ((100 - from) * (i + 1)) / parts);
+  const rest = Array.from(
+    { length: dividers - given.length },
+    (_, i) => from + ((100 - from) * (i + 1)) / parts,
+  );
   return [...given, ...rest];
 }
 
-export const rangeOf = (places: readonly number[], index: number): readonly [min: number, max: number] => [
-  places[index - 1] ?? 0,
-  places[index + 1] ?? 100,
-];
+export const rangeOf = (
+  places: readonly number[],
+  index: number,
+): readonly [min: number, max: number] => [places[index - 1] ?? 0, places[index + 1] ?? 100];
 
 /** The places with one divider moved as near to `place` as its neighbours let it. */
-export function withMoved(places: readonly number[], index: number, place: number): readonly number[] {
+export function withMoved(
+  places: readonly number[],
+  index: number,
+  place: number,
+): readonly number[] {
   const [min, max] = rangeOf(places, index);
   return places.map((each, i) => (i === index ? Math.min(Math.max(place, min), max) : each));
 }
@@ -107,7 +125,9 @@ export function dividerStep(
 ): number | undefined {
   const step = shiftKey ? LARGE_STEP : STEP;
   const right = rtl ? -step : step;
-  const arrows = vertical ? { ArrowUp: -step, ArrowDown: step } : { ArrowLeft: -right, ArrowRight: right };
+  const arrows = vertical
+    ? { ArrowUp: -step, ArrowDown: step }
+    : { ArrowLeft: -right, ArrowRight: right };
   const jumps = { PageUp: -LARGE_STEP, PageDown: LARGE_STEP, Home: -Infinity, End: Infinity };
   return new Map(Object.entries({ ...arrows, ...jumps })).get(key);
 }

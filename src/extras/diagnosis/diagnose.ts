@@ -1,4 +1,5 @@
-// Explains markup that looks like a mistake, and its cure: once per mistake and page. Fetched when needed.
+// Explains markup that looks like a mistake, and its cure: once per mistake and page. Fetched when
+// needed.
 import { clip } from '../../phong/fields/clip.js';
 import { nearest } from '../../phong/fields/nearest.js';
 import { registryAround } from '../../viewer/element/child-registry.js';
@@ -17,26 +18,35 @@ const given = new Set<string>();
 export function diagnose(elements: readonly Element[]): void {
   const known = new Map<string, readonly string[]>();
   for (const tag of ALL_TAGS) {
-    const definition = customElements.get(tag) as { readonly observedAttributes?: readonly string[] } | undefined;
+    const definition = customElements.get(tag) as
+      | { readonly observedAttributes?: readonly string[] }
+      | undefined;
     known.set(tag, definition?.observedAttributes ?? []);
   }
   for (const element of elements) {
     const tag = element.localName;
     for (const name of strayAttributes(element)) {
       const advice = attributeAdvice(tag, name, known);
-      if (advice !== undefined) warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
+      if (advice !== undefined) {
+        warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
+      }
     }
     if (!element.isConnected) continue;
     if (tag === 'phong-compare') {
       const wrapper = wrappedViewer(element)?.parentElement?.localName;
-      if (wrapper !== undefined)
+      if (wrapper !== undefined) {
         warn(
           `A <phong-viewer> in a <${clip(wrapper)}> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.`,
         );
+      }
     } else if (tag === 'phong-viewer') {
       diagnoseContent(element);
-      if (!isNamed(element as PhongViewer)) warn(UNNAMED);
-    } else if (registryAround(element) === null) warn(lonely(element));
+      if (!isNamed(element as PhongViewer)) {
+        warn(UNNAMED);
+      }
+    } else if (registryAround(element) === null) {
+      warn(lonely(element));
+    }
   }
 }
 
@@ -47,7 +57,9 @@ function diagnoseContent(viewer: Element): void {
   for (const { localName: tag } of viewer.querySelectorAll(':not(:defined)')) {
     if (!tag.startsWith('phong-')) continue;
     const meant = nearest(tag, TAGS) ?? 'phong-light> or <phong-mesh';
-    warn(`<${clip(tag)}> inside a <phong-viewer>: there is no such element. Did you mean <${meant}>?`);
+    warn(
+      `<${clip(tag)}> inside a <phong-viewer>: there is no such element. Did you mean <${meant}>?`,
+    );
   }
   const misplaced = viewer.querySelector(':is(phong-light, phong-mesh) > [slot]:not([slot=""])');
   if (misplaced !== null) {
@@ -59,17 +71,26 @@ function diagnoseContent(viewer: Element): void {
   }
   const cut = cutByMarkdown(viewer);
   const hidden = cut === 'code' ? 'its lights and meshes as code' : hiddenContent(viewer);
-  if (hidden !== null)
-    warn(`<phong-viewer> contains ${hidden}, which is not shown. ${cut === null ? UNCLOSED : EMPTY_LINE}`);
+  if (hidden !== null) {
+    warn(
+      `<phong-viewer> contains ${hidden}, which is not shown. ${cut === null ? UNCLOSED : EMPTY_LINE}`,
+    );
+  }
 }
 
-const UNCLOSED = 'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
+const UNCLOSED =
+  'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
 
-const EMPTY_LINE = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+const EMPTY_LINE =
+  'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
 
-/** What Markdown made of content after an empty line: a paragraph, or code if the line was indented. */
+/**
+ * What Markdown made of content after an empty line: a paragraph, or code if the line was indented.
+ */
 function cutByMarkdown(viewer: Element): 'paragraph' | 'code' | null {
-  for (const code of viewer.querySelectorAll('pre > code')) if (/<\/?phong-/.test(code.textContent)) return 'code';
+  for (const code of viewer.querySelectorAll('pre > code')) {
+    if (/<\/?phong-/.test(code.textContent)) return 'code';
+  }
   return viewer.querySelector('p > :is(phong-light, phong-mesh)') === null ? null : 'paragraph';
 }
 
@@ -78,8 +99,9 @@ function lonely(element: Element): string {
   const which = `<${element.localName}${name === '' ? '' : ` name="${clip(name)}"`}>`;
   // Pandoc's Markdown makes a paragraph of each part.
   const before = element.closest('p')?.previousElementSibling;
-  if (before?.matches('p:has(phong-viewer)') === true)
+  if (before?.matches('p:has(phong-viewer)') === true) {
     return `${which} is not inside a <phong-viewer>, so it has no effect. ${EMPTY_LINE}`;
+  }
   return element.closest('phong-viewer') === null
     ? `${which} is not inside a <phong-viewer>, so it has no effect. Move it into one.`
     : `${which} is inside an element with a slot, so it has no effect. Move it out of that element.`;
@@ -87,14 +109,21 @@ function lonely(element: Element): string {
 
 /** The first content of a viewer that a reader of the page should see, in words; null for none. */
 function hiddenContent(viewer: Element): string | null {
-  const walker = document.createTreeWalker(viewer, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT, (node) => {
-    const element = elementOf(node);
-    if (element !== null && (element.matches(UNSEEN) || isSlotted(element, viewer))) return NodeFilter.FILTER_REJECT;
-    const shown = element === null ? node.nodeValue?.trim() !== '' : element.matches(SHOWN);
-    return shown ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
-  });
-  // A viewer inside another is always a mistake. Other content before the end tag can be meant for browsers without
-  // scripts. It was swallowed if nothing follows the viewer: an unclosed element ends with its parent.
+  const walker = document.createTreeWalker(
+    viewer,
+    NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT,
+    (node) => {
+      const element = elementOf(node);
+      if (element !== null && (element.matches(UNSEEN) || isSlotted(element, viewer))) {
+        return NodeFilter.FILTER_REJECT;
+      }
+      const shown = element === null ? node.nodeValue?.trim() !== '' : element.matches(SHOWN);
+      return shown ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
+    },
+  );
+  // A viewer inside another is always a mistake. Other content before the end tag can be meant for
+  // browsers without scripts. It was swallowed if nothing follows the viewer: an unclosed element
+  // ends with its parent.
   let first: Node | null = null;
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
     if (node.nodeName === 'PHONG-VIEWER') return 'another <phong-viewer>';
@@ -113,14 +142,21 @@ const elementOf = (node: Node | null): Element | null =>
 const UNSEEN = 'script,style,template,noscript';
 
 /** Elements that show something, whatever they contain. */
-const SHOWN = 'img,svg,canvas,video,audio,iframe,object,embed,button,input,select,textarea,hr,phong-viewer';
+const SHOWN =
+  'img,svg,canvas,video,audio,iframe,object,embed,button,input,select,textarea,hr,phong-viewer';
 
-const isSlotted = (node: Element, viewer: Element): boolean => node.slot !== '' && node.parentElement === viewer;
+const isSlotted = (node: Element, viewer: Element): boolean =>
+  node.slot !== '' && node.parentElement === viewer;
 
-/** Nothing follows but what scripts insert. Not even white space: the parser puts that inside an unclosed element. */
+/**
+ * Nothing follows but what scripts insert. Not even white space: the parser puts that inside an
+ * unclosed element.
+ */
 function endsItsParent(viewer: Element): boolean {
   let next = viewer.nextSibling;
-  while (elementOf(next)?.matches(`${UNSEEN},link`) === true) next = next?.nextSibling ?? null;
+  while (elementOf(next)?.matches(`${UNSEEN},link`) === true) {
+    next = next?.nextSibling ?? null;
+  }
   return next === null;
 }
 
@@ -136,7 +172,8 @@ const MATERIAL = 'color colour fill material albedo basecolor';
 const SHAPE: Advice = {
   'Write geometry="box", or the name of another shape.': 'shape primitive mesh',
   'Write src="…".': 'model href url file path source',
-  'Write shininess="…": larger values make smaller highlights.': 'roughness gloss glossiness exponent smoothness',
+  'Write shininess="…": larger values make smaller highlights.':
+    'roughness gloss glossiness exponent smoothness',
   'Textures come with a model: write src="…".': 'texture map image',
 };
 
@@ -150,8 +187,10 @@ const GUESSES: Readonly<Record<string, Advice>> = {
       'pos x y z w place location translation type kind direction',
     'Write axis="x y z": where the spot points.': 'target lookat rotation rotate orientation',
     'Write aperture="…": half the angle of the cone in degrees.': 'angle cone fov spread',
-    'Write cutoff="…": the exponent of the decay away from the axis.': 'penumbra exponent falloff softness',
-    'Write attenuation="kc kl kq".': 'distance range decay radius constant linear quadratic kc kl kq',
+    'Write cutoff="…": the exponent of the decay away from the axis.':
+      'penumbra exponent falloff softness',
+    'Write attenuation="kc kl kq".':
+      'distance range decay radius constant linear quadratic kc kl kq',
     'Write active="false" to turn the light off.': 'enabled disabled off visible',
   },
   'phong-mesh': {
@@ -184,13 +223,17 @@ const GUESSES: Readonly<Record<string, Advice>> = {
   'phong-compare': {
     'CSS sets the size: write style="width: …; height: …".': 'width height size',
     'Write layout="split" or layout="side".': 'mode type kind',
-    'Write at="…": where the divider is, in percent.': 'position pos value start offset percent split divider',
+    'Write at="…": where the divider is, in percent.':
+      'position pos value start offset percent split divider',
     'Write direction="vertical" for viewers from top to bottom.': 'vertical orientation axis',
     'Write labels="…", separated by commas.': 'label names captions titles',
   },
 };
 
-/** HTML's global attributes without a `-`, and those of RDFa, even if they resemble a name of this package. */
+/**
+ * HTML's global attributes without a `-`, and those of RDFa, even if they resemble a name of this
+ * package.
+ */
 const GLOBAL = new Set(
   (
     'accesskey anchor autocapitalize autocorrect autofocus class contenteditable contextmenu dir draggable ' +
@@ -200,18 +243,26 @@ const GLOBAL = new Set(
   ).split(' '),
 );
 
-/** What to write instead of `attribute` on `tag`; undefined if it is probably no mistake. `known`: by tag. */
+/**
+ * What to write instead of `attribute` on `tag`; undefined if it is probably no mistake. `known`:
+ * by tag.
+ */
 export function attributeAdvice(
   tag: string,
   attribute: string,
   known: ReadonlyMap<string, readonly string[]>,
 ): string | undefined {
   if (GLOBAL.has(attribute)) return undefined;
-  for (const [advice, guesses] of Object.entries(GUESSES[tag] ?? {}))
+  for (const [advice, guesses] of Object.entries(GUESSES[tag] ?? {})) {
     if (guesses.split(' ').includes(attribute)) return advice;
-  const owners = [...known.keys()].filter((other) => known.get(other)?.includes(attribute) === true);
+  }
+  const owners = [...known.keys()].filter(
+    (other) => known.get(other)?.includes(attribute) === true,
+  );
   // A viewer's `name` may be the page's own.
-  if (owners.length > 0 && attribute !== 'name') return `It belongs to <${owners.join('> and <')}>.`;
+  if (owners.length > 0 && attribute !== 'name') {
+    return `It belongs to <${owners.join('> and <')}>.`;
+  }
   const meant = nearest(attribute, known.get(tag) ?? []);
   return meant === undefined ? undefined : `Did you mean ${meant}?`;
 }

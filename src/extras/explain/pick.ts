@@ -1,5 +1,13 @@
-// Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64.
-import { type Intersection, Matrix3, type Object3D, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
+// Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the
+// pixel's ray, in float64.
+import {
+  type Intersection,
+  Matrix3,
+  type Object3D,
+  type PerspectiveCamera,
+  Raycaster,
+  Vector3,
+} from 'three';
 import { cullsBackFaces } from '../../phong/material/back-faces.js';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import { normalMatrix } from '../../phong/material/normal-matrix.js';
@@ -33,18 +41,29 @@ export interface Hit<Owner = unknown> extends TriangleHit {
 }
 
 /**
- * The point seen through the centre of a device pixel, counted from the top left corner; fractions are places beside
- * the centre. Null if there is none, or if a page author's own mesh or sprite is nearer; lines, points and culled back
- * faces are ignored. Of blended surfaces the nearest counts, whatever its opacity.
+ * The point seen through the centre of a device pixel, counted from the top left corner; fractions
+ * are places beside the centre. Null if there is none, or if a page author's own mesh or sprite is
+ * nearer; lines, points and culled back faces are ignored. Of blended surfaces the nearest counts,
+ * whatever its opacity.
  */
-export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
+export function pick<Owner>(
+  snapshot: SceneSnapshot<Owner>,
+  column: number,
+  row: number,
+): Hit<Owner> | null {
   const { width, height, camera, frame } = snapshot;
   if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
   const { near, far, aspect } = camera;
   const tan = Math.tan(radians(camera.fov) / 2);
   const across = (column + 0.5) / width;
   const down = (row + 0.5) / height;
-  const ray: ViewRay = { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
+  const ray: ViewRay = {
+    frame,
+    slopeX: (2 * across - 1) * tan * aspect,
+    slopeY: (1 - 2 * down) * tan,
+    near,
+    far,
+  };
   const pixel: PixelSlopes = [(2 * tan * aspect) / width, (-2 * tan) / height];
   let nearest: Hit<Owner> | null = null;
   let depth = Infinity;
@@ -53,41 +72,60 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
   for (const drawn of snapshot.objects) {
     if (drawn.phong !== null) {
       for (const hit of phongHits(drawn, ray, camera, pixel)) {
-        if (hit.base.discarded) cutOut = hit.filtered ? Math.min(cutOut, hit.depth) : cutOut;
+        if (hit.base.discarded) {
+          cutOut = hit.filtered ? Math.min(cutOut, hit.depth) : cutOut;
+        }
         // As the depth test does: of two at the same depth the later one stays.
-        else if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
+        else if (hit.depth <= depth * (1 + COPLANAR)) {
+          ({ depth } = nearest = hit);
+        }
       }
     } else {
       const foreign = foreignDepth(drawn.object, camera, ray);
-      if (foreign < depth) [nearest, depth] = [null, foreign];
+      if (foreign < depth) {
+        [nearest, depth] = [null, foreign];
+      }
     }
   }
   return nearest === null || cutOut > depth ? nearest : { ...nearest, filtered: true };
 }
 
-/** Distance of the nearest surface of any mesh from a place along a unit vector in world space, or Infinity. */
+/**
+ * Distance of the nearest surface of any mesh from a place along a unit vector in world space, or
+ * Infinity.
+ */
 export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3): number {
   const ray = rayAlong(from, ORIGIN, along);
   let nearest = Infinity;
   for (const drawn of snapshot.objects) {
-    if (drawn.phong === null) nearest = Math.min(nearest, foreignDepth(drawn.object, snapshot.camera, ray));
-    else
+    if (drawn.phong === null) {
+      nearest = Math.min(nearest, foreignDepth(drawn.object, snapshot.camera, ray));
+    } else {
       forEachSurface(drawn, ray, ({ depth }, { discarded }) => {
-        if (!discarded) nearest = Math.min(nearest, depth);
+        if (!discarded) {
+          nearest = Math.min(nearest, depth);
+        }
       });
+    }
   }
   return nearest;
 }
 
-/** Of all surfaces on the line from the eye through a point, drawn or not, the nearest to it; null if none is near. */
-export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point: Vec3): Hit<Owner> | null {
+/**
+ * Of all surfaces on the line from the eye through a point, drawn or not, the nearest to it; null
+ * if none is near.
+ */
+export function pickNear<Owner>(
+  { frame, objects }: SceneSnapshot<Owner>,
+  point: Vec3,
+): Hit<Owner> | null {
   const place = subtract(point, frame.origin);
   const toPoint = subtract(place, frame.eye);
   const along = normalize(toPoint);
   let nearest: Hit<Owner> | null = null;
   let distance = NEAR * length(toPoint);
-  for (const drawn of objects)
-    if (drawn.phong !== null)
+  for (const drawn of objects) {
+    if (drawn.phong !== null) {
       forEachSurface(drawn, rayAlong(frame.origin, frame.eye, along), (hit, base) => {
         const p = add(frame.eye, scale(along, hit.depth));
         const away = length(subtract(p, place));
@@ -95,6 +133,8 @@ export function pickNear<Owner>({ frame, objects }: SceneSnapshot<Owner>, point:
         nearest = { ...hit, drawn, base, filtered: false, frame, p };
         distance = away;
       });
+    }
+  }
   return nearest;
 }
 
@@ -138,7 +178,10 @@ function forEachSurface(
 ): void {
   const { index, drawRange } = geometry;
   const count = (index ?? geometry.getAttribute('position')).count;
-  const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
+  const range = [
+    Math.max(drawRange.start, 0),
+    Math.min(drawRange.start + drawRange.count, count),
+  ] as const;
   forEachHit(ray, geometry, matrixWorld, range, (hit) =>
     visit(hit, baseColorAt(phong.look, geometry, hit, phong.linear)),
   );
@@ -147,7 +190,10 @@ function forEachSurface(
 const directionOf = ({ frame: { right, up, back }, slopeX, slopeY }: ViewRay): Vec3 =>
   subtract(add(scale(right, slopeX), scale(up, slopeY)), back);
 
-/** Depth of a page author's own mesh or sprite, by three.js's raycaster; Infinity where it is not hit. */
+/**
+ * Depth of a page author's own mesh or sprite, by three.js's raycaster; Infinity where it is not
+ * hit.
+ */
 function foreignDepth(object: Object3D, camera: PerspectiveCamera, ray: ViewRay): number {
   const { isMesh, isSprite } = object as { isMesh?: boolean; isSprite?: boolean };
   if (isMesh !== true && isSprite !== true) return Infinity;
@@ -161,7 +207,9 @@ function foreignDepth(object: Object3D, camera: PerspectiveCamera, ray: ViewRay)
   let nearest = Infinity;
   for (const { point } of hits) {
     const depth = -dot(subtract(subtract(point.toArray(), frame.origin), frame.eye), frame.back);
-    if (depth >= ray.near && depth <= ray.far) nearest = Math.min(nearest, depth);
+    if (depth >= ray.near && depth <= ray.far) {
+      nearest = Math.min(nearest, depth);
+    }
   }
   return nearest;
 }
@@ -172,16 +220,26 @@ export interface Corner {
   readonly p: Vec3;
   /** Unit length, or zero; flipped on back faces. */
   readonly N: Vec3;
-  /** Unit, along the u of a normal map; w is the side of its v. Null where the geometry has none. Not flipped. */
+  /**
+   * Unit, along the u of a normal map; w is the side of its v. Null where the geometry has none.
+   * Not flipped.
+   */
   readonly tangent: Vec4 | null;
 }
 
 /** The corners of the triangle that was hit, as the vertex shader computes them. */
-export function cornersOf({ drawn, corners, front, frame }: Hit): readonly [Corner, Corner, Corner] {
+export function cornersOf({
+  drawn,
+  corners,
+  front,
+  frame,
+}: Hit): readonly [Corner, Corner, Corner] {
   const { geometry, matrixWorld } = drawn;
   const toShading = matrixWorld.clone();
   const e = toShading.elements;
-  for (let i = 0; i < 3; i++) e[12 + i]! -= frame.origin[i]!;
+  for (let i = 0; i < 3; i++) {
+    e[12 + i]! -= frame.origin[i]!;
+  }
   const turn = new Matrix3();
   normalMatrix(toShading, turn);
   const place = geometry.getAttribute('position');
@@ -197,8 +255,14 @@ export function cornersOf({ drawn, corners, front, frame }: Hit): readonly [Corn
   const corner = (vertex: number): Corner => {
     const p = new Vector3().fromBufferAttribute(place, vertex).applyMatrix4(toShading);
     const N = new Vector3();
-    if (normal !== null) N.fromBufferAttribute(normal, vertex).applyMatrix3(turn);
-    return { p: p.toArray(), N: scale(normalize(N.toArray()), front ? 1 : -1), tangent: tangentOf(vertex) };
+    if (normal !== null) {
+      N.fromBufferAttribute(normal, vertex).applyMatrix3(turn);
+    }
+    return {
+      p: p.toArray(),
+      N: scale(normalize(N.toArray()), front ? 1 : -1),
+      tangent: tangentOf(vertex),
+    };
   };
   return [corner(corners[0]), corner(corners[1]), corner(corners[2])];
 }

@@ -1,5 +1,6 @@
-// Where a ray meets a geometry's triangles, in float64. In a space whose third axis is the ray, neighbours leave
-// no gap and no matrix is inverted (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
+// Where a ray meets a geometry's triangles, in float64. In a space whose third axis is the ray,
+// neighbours leave no gap and no matrix is inverted (Woop, Benthin, Wald, "Watertight Ray/Triangle
+// Intersection", JCGT 2(1), 2013).
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import { dot, scale, type Vec3 } from '../../phong/math/vector.js';
@@ -11,7 +12,9 @@ export interface ViewRay {
   readonly frame: ShadingFrame;
   readonly slopeX: number;
   readonly slopeY: number;
-  /** Depths between which anything is drawn, measured along the view direction, not along the ray. */
+  /**
+   * Depths between which anything is drawn, measured along the view direction, not along the ray.
+   */
   readonly near: number;
   readonly far: number;
 }
@@ -26,14 +29,19 @@ export interface TriangleHit {
   readonly depth: number;
   /** Seen from the front: the corners appear counter-clockwise. */
   readonly front: boolean;
-  /** Each corner's distance right of the ray and above it, at the corner's depth, and that depth. */
+  /**
+   * Each corner's distance right of the ray and above it, at the corner's depth, and that depth.
+   */
   readonly rayPlaces: readonly [Vec3, Vec3, Vec3];
 }
 
 /** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
 type MatrixRow = readonly [number, number, number, number];
 
-/** Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in drawing order. */
+/**
+ * Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in
+ * drawing order.
+ */
 export function forEachHit(
   ray: ViewRay,
   geometry: BufferGeometry,
@@ -76,8 +84,9 @@ export function forEachHit(
     }
   };
   // Runs begin at whole triangles of the index.
-  if (first % 3 !== 0) test(first, end);
-  else {
+  if (first % 3 !== 0) {
+    test(first, end);
+  } else {
     queryBvh(geometry, {
       meets: (boxes, at) => hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at),
       visit: (from, to) => test(Math.max(from, first), Math.min(to, end)),
@@ -85,9 +94,14 @@ export function forEachHit(
   }
 }
 
-/** The weights where a ray whose slopes are larger by x and y meets the triangle's plane, inside it or not. */
+/**
+ * The weights where a ray whose slopes are larger by x and y meets the triangle's plane, inside it
+ * or not.
+ */
 export function weightsBeside({ rayPlaces }: TriangleHit, x: number, y: number): Vec3 {
-  const [a, b, c] = rayPlaces.map(([right, up, depth]) => [right - x * depth, up - y * depth] as const);
+  const [a, b, c] = rayPlaces.map(
+    ([right, up, depth]) => [right - x * depth, up - y * depth] as const,
+  );
   const beside = areas(...a!, ...b!, ...c!);
   return scale(beside, 1 / (beside[0] + beside[1] + beside[2]));
 }
@@ -99,9 +113,19 @@ const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: n
   ax * by - ay * bx,
 ];
 
-/** Vertex to ray space: right of the ray, above it, depth. The eye is subtracted first: far scenes stay exact. */
-function rowsOf({ frame, slopeX, slopeY }: ViewRay, { elements }: Matrix4): readonly [MatrixRow, MatrixRow, MatrixRow] {
-  const m = writeModelViewProjection({ frame, slopeX: 1, slopeY: 1 }, elements, new Float64Array(12));
+/**
+ * Vertex to ray space: right of the ray, above it, depth. The eye is subtracted first: far scenes
+ * stay exact.
+ */
+function rowsOf(
+  { frame, slopeX, slopeY }: ViewRay,
+  { elements }: Matrix4,
+): readonly [MatrixRow, MatrixRow, MatrixRow] {
+  const m = writeModelViewProjection(
+    { frame, slopeX: 1, slopeY: 1 },
+    elements,
+    new Float64Array(12),
+  );
   const row = (at: number, slope: number): MatrixRow => {
     const of = (i: number): number => m[at + i]! - slope * m[8 + i]!;
     return [of(0), of(1), of(2), of(3)];
@@ -115,7 +139,9 @@ function hasZero(row: MatrixRow, boxes: BoxList, at: number): boolean {
   const y = row[1] * boxes[at + 1]!;
   const z = row[2] * boxes[at + 2]!;
   const extent =
-    Math.abs(row[0]) * boxes[at + 3]! + Math.abs(row[1]) * boxes[at + 4]! + Math.abs(row[2]) * boxes[at + 5]!;
+    Math.abs(row[0]) * boxes[at + 3]! +
+    Math.abs(row[1]) * boxes[at + 4]! +
+    Math.abs(row[2]) * boxes[at + 5]!;
   // Far more than the roundings of float64 at a vertex, 1e-16 of each product.
   const slack = 1e-12 * (extent + Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(row[3]));
   return !(Math.abs(x + y + z + row[3]) > extent + slack);

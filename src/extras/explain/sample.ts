@@ -1,5 +1,6 @@
-// The value of a magnified texture, or of a vertex attribute, at a point of a triangle. Textures are filtered and
-// wrapped by their own settings, in float64, without mipmaps: levels are up to the GPU's driver.
+// The value of a magnified texture, or of a vertex attribute, at a point of a triangle. Textures
+// are filtered and wrapped by their own settings, in float64, without mipmaps: levels are up to the
+// GPU's driver.
 import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,
@@ -20,7 +21,9 @@ export function sampleTexture(texels: Texels, map: Sampler, u: number, v: number
   const y = (map.flipY ? 1 - v : v) * texels.height;
   const column = (i: number): number => wrap(i, texels.width, map.wrapS);
   const row = (j: number): number => wrap(j, texels.height, map.wrapT);
-  if (map.magFilter === NearestFilter) return texel(texels, column(Math.floor(x)), row(Math.floor(y)));
+  if (map.magFilter === NearestFilter) {
+    return texel(texels, column(Math.floor(x)), row(Math.floor(y)));
+  }
   const [i, j] = [Math.floor(x - 0.5), Math.floor(y - 0.5)];
   const [right, below] = [x - 0.5 - i, y - 0.5 - j];
   const line = (at: number): Vec4 =>
@@ -56,8 +59,16 @@ export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: Triang
 type TrianglePoint = Pick<TriangleHit, 'corners' | 'weights'>;
 
 /** u, v after the texture's transform. */
-function coordinatesAt({ channel, matrix }: Texture, geometry: BufferGeometry, place: TrianglePoint): [number, number] {
-  const [u = 0, v = 0] = interpolated(geometry, channel === 0 ? 'uv' : `uv${String(channel)}`, place);
+function coordinatesAt(
+  { channel, matrix }: Texture,
+  geometry: BufferGeometry,
+  place: TrianglePoint,
+): [number, number] {
+  const [u = 0, v = 0] = interpolated(
+    geometry,
+    channel === 0 ? 'uv' : `uv${String(channel)}`,
+    place,
+  );
   const m = matrix.elements;
   return [m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]];
 }
@@ -66,12 +77,16 @@ function coordinatesAt({ channel, matrix }: Texture, geometry: BufferGeometry, p
 export type PixelSlopes = readonly [across: number, down: number];
 
 /**
- * Texels in a pixel from which on several of them are averaged; more than 1 by the rounding of a texture that is drawn
- * at its own size. A level that is so much too coarse is 0.2 codes off between black and white.
+ * Texels in a pixel from which on several of them are averaged; more than 1 by the rounding of a
+ * texture that is drawn at its own size. A level that is so much too coarse is 0.2 codes off
+ * between black and white.
  */
 const MOST_TEXELS = 1.001;
 
-/** Whether the GPU averages texels at the hit: the texture is drawn smaller than it is, with another filter. */
+/**
+ * Whether the GPU averages texels at the hit: the texture is drawn smaller than it is, with another
+ * filter.
+ */
 export function isMinified(
   texture: Texture,
   geometry: BufferGeometry,
@@ -92,14 +107,19 @@ export function isMinified(
   return [1, -1].some((side) => {
     const [a, b] = texelsTo(side * across, 0);
     const [c, d] = texelsTo(0, side * down);
-    // The larger singular value: no step as long as a pixel's side crosses more, whatever its direction.
+    // The larger singular value: no step as long as a pixel's side crosses more, whatever its
+    // direction.
     const most = (Math.hypot(a + d, b - c) + Math.hypot(a - d, b + c)) / 2;
     return !(most <= MOST_TEXELS);
   });
 }
 
 /** A vertex attribute at the hit; empty if the geometry lacks it. */
-export function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: TrianglePoint): number[] {
+export function interpolated(
+  geometry: BufferGeometry,
+  name: string,
+  { corners, weights }: TrianglePoint,
+): number[] {
   if (!geometry.hasAttribute(name)) return [];
   const attribute = geometry.getAttribute(name);
   return Array.from({ length: attribute.itemSize }, (_, c) =>
@@ -121,18 +141,24 @@ type Image = TexImageSource & { readonly width: number; readonly height: number 
 const read = new WeakMap<object, Texels>();
 
 function texelsOf(map: Texture): Texels {
-  if ((map as { isCompressedTexture?: boolean }).isCompressedTexture === true)
+  if ((map as { isCompressedTexture?: boolean }).isCompressedTexture === true) {
     throw new Error('compressed textures cannot be read');
+  }
   const image = map.image as Image;
   const known = read.get(image) ?? readTexels(image);
   read.set(image, known);
   return known;
 }
 
-/** By a context of its own: a 2D canvas would premultiply alpha, and lose the colour of transparent texels. */
+/**
+ * By a context of its own: a 2D canvas would premultiply alpha, and lose the colour of transparent
+ * texels.
+ */
 function readTexels(image: Image): Texels {
   const gl = document.createElement('canvas').getContext('webgl2');
-  if (gl === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context to read a texture with');
+  if (gl === null) {
+    throw new NoWebGL2Error('this browser gives no WebGL 2 context to read a texture with');
+  }
   try {
     return readThrough(gl, image);
   } finally {
@@ -150,7 +176,8 @@ function readThrough(gl: WebGL2RenderingContext, image: Image): Texels {
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
-  if (gl.getError() !== gl.NO_ERROR)
+  if (gl.getError() !== gl.NO_ERROR) {
     throw new Error(`a texture of ${String(width)} × ${String(height)} texels cannot be read`);
+  }
   return { width, height, data };
 }

@@ -1,5 +1,5 @@
-// Explains one fragment of a viewer's picture, with each light's terms by the equation in float64: at the fragment, or
-// under Gouraud shading at the triangle's corners, interpolated.
+// Explains one fragment of a viewer's picture, with each light's terms by the equation in float64:
+// at the fragment, or under Gouraud shading at the triangle's corners, interpolated.
 import type { Mesh } from 'three';
 import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { add, map, scale, subtract, type Vec3, type Vec4 } from '../../phong/math/vector.js';
@@ -12,7 +12,10 @@ import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
 import type { PhongLight, PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
 import type { FragmentExplanation, ShadeOptions } from '../../viewer/element/explanation.js';
 
-/** What is explained, copied at the call: this code may have to be fetched, and the scene changes meanwhile. */
+/**
+ * What is explained, copied at the call: this code may have to be fetched, and the scene changes
+ * meanwhile.
+ */
 export interface ViewerSnapshot {
   /** Null while the picture has no box on the page. */
   readonly scene: SceneSnapshot<PhongMesh | PhongViewer> | null;
@@ -42,10 +45,16 @@ export async function shadeAt(
 }
 
 /** The same of a point in world space. */
-export async function explain({ scene, lights }: ViewerSnapshot, point: unknown): Promise<FragmentExplanation | null> {
-  if (!Array.isArray(point) || point.length !== 3 || !point.every((x) => typeof x === 'number'))
+export async function explain(
+  { scene, lights }: ViewerSnapshot,
+  point: unknown,
+): Promise<FragmentExplanation | null> {
+  if (!Array.isArray(point) || point.length !== 3 || !point.every((x) => typeof x === 'number')) {
     throw new TypeError(`explain: expected a point of three numbers, got ${String(point)}`);
-  if (!point.every(Number.isFinite)) throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
+  }
+  if (!point.every(Number.isFinite)) {
+    throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
+  }
   return explained(scene === null ? null : pickNear(scene, point as unknown as Vec3), lights);
 }
 
@@ -88,10 +97,17 @@ async function explained(
   });
 }
 
-/** The device pixel at CSS pixel `at`; the GPU draws the fragment at its centre. `exact`: the place from there. */
+/**
+ * The device pixel at CSS pixel `at`; the GPU draws the fragment at its centre. `exact`: the place
+ * from there.
+ */
 function pixel(name: string, at: unknown, size: number, pixels: number, exact: boolean): number {
-  if (typeof at !== 'number') throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
-  if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
+  if (typeof at !== 'number') {
+    throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
+  }
+  if (!Number.isFinite(at)) {
+    throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
+  }
   const place = (at * pixels) / size;
   return exact ? place - 0.5 : Math.floor(place);
 }
@@ -107,7 +123,10 @@ const frozenVectors = (share: LightShare): LightShare => ({
   specular: frozen(share.specular),
 });
 
-/** The surface at a hit, and what the picture shows there. Lights are relative to the frame's origin, like the hit. */
+/**
+ * The surface at a hit, and what the picture shows there. Lights are relative to the frame's
+ * origin, like the hit.
+ */
 function shadeHit(
   equation: Pick<typeof Reference, 'shade' | 'sumOf'>,
   hit: Hit,
@@ -119,12 +138,14 @@ function shadeHit(
   const surface = surfaceAt(phong, geometry, hit, hit.base);
   const { style, linear } = phong;
   const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
-  const at = (p: Vec3, normal: Vec3): Shaded => equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
+  const at = (p: Vec3, normal: Vec3): Shaded =>
+    equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
   const [a, b, c] = corners;
   const N = weighted(weights, [a.N, b.N, c.N]);
   const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));
   if (style.shading !== 'gouraud') return { surface, shaded: here };
-  // Only terms and sum come from the corners, which use the fragment's base colour, so that it is not interpolated.
+  // Only terms and sum come from the corners, which use the fragment's base colour, so that it is
+  // not interpolated.
   const shaded = [at(a.p, a.N), at(b.p, b.N), at(c.p, c.N)] as const;
   const shares = here.shares.map((share, i) => {
     if (share === null) return null;
@@ -132,12 +153,20 @@ function shadeHit(
       const [x, y, z] = shaded;
       return weighted(weights, [x.shares[i]![name], y.shares[i]![name], z.shares[i]![name]]);
     };
-    return { ...share, ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
+    return {
+      ...share,
+      ambient: term('ambient'),
+      diffuse: term('diffuse'),
+      specular: term('specular'),
+    };
   });
   return { surface, shaded: { ...here, shares, ...equation.sumOf(shares, surface, linear) } };
 }
 
-/** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
+/**
+ * A light with its position relative to `origin`: subtracting first keeps precision far from the
+ * world's origin.
+ */
 function relative(values: LightValues, origin: Vec3): LightValues {
   const [x, y, z, w] = values.position;
   if (w === 0 || values.space === 'camera') return values;
@@ -150,6 +179,7 @@ const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =
 function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
   const [a, b, c] = corners.map(({ tangent }) => tangent);
   if (!a || !b || !c) return null;
-  const mix = (i: 0 | 1 | 2 | 3): number => a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];
+  const mix = (i: 0 | 1 | 2 | 3): number =>
+    a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];
   return [mix(0), mix(1), mix(2), mix(3)];
 }

@@ -1,4 +1,5 @@
-// A file's surface values at one point, with its textures: in float64, as phong.frag.glsl computes them.
+// A file's surface values at one point, with its textures: in float64, as phong.frag.glsl computes
+// them.
 import type { BufferGeometry, Texture } from 'three';
 import {
   type BaseLook,
@@ -9,7 +10,17 @@ import {
 } from '../../phong/material/file-surface.js';
 import type { SurfaceValues } from '../../phong/material/material-values.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
-import { add, cross, map, multiply, negate, normalize, scale, type Vec3, type Vec4 } from '../../phong/math/vector.js';
+import {
+  add,
+  cross,
+  map,
+  multiply,
+  negate,
+  normalize,
+  scale,
+  type Vec3,
+  type Vec4,
+} from '../../phong/math/vector.js';
 import type { DrawnLook } from '../../viewer/scene/scene-snapshot.js';
 import type { TriangleHit } from './ray-triangles.js';
 import { interpolated, isMinified, type PixelSlopes, sampleAt } from './sample.js';
@@ -33,7 +44,10 @@ export function surfaceAt(
   const { unlit, emissiveMap, metalRoughMap, roughness } = look;
   const metalRough = metalRoughMap === null ? WHITE : texelAt(metalRoughMap, geometry, hit);
   const varies = metalRoughMap !== null && style.shading !== 'gouraud';
-  const shininess = roughness !== null && varies ? exponentOfRoughness(roughness * metalRough[1]) : surface.shininess;
+  const shininess =
+    roughness !== null && varies
+      ? exponentOfRoughness(roughness * metalRough[1])
+      : surface.shininess;
   const light = emissiveMap === null ? WHITE : texelAt(emissiveMap, geometry, hit);
   const emissive = linear
     ? map(multiply(map(look.emissive, srgbDecode), map(light, srgbDecode)), srgbEncode)
@@ -66,7 +80,9 @@ export function isFiltered(
   return textures.some((texture) => texture !== null && isMinified(texture, geometry, hit, pixel));
 }
 
-/** N by the normal map, if any; `N` and `tangent` are those of the visible side, in shading space. */
+/**
+ * N by the normal map, if any; `N` and `tangent` are those of the visible side, in shading space.
+ */
 export function mappedNormalAt(
   { look, style }: DrawnLook,
   geometry: BufferGeometry,
@@ -100,10 +116,19 @@ export interface BaseColor {
   readonly discarded: boolean;
 }
 
-/** Colour, texture and vertex colours multiplied: under `linear` decoded before and encoded after. */
-export function baseColorAt(look: BaseLook, geometry: BufferGeometry, hit: TriangleHit, linear: boolean): BaseColor {
+/**
+ * Colour, texture and vertex colours multiplied: under `linear` decoded before and encoded after.
+ */
+export function baseColorAt(
+  look: BaseLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  linear: boolean,
+): BaseColor {
   const factors: Vec4[] = [[...look.baseColor, look.opacity]];
-  if (look.map !== null) factors.push(sampleAt(look.map, geometry, hit));
+  if (look.map !== null) {
+    factors.push(sampleAt(look.map, geometry, hit));
+  }
   if (look.vertexColors) {
     const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit);
     factors.push([r, g, b, a]);

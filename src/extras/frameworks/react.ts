@@ -1,7 +1,7 @@
 /**
- * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client.
- * Values are written as the text of attributes: React omits arrays and `false` from a server's markup and does not set
- * them when it hydrates.
+ * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and
+ * on the client. Values are written as the text of attributes: React omits arrays and `false` from
+ * a server's markup and does not set them when it hydrates.
  */
 import {
   createElement,
@@ -26,22 +26,35 @@ export type PhongControlElement = elements.PhongControl;
 
 export type PhongLightProps = ComponentProps<elements.PhongLightProps, object>;
 export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.PhongMeshEventMap>;
-export type PhongViewerProps = ComponentProps<elements.PhongViewerProps, elements.PhongViewerEventMap>;
+export type PhongViewerProps = ComponentProps<
+  elements.PhongViewerProps,
+  elements.PhongViewerEventMap
+>;
 
-export type PhongCompareProps = ComponentProps<elements.PhongCompareProps, elements.PhongCompareEventMap>;
+export type PhongCompareProps = ComponentProps<
+  elements.PhongCompareProps,
+  elements.PhongCompareEventMap
+>;
 
 /**
- * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default.
+ * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null`
+ * restores a default.
  */
-export const PhongLight: Component<PhongLightProps> = component('phong-light', elements.PhongLight.observedAttributes);
+export const PhongLight: Component<PhongLightProps> = component(
+  'phong-light',
+  elements.PhongLight.observedAttributes,
+);
 
 /** `<phong-mesh>`, as {@link PhongLight}, with the events `onLoad` and `onError`. */
-export const PhongMesh: Component<PhongMeshProps> = component('phong-mesh', elements.PhongMesh.observedAttributes);
+export const PhongMesh: Component<PhongMeshProps> = component(
+  'phong-mesh',
+  elements.PhongMesh.observedAttributes,
+);
 
 /**
- * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`,
- * `onProbeChange`, `onAnswer` and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but
- * `ref.current.loaded` is true.
+ * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`,
+ * `onCameraChange`, `onLightChange`, `onProbeChange`, `onAnswer` and `onRender`. A model may load
+ * before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
  */
 export const PhongViewer: Component<PhongViewerProps> = component(
   'phong-viewer',
@@ -49,7 +62,8 @@ export const PhongViewer: Component<PhongViewerProps> = component(
 );
 
 /**
- * `<phong-compare>`, as {@link PhongLight}, with the event `onDividerChange`. Its children are {@link PhongViewer}s.
+ * `<phong-compare>`, as {@link PhongLight}, with the event `onDividerChange`. Its children are
+ * {@link PhongViewer}s.
  */
 export const PhongCompare: Component<PhongCompareProps> = component(
   'phong-compare',
@@ -62,7 +76,16 @@ export type PhongControlProps = ComponentProps<elements.PhongControlProps, objec
 export const PhongControl: Component<PhongControlProps> = component(
   'phong-control',
   // Written out: the table of fields would bring its code.
-  ['for', 'attribute', 'component', 'values', 'min', 'max', 'step', 'type'] satisfies (keyof ControlValues)[],
+  [
+    'for',
+    'attribute',
+    'component',
+    'values',
+    'min',
+    'max',
+    'step',
+    'type',
+  ] satisfies (keyof ControlValues)[],
 );
 
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */
@@ -97,24 +120,37 @@ function component<P extends object>(tag: string, attributes: readonly string[])
       const attribute = attributeOf(name);
       const text = isValue.has(attribute) ? attributeText(value) : undefined;
       if (type !== undefined) {
-        if (typeof value === 'function') handlers.push([type, value as EventListener]);
-      } else if (text !== undefined) rendered[attributeProp(attribute)] = text;
+        if (typeof value === 'function') {
+          handlers.push([type, value as EventListener]);
+        }
+      } else if (text !== undefined) {
+        rendered[attributeProp(attribute)] = text;
+      }
       // React 18 knows no className on custom elements.
-      else rendered[name === 'className' ? 'class' : name] = value;
+      else {
+        rendered[name === 'className' ? 'class' : name] = value;
+      }
     }
     useImperativeHandle(ref, () => element.current, []);
-    // A property without an attribute: React 18 would write one, and no version sets it when it hydrates.
+    // A property without an attribute: React 18 would write one, and no version sets it when it
+    // hydrates.
     for (const name of OWN_PROPS) {
       const value: unknown = Reflect.get(props, name);
       useClientEffect(() => {
-        if (element.current !== null && name in element.current) Reflect.set(element.current, name, value);
+        if (element.current !== null && name in element.current) {
+          Reflect.set(element.current, name, value);
+        }
       }, [value]);
     }
     useClientEffect(() => {
       const target = element.current;
-      for (const [type, handler] of handlers) target?.addEventListener(type, handler);
+      for (const [type, handler] of handlers) {
+        target?.addEventListener(type, handler);
+      }
       return () => {
-        for (const [type, handler] of handlers) target?.removeEventListener(type, handler);
+        for (const [type, handler] of handlers) {
+          target?.removeEventListener(type, handler);
+        }
       };
     });
     return createElement(tag, rendered);
@@ -126,20 +162,22 @@ function component<P extends object>(tag: string, attributes: readonly string[])
 const onServer = typeof document === 'undefined';
 
 /**
- * Runs in the task that inserts or hydrates an element, before its events. React 18 warns of layout effects on servers.
+ * Runs in the task that inserts or hydrates an element, before its events. React 18 warns of layout
+ * effects on servers.
  */
 const useClientEffect = onServer ? useEffect : useLayoutEffect;
 
 /**
- * The prop that React writes as this attribute. Where an element has a property of a prop's exact name, React would
- * write the property, which throws for a bad value and leaves the server's attribute as it was. Attribute names ignore
- * case.
+ * The prop that React writes as this attribute. Where an element has a property of a prop's exact
+ * name, React would write the property, which throws for a bad value and leaves the server's
+ * attribute as it was. Attribute names ignore case.
  */
-const attributeProp = (attribute: string): string => (onServer ? attribute : attribute.toUpperCase());
+const attributeProp = (attribute: string): string =>
+  onServer ? attribute : attribute.toUpperCase();
 
 /**
- * Lists become words separated by spaces, texts that may contain some by commas. Null removes the attribute; undefined:
- * the value has no text (a file).
+ * Lists become words separated by spaces, texts that may contain some by commas. Null removes the
+ * attribute; undefined: the value has no text (a file).
  */
 function attributeText(value: unknown): string | null | undefined {
   if (Array.isArray(value) || ArrayBuffer.isView(value)) {

@@ -1,8 +1,10 @@
-// What templates of React, Solid, Svelte and Vue accept on the elements: every value under its property's and its
-// attribute's name, and the element's own events. Derived from the interfaces behind the tables of fields. Types only.
+// What templates of React, Solid, Svelte and Vue accept on the elements: every value under its
+// property's and its attribute's name, and the element's own events. Derived from the interfaces
+// behind the tables of fields. Types only.
 
-// No framework is a dependency. Without it, or without its types, its import is an error that must not reach users of
-// this package, and its types below are unused. With it they need no import of their own.
+// No framework is a dependency. Without it, or without its types, its import is an error that must
+// not reach users of this package, and its types below are unused. With it they need no import of
+// their own.
 /* oxlint-disable typescript/ban-ts-comment, typescript/no-namespace, typescript/no-empty-object-type */
 /** @ts-ignore */
 import type { ClassAttributes, HTMLAttributes } from 'react';
@@ -14,8 +16,18 @@ import type { HTMLAttributes as SvelteAttributes } from 'svelte/elements';
 import type { HTMLAttributes as VueAttributes, PublicProps } from 'vue';
 import type { LightValues } from '../../phong/light/light-state.js';
 import type { MeshValues } from '../../viewer/scene/mesh/mesh-fields.js';
-import type { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
-import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from '../../viewer/element/events.js';
+import type {
+  PhongCompare,
+  PhongControl,
+  PhongLight,
+  PhongMesh,
+  PhongViewer,
+} from '../../viewer/element/elements.js';
+import type {
+  PhongCompareEventMap,
+  PhongMeshEventMap,
+  PhongViewerEventMap,
+} from '../../viewer/element/events.js';
 import type { CompareValues } from '../../viewer/element/fields/compare-fields.js';
 import type { ControlValues } from '../panel/control-fields.js';
 import type { Inputs } from '../../viewer/element/fields/properties.js';
@@ -25,15 +37,30 @@ import type { ViewerValues } from '../../viewer/element/fields/viewer-fields.js'
 /** `properties`: those without an attribute. */
 interface Elements {
   'phong-light': { element: PhongLight; values: LightValues; properties: object; events: object };
-  'phong-mesh': { element: PhongMesh; values: MeshValues; properties: object; events: PhongMeshEventMap };
+  'phong-mesh': {
+    element: PhongMesh;
+    values: MeshValues;
+    properties: object;
+    events: PhongMeshEventMap;
+  };
   'phong-viewer': {
     element: PhongViewer;
     values: ViewerValues;
     properties: ViewerOwnProps;
     events: PhongViewerEventMap;
   };
-  'phong-compare': { element: PhongCompare; values: CompareValues; properties: object; events: PhongCompareEventMap };
-  'phong-control': { element: PhongControl; values: ControlValues; properties: object; events: object };
+  'phong-compare': {
+    element: PhongCompare;
+    values: CompareValues;
+    properties: object;
+    events: PhongCompareEventMap;
+  };
+  'phong-control': {
+    element: PhongControl;
+    values: ControlValues;
+    properties: object;
+    events: object;
+  };
 }
 
 type AnyElement = Elements[keyof Elements];
@@ -57,7 +84,9 @@ type ValueProps<V> = {
 
 /** Handlers by the events' names, with a prefix such as `on`. */
 type EventProps<Events, Prefix extends string> = {
-  readonly [K in keyof Events & string as `${Prefix}${K}`]?: ((event: Events[K]) => unknown) | undefined;
+  readonly [K in keyof Events & string as `${Prefix}${K}`]?:
+    | ((event: Events[K]) => unknown)
+    | undefined;
 };
 
 /** As frameworks spell events in camel case: `CameraChange` for `camera-change`. */
@@ -67,11 +96,13 @@ type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
 
 /** Handlers such as `onCameraChange` for `camera-change`. */
 export type Handlers<Events> = {
-  readonly [K in keyof Events & string as `on${Pascal<K>}`]?: ((event: Events[K]) => unknown) | undefined;
+  readonly [K in keyof Events & string as `on${Pascal<K>}`]?:
+    | ((event: Events[K]) => unknown)
+    | undefined;
 };
 
-// React 19 sets properties where an element has them, attributes otherwise, and listens to `onload`, `oncamera-change`
-// and so on under the events' own names.
+// React 19 sets properties where an element has them, attributes otherwise, and listens to
+// `onload`, `oncamera-change` and so on under the events' own names.
 
 /** React's own `onLoad` and the like do not receive events that do not bubble. */
 type Unheard<Events> = `on${Capitalize<keyof Events & string>}`;
@@ -81,7 +112,10 @@ type ReactProps<E extends AnyElement> = ValueProps<E['values']> &
   E['properties'] &
   EventProps<E['events'], 'on'> &
   ClassAttributes<E['element']> &
-  Omit<HTMLAttributes<E['element']>, keyof ValueProps<E['values']> | Unheard<E['events']> | 'color'>;
+  Omit<
+    HTMLAttributes<E['element']>,
+    keyof ValueProps<E['values']> | Unheard<E['events']> | 'color'
+  >;
 
 type ReactElements = { [Tag in keyof Elements]: ReactProps<Elements[Tag]> };
 
@@ -92,7 +126,8 @@ export type PhongCompareProps = ReactElements['phong-compare'];
 export type PhongControlProps = ReactElements['phong-control'];
 
 /** Props of a component of `phong-viewer/react` for an element with these props and events. */
-export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events, 'on'>> & Handlers<Events>;
+export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events, 'on'>> &
+  Handlers<Events>;
 
 /** @ts-ignore */
 declare module 'react' {
@@ -101,14 +136,22 @@ declare module 'react' {
   }
 }
 
-// Solid turns an attribute's name into that of a property (`autoRotate` for `auto-rotate`, but `autorotate` for
-// `autoRotate`), except after `prop:` and `attr:`. Handlers are `on:camera-change`.
+// Solid turns an attribute's name into that of a property (`autoRotate` for `auto-rotate`, but
+// `autorotate` for `autoRotate`), except after `prop:` and `attr:`. Handlers are
+// `on:camera-change`.
 
-/** Without `crossorigin`, which Solid would write to a property of that name. `attr:crossorigin` works. */
+/**
+ * Without `crossorigin`, which Solid would write to a property of that name. `attr:crossorigin`
+ * works.
+ */
 type SolidValues<V> = {
   readonly [K in Exclude<keyof V & string, 'crossOrigin'> as AttributeName<K>]?: Inputs<V>[K];
 } & { readonly [K in keyof V & string as `prop:${K}`]?: Inputs<V>[K] } & {
-  readonly [K in keyof V & string as `attr:${AttributeName<K>}`]?: string | number | boolean | undefined;
+  readonly [K in keyof V & string as `attr:${AttributeName<K>}`]?:
+    | string
+    | number
+    | boolean
+    | undefined;
 };
 
 type SolidProperties<P> = P & { readonly [K in keyof P & string as `prop:${K}`]?: P[K] };
@@ -132,7 +175,8 @@ declare module 'solid-js' {
   }
 }
 
-// Svelte, for svelte-check and editors. Handlers are `oncamera-change` or, in older templates, `on:camera-change`.
+// Svelte, for svelte-check and editors. Handlers are `oncamera-change` or, in older templates,
+// `on:camera-change`.
 
 type OwnSvelteProps<E extends AnyElement> = ValueProps<E['values']> &
   E['properties'] &
@@ -154,11 +198,17 @@ declare module 'svelte/elements' {
 /** Vue writes `null` and `undefined` as 0, false or an empty text, not as the default. */
 type Given<Props> = { readonly [K in keyof Props]?: NonNullable<Props[K]> };
 
-type OwnVueProps<E extends AnyElement> = Given<ValueProps<E['values']>> & E['properties'] & Handlers<E['events']>;
+type OwnVueProps<E extends AnyElement> = Given<ValueProps<E['values']>> &
+  E['properties'] &
+  Handlers<E['events']>;
 
-/** A global component, as vue-tsc reads it: its props, and the element that a template ref holds. */
+/**
+ * A global component, as vue-tsc reads it: its props, and the element that a template ref holds.
+ */
 type VueComponent<E extends AnyElement> = new () => E['element'] & {
-  readonly $props: OwnVueProps<E> & Omit<VueAttributes, keyof OwnVueProps<E>> & Omit<PublicProps, keyof OwnVueProps<E>>;
+  readonly $props: OwnVueProps<E> &
+    Omit<VueAttributes, keyof OwnVueProps<E>> &
+    Omit<PublicProps, keyof OwnVueProps<E>>;
 };
 
 type VueComponents = { [Tag in keyof Elements]: VueComponent<Elements[Tag]> };

@@ -1,4 +1,5 @@
-// Bytes out of base64, data: URIs and UTF-16, in slices and mostly in place: large files are never strings.
+// Bytes out of base64, data: URIs and UTF-16, in slices and mostly in place: large files are never
+// strings.
 import { ModelError } from '../../viewer/model/model.js';
 import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';
@@ -9,12 +10,15 @@ import type { Slices } from './slices.js';
 const SLICE = 2 ** 16;
 
 /**
- * Percent-encoded or base64. Decoded here, because fetching one needs `connect-src data:`, which a strict CSP refuses.
- * The type is without parameters, in lower case; by default `text/plain`. @throws ModelError `bad-model`.
+ * Percent-encoded or base64. Decoded here, because fetching one needs `connect-src data:`, which a
+ * strict CSP refuses. The type is without parameters, in lower case; by default `text/plain`.
+ * @throws ModelError `bad-model`.
  */
 export async function decodeDataUri(uri: string, slices: Slices): Promise<FileBytes> {
   const comma = uri.indexOf(',');
-  if (!isDataUri(uri) || comma < 0) throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
+  if (!isDataUri(uri) || comma < 0) {
+    throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
+  }
   // A fragment identifier is not part of the data.
   const end = uri.indexOf('#', comma);
   const { type, base64 } = dataHeader(uri.slice(0, comma));
@@ -51,14 +55,21 @@ const WRONG = 65;
 const VALUES = /* @__PURE__ */ (() => {
   const values = new Uint8Array(256).fill(WRONG);
   const alphabet = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
-  for (let value = 0; value < 64; value += 1) values[alphabet.charCodeAt(value)] = value;
+  for (let value = 0; value < 64; value += 1) {
+    values[alphabet.charCodeAt(value)] = value;
+  }
   // White space, padding, and the backslash that JSON allows before a slash.
-  for (const character of '\t\n\f\r =\\') values[character.charCodeAt(0)] = SKIPPED;
+  for (const character of '\t\n\f\r =\\') {
+    values[character.charCodeAt(0)] = SKIPPED;
+  }
   return values;
 })();
 
 /** The data behind base64, written over it. @throws ModelError `bad-model` for anything else. */
-export async function fromBase64(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<Uint8Array<ArrayBuffer>> {
+export async function fromBase64(
+  text: Uint8Array<ArrayBuffer>,
+  slices: Slices,
+): Promise<Uint8Array<ArrayBuffer>> {
   const state = { bits: 0, count: 0, length: 0 };
   for (let from = 0; from < text.length; from += SLICE) {
     decode(text, from, Math.min(from + SLICE, text.length), state);
@@ -68,7 +79,10 @@ export async function fromBase64(text: Uint8Array<ArrayBuffer>, slices: Slices):
   return text.subarray(0, state.length);
 }
 
-/** A function of its own: in the loop above it took twice as long. `count`: bits that are not written yet. */
+/**
+ * A function of its own: in the loop above it took twice as long. `count`: bits that are not
+ * written yet.
+ */
 function decode(
   text: Uint8Array,
   from: number,
@@ -97,7 +111,10 @@ const broken = (): ModelError => new ModelError('bad-model', 'A data: URI holds 
 /** Bytes of UTF-16 that are decoded at once. */
 const PIECE = 2 ** 18;
 
-/** Bytes with the byte order mark of UTF-16 become UTF-8. @throws ModelError `too-large`: they count as text. */
+/**
+ * Bytes with the byte order mark of UTF-16 become UTF-8. @throws ModelError `too-large`: they count
+ * as text.
+ */
 export async function asUtf8(
   bytes: Uint8Array<ArrayBuffer>,
   budget: ModelBudget,
@@ -110,7 +127,10 @@ export async function asUtf8(
   budget.add({ text: bytes.byteLength });
   // Two bytes become three at most, and four stay four.
   const text = new Uint8Array(Math.ceil(bytes.length * 1.5) + 3);
-  const [decoder, encoder] = [new TextDecoder(isLittleEndian ? 'utf-16le' : 'utf-16be'), new TextEncoder()];
+  const [decoder, encoder] = [
+    new TextDecoder(isLittleEndian ? 'utf-16le' : 'utf-16be'),
+    new TextEncoder(),
+  ];
   let length = 0;
   for (let from = 0; from < bytes.length; from += PIECE) {
     const piece = bytes.subarray(from, from + PIECE);

@@ -1,4 +1,5 @@
-// Downloads a model's files with progress, abort, limits of size and silence, and errors for the page's author.
+// Downloads a model's files with progress, abort, limits of size and silence, and errors for the
+// page's author.
 import { decodeDataUri } from './encodings.js';
 import type { FileBytes } from './model-reader.js';
 import {
@@ -12,7 +13,10 @@ import type { ModelBudget } from './model-budget.js';
 import { ModelError } from '../../viewer/model/model.js';
 import { Slices } from './slices.js';
 
-/** How long a load may get nothing, before an answer or within a file: a server may have to wake up first. */
+/**
+ * How long a load may get nothing, before an answer or within a file: a server may have to wake up
+ * first.
+ */
 export const SILENCE_LIMIT_MS = 60_000;
 
 interface Transfer {
@@ -24,7 +28,11 @@ interface Transfer {
 }
 
 /** Downloads a file; `request` if it was requested already. */
-type FetchBytes = (url: URL, redirect: RequestRedirect, request?: FileRequest | null) => Promise<FileBytes>;
+type FetchBytes = (
+  url: URL,
+  redirect: RequestRedirect,
+  request?: FileRequest | null,
+) => Promise<FileBytes>;
 
 /** A download function for the files of one model, which share budget and progress. */
 export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes {
@@ -35,7 +43,9 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
   let claimed = 0;
   /** When data came last, for any of the files: the others may wait for their turn. */
   const heard = { at: 0 };
-  /** What is announced, or has come without that. A compressed file counts as what it unpacks to. */
+  /**
+   * What is announced, or has come without that. A compressed file counts as what it unpacks to.
+   */
   const claim = (bytes: number): void => {
     if (bytes <= claimed) return;
     budget.add({ bytes: bytes - claimed });
@@ -48,10 +58,17 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       budget.add({ bytes: file.bytes.byteLength });
       return file;
     }
-    const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal, heard);
+    const response = await answerTo(
+      url,
+      request ?? requestFile(url, redirect, transfer),
+      signal,
+      heard,
+    );
     const type = response.headers.get('content-type') ?? '';
     const expected = expectedLength(response);
-    if (expected === 0) known = false;
+    if (expected === 0) {
+      known = false;
+    }
     total += expected;
     const reader = response.body?.getReader();
     try {
@@ -62,8 +79,11 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       let size = 0;
       const next = () => read(url, signal, heard, reader);
       for (let chunk = await next(); chunk; chunk = await next()) {
-        if (chunks.length === 0 && size + chunk.byteLength <= expected) whole.set(chunk, size);
-        else chunks.push(chunk);
+        if (chunks.length === 0 && size + chunk.byteLength <= expected) {
+          whole.set(chunk, size);
+        } else {
+          chunks.push(chunk);
+        }
         size += chunk.byteLength;
         loaded += chunk.byteLength;
         claim(loaded);
@@ -72,7 +92,10 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       if (size === expected) return { bytes: whole, type };
       // Another length was announced than came, or none.
       const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
-      return { bytes: await new Slices(signal).joined([whole.subarray(0, begun), ...chunks]), type };
+      return {
+        bytes: await new Slices(signal).joined([whole.subarray(0, begun), ...chunks]),
+        type,
+      };
     } catch (error) {
       reader?.cancel().catch(ignored); // the rest is neither sent nor unpacked
       throw error;
@@ -80,7 +103,12 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
   };
 }
 
-async function answerTo(url: URL, request: FileRequest, signal: AbortSignal, heard: { at: number }): Promise<Response> {
+async function answerTo(
+  url: URL,
+  request: FileRequest,
+  signal: AbortSignal,
+  heard: { at: number },
+): Promise<Response> {
   let response: Response;
   try {
     response = await inTime(url, heard, request.response);
@@ -127,7 +155,10 @@ const POLICY_EVENT_WAIT_MS = 100;
 const later = (milliseconds: number): Promise<null> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds, null));
 
-/** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
+/**
+ * The announced length of the body, or 0 if unknown. For a compressed body the header gives the
+ * compressed length.
+ */
 function expectedLength(response: Response): number {
   if (response.headers.has('content-encoding')) return 0;
   const length = Number(response.headers.get('content-length') ?? 0);
@@ -146,11 +177,16 @@ async function read(
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
-    throw new ModelError('load-failed', `The connection broke while ${nameOf(url)} was read.`, { cause });
+    throw new ModelError('load-failed', `The connection broke while ${nameOf(url)} was read.`, {
+      cause,
+    });
   }
 }
 
-/** What the server sends next. Rejects after {@link SILENCE_LIMIT_MS} without data for any file of the load. */
+/**
+ * What the server sends next. Rejects after {@link SILENCE_LIMIT_MS} without data for any file of
+ * the load.
+ */
 async function inTime<T>(url: URL, heard: { at: number }, next: Promise<T>): Promise<T> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const fact = `No data came for ${String(SILENCE_LIMIT_MS / 1000)} seconds, so ${nameOf(url)} was given up.`;
@@ -158,8 +194,11 @@ async function inTime<T>(url: URL, heard: { at: number }, next: Promise<T>): Pro
   const silence = new Promise<never>((_, reject) => {
     const wait = (): void => {
       const rest = Math.max(begun, heard.at) + SILENCE_LIMIT_MS - performance.now();
-      if (rest > 0) timer = setTimeout(wait, rest);
-      else reject(new ModelError('load-failed', fact));
+      if (rest > 0) {
+        timer = setTimeout(wait, rest);
+      } else {
+        reject(new ModelError('load-failed', fact));
+      }
     };
     wait();
   });

@@ -1,10 +1,13 @@
-// Finds the format of a file's bytes. The content decides, then the element's `type`, the file extension and the media
-// type. A new format is a row here and one in format-names.ts.
+// Finds the format of a file's bytes. The content decides, then the element's `type`, the file
+// extension and the media type. A new format is a row here and one in format-names.ts.
 import { FORMAT_NAMES, type FormatKey, type FormatNames } from '../../viewer/model/format-names.js';
 import { ModelError } from '../../viewer/model/model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
-/** Whether the bytes are those of a format and no other. In the order in which they are tested: the strictest first. */
+/**
+ * Whether the bytes are those of a format and no other. In the order in which they are tested: the
+ * strictest first.
+ */
 const CONTENT: Readonly<Record<FormatKey, (bytes: Uint8Array) => boolean>> = {
   gltf: (bytes) => /^(glTF|(ï»¿)?\s*\{)/.test(latin1(bytes, 256)),
   ply: (bytes) => /^ply[\r\n]/.test(latin1(bytes, 4)),
@@ -37,19 +40,26 @@ export function formatOf(
   const byType = (written: string): FormatNames | undefined =>
     FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
   const foreign = foreignContent(bytes, extension);
-  const byHint = byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
+  const byHint =
+    byType(type) ??
+    FORMATS.find(({ extensions }) => extensions.includes(extension)) ??
+    byType(mediaType);
   if (foreign === undefined && byHint) return byHint;
-  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign ?? foreignExtension(extension) ?? {};
-  if (what !== undefined)
-    throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, { advice: cure });
+  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } =
+    foreign ?? foreignExtension(extension) ?? {};
+  if (what !== undefined) {
+    throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, {
+      advice: cure,
+    });
+  }
   const advice = `These are: ${supportedFormats}.`;
   throw new ModelError('bad-model', `The format is not supported: ${name}.`, { advice });
 }
 
 /** For messages: names and extensions. */
-export const supportedFormats = FORMATS.map(({ name, extensions }) => `${name} (.${extensions.join(', .')})`).join(
-  ', ',
-);
+export const supportedFormats = FORMATS.map(
+  ({ name, extensions }) => `${name} (.${extensions.join(', .')})`,
+).join(', ');
 
 /** Extensions of files that can be shown, lower case. */
 export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
@@ -62,15 +72,26 @@ const OTHERS = FORMATS.slice(1)
 /** A media type without its parameters, or a word, as in the table. */
 const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
 
-/** The first bytes, a character each: a browser's decoder reads windows-1252. A byte order mark of UTF-8 is `ï»¿`. */
-const latin1 = (bytes: Uint8Array, most: number): string => String.fromCharCode(...bytes.subarray(0, most));
+/**
+ * The first bytes, a character each: a browser's decoder reads windows-1252. A byte order mark of
+ * UTF-8 is `ï»¿`.
+ */
+const latin1 = (bytes: Uint8Array, most: number): string =>
+  String.fromCharCode(...bytes.subarray(0, most));
 
-/** Whether each of the first lines begins with a word of OBJ, and one of them is a vertex, a name or a library. */
+/**
+ * Whether each of the first lines begins with a word of OBJ, and one of them is a vertex, a name or
+ * a library.
+ */
 function isObj(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 4096)).split(/\r?\n|\r/);
-  if (bytes.byteLength > 4096) start.pop(); // cut in the middle
+  if (bytes.byteLength > 4096) {
+    start.pop(); // cut in the middle
+  }
   const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
-  const known = words.every((word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'));
+  const known = words.every(
+    (word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'),
+  );
   return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }
 
@@ -99,7 +120,12 @@ const FOREIGN: readonly ForeignFormat[] = [
   { what: 'a USD file', extensions: ['usd', 'usda', 'usdc', 'usdz'], start: /^(#usda|PXR-USDC)/ },
   { what: 'a COLLADA file (DAE)', extensions: ['dae'], start: /^(ï»¿)?\s*(<[^]*)?<COLLADA\b/ },
   // Many servers answer with a web page when a file is missing.
-  { what: 'a web page or XML, not a model', cure: 'Check the address.', extensions: [], start: /^(ï»¿)?\s*</ },
+  {
+    what: 'a web page or XML, not a model',
+    cure: 'Check the address.',
+    extensions: [],
+    start: /^(ï»¿)?\s*</,
+  },
   ARCHIVE,
 ];
 

@@ -1,12 +1,16 @@
-// The images of a model as textures: decoded without colour conversion and without premultiplication, first row on top.
-// The browser decodes all but KTX2. No blob: address is fetched, as a strict CSP requires.
+// The images of a model as textures: decoded without colour conversion and without
+// premultiplication, first row on top. The browser decodes all but KTX2. No blob: address is
+// fetched, as a strict CSP requires.
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { requireAtMost } from '../../viewer/model/budget.js';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/model/limits.js';
 import type { FileBytes, ModelSource } from './model-reader.js';
 
-/** Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of its result. */
+/**
+ * Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of
+ * its result.
+ */
 const PIXELS_AT_ONCE = 2 ** 24;
 
 export type Sampler = Readonly<Pick<Texture, 'magFilter' | 'minFilter' | 'wrapS' | 'wrapT'>>;
@@ -33,12 +37,18 @@ export class ImageTextures {
   readonly #source: ModelSource;
   readonly #images = new Map<unknown, Image>();
 
-  /** The source's budget gets the pixels of every image, once for each sampler: three.js uploads it for each. */
+  /**
+   * The source's budget gets the pixels of every image, once for each sampler: three.js uploads it
+   * for each.
+   */
   constructor(source: ModelSource) {
     this.#source = source;
   }
 
-  /** Null for an image that is missing or broken, which is reported by `name`. @param key equal for equal images. */
+  /**
+   * Null for an image that is missing or broken, which is reported by `name`. @param key equal for
+   * equal images.
+   */
   of(
     key: unknown,
     name: string,
@@ -60,25 +70,38 @@ export class ImageTextures {
 
   /** Waits for images that are being decoded, then closes all images. */
   async close(): Promise<void> {
-    for (const image of await Promise.allSettled(Array.from(this.#images.values(), ({ decoded }) => decoded)))
-      if (image.status === 'fulfilled') image.value?.bitmap.close();
+    for (const image of await Promise.allSettled(
+      Array.from(this.#images.values(), ({ decoded }) => decoded),
+    )) {
+      if (image.status === 'fulfilled') {
+        image.value?.bitmap.close();
+      }
+    }
   }
 
   #decode(name: string, read: () => Promise<FileBytes>): Image['decoded'] {
     const { optional, budget, signal } = this.#source;
     return optional(name, read, async (file) => {
       const size = imageSize(file.bytes);
-      if (!size) throw new Error('is no PNG, JPEG, WebP or KTX2 image, or its headers contradict each other');
+      if (!size) {
+        throw new Error(
+          'is no PNG, JPEG, WebP or KTX2 image, or its headers contradict each other',
+        );
+      }
       const pixels = size.width * size.height;
       const isPacked = isKtx2(file.bytes);
-      if (isPacked) requireAtMost(pixels, IMAGE_PIXEL_LIMIT, 'pixels in one KTX2 image');
+      if (isPacked) {
+        requireAtMost(pixels, IMAGE_PIXEL_LIMIT, 'pixels in one KTX2 image');
+      }
       budget.add({ pixels });
       const scale = scaledDown(size);
       const atOnce = Math.min(pixels, PIXELS_AT_ONCE);
       await acquire(atOnce);
       try {
         signal.throwIfAborted(); // while it waited
-        const decode = isPacked ? decodeKtx2(file.bytes, scale, signal) : decodeByBrowser(file, size, scale);
+        const decode = isPacked
+          ? decodeKtx2(file.bytes, scale, signal)
+          : decodeByBrowser(file, size, scale);
         return { pixels, bitmap: await decode };
       } finally {
         release(atOnce);
@@ -86,16 +109,23 @@ export class ImageTextures {
     });
   }
 
-  async #create(image: Image, sampler: Sampler, { scale, offset }: Placement): Promise<Texture | null> {
+  async #create(
+    image: Image,
+    sampler: Sampler,
+    { scale, offset }: Placement,
+  ): Promise<Texture | null> {
     const decoded = await image.decoded;
     if (decoded === null) return null;
     const texture = new Texture(decoded.bitmap);
     const uploaded = JSON.stringify(sampler);
-    if (image.samplers.size > 0 && !image.samplers.has(uploaded)) this.#source.budget.add({ pixels: decoded.pixels });
+    if (image.samplers.size > 0 && !image.samplers.has(uploaded)) {
+      this.#source.budget.add({ pixels: decoded.pixels });
+    }
     image.samplers.add(uploaded);
     texture.source = image.source ??= texture.source;
     Object.assign(texture, sampler);
-    texture.generateMipmaps = texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
+    texture.generateMipmaps =
+      texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
     texture.colorSpace = NoColorSpace;
     texture.flipY = false;
     texture.repeat.set(...scale);
@@ -112,18 +142,28 @@ async function decodeByBrowser(
   scale: ImageBitmapOptions,
 ): Promise<ImageBitmap> {
   const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none', ...scale } as const;
-  const bitmap = await createImageBitmap(new Blob([bytes], { type }), options).catch((cause: unknown) => {
-    throw new Error('cannot be decoded by this browser', { cause });
-  });
-  // Photographs can be turned by a quarter. Others have the size that was counted, or are not shown.
+  const bitmap = await createImageBitmap(new Blob([bytes], { type }), options).catch(
+    (cause: unknown) => {
+      throw new Error('cannot be decoded by this browser', { cause });
+    },
+  );
+  // Photographs can be turned by a quarter. Others have the size that was counted, or are not
+  // shown.
   const sides = [bitmap.width, bitmap.height];
-  if (scale.resizeWidth !== undefined || (sides.includes(width) && sides.includes(height))) return bitmap;
+  if (scale.resizeWidth !== undefined || (sides.includes(width) && sides.includes(height))) {
+    return bitmap;
+  }
   bitmap.close();
-  throw new Error(`has ${sides.join(' × ')} pixels, but ${String(width)} × ${String(height)} in its header`);
+  throw new Error(
+    `has ${sides.join(' × ')} pixels, but ${String(width)} × ${String(height)} in its header`,
+  );
 }
 
 function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {
-  const factor = Math.min(IMAGE_SIDE_LIMIT / Math.max(width, height), Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)));
+  const factor = Math.min(
+    IMAGE_SIDE_LIMIT / Math.max(width, height),
+    Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)),
+  );
   if (factor >= 1) return {};
   return {
     resizeWidth: Math.max(Math.floor(width * factor), 1),
@@ -159,9 +199,10 @@ interface ImageSize {
 }
 
 /**
- * The size that a PNG, JPEG, WebP or KTX2 image claims in its headers; null for other or broken files, and where two
- * headers differ. Read before a decoder allocates for it. Only formats whose decoders allocate for that number and no
- * other: in GIF, AVIF, BMP or SVG another place of the file can claim more.
+ * The size that a PNG, JPEG, WebP or KTX2 image claims in its headers; null for other or broken
+ * files, and where two headers differ. Read before a decoder allocates for it. Only formats whose
+ * decoders allocate for that number and no other: in GIF, AVIF, BMP or SVG another place of the
+ * file can claim more.
  */
 export function imageSize(file: Uint8Array): ImageSize | null {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
@@ -174,7 +215,11 @@ export function imageSize(file: Uint8Array): ImageSize | null {
   }
 }
 
-const READERS: readonly (readonly [at: number, magic: string, read: (view: DataView) => ImageSize | null])[] = [
+const READERS: readonly (readonly [
+  at: number,
+  magic: string,
+  read: (view: DataView) => ImageSize | null,
+])[] = [
   [0, '\x89PNG\r\n\x1a\n', pngSize],
   [0, '\xff\xd8\xff', jpegSize],
   [1, 'KTX 20', (view) => ({ width: view.getUint32(20, true), height: view.getUint32(24, true) })],
@@ -186,14 +231,18 @@ const MOST_CHUNKS = 1000;
 
 function hasText(view: DataView, at: number, text: string): boolean {
   if (at + text.length > view.byteLength) return false;
-  return Array.from(text).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0));
+  return Array.from(text).every(
+    (character, i) => view.getUint8(at + i) === character.charCodeAt(0),
+  );
 }
 
 /** The one IHDR chunk, which comes first. */
 function pngSize(view: DataView): ImageSize | null {
   if (!hasText(view, 12, 'IHDR')) return null;
   for (let at = 33, i = 0; i < MOST_CHUNKS; i += 1) {
-    if (hasText(view, at + 4, 'IDAT')) return { width: view.getUint32(16), height: view.getUint32(20) };
+    if (hasText(view, at + 4, 'IDAT')) {
+      return { width: view.getUint32(16), height: view.getUint32(20) };
+    }
     if (hasText(view, at + 4, 'IHDR')) return null;
     at += 12 + view.getUint32(at);
   }
@@ -201,8 +250,8 @@ function pngSize(view: DataView): ImageSize | null {
 }
 
 /**
- * The only frame header (SOF0–SOF15 except DHT, JPG, DAC) before the first scan. Height 0, which a DNL segment would
- * define later, is refused.
+ * The only frame header (SOF0–SOF15 except DHT, JPG, DAC) before the first scan. Height 0, which a
+ * DNL segment would define later, is refused.
  */
 function jpegSize(view: DataView): ImageSize | null {
   let size: ImageSize | null = null;
@@ -224,7 +273,10 @@ function jpegSize(view: DataView): ImageSize | null {
   return null;
 }
 
-/** That of the canvas, if there is one: a still picture has the same, frames of an animation lie within it. */
+/**
+ * That of the canvas, if there is one: a still picture has the same, frames of an animation lie
+ * within it.
+ */
 function webpSize(view: DataView): ImageSize | null {
   let canvas: ImageSize | null = null;
   for (let at = 12, i = 0; i < MOST_CHUNKS; i += 1) {
@@ -241,7 +293,9 @@ function webpSize(view: DataView): ImageSize | null {
     const frame = webpFrame(view, at);
     at = start + 2 * Math.ceil(view.getUint32(at + 4, true) / 2);
     if (frame === null) continue;
-    return canvas === null || (canvas.width === frame.width && canvas.height === frame.height) ? frame : null;
+    return canvas === null || (canvas.width === frame.width && canvas.height === frame.height)
+      ? frame
+      : null;
   }
   return null;
 }
@@ -253,7 +307,11 @@ function webpFrame(view: DataView, at: number): ImageSize | null {
     return { width: 1 + (bits & 0x3fff), height: 1 + ((bits >>> 14) & 0x3fff) };
   }
   if (!hasText(view, at, 'VP8 ')) return null;
-  return { width: view.getUint16(at + 14, true) & 0x3fff, height: view.getUint16(at + 16, true) & 0x3fff };
+  return {
+    width: view.getUint16(at + 14, true) & 0x3fff,
+    height: view.getUint16(at + 16, true) & 0x3fff,
+  };
 }
 
-const uint24 = (view: DataView, at: number): number => view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;
+const uint24 = (view: DataView, at: number): number =>
+  view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;

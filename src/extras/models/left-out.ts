@@ -1,5 +1,5 @@
-// What a text file's model is shown without, for the one warning: things that are counted, each with its first reason,
-// and features by name.
+// What a text file's model is shown without, for the one warning: things that are counted, each
+// with its first reason, and features by name.
 import type { Slices } from './slices.js';
 import { lineOf } from './text/text-scanner.js';
 
@@ -13,7 +13,10 @@ const NAMES = {
   line: ['line', 'lines'],
   point: ['point', 'points'],
   curve: ['curve or surface', 'curves and surfaces'],
-  surplus: ['line with more values than its header names', 'lines with more values than its header names'],
+  surplus: [
+    'line with more values than its header names',
+    'lines with more values than its header names',
+  ],
   material: ['material that no library has', 'materials that no library has'],
 } satisfies Readonly<Record<string, readonly [one: string, many: string]>>;
 
@@ -22,16 +25,23 @@ export type LeftOutKind = keyof typeof NAMES;
 export class LeftOut {
   readonly #counts = new Map<LeftOutKind, number>();
   /** The first of each kind, with the position in the file where its line helps. */
-  readonly #reasons = new Map<LeftOutKind, { readonly text: string; readonly at: number | undefined }>();
+  readonly #reasons = new Map<
+    LeftOutKind,
+    { readonly text: string; readonly at: number | undefined }
+  >();
   readonly #features = new Set<string>();
 
   add(kind: LeftOutKind, count = 1): void {
-    if (count > 0) this.#counts.set(kind, (this.#counts.get(kind) ?? 0) + count);
+    if (count > 0) {
+      this.#counts.set(kind, (this.#counts.get(kind) ?? 0) + count);
+    }
   }
 
   /** Keeps the first reason of a kind, whether or not the thing will be left out. */
   because(kind: LeftOutKind, reason: () => string, at?: number): void {
-    if (!this.#reasons.has(kind)) this.#reasons.set(kind, { text: reason(), at });
+    if (!this.#reasons.has(kind)) {
+      this.#reasons.set(kind, { text: reason(), at });
+    }
   }
 
   /** A feature that the equation has no place for, by the file's own name. */
@@ -47,7 +57,9 @@ export class LeftOut {
       const what = `${count.toLocaleString('en')} ${NAMES[kind][count === 1 ? 0 : 1]}`;
       names.add(reason === '' ? what : `${what} (${reason})`);
     }
-    for (const feature of this.#features) names.add(feature);
+    for (const feature of this.#features) {
+      names.add(feature);
+    }
     return names;
   }
 

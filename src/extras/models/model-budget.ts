@@ -1,5 +1,11 @@
 // What one model claims. Apart from the viewer's budget because no first frame needs it.
-import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from '../../viewer/model/budget.js';
+import {
+  type Amounts,
+  type Claims,
+  NO_CLAIMS,
+  plus,
+  requireWithin,
+} from '../../viewer/model/budget.js';
 
 /** Adds up what a model claims. One instance per model. */
 export class ModelBudget {

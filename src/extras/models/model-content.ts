@@ -1,5 +1,6 @@
-// Loads a model: downloads it, detects the format and reads it. Works under a strict CSP: fetches no blob: or data: URL,
-// needs no worker and no eval. Entry point of the code that reads models, fetched with the first one.
+// Loads a model: downloads it, detects the format and reads it. Works under a strict CSP: fetches
+// no blob: or data: URL, needs no worker and no eval. Entry point of the code that reads models,
+// fetched with the first one.
 import { clip, listed } from '../../phong/fields/clip.js';
 import type { Amounts } from '../../viewer/model/budget.js';
 import { free, isOutOfMemory } from '../../viewer/model/limits.js';
@@ -25,17 +26,27 @@ export interface LoadOptions {
   readonly signal: AbortSignal;
   /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: (loaded: number, total: number) => void;
-  /** Called with all that the model claims so far, before anything is allocated; what it throws ends the load. */
+  /**
+   * Called with all that the model claims so far, before anything is allocated; what it throws ends
+   * the load.
+   */
   readonly onClaim?: (claimed: Amounts) => void;
-  /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
+  /**
+   * Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s)
+   * origin.
+   */
   readonly crossOrigin: CrossOrigin;
-  /** The format, as a word such as `obj` or a media type. Empty, the default: as content, extension and server tell. */
+  /**
+   * The format, as a word such as `obj` or a media type. Empty, the default: as content, extension
+   * and server tell.
+   */
   readonly type?: string;
 }
 
 /**
  * Loads a model and the files it refers to. `data:` addresses are decoded, not fetched.
- * @param from the request of the file at `url`, if there is one already; or a file, whose `url` is for messages.
+ * @param from the request of the file at `url`, if there is one already; or a file, whose `url` is
+ * for messages.
  * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
  */
 export async function modelContent(
@@ -46,7 +57,9 @@ export async function modelContent(
   const { signal, type = '' } = options;
   const budget = new ModelBudget(options.onClaim);
   const isRequest = from === null || 'response' in from;
-  const { name, read, linked } = isRequest ? openAddress(url, options, budget, from) : openFile(from, budget);
+  const { name, read, linked } = isRequest
+    ? openAddress(url, options, budget, from)
+    : openFile(from, budget);
   const missing = new Map<string, string>();
   const optional = optionalReader(signal, missing);
   try {
@@ -59,36 +72,51 @@ export async function modelContent(
     const model = await reader.read({ url, bytes, signal, linked, optional, budget });
     free(bytes);
     try {
-      // The bounds that framing and culling will need: the first frame would find them in one task. A mesh whose
-      // vertices move measures its copy in its first pose.
+      // The bounds that framing and culling will need: the first frame would find them in one task.
+      // A mesh whose vertices move measures its copy in its first pose.
       const geometries = new Set(model.parts.map(({ geometry }) => geometry));
-      for (const geometry of geometries) if (!isMoving(geometry)) await measureInSlices(geometry, slices);
+      for (const geometry of geometries) {
+        if (!isMoving(geometry)) {
+          await measureInSlices(geometry, slices);
+        }
+      }
     } catch (error) {
       model.dispose();
       throw error;
     }
-    if (missing.size > 0) warnOfMissing(name, missing);
+    if (missing.size > 0) {
+      warnOfMissing(name, missing);
+    }
     const dropped = [...(model.dropped ?? [])];
-    if (dropped.length > 0) console.warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
+    if (dropped.length > 0) {
+      console.warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
+    }
     return { ...model, missing: [...missing.keys()] };
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
-    if (isOutOfMemory(cause))
+    if (isOutOfMemory(cause)) {
       throw new ModelError('too-large', `There is not enough memory to read ${name}.`, { cause });
+    }
     const reason = cause instanceof Error ? cause.message : String(cause);
     throw new ModelError('bad-model', `The model cannot be read: ${reason} (${name}).`, { cause });
   }
 }
 
-function openAddress(url: URL, options: LoadOptions, budget: ModelBudget, request: FileRequest | null): OpenedModel {
+function openAddress(
+  url: URL,
+  options: LoadOptions,
+  budget: ModelBudget,
+  request: FileRequest | null,
+): OpenedModel {
   const fetchBytes = byteFetcher(options, budget);
   const anywhere = options.crossOrigin !== null;
   return {
     name: nameOf(url),
     read: () => fetchBytes(url, 'follow', request),
     // A redirect could lead out of the folder. If any address is allowed, it does no harm.
-    linked: async (uri) => (await fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error')).bytes,
+    linked: async (uri) =>
+      (await fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error')).bytes,
   };
 }
 
@@ -145,8 +173,12 @@ const ESCAPED_SLASH = /%(2f|5c)/i;
  */
 export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   const url = parsed(uri, model);
-  if (!url)
-    throw new ModelError('load-failed', `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`);
+  if (!url) {
+    throw new ModelError(
+      'load-failed',
+      `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`,
+    );
+  }
   if (anywhere && /^https?:$/.test(url.protocol)) return url;
   const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
   const below =
@@ -159,7 +191,9 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
     !ESCAPED_SLASH.test(url.pathname.slice(folder.length));
   if (below) return url;
   const fact = `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`;
-  throw new ModelError('load-failed', fact, { advice: 'Put it beside the model, or set crossorigin to allow it.' });
+  throw new ModelError('load-failed', fact, {
+    advice: 'Put it beside the model, or set crossorigin to allow it.',
+  });
 }
 
 function parsed(uri: string, base: URL): URL | null {

@@ -24,8 +24,9 @@ export interface ModelSource {
 }
 
 /**
- * Reads something that the model can be shown without: an image, or a library of materials. Null if it is missing or
- * broken, which is then reported. Limits, a policy and missing code of the package are errors here too.
+ * Reads something that the model can be shown without: an image, or a library of materials. Null if
+ * it is missing or broken, which is then reported. Limits, a policy and missing code of the package
+ * are errors here too.
  * @param name as the model names it, for reports.
  * @param read gets its bytes, by `linked` or from the model itself.
  * @param use decodes them. A ModelError is not the file's fault.
@@ -36,18 +37,32 @@ export type ReadOptional = <Bytes, Result>(
   use: (bytes: Bytes) => Result | Promise<Result>,
 ) => Promise<Result | null>;
 
-/** Code of the package that the model needs. @throws ModelError `load-failed` where it cannot be fetched. */
+/**
+ * Code of the package that the model needs. @throws ModelError `load-failed` where it cannot be
+ * fetched.
+ */
 export const neededCode = <Code>(code: Promise<Code>, what: string): Promise<Code> =>
   code.catch((cause: unknown) => {
     if (cause instanceof ModelError) throw cause;
-    throw new ModelError('load-failed', `${what}, which this model needs, could not be fetched.`, { cause });
+    throw new ModelError('load-failed', `${what}, which this model needs, could not be fetched.`, {
+      cause,
+    });
   });
 
-/** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
+/**
+ * Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken
+ * file.
+ */
 export type ModelReader = (source: ModelSource) => Promise<Content>;
 
-/** A model without motion that owns its geometries and textures. @param closeImages frees what their images hold. */
-export function ownedModel(parts: Content['parts'], closeImages: () => void = () => undefined): Content {
+/**
+ * A model without motion that owns its geometries and textures. @param closeImages frees what their
+ * images hold.
+ */
+export function ownedModel(
+  parts: Content['parts'],
+  closeImages: () => void = () => undefined,
+): Content {
   const owned = new Set(parts.flatMap(({ geometry, look }) => [geometry, ...mapsOfLook(look)]));
   let disposed = false;
   return {
@@ -56,7 +71,9 @@ export function ownedModel(parts: Content['parts'], closeImages: () => void = ()
     dispose() {
       if (disposed) return;
       disposed = true;
-      for (const item of owned) item.dispose();
+      for (const item of owned) {
+        item.dispose();
+      }
       closeImages();
     },
   };
@@ -69,9 +86,17 @@ export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: BaseL
 export const isZero = (values: ArrayLike<number>, i: number): boolean =>
   values[i] === 0 && values[i + 1] === 0 && values[i + 2] === 0;
 
-/** The normal of each triangle, in the space of `positions`. In slices: millions of triangles take seconds. */
-export async function faceNormals(positions: ArrayLike<number>, slices: Slices): Promise<BufferAttribute> {
+/**
+ * The normal of each triangle, in the space of `positions`. In slices: millions of triangles take
+ * seconds.
+ */
+export async function faceNormals(
+  positions: ArrayLike<number>,
+  slices: Slices,
+): Promise<BufferAttribute> {
   const normals = new Float32Array(positions.length);
-  await slices.over(positions.length / 9, (from, to) => writeFaceNormals(positions, normals, from, to));
+  await slices.over(positions.length / 9, (from, to) =>
+    writeFaceNormals(positions, normals, from, to),
+  );
   return new BufferAttribute(normals, 3);
 }

@@ -1,16 +1,26 @@
-// Lets several meshes show one model in poses of their own. Each has a copy of what moves; everything else is shared.
+// Lets several meshes show one model in poses of their own. Each has a copy of what moves;
+// everything else is shared.
 import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
 import type { Content } from '../../viewer/model/model.js';
 
-/** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index and bounds of its own not. */
+/**
+ * Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index and
+ * bounds of its own not.
+ */
 export function movingValues({ parts }: Content): number {
   let values = parts.length * 32;
-  for (const geometry of new Set(parts.map((part) => part.geometry)))
-    for (const [, { array }] of movingAttributes(geometry)) values += array.length;
+  for (const geometry of new Set(parts.map((part) => part.geometry))) {
+    for (const [, { array }] of movingAttributes(geometry)) {
+      values += array.length;
+    }
+  }
   return values;
 }
 
-/** The content in a pose of its own, at first that of the file. Disposing of it leaves `content` as it is. */
+/**
+ * The content in a pose of its own, at first that of the file. Disposing of it leaves `content` as
+ * it is.
+ */
 export function movingCopy(content: Content): Content {
   const { motion } = content;
   if (motion === null) return content;
@@ -19,7 +29,9 @@ export function movingCopy(content: Content): Content {
   const parts = content.parts.map((part) => {
     const { geometry } = part;
     const copy = copies.get(geometry) ?? (isMoving(geometry) ? new Vertices(geometry) : null);
-    if (copy !== null) copies.set(geometry, copy);
+    if (copy !== null) {
+      copies.set(geometry, copy);
+    }
     return { ...part, geometry: copy?.geometry ?? geometry, matrix: part.matrix.clone() };
   });
   return {
@@ -31,11 +43,15 @@ export function movingCopy(content: Content): Content {
       pose: (name, seconds) => {
         motion.pose(name, seconds);
         parts.forEach(({ matrix }, i) => matrix.copy(content.parts[i]!.matrix));
-        for (const copy of copies.values()) copy.follow();
+        for (const copy of copies.values()) {
+          copy.follow();
+        }
       },
     },
     dispose: () => {
-      for (const copy of copies.values()) copy.dispose();
+      for (const copy of copies.values()) {
+        copy.dispose();
+      }
     },
   };
 }
@@ -48,7 +64,10 @@ class Vertices {
   readonly #moving: readonly (readonly [own: BufferAttribute, source: BufferAttribute])[];
   /** Version of the source's positions that was copied last. */
   #version = -1;
-  /** The same of its index; 0 while the source's own is shared, because joints have turned no triangle yet. */
+  /**
+   * The same of its index; 0 while the source's own is shared, because joints have turned no
+   * triangle yet.
+   */
   #indexVersion = 0;
   /** Two, in turns: a new object says that the bounds have changed. */
   readonly #boxes = [new Box3(), new Box3()] as const;
@@ -57,7 +76,9 @@ class Vertices {
     this.#source = source;
     // Not `clone`, which copies what is shared too.
     const copy = (this.geometry = new (source.constructor as new () => BufferGeometry)());
-    for (const [name, attribute] of Object.entries(source.attributes)) copy.setAttribute(name, attribute);
+    for (const [name, attribute] of Object.entries(source.attributes)) {
+      copy.setAttribute(name, attribute);
+    }
     this.#moving = movingAttributes(source).map(([name, attribute]) => {
       const own = attribute.clone();
       copy.setAttribute(name, own);
@@ -73,30 +94,46 @@ class Vertices {
     const { version } = source.attributes['position'] as BufferAttribute;
     if (version === this.#version) return;
     this.#version = version;
-    for (const pair of this.#moving) copyItems(...pair);
+    for (const pair of this.#moving) {
+      copyItems(...pair);
+    }
     const { index } = source;
     if (index !== null && index.version !== this.#indexVersion) {
-      if (this.#indexVersion === 0) geometry.setIndex(index.clone());
+      if (this.#indexVersion === 0) {
+        geometry.setIndex(index.clone());
+      }
       copyItems(geometry.index!, index); // a clone, too: its version tells a flat copy that it is another one
       this.#indexVersion = index.version;
     }
     const [one, other] = this.#boxes;
     const box = geometry.boundingBox === one ? other : one;
-    if (source.boundingBox === null) source.computeBoundingBox();
+    if (source.boundingBox === null) {
+      source.computeBoundingBox();
+    }
     geometry.boundingBox = box.copy(source.boundingBox!);
-    if (source.boundingSphere === null) source.computeBoundingSphere();
-    geometry.boundingSphere = (geometry.boundingSphere ?? new Sphere()).copy(source.boundingSphere!);
+    if (source.boundingSphere === null) {
+      source.computeBoundingSphere();
+    }
+    geometry.boundingSphere = (geometry.boundingSphere ?? new Sphere()).copy(
+      source.boundingSphere!,
+    );
   }
 
   /**
-   * Frees what is not the source's. The GPU's buffers of what is shared go with the garbage collector: three.js frees
-   * those of geometries that were drawn, and the source never is.
+   * Frees what is not the source's. The GPU's buffers of what is shared go with the garbage
+   * collector: three.js frees those of geometries that were drawn, and the source never is.
    */
   dispose(): void {
     const { geometry } = this;
     const moving = new Set(movingAttributes(geometry).map(([name]) => name));
-    for (const name of Object.keys(geometry.attributes)) if (!moving.has(name)) geometry.deleteAttribute(name);
-    if (this.#indexVersion === 0) geometry.setIndex(null);
+    for (const name of Object.keys(geometry.attributes)) {
+      if (!moving.has(name)) {
+        geometry.deleteAttribute(name);
+      }
+    }
+    if (this.#indexVersion === 0) {
+      geometry.setIndex(null);
+    }
     geometry.dispose();
   }
 }
@@ -106,7 +143,10 @@ function copyItems(own: BufferAttribute, { array }: BufferAttribute): void {
   own.needsUpdate = true;
 }
 
-export const isMoving = (geometry: BufferGeometry): boolean => movingAttributes(geometry).length > 0;
+export const isMoving = (geometry: BufferGeometry): boolean =>
+  movingAttributes(geometry).length > 0;
 
 const movingAttributes = ({ attributes }: BufferGeometry): [string, BufferAttribute][] =>
-  Object.entries(attributes as Record<string, BufferAttribute>).filter(([, { usage }]) => usage === DynamicDrawUsage);
+  Object.entries(attributes as Record<string, BufferAttribute>).filter(
+    ([, { usage }]) => usage === DynamicDrawUsage,
+  );

@@ -1,10 +1,14 @@
-// Keeps the page responsive: long loops run in slices and let the browser handle input and frames between them.
+// Keeps the page responsive: long loops run in slices and let the browser handle input and frames
+// between them.
 import type { ModelBudget } from './model-budget.js';
 
 /** Half a frame at 60 Hz. */
 const TASK_MS = 8;
 
-/** Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than a microsecond. */
+/**
+ * Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than
+ * a microsecond.
+ */
 const SLICE = 3 * 2 ** 13;
 
 /** Items between two looks at the clock in loops that call {@link Slices.took}. */
@@ -45,11 +49,16 @@ export class Slices {
   }
 
   /** The results of `work`, whose steps take at most 20 µs each, for all items. */
-  async map<Item, Result>(items: readonly Item[], work: (item: Item, i: number) => Result): Promise<Result[]> {
+  async map<Item, Result>(
+    items: readonly Item[],
+    work: (item: Item, i: number) => Result,
+  ): Promise<Result[]> {
     const results: Result[] = [];
     for (const [i, item] of items.entries()) {
       results.push(work(item, i));
-      if ((i & MAP_MASK) === MAP_MASK) await this.pauseIfDue();
+      if ((i & MAP_MASK) === MAP_MASK) {
+        await this.pauseIfDue();
+      }
     }
     return results;
   }
@@ -71,8 +80,8 @@ export class Slices {
   }
 
   /**
-   * Counts work done, in items of a microsecond at most. True where it is time to call {@link pause}: for loops that
-   * call it only then, as waiting costs more than an item.
+   * Counts work done, in items of a microsecond at most. True where it is time to call {@link
+   * pause}: for loops that call it only then, as waiting costs more than an item.
    * @throws ModelError `too-large` where that is more work than the budget has.
    */
   took(items = 1): boolean {
@@ -89,10 +98,15 @@ export class Slices {
 
   /** Call between pieces of work that know no number of items. */
   async pauseIfDue(): Promise<void> {
-    if (this.due) await this.pause();
+    if (this.due) {
+      await this.pause();
+    }
   }
 
-  /** Lets other tasks run. Faster than a timer, which browsers delay by 4 ms, and by a second in hidden pages. */
+  /**
+   * Lets other tasks run. Faster than a timer, which browsers delay by 4 ms, and by a second in
+   * hidden pages.
+   */
   async pause(): Promise<void> {
     await new Promise<void>((resolve) => {
       const { port1, port2 } = new MessageChannel();

@@ -1,5 +1,5 @@
-// The files of a model from the user's disk, dropped or chosen together: which of them is the model, and which ones it
-// names. Found by their paths; nothing is fetched.
+// The files of a model from the user's disk, dropped or chosen together: which of them is the
+// model, and which ones it names. Found by their paths; nothing is fetched.
 import { listed } from '../../phong/fields/clip.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import type { ModelBudget } from './model-budget.js';
@@ -7,7 +7,10 @@ import type { FileBytes } from './model-reader.js';
 import { ModelError } from '../../viewer/model/model.js';
 import { fileName } from '../../viewer/model/request-model.js';
 
-/** Most files of a dropped folder. Models come with hundreds at most; a whole disk should not be walked. */
+/**
+ * Most files of a dropped folder. Models come with hundreds at most; a whole disk should not be
+ * walked.
+ */
 const FILE_LIMIT = 5000;
 
 interface FileGroup {
@@ -23,20 +26,29 @@ interface FileGroup {
 const groups = new WeakMap<Blob, FileGroup>();
 
 /**
- * The model among what was dropped; null if there is nothing. Set it as `src`: its files come with it, and if it cannot
- * be shown, loading it says why.
+ * The model among what was dropped; null if there is nothing. Set it as `src`: its files come with
+ * it, and if it cannot be shown, loading it says why.
  * @param entries files and folders, as browsers give them for a drop; empty elsewhere.
  * @param files the same without folders.
  */
-export async function droppedModel(entries: readonly FileSystemEntry[], files: readonly File[]): Promise<File | null> {
+export async function droppedModel(
+  entries: readonly FileSystemEntry[],
+  files: readonly File[],
+): Promise<File | null> {
   const found = new Map<string, File>();
   try {
-    for (const entry of entries) await collect(entry, found);
+    for (const entry of entries) {
+      await collect(entry, found);
+    }
   } catch {
     // Some browsers refuse to read entries of pages opened from disk: the list of files is left.
   }
   // Files chosen by a folder picker have a path.
-  if (found.size === 0) for (const file of files) found.set(file.webkitRelativePath || file.name, file);
+  if (found.size === 0) {
+    for (const file of files) {
+      found.set(file.webkitRelativePath || file.name, file);
+    }
+  }
   const models = [...found].filter(([path]) =>
     modelExtensions.some((extension) => path.toLowerCase().endsWith(`.${extension}`)),
   );
@@ -50,15 +62,20 @@ export async function droppedModel(entries: readonly FileSystemEntry[], files: r
 async function collect(entry: FileSystemEntry, found: Map<string, File>): Promise<void> {
   if (found.size >= FILE_LIMIT) return;
   if (entry.isFile) {
-    const file = new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+    const file = new Promise<File>((resolve, reject) =>
+      (entry as FileSystemFileEntry).file(resolve, reject),
+    );
     found.set(entry.fullPath.replace(/^\//, ''), await file);
   } else if (entry.isDirectory) {
     const reader = (entry as FileSystemDirectoryEntry).createReader();
     const nextBatch = (): Promise<readonly FileSystemEntry[]> =>
       new Promise((resolve, reject) => reader.readEntries(resolve, reject));
     // Some browsers give a hundred at a time.
-    for (let batch = await nextBatch(); batch.length > 0; batch = await nextBatch())
-      for (const inner of batch) await collect(inner, found);
+    for (let batch = await nextBatch(); batch.length > 0; batch = await nextBatch()) {
+      for (const inner of batch) {
+        await collect(inner, found);
+      }
+    }
   }
 }
 
@@ -120,11 +137,17 @@ export const DROP_TOGETHER = 'Drop them together with it, or drop the folder tha
 /** Files that a model from the user's disk names did not come with it. */
 export class MissingFileError extends ModelError {
   constructor(model: string, names: readonly string[]) {
-    super('load-failed', `${model} names files that did not come with it: ${listed(names)}. ${DROP_TOGETHER}`);
+    super(
+      'load-failed',
+      `${model} names files that did not come with it: ${listed(names)}. ${DROP_TOGETHER}`,
+    );
   }
 }
 
-/** Exactly the path named; else that path, then the only file of that name in any folder, in whatever case. */
+/**
+ * Exactly the path named; else that path, then the only file of that name in any folder, in
+ * whatever case.
+ */
 function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
   const wanted = pathOf(uri, path);
   if (wanted === null) return undefined;
@@ -132,11 +155,14 @@ function fileNamed(uri: string, { files, path }: FileGroup): Blob | undefined {
   if (exact) return exact;
   const lower = wanted.toLowerCase();
   const named = [...files].filter(([known]) => lastOf(known).toLowerCase() === lastOf(lower));
-  const [, found] = (named.length === 1 ? named[0] : named.find(([known]) => known.toLowerCase() === lower)) ?? [];
+  const [, found] =
+    (named.length === 1 ? named[0] : named.find(([known]) => known.toLowerCase() === lower)) ?? [];
   return found;
 }
 
-/** The path that an address names, seen from the file at `base`; null if it is no relative address. */
+/**
+ * The path that an address names, seen from the file at `base`; null if it is no relative address.
+ */
 function pathOf(uri: string, base: string): string | null {
   try {
     const folder = base.split('/').map(encodeURIComponent).join('/');
@@ -148,4 +174,5 @@ function pathOf(uri: string, base: string): string | null {
 }
 
 /** A path's last part. Paths from Windows have backslashes. */
-const lastOf = (path: string): string => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+const lastOf = (path: string): string =>
+  path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);

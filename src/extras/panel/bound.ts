@@ -1,4 +1,5 @@
-// A value that a control reads and writes: a getter and a setter as the object with a property that lil-gui binds to.
+// A value that a control reads and writes: a getter and a setter as the object with a property that
+// lil-gui binds to.
 
 /** Invariant in `T`: a control for any text is no control for one of three words. */
 export interface Bound<in out T> {

@@ -39,7 +39,9 @@ export class ButtonRow extends Controller {
     button.type = 'button';
     button.addEventListener('click', () => {
       // Not `disabled`, which would drop the focus.
-      if (button.getAttribute('aria-disabled') !== 'true') press();
+      if (button.getAttribute('aria-disabled') !== 'true') {
+        press();
+      }
     });
     this.$widget.append(button);
     return button;

@@ -1,5 +1,5 @@
-// A row for a colour: a picker, text as in HTML (`200 80 60`, `#c85`, `orange`), and a slider for its brightness. 255
-// is full, more is brighter.
+// A row for a colour: a picker, text as in HTML (`200 80 60`, `#c85`, `orange`), and a slider for
+// its brightness. 255 is full, more is brighter.
 import type { GUI } from 'lil-gui';
 import { parseText } from '../../viewer/element/fields/attribute-text.js';
 import type { ViewerText } from '../../viewer/element/fields/texts.js';
@@ -19,10 +19,15 @@ export function addColor(folder: GUI, value: Bound<Vec3>, name: ViewerText, usua
   const mix = new ColorMix();
   const picker = document.createElement('input');
   picker.type = 'color';
-  picker.addEventListener('input', () => (value.value = mix.recolor(value.value, colorOf(picker.value))));
+  picker.addEventListener(
+    'input',
+    () => (value.value = mix.recolor(value.value, colorOf(picker.value))),
+  );
   const updatePicker = (): void => {
     const hex = hexOf(mix.split(value.value).color);
-    if (picker.value !== hex) picker.value = hex;
+    if (picker.value !== hex) {
+      picker.value = hex;
+    }
   };
   /** Text that the user typed, shown while the value stays the same. */
   let typed: { readonly text: string; readonly value: Vec3 } | null = null;
@@ -43,7 +48,11 @@ export function addColor(folder: GUI, value: Bound<Vec3>, name: ViewerText, usua
   );
   const scale = linear(0, usual, 0.01);
   const slider = new Slider(brightness, () => scale);
-  new InputRow(folder, value, 'color', name, [{ input: picker, update: updatePicker }, field, slider]);
+  new InputRow(folder, value, 'color', name, [
+    { input: picker, update: updatePicker },
+    field,
+    slider,
+  ]);
   nameInput(picker, (say) => say('{color} picker', { color: say(name) }));
   nameInput(slider.input, (say) => say('{color} brightness', { color: say(name) }));
   explain(field.input, 'r g b, #rgb or a name; 255 is full');
@@ -52,7 +61,10 @@ export function addColor(folder: GUI, value: Bound<Vec3>, name: ViewerText, usua
 interface Tint {
   /** 0–255 per channel, not rounded. */
   readonly color: Vec3;
-  /** 1, or more for values that are brighter than the picker can show. Colour times factor is the value. */
+  /**
+   * 1, or more for values that are brighter than the picker can show. Colour times factor is the
+   * value.
+   */
   readonly factor: number;
 }
 
@@ -62,22 +74,34 @@ export class ColorMix {
   #picked: Tint | null = null;
   #hue: Vec3 = WHITE;
 
-  /** Splits a value the way it was picked here, or with the smallest factor if it came from elsewhere. */
+  /**
+   * Splits a value the way it was picked here, or with the smallest factor if it came from
+   * elsewhere.
+   */
   split(value: Vec3): Tint {
-    if (this.#picked !== null && sameValue(times(this.#picked.color, this.#picked.factor), value)) return this.#picked;
+    if (this.#picked !== null && sameValue(times(this.#picked.color, this.#picked.factor), value)) {
+      return this.#picked;
+    }
     const factor = Math.max(brightnessOf(value), 1);
     return { color: map(value, (c) => c / factor), factor };
   }
 
-  /** The value after picking a colour: the colour itself, or times the factor of a value above 255. */
+  /**
+   * The value after picking a colour: the colour itself, or times the factor of a value above 255.
+   */
   recolor(value: Vec3, color: Vec3): Vec3 {
     this.#picked = { color, factor: this.split(value).factor };
     return times(color, this.#picked.factor);
   }
 
-  /** The value with another brightness and the same hue, also after it was black; white if it has always been black. */
+  /**
+   * The value with another brightness and the same hue, also after it was black; white if it has
+   * always been black.
+   */
   brighten(value: Vec3, brightness: number): Vec3 {
-    if (brightnessOf(value) > 0) this.#hue = value;
+    if (brightnessOf(value) > 0) {
+      this.#hue = value;
+    }
     return times(this.#hue, brightness / brightnessOf(this.#hue));
   }
 }
@@ -101,4 +125,5 @@ export function hexOf(color: Vec3): string {
   return `#${digits.join('')}`;
 }
 
-export const colorOf = (hex: string): Vec3 => map([1, 3, 5], (at) => parseInt(hex.slice(at, at + 2), 16));
+export const colorOf = (hex: string): Vec3 =>
+  map([1, 3, 5], (at) => parseInt(hex.slice(at, at + 2), 16));

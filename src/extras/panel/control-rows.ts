@@ -1,4 +1,5 @@
-// The rows of a <phong-control> that the panel has not: a stepper through values, and fields without a row.
+// The rows of a <phong-control> that the panel has not: a stepper through values, and fields
+// without a row.
 import { write } from '../../viewer/element/dom.js';
 import { attributeOf, formatValue, parseText } from '../../viewer/element/fields/attribute-text.js';
 import type { ViewerText } from '../../viewer/element/fields/texts.js';
@@ -31,7 +32,10 @@ const NOTHING = '–';
 const same = (a: unknown, b: unknown): boolean =>
   typeof a === 'number' && typeof b === 'number' ? Math.abs(a - b) < 1e-6 : sameValue(a, b);
 
-/** Goes through the values of `list`, the attribute's text separated by `|`. What the field refuses is left out. */
+/**
+ * Goes through the values of `list`, the attribute's text separated by `|`. What the field refuses
+ * is left out.
+ */
 export const stepper = (
   key: string,
   field: Field<unknown>,
@@ -46,7 +50,9 @@ export const stepper = (
     const go = (by: -1 | 1): void => {
       const at = place();
       const next = values.at(at < 0 ? (by < 0 ? -1 : 0) : Math.max(at + by, 0));
-      if (next !== undefined && !same(next, bound.value)) bound.value = next;
+      if (next !== undefined && !same(next, bound.value)) {
+        bound.value = next;
+      }
     };
     let say: Say = (text) => text;
     const stepTo = (text: 'back' | 'forward') => {
@@ -67,7 +73,11 @@ export const stepper = (
       write(output, text.replace(/[\w-]+/g, (word) => say(word as ViewerText)) || NOTHING);
     };
     const [back, forward] = [stepTo('back'), stepTo('forward')];
-    const row = new InputRow(gui, bound, 'steps', nameOf(key), [back, { input: output, update }, forward]);
+    const row = new InputRow(gui, bound, 'steps', nameOf(key), [
+      back,
+      { input: output, update },
+      forward,
+    ]);
     for (const { input } of [back, forward]) {
       input.id = `${row.$name.id}-${input.className}`;
       input.setAttribute('aria-labelledby', `${row.$name.id} ${input.id}`);
@@ -109,7 +119,11 @@ const NAMES: Readonly<Record<string, ViewerText>> = {
 const nameOf = (key: string): ViewerText => NAMES[key] ?? (attributeOf(key) as ViewerText);
 
 /** The panel's row, or what the kind of the field asks for. */
-export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRow<Editable> | null): AnyRow<Editable> {
+export function rowOf(
+  key: string,
+  { kind, choices }: Field<unknown>,
+  own: AnyRow<Editable> | null,
+): AnyRow<Editable> {
   if (own !== null && SCALES[key] === undefined) return own;
   const name = nameOf(key);
   if (choices !== undefined) return oneOf(name, choices as readonly ViewerText[]);
@@ -117,14 +131,17 @@ export function rowOf(key: string, { kind, choices }: Field<unknown>, own: AnyRo
     const row: Row<number, Editable> = number(name, SCALES[key] ?? linear(0, 1));
     const source = (element: Editable): Source => {
       const value = declared(element, key);
-      const auto = (): number => sceneMeshes.get(element as PhongViewer)?.segments ?? devicePixelRatio;
+      const auto = (): number =>
+        sceneMeshes.get(element as PhongViewer)?.segments ?? devicePixelRatio;
       return { ...value, get: () => (typeof value.get() === 'number' ? value.get() : auto()) };
     };
     return { ...row, source };
   }
-  const known = <T>(row: Row<T, Editable>, read: (value: unknown) => T) => mapped(row, read, (value) => value);
-  if (kind === 'numbers')
+  const known = <T>(row: Row<T, Editable>, read: (value: unknown) => T) =>
+    mapped(row, read, (value) => value);
+  if (kind === 'numbers') {
     return known(vector(name, linear(-10, 10, 0.05)), (value) => (value ?? [0, 0, 0]) as [0, 0, 0]);
+  }
   if (kind === 'text') return known(text(name), String);
   return known(flag(name), Boolean);
 }

@@ -1,9 +1,14 @@
-// What a <phong-control> does: it finds its elements and shows the row that the panel has for their value, in a line of
-// text or alone. Loaded with the first one on a page.
+// What a <phong-control> does: it finds its elements and shows the row that the panel has for their
+// value, in a line of text or alone. Loaded with the first one on a page.
 import { GUI } from 'lil-gui';
 import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
 import { CONTROL_FIELDS, type ControlValues } from './control-fields.js';
-import { attributesOf, bindingOf, defineProperties, FieldBinding } from '../../viewer/element/fields/field-binding.js';
+import {
+  attributesOf,
+  bindingOf,
+  defineProperties,
+  FieldBinding,
+} from '../../viewer/element/fields/field-binding.js';
 import { phrase, type ViewerTexts } from '../../viewer/element/fields/texts.js';
 import { addStyles, removeStyles } from '../../viewer/element/page/style-sheets.js';
 import { PhongControl } from '../../viewer/element/phong-control.js';
@@ -42,7 +47,9 @@ export function follow(element: PhongControl): void {
   const control = controls.get(element) ?? new Control(element);
   controls.set(element, control);
   control.stop();
-  if (element.isConnected) control.start();
+  if (element.isConnected) {
+    control.start();
+  }
 }
 
 class Control {
@@ -67,7 +74,9 @@ class Control {
     Object.defineProperty(element, 'texts', { get: () => this.#texts }); // for the labels
     const all = { childList: true, subtree: true, attributes: true, characterData: true };
     this.#attributes.observe(element, all); // also while it is not on the page
-    for (const name of element.getAttributeNames()) this.#binding.attributeChanged(name, element.getAttribute(name));
+    for (const name of element.getAttributeNames()) {
+      this.#binding.attributeChanged(name, element.getAttribute(name));
+    }
     this.#binding.upgrade();
     this.#binding.store.listen(() => this.#rebuild());
   }
@@ -75,8 +84,9 @@ class Control {
   start(): void {
     const element = this.#element;
     addStyles(this.#root, styles);
-    for (const root of new Set([element.getRootNode(), element.ownerDocument]))
+    for (const root of new Set([element.getRootNode(), element.ownerDocument])) {
       this.#elements.observe(root, { childList: true, subtree: true, attributeFilter: ['id'] });
+    }
     this.#rebuild();
   }
 
@@ -89,10 +99,14 @@ class Control {
 
   #changed(records: readonly MutationRecord[]): void {
     const element = this.#element;
-    for (const { target, attributeName } of records)
-      if (target === element && attributeName !== null)
+    for (const { target, attributeName } of records) {
+      if (target === element && attributeName !== null) {
         this.#binding.attributeChanged(attributeName, element.getAttribute(attributeName));
-    if (records.some(({ type }) => type !== 'attributes')) this.#rebuild();
+      }
+    }
+    if (records.some(({ type }) => type !== 'attributes')) {
+      this.#rebuild();
+    }
   }
 
   get #ids(): readonly string[] {
@@ -110,41 +124,60 @@ class Control {
       return;
     }
     const found = this.#ids.map((id) => this.#byId(id));
-    for (const one of found) if (one !== null) this.#met.add(one.id);
-    const targets = found.filter((one) => one !== null && one.localName in ROWS && viewerOf(one) !== null);
-    if (!sameValue(targets, this.#targets)) this.#build(targets as Editable[]);
+    for (const one of found) {
+      if (one !== null) {
+        this.#met.add(one.id);
+      }
+    }
+    const targets = found.filter(
+      (one) => one !== null && one.localName in ROWS && viewerOf(one) !== null,
+    );
+    if (!sameValue(targets, this.#targets)) {
+      this.#build(targets as Editable[]);
+    }
   }
 
   #rebuild(): void {
     this.#targets = null;
     this.#find();
     clearTimeout(this.#timer);
-    if (this.#element.isConnected) this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
+    if (this.#element.isConnected) {
+      this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
+    }
   }
 
   #complain(): void {
     const { for: ids, attribute } = this.#element;
     const tag = `<phong-control for="${clip(ids)}" attribute="${clip(attribute)}">`;
-    if (ids.trim() === '') warn(`${tag}: write for="…", the id of a viewer, a light or a mesh.`);
+    if (ids.trim() === '') {
+      warn(`${tag}: write for="…", the id of a viewer, a light or a mesh.`);
+    }
     const known = Array.from(document.querySelectorAll(Object.keys(ROWS).join()), (one) => one.id);
     for (const id of this.#ids) {
       const found = this.#byId(id);
       const meant = nearest(id, known);
       const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
       if (found === null) {
-        if (!this.#met.has(id)) warn(`${tag}: no element has the id "${clip(id)}".${hint}`);
-      } else if (!(found.localName in ROWS))
+        if (!this.#met.has(id)) {
+          warn(`${tag}: no element has the id "${clip(id)}".${hint}`);
+        }
+      } else if (!(found.localName in ROWS)) {
         warn(`${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`);
-      else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
+      } else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
         const word = nearest(attribute, attributesOf(bindingOf(found as Editable).store.fields));
-        const cure = word === undefined ? 'Write attribute="…", one of its attributes.' : `Did you mean "${word}"?`;
+        const cure =
+          word === undefined
+            ? 'Write attribute="…", one of its attributes.'
+            : `Did you mean "${word}"?`;
         warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}". ${cure}`);
       }
     }
   }
 
   #clear(): void {
-    for (const stop of this.#stops) stop();
+    for (const stop of this.#stops) {
+      stop();
+    }
     this.#stops = [];
     this.#gui?.destroy();
     this.#gui = null;
@@ -161,7 +194,9 @@ class Control {
     const key = keyOf(element, attribute)!;
     const viewer = viewerOf(element)!;
     this.#texts = viewer.texts;
-    const field = (bindingOf(element).store.fields as Readonly<Record<string, Field<unknown>>>)[key]!;
+    const field = (bindingOf(element).store.fields as Readonly<Record<string, Field<unknown>>>)[
+      key
+    ]!;
     const own = ROWS[element.localName]![key] ?? null;
     const row = values !== '' ? stepper(key, field, values, own) : rowOf(key, field, own);
     const range = new SceneRange(viewer);
@@ -174,7 +209,11 @@ class Control {
     this.#root.replaceChildren(box);
     const gui = (this.#gui = new GUI({ container: box, injectStyles: false }));
     const sources = having.map((target) => row.source?.(target) ?? declared(target, key));
-    row.add(gui, { element, viewer, range, title: () => '', scale, axis }, joined(having, sources) as never);
+    row.add(
+      gui,
+      { element, viewer, range, title: () => '', scale, axis },
+      joined(having, sources) as never,
+    );
     dress(gui, key, this.#element);
     this.#listen(gui, having, range);
   }
@@ -186,7 +225,9 @@ class Control {
         this.#rebuild();
         return;
       }
-      for (const control of gui.controllers) control.updateDisplay();
+      for (const control of gui.controllers) {
+        control.updateDisplay();
+      }
       updateWidthsAndPrint(gui, this.#texts);
     };
     const box = gui.domElement;
@@ -194,7 +235,9 @@ class Control {
       const events = new AbortController();
       const listen = (type: string, act: () => void): void =>
         viewer.addEventListener(type, act, { signal: events.signal });
-      for (const type of ['camera-change', 'light-change', 'render']) listen(type, refresh);
+      for (const type of ['camera-change', 'light-change', 'render']) {
+        listen(type, refresh);
+      }
       listen('load', () => range.expire());
       const updates = { hostUpdated: refresh };
       viewer.addController(updates);
@@ -213,11 +256,16 @@ const axisOf = (component: NonNullable<ControlValues['component']>): 0 | 1 | 2 =
   ({ x: 0, y: 1, z: 2, kc: 0, kl: 1, kq: 2 } as const)[component];
 
 function warn(message: string): void {
-  if (!warned.has(message)) console.warn(message);
+  if (!warned.has(message)) {
+    console.warn(message);
+  }
   warned.add(message);
 }
 
-/** The viewer that shows `element`, through shadow trees; null if it is not defined yet or stands outside of any. */
+/**
+ * The viewer that shows `element`, through shadow trees; null if it is not defined yet or stands
+ * outside of any.
+ */
 function viewerOf(element: Element): PhongViewer | null {
   if (!element.matches(':defined')) return null;
   const around = element.closest('phong-viewer:defined');
@@ -226,7 +274,9 @@ function viewerOf(element: Element): PhongViewer | null {
 }
 
 const keyOf = (element: Editable, attribute: string): string | undefined =>
-  Object.keys(bindingOf(element).store.fields).find((key) => attributeOf(key) === attribute.trim().toLowerCase());
+  Object.keys(bindingOf(element).store.fields).find(
+    (key) => attributeOf(key) === attribute.trim().toLowerCase(),
+  );
 
 /** Writes to all sources: one step for each viewer. Shows the first. */
 function joined(elements: readonly Editable[], sources: readonly Source[]): Bound<unknown> {
@@ -253,14 +303,18 @@ const together = (subjects: readonly Undoable<unknown>[]): Undoable<readonly unk
 /** The unit in a row's name, as it is written behind a number. */
 const UNIT = /\s*°$/;
 
-/** What the panel's rows lack outside of it: parts, the author's label, units, and what is printed. */
+/**
+ * What the panel's rows lack outside of it: parts, the author's label, units, and what is printed.
+ */
 function dress(gui: GUI, key: string, element: PhongControl): void {
   const rows = gui.controllers;
   const box = gui.domElement;
   const hasLabel = element.textContent.trim() !== '' || element.firstElementChild !== null;
   for (const { $name, $widget, domElement } of rows) {
     $name.part.add('label');
-    for (const input of $widget.querySelectorAll<HTMLElement>('input, select, button, output')) input.part.add('input');
+    for (const input of $widget.querySelectorAll<HTMLElement>('input, select, button, output')) {
+      input.part.add('input');
+    }
     if (domElement.classList.contains('lil-number')) {
       const unit = key === 'autoRotate' ? '°/s' : UNIT.test($name.textContent) ? '°' : '';
       $name.textContent = $name.textContent.replace(UNIT, '');
@@ -271,7 +325,9 @@ function dress(gui: GUI, key: string, element: PhongControl): void {
       const slider = $widget.querySelector<HTMLInputElement>('[type="range"]')!;
       slider.tabIndex = 0; // alone, without the panel's other rows to pass by
       const field = $widget.querySelector<HTMLInputElement>('.number')!;
-      if (field.type === 'text') field.role = 'spinbutton';
+      if (field.type === 'text') {
+        field.role = 'spinbutton';
+      }
     }
     const printed = document.createElement('span');
     printed.className = 'printed';
@@ -299,10 +355,14 @@ function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
     const said = Array.from(inputs, (input) => {
       if (input.classList.contains('number')) {
         input.style.setProperty('--digits', String(Math.max(input.value.length, 1)));
-        if (input.role === 'spinbutton') input.ariaValueNow = input.value;
+        if (input.role === 'spinbutton') {
+          input.ariaValueNow = input.value;
+        }
       }
       if (input.type === 'checkbox') return phrase(texts, input.checked ? 'on' : 'off');
-      if (input.localName === 'select') return (input as unknown as HTMLSelectElement).selectedOptions[0]?.text ?? '';
+      if (input.localName === 'select') {
+        return (input as unknown as HTMLSelectElement).selectedOptions[0]?.text ?? '';
+      }
       return input.value;
     });
     const unit = $widget.querySelector('[part="unit"]')?.textContent ?? '';
@@ -312,7 +372,7 @@ function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
 
 /** Whether text stands beside `element` in its line, up to a line break or a block. */
 function isInText(element: Element): boolean {
-  for (const side of ['previousSibling', 'nextSibling'] as const)
+  for (const side of ['previousSibling', 'nextSibling'] as const) {
     for (let node = element[side]; node !== null; node = node[side]) {
       if (node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '') return true;
       if (node.nodeType !== Node.ELEMENT_NODE) continue;
@@ -320,8 +380,10 @@ function isInText(element: Element): boolean {
       if (localName === 'br' || !isInline(node as Element)) break;
       if (localName !== 'phong-control' && textContent.trim() !== '') return true;
     }
+  }
   const parent = element.parentElement;
   return parent !== null && isInline(parent) && isInText(parent);
 }
 
-const isInline = (element: Element): boolean => /^(inline|contents)/.test(getComputedStyle(element).display);
+const isInline = (element: Element): boolean =>
+  /^(inline|contents)/.test(getComputedStyle(element).display);

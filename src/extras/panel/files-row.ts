@@ -74,7 +74,9 @@ export function chooseModel(chosen: (model: Blob) => void): void {
     modelCode()
       .then(({ droppedModel }) => droppedModel([], files))
       .then((model) => {
-        if (model !== null) chosen(model);
+        if (model !== null) {
+          chosen(model);
+        }
       })
       .catch(warnOf);
   });

@@ -1,4 +1,5 @@
-// The folders of the panel. Rows are built when their folder is first opened, and refreshed only while they are visible.
+// The folders of the panel. Rows are built when their folder is first opened, and refreshed only
+// while they are visible.
 import type { GUI } from 'lil-gui';
 import type { ViewerText, ViewerTexts } from '../../viewer/element/fields/texts.js';
 import { fieldsOf } from '../../viewer/element/internals.js';
@@ -19,7 +20,10 @@ export class Folder<E extends Editable> {
   #rows: ReadonlyMap<string, AddedRow<E>> | null = null;
   #stale = true;
 
-  /** Starts closed. `title`: null if the caller writes it. `built`: adds what stands below the table's rows. */
+  /**
+   * Starts closed. `title`: null if the caller writes it. `built`: adds what stands below the
+   * table's rows.
+   */
   constructor(
     parent: GUI,
     title: ViewerText | null,
@@ -39,7 +43,9 @@ export class Folder<E extends Editable> {
     this.refreshVisible();
   }
 
-  /** Refreshes outdated rows if they are visible. To be called whenever a folder around it opens. */
+  /**
+   * Refreshes outdated rows if they are visible. To be called whenever a folder around it opens.
+   */
   refreshVisible(): void {
     if (!this.#stale || this.gui.domElement.closest('.lil-closed') !== null) return;
     this.#stale = false;
@@ -48,7 +54,9 @@ export class Folder<E extends Editable> {
       this.#built(this.gui);
     }
     showRows(this.#place.element, [...this.#rows.values()]);
-    for (const control of this.gui.controllers) control.updateDisplay();
+    for (const control of this.gui.controllers) {
+      control.updateDisplay();
+    }
   }
 
   open(): void {
@@ -64,21 +72,31 @@ export class Folder<E extends Editable> {
   }
 }
 
-/** Shows the rows whose condition holds. One stays while it, or a row under the same condition, is being edited. */
+/**
+ * Shows the rows whose condition holds. One stays while it, or a row under the same condition, is
+ * being edited.
+ */
 export function showRows<E>(element: E, rows: readonly AddedRow<E>[]): void {
   for (const { row, controls } of rows) {
     const { shown } = row;
     if (shown === undefined) continue;
-    const together = rows.filter((other) => other.row.shown === shown).flatMap((other) => other.controls);
-    const visible = shown(element) || together.some(({ domElement }) => domElement.matches(':focus-within'));
-    for (const control of controls) control.show(visible);
+    const together = rows
+      .filter((other) => other.row.shown === shown)
+      .flatMap((other) => other.controls);
+    const visible =
+      shown(element) || together.some(({ domElement }) => domElement.matches(':focus-within'));
+    for (const control of controls) {
+      control.show(visible);
+    }
   }
 }
 
 /** Opens without animation. `title`: null if the caller writes it. */
 function addFolder(parent: GUI, title: ViewerText | null): GUI {
   const gui = withoutAnimation(parent.addFolder(''));
-  if (title !== null) label(gui.$title, (say) => gui.title(say(title)));
+  if (title !== null) {
+    label(gui.$title, (say) => gui.title(say(title)));
+  }
   return gui;
 }
 
@@ -92,7 +110,10 @@ export function withoutAnimation(gui: GUI): GUI {
 export interface ChildKind<E> {
   readonly rows: Rows<E>;
   readonly children: (viewer: PhongViewer) => readonly E[];
-  /** The element's name, or what stands for it, in the page's words. `index`: position among the children, from 0. */
+  /**
+   * The element's name, or what stands for it, in the page's words. `index`: position among the
+   * children, from 0.
+   */
   readonly title: (element: E, index: number, texts: ViewerTexts | null) => string;
   /** Adds a switch beside the folder's title. */
   readonly addSwitch?: (gui: GUI, element: E, viewer: PhongViewer) => TitleSwitch;
@@ -111,8 +132,9 @@ interface ChildFolder<E> {
 }
 
 /**
- * The folders of the lights or of the meshes: one per child, in document order, which keeps its state while children
- * change. Each change is one step that can be undone. The focus follows the child.
+ * The folders of the lights or of the meshes: one per child, in document order, which keeps its
+ * state while children change. Each change is one step that can be undone. The focus follows the
+ * child.
  */
 export class ChildFolders<E extends PhongLight | PhongMesh> {
   readonly group: GUI;
@@ -121,7 +143,13 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
   readonly #kind: ChildKind<E>;
   readonly #folders = new Map<E, ChildFolder<E>>();
 
-  constructor(parent: GUI, title: ViewerText, viewer: PhongViewer, range: SceneRange, kind: ChildKind<E>) {
+  constructor(
+    parent: GUI,
+    title: ViewerText,
+    viewer: PhongViewer,
+    range: SceneRange,
+    kind: ChildKind<E>,
+  ) {
     this.group = addFolder(parent, title);
     this.#viewer = viewer;
     this.#range = range;
@@ -135,11 +163,15 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     const focused = domElement.contains(activeElement) ? (activeElement as HTMLElement) : null;
     this.#arrange(this.#children);
     // A folder that moves or goes drops the focus, and with it the keys for undo.
-    if (focused?.matches(':focus') === false) focus(focused.isConnected ? focused : $title);
+    if (focused?.matches(':focus') === false) {
+      focus(focused.isConnected ? focused : $title);
+    }
   }
 
   refreshVisible(): void {
-    for (const { folder } of this.#folders.values()) folder.refreshVisible();
+    for (const { folder } of this.#folders.values()) {
+      folder.refreshVisible();
+    }
   }
 
   /** Adds a child, opens its folder and scrolls to it. */
@@ -150,7 +182,8 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     folder.open();
     focus(folder.gui.$title);
     const list = folder.gui.root.$children;
-    list.scrollTop += folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;
+    list.scrollTop +=
+      folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;
   }
 
   get #children(): readonly E[] {
@@ -169,8 +202,11 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     elements.forEach((element, index) => {
       const child = this.#folders.get(element) ?? this.#addFolder(element);
       const node = child.folder.gui.domElement;
-      const next: Element | null = after === null ? list.querySelector(':scope > .lil-gui') : after.nextElementSibling;
-      if (node !== next) list.insertBefore(node, next);
+      const next: Element | null =
+        after === null ? list.querySelector(':scope > .lil-gui') : after.nextElementSibling;
+      if (node !== next) {
+        list.insertBefore(node, next);
+      }
       after = node;
       const title = this.#kind.title(element, index, this.#viewer.texts);
       if (title !== child.title) {
@@ -187,16 +223,27 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     const { rows, addSwitch } = this.#kind;
     const viewer = this.#viewer;
     const place = { element, viewer, range: this.#range, title: () => child.title };
-    const folder = new Folder(this.group, null, place, rows, (gui) => this.#addButtons(gui, element));
-    const child: ChildFolder<E> = { folder, toggle: addSwitch?.(folder.gui, element, viewer), title: '' };
+    const folder = new Folder(this.group, null, place, rows, (gui) =>
+      this.#addButtons(gui, element),
+    );
+    const child: ChildFolder<E> = {
+      folder,
+      toggle: addSwitch?.(folder.gui, element, viewer),
+      title: '',
+    };
     const { $title } = folder.gui;
     $title.setAttribute('aria-keyshortcuts', 'Alt+ArrowUp Alt+ArrowDown Delete F2');
     $title.addEventListener('keydown', (event) => {
       const { key, altKey } = event;
-      if (altKey && (key === 'ArrowUp' || key === 'ArrowDown')) this.#move(element, key === 'ArrowUp' ? -1 : 1);
-      else if (key === 'Delete') this.#remove(element);
-      else if (key === 'F2') folder.edit('name');
-      else return;
+      if (altKey && (key === 'ArrowUp' || key === 'ArrowDown')) {
+        this.#move(element, key === 'ArrowUp' ? -1 : 1);
+      } else if (key === 'Delete') {
+        this.#remove(element);
+      } else if (key === 'F2') {
+        folder.edit('name');
+      } else {
+        return;
+      }
       event.preventDefault();
     });
     this.#folders.set(element, child);
@@ -207,7 +254,9 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     const row = new ButtonRow(gui, 'Order and copies');
     row.addSymbol('↑', 'move up', () => this.#move(child, -1));
     row.addSymbol('↓', 'move down', () => this.#move(child, 1));
-    row.add('duplicate', () => this.add(copyOf(child, this.#children), (copy) => child.after(copy)));
+    row.add('duplicate', () =>
+      this.add(copyOf(child, this.#children), (copy) => child.after(copy)),
+    );
     row.add('remove', () => this.#remove(child));
   }
 
@@ -221,7 +270,9 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     const children = this.#children;
     const next = children[at] ?? children.at(-1);
     const gui = next === undefined ? this.group : this.#folders.get(next)?.folder.gui;
-    if (gui !== undefined) focus(gui.$title);
+    if (gui !== undefined) {
+      focus(gui.$title);
+    }
   }
 
   /** Before the previous child, or after the next one, wherever that is. */
@@ -230,9 +281,14 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
     const neighbour = children[children.indexOf(child) + by];
     if (neighbour === undefined) return;
     this.#edit(() => {
-      for (const element of [child, neighbour]) unnest(element);
-      if (by < 0) neighbour.before(child);
-      else neighbour.after(child);
+      for (const element of [child, neighbour]) {
+        unnest(element);
+      }
+      if (by < 0) {
+        neighbour.before(child);
+      } else {
+        neighbour.after(child);
+      }
     });
   }
 
@@ -247,20 +303,26 @@ const focus = (element: HTMLElement): void => element.focus({ preventScroll: tru
 /** HTML nests self-closed tags in one another. Moves the children of an element behind it. */
 const unnest = (element: HTMLElement): void => element.after(...element.children);
 
-/** A copy with the values as they are now and a name of its own: `lamp 2` for a copy of `lamp`, or the next free number. */
+/**
+ * A copy with the values as they are now and a name of its own: `lamp 2` for a copy of `lamp`, or
+ * the next free number.
+ */
 function copyOf<E extends PhongLight | PhongMesh>(original: E, siblings: readonly E[]): E {
   const copy = original.cloneNode(false) as E;
   copy.removeAttribute('id');
   const from = fieldsOf(original as PhongMesh).store;
   const to = fieldsOf(copy as PhongMesh);
-  for (const key of Object.keys(from.fields) as (keyof typeof from.values)[])
+  for (const key of Object.keys(from.fields) as (keyof typeof from.values)[]) {
     to.set(key, from.given(key) ? from.values[key] : null);
+  }
   const { name } = from.values;
   if (name === '') return copy;
   const taken = siblings.map((sibling) => sibling.name);
   const stem = name.replace(/ \d+$/, '');
   let number = 2;
-  while (taken.includes(`${stem} ${String(number)}`)) number++;
+  while (taken.includes(`${stem} ${String(number)}`)) {
+    number++;
+  }
   copy.name = `${stem} ${String(number)}`;
   return copy;
 }

@@ -1,4 +1,5 @@
-// Rows of inputs: a field of text that writes while the user types, a choice, and text that the user cannot edit.
+// Rows of inputs: a field of text that writes while the user types, a choice, and text that the
+// user cannot edit.
 import { Controller, type GUI } from 'lil-gui';
 import { write } from '../../viewer/element/dom.js';
 import type { ViewerText } from '../../viewer/element/fields/texts.js';
@@ -15,7 +16,13 @@ export interface RowInput {
 export class InputRow extends Controller {
   readonly #inputs: readonly RowInput[];
 
-  constructor(folder: GUI, bound: object, className: string, name: ViewerText, inputs: readonly RowInput[]) {
+  constructor(
+    folder: GUI,
+    bound: object,
+    className: string,
+    name: ViewerText,
+    inputs: readonly RowInput[],
+  ) {
     super(folder, bound, 'value', className);
     nameRow(this, name);
     this.#inputs = inputs;
@@ -27,7 +34,9 @@ export class InputRow extends Controller {
   }
 
   override updateDisplay(): this {
-    for (const each of this.#inputs) each.update();
+    for (const each of this.#inputs) {
+      each.update();
+    }
     return this;
   }
 }
@@ -42,7 +51,12 @@ export function nameInput(input: HTMLElement, name: (say: Say) => string): void 
 }
 
 /** `placeholder`: shown in the empty field; read again at each update. */
-export function addText(folder: GUI, bound: Bound<string>, name: ViewerText, placeholder: () => string): void {
+export function addText(
+  folder: GUI,
+  bound: Bound<string>,
+  name: ViewerText,
+  placeholder: () => string,
+): void {
   const field = new TextField(
     () => bound.value,
     (text) => accepted(() => (bound.value = text)),
@@ -55,7 +69,10 @@ export function addText(folder: GUI, bound: Bound<string>, name: ViewerText, pla
   new InputRow(folder, bound, 'text', name, [{ input, update }]);
 }
 
-/** One of several values. The list stays open while `listed`, read at each update, and the value stay the same. */
+/**
+ * One of several values. The list stays open while `listed`, read at each update, and the value
+ * stay the same.
+ */
 export function addSelect<T extends string | null>(
   folder: GUI,
   bound: Bound<T>,
@@ -71,11 +88,15 @@ export function addSelect<T extends string | null>(
     if (!sameValue(now, values)) {
       values = now;
       input.replaceChildren(...now.map(() => document.createElement('option')));
-      label(input, (say) => now.forEach((value, i) => (input.options[i]!.textContent = text(value, say))));
+      label(input, (say) =>
+        now.forEach((value, i) => (input.options[i]!.textContent = text(value, say))),
+      );
     }
     const index = values.indexOf(bound.value);
     // Assigning the index, even the same one, would close an open list.
-    if (input.selectedIndex !== index) input.selectedIndex = index;
+    if (input.selectedIndex !== index) {
+      input.selectedIndex = index;
+    }
   };
   return new InputRow(folder, bound, 'lil-option', name, [{ input, update }]);
 }
@@ -102,7 +123,10 @@ export class Readout extends Controller {
   }
 }
 
-/** Writes accepted text at once and marks refused text. Nothing overwrites the text while the user types. */
+/**
+ * Writes accepted text at once and marks refused text. Nothing overwrites the text while the user
+ * types.
+ */
 export class TextField {
   readonly input = document.createElement('input');
   readonly #read: () => string;
@@ -121,7 +145,9 @@ export class TextField {
       this.#valid = write(input.value);
     });
     input.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') input.blur();
+      if (event.key === 'Enter') {
+        input.blur();
+      }
     });
     input.addEventListener('blur', () => this.settle());
   }
@@ -129,7 +155,9 @@ export class TextField {
   update(): void {
     if (this.#typing) return;
     const text = this.#read();
-    if (this.input.value !== text) this.input.value = text;
+    if (this.input.value !== text) {
+      this.input.value = text;
+    }
   }
 
   /** Ends typing. */
@@ -140,7 +168,10 @@ export class TextField {
   }
 
   set #valid(valid: boolean) {
-    if (valid) this.input.removeAttribute('aria-invalid');
-    else this.input.setAttribute('aria-invalid', 'true');
+    if (valid) {
+      this.input.removeAttribute('aria-invalid');
+    } else {
+      this.input.setAttribute('aria-invalid', 'true');
+    }
   }
 }

@@ -1,4 +1,5 @@
-// The panel's texts, which follow `viewer.texts`: an element that shows one keeps the function that writes it.
+// The panel's texts, which follow `viewer.texts`: an element that shows one keeps the function that
+// writes it.
 import type { Controller } from 'lil-gui';
 import { phrase, type ViewerText } from '../../viewer/element/fields/texts.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
@@ -8,7 +9,10 @@ export type Say = (text: ViewerText, values?: Readonly<Record<string, string>>) 
 
 const writers = new WeakMap<Element, (say: Say) => void>();
 
-/** `write` shows the text of `element`: now and whenever the texts change. An element has one such function. */
+/**
+ * `write` shows the text of `element`: now and whenever the texts change. An element has one such
+ * function.
+ */
 export function label(element: Element, write: (say: Say) => void): void {
   writers.set(element, write);
   write(sayIn(element));
@@ -46,7 +50,9 @@ export function nameOwner(row: Controller, title: () => string): void {
 /** The viewer's texts have changed. */
 export function relabel(panel: Element): void {
   const say = sayIn(panel);
-  for (const element of [panel, ...panel.querySelectorAll('*')]) writers.get(element)?.(say);
+  for (const element of [panel, ...panel.querySelectorAll('*')]) {
+    writers.get(element)?.(say);
+  }
 }
 
 function sayIn(panel: Element): Say {

@@ -1,12 +1,17 @@
-// The rows of a light, the switch beside its folder's title, and the values that the panel writes: those of a new light,
-// and those that make a light directional, a point or a spot.
+// The rows of a light, the switch beside its folder's title, and the values that the panel writes:
+// those of a new light, and those that make a light directional, a point or a spot.
 import type { GUI } from 'lil-gui';
 import { fieldsOf } from '../../viewer/element/internals.js';
 import { numberedName, type PhongLight } from '../../viewer/element/phong-light.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
 import { historyOf, valuesOf } from '../../viewer/element/viewer/history.js';
 import { isSpot, kindOf } from '../../phong/light/light-features.js';
-import { KINDS, LIGHT_SPACES, type LightKind, type LightValues } from '../../phong/light/light-state.js';
+import {
+  KINDS,
+  LIGHT_SPACES,
+  type LightKind,
+  type LightValues,
+} from '../../phong/light/light-state.js';
 import type { Vec3, Vec4 } from '../../phong/math/vector.js';
 import type { ChildKind, TitleSwitch } from './folders.js';
 import { label } from './label.js';
@@ -53,7 +58,10 @@ const kind: Row<unknown, PhongLight> = {
       () => kindOf(valuesIn(light)),
       (next) => {
         const { store } = fieldsOf(light);
-        Object.assign(light, change.writesFor(store.values, next, store.given('axis'), aimOf(place)));
+        Object.assign(
+          light,
+          change.writesFor(store.values, next, store.given('axis'), aimOf(place)),
+        );
       },
     );
     row.add(gui, place, value);
@@ -89,11 +97,17 @@ export const LIGHT_ROWS = {
 } satisfies RowTable<LightValues, PhongLight, 'kind'>;
 
 /** Turns the light on and off without opening the folder. */
-function addSwitch({ domElement, $title }: GUI, light: PhongLight, viewer: PhongViewer): TitleSwitch {
+function addSwitch(
+  { domElement, $title }: GUI,
+  light: PhongLight,
+  viewer: PhongViewer,
+): TitleSwitch {
   const box = document.createElement('input');
   box.type = 'checkbox';
   box.className = 'switch';
-  box.addEventListener('change', () => historyOf(viewer).edit(valuesOf(light), () => (light.active = box.checked)));
+  box.addEventListener('change', () =>
+    historyOf(viewer).edit(valuesOf(light), () => (light.active = box.checked)),
+  );
   $title.after(box);
   return {
     update() {
@@ -101,7 +115,8 @@ function addSwitch({ domElement, $title }: GUI, light: PhongLight, viewer: Phong
       box.checked = active;
       domElement.classList.toggle('off', !active);
     },
-    rename: (name) => label(box, (say) => box.setAttribute('aria-label', say('{name} active', { name }))),
+    rename: (name) =>
+      label(box, (say) => box.setAttribute('aria-label', say('{name} active', { name }))),
   };
 }
 
@@ -125,10 +140,16 @@ export class KindChange {
   #formerCone: ConeValues | null = null;
 
   /**
-   * The values to write so that the light becomes this kind; none if it is already. x, y and z stay. A spot gets its
-   * former cone back. Without an axis it is aimed at `target`, a point in the light's own space.
+   * The values to write so that the light becomes this kind; none if it is already. x, y and z
+   * stay. A spot gets its former cone back. Without an axis it is aimed at `target`, a point in the
+   * light's own space.
    */
-  writesFor(light: Readonly<LightValues>, kind: LightKind, axisGiven: boolean, target: Vec3): Partial<LightValues> {
+  writesFor(
+    light: Readonly<LightValues>,
+    kind: LightKind,
+    axisGiven: boolean,
+    target: Vec3,
+  ): Partial<LightValues> {
     if (kindOf(light) === kind) return {};
     const [x, y, z] = light.position;
     const position: Vec4 = [x, y, z, kind === 'directional' ? 0 : 1];
@@ -139,7 +160,8 @@ export class KindChange {
     }
     // Keep the default axis only if it has been in use.
     const chosen = axisGiven || isSpot(light) || this.#formerCone !== null;
-    const axis = chosen && light.axis.some((n) => n !== 0) ? {} : { axis: aim(light.position, target) };
+    const axis =
+      chosen && light.axis.some((n) => n !== 0) ? {} : { axis: aim(light.position, target) };
     const cone = isSpot({ ...light, ...axis }) ? {} : (this.#formerCone ?? FIRST_CONE);
     return { position, ...axis, ...cone };
   }
@@ -168,9 +190,15 @@ const GREY: Vec3 = [140, 140, 140];
 export function newLight(count: number, center: Vec3, reach: number): Partial<LightValues> {
   const angle = GOLDEN_ANGLE * (count + 1);
   const distance = reach / 2;
-  const near = (offset: number, middle: number): number => Number((middle + distance * offset).toPrecision(3));
+  const near = (offset: number, middle: number): number =>
+    Number((middle + distance * offset).toPrecision(3));
   return {
-    position: [near(0.8 * Math.sin(angle), center[0]), near(0.6, center[1]), near(0.8 * Math.cos(angle), center[2]), 1],
+    position: [
+      near(0.8 * Math.sin(angle), center[0]),
+      near(0.6, center[1]),
+      near(0.8 * Math.cos(angle), center[2]),
+      1,
+    ],
     diffuse: GREY,
     specular: GREY,
   };

@@ -4,12 +4,28 @@ import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
 import { meshTitle } from '../../viewer/element/viewer/description.js';
 import { historyOf, valuesOf } from '../../viewer/element/viewer/history.js';
-import { SURFACE_FIELDS, type SurfaceValues, REFLECTIONS, SHADINGS } from '../../phong/material/material-values.js';
+import {
+  SURFACE_FIELDS,
+  type SurfaceValues,
+  REFLECTIONS,
+  SHADINGS,
+} from '../../phong/material/material-values.js';
 import type { MeshValues } from '../../viewer/scene/mesh/mesh-fields.js';
 import { ButtonRow } from './button-row.js';
 import type { ChildKind } from './folders.js';
 import { chooseModel } from './files-row.js';
-import { button, color, readout, NO_ROW, number, oneOf, type Row, type RowTable, text, vector } from './rows.js';
+import {
+  button,
+  color,
+  readout,
+  NO_ROW,
+  number,
+  oneOf,
+  type Row,
+  type RowTable,
+  text,
+  vector,
+} from './rows.js';
 import { linear, logarithmic } from './travel.js';
 
 const modelFile: Row<MeshValues['src'], PhongMesh> = {
@@ -28,14 +44,20 @@ export const SURFACE_ROWS = {
   resetMaterial: button('reset material', ({ element, viewer }) =>
     historyOf(viewer).edit(valuesOf(element), () => {
       const binding = fieldsOf(element as PhongMesh);
-      for (const key of Object.keys(SURFACE_FIELDS) as (keyof SurfaceValues)[]) binding.set(key, null);
+      for (const key of Object.keys(SURFACE_FIELDS) as (keyof SurfaceValues)[]) {
+        binding.set(key, null);
+      }
     }),
   ),
 } satisfies RowTable<SurfaceValues, PhongMesh | PhongViewer, 'resetMaterial'>;
 
 /** Under `auto`: what that gives now. */
 export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
-  ...readout('segments', (element: PhongMesh | PhongViewer) => String(sceneMeshes.get(element)?.segments ?? ''), true),
+  ...readout(
+    'segments',
+    (element: PhongMesh | PhongViewer) => String(sceneMeshes.get(element)?.segments ?? ''),
+    true,
+  ),
   shown: ({ src, geometry }) => src === '' && geometry !== null,
 };
 

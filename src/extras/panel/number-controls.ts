@@ -10,7 +10,12 @@ import { tidy } from '../../phong/math/round-number.js';
 import { numberText, type SliderScale } from './travel.js';
 
 /** A slider over the usual range, and a field that accepts every value that the element accepts. */
-export function addNumber(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => SliderScale): InputRow {
+export function addNumber(
+  folder: GUI,
+  bound: Bound<number>,
+  name: ViewerText,
+  travel: () => SliderScale,
+): InputRow {
   const slider = new Slider(bound, travel);
   // The field does everything by keyboard that the slider does, so one tab stop per row is enough.
   slider.input.tabIndex = -1;
@@ -49,9 +54,13 @@ export function addVector(
   travel: (axis: Axis) => SliderScale,
   components: ComponentNames = AXES,
 ): void {
-  const fields = ([0, 1, 2] as const).map((axis) => new NumberField(componentOf(value, axis), () => travel(axis)));
+  const fields = ([0, 1, 2] as const).map(
+    (axis) => new NumberField(componentOf(value, axis), () => travel(axis)),
+  );
   new InputRow(folder, value, 'vector', name, fields);
-  fields.forEach(({ input }, axis) => nameInput(input, (say) => say(components[axis]!, { row: say(name) })));
+  fields.forEach(({ input }, axis) =>
+    nameInput(input, (say) => say(components[axis]!, { row: say(name) })),
+  );
 }
 
 /** Its range grows to include the value, but not while it is dragged. */
@@ -70,7 +79,13 @@ export class Slider implements RowInput {
     const { input } = this;
     input.type = 'range';
     input.addEventListener('pointerdown', () => (this.#dragging = true));
-    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture', 'change', 'blur'] as const) {
+    for (const type of [
+      'pointerup',
+      'pointercancel',
+      'lostpointercapture',
+      'change',
+      'blur',
+    ] as const) {
       input.addEventListener(type, () => {
         this.#dragging = false;
         this.update();
@@ -89,11 +104,18 @@ export class Slider implements RowInput {
     if (!this.#dragging) {
       const { start, end, step } = (this.scale = this.#travel().reaching(value));
       const place = this.scale.place(value);
-      Object.assign(input, { min: String(start), max: String(end), step: String(step), value: String(place) });
+      Object.assign(input, {
+        min: String(start),
+        max: String(end),
+        step: String(step),
+        value: String(place),
+      });
       this.#fill(place);
     }
     const text = numberText(value, this.scale.end - this.scale.start);
-    if (input.getAttribute('aria-valuetext') !== text) input.setAttribute('aria-valuetext', text);
+    if (input.getAttribute('aria-valuetext') !== text) {
+      input.setAttribute('aria-valuetext', text);
+    }
   }
 
   #fill(place: number): void {
@@ -124,7 +146,9 @@ class NumberField implements RowInput {
     );
     this.input = this.#field.input;
     // `inputmode=decimal` has no minus key on phones; a number field has one.
-    if (matchMedia('(pointer: coarse)').matches) this.input.type = 'number';
+    if (matchMedia('(pointer: coarse)').matches) {
+      this.input.type = 'number';
+    }
     this.input.step = 'any';
     this.input.classList.add('number');
     this.#listenToKeys();
@@ -137,7 +161,9 @@ class NumberField implements RowInput {
 
   #set(value: number): boolean {
     const [least, most] = this.#travel().limits ?? [-Infinity, Infinity];
-    return Number.isFinite(value) && accepted(() => (this.#bound.value = clamp(value, least, most)));
+    return (
+      Number.isFinite(value) && accepted(() => (this.#bound.value = clamp(value, least, most)))
+    );
   }
 
   #listenToKeys(): void {
@@ -161,7 +187,9 @@ class NumberField implements RowInput {
     });
     // Without this the press would give the field the focus before it is known to be a click.
     input.addEventListener('mousedown', (event) => {
-      if (event.button === 0 && !input.matches(':focus')) event.preventDefault();
+      if (event.button === 0 && !input.matches(':focus')) {
+        event.preventDefault();
+      }
     });
     // A drag ends without one.
     input.addEventListener('click', () => input.focus());
@@ -173,4 +201,5 @@ class NumberField implements RowInput {
   }
 }
 
-const factorOf = ({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number => (shiftKey ? 10 : altKey ? 0.1 : 1);
+const factorOf = ({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number =>
+  shiftKey ? 10 : altKey ? 0.1 : 1;

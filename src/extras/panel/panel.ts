@@ -27,8 +27,9 @@ import { addUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
 
 /**
- * In viewers narrower than this, the panel starts closed, because it would hide the picture. `text`: in font sizes;
- * `column`: upper limit in CSS pixels, the width from which the panel stands beside the picture.
+ * In viewers narrower than this, the panel starts closed, because it would hide the picture.
+ * `text`: in font sizes; `column`: upper limit in CSS pixels, the width from which the panel stands
+ * beside the picture.
  */
 const WIDE = { text: 40, column: WIDE_PANEL } as const;
 
@@ -50,7 +51,9 @@ export const createPanel: CreatePanel = (viewer, place, root): Panel => {
   let { texts } = viewer;
   const loaded = (): void => {
     range.expire();
-    for (const change of ['lights', 'camera', 'meshes'] as const) content.update(change);
+    for (const change of ['lights', 'camera', 'meshes'] as const) {
+      content.update(change);
+    }
   };
   gui.onOpenClose(() => {
     // lil-gui calls before it has marked the folder as open.
@@ -61,7 +64,9 @@ export const createPanel: CreatePanel = (viewer, place, root): Panel => {
   });
   viewer.addEventListener('load', loaded);
   const stopWaiting = openIfWide(gui, viewer);
-  for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) content.update(change);
+  for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) {
+    content.update(change);
+  }
   markOpen(place, gui);
   return {
     update(change) {
@@ -96,10 +101,20 @@ function contentOf(viewer: PhongViewer, gui: GUI, range: SceneRange): Content {
 type GuiFolder = (typeof GUI_FOLDERS)[number];
 
 /** `open`: the folders that are open at first. */
-function addFolders(viewer: PhongViewer, gui: GUI, range: SceneRange, open: readonly GuiFolder[]): Content {
+function addFolders(
+  viewer: PhongViewer,
+  gui: GUI,
+  range: SceneRange,
+  open: readonly GuiFolder[],
+): Content {
   const stops = [addFullScreen(gui.$title, viewer), addUndo(gui, viewer)];
   const folderOf = (title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> =>
-    new Folder(gui, title, { element: viewer, viewer, range, title: () => title }, rowsIn(title, VIEWER_ROWS));
+    new Folder(
+      gui,
+      title,
+      { element: viewer, viewer, range, title: () => title },
+      rowsIn(title, VIEWER_ROWS),
+    );
   const lights = new ChildFolders(gui, 'Lights', viewer, range, LIGHTS);
   addButton(lights.group, 'add light', () => {
     const light = document.createElement('phong-light');
@@ -120,18 +135,27 @@ function addFolders(viewer: PhongViewer, gui: GUI, range: SceneRange, open: read
     show: show.gui,
     meshes: meshes.group,
   } satisfies Record<GuiFolder, GUI>;
-  for (const name of GUI_FOLDERS) groups[name].open(open.includes(name));
+  for (const name of GUI_FOLDERS) {
+    groups[name].open(open.includes(name));
+  }
   let meshList: readonly PhongMesh[] = [];
   return {
     update(change) {
-      if (change === 'lights') lights.update();
-      else if (change === 'meshes') {
-        if (viewer.meshes !== meshList) range.expire();
+      if (change === 'lights') {
+        lights.update();
+      } else if (change === 'meshes') {
+        if (viewer.meshes !== meshList) {
+          range.expire();
+        }
         meshList = viewer.meshes;
         meshes.group.show(meshList.length > 0);
         meshes.update();
-      } else camera.update();
-      if (change !== 'camera') show.update();
+      } else {
+        camera.update();
+      }
+      if (change !== 'camera') {
+        show.update();
+      }
       if (change !== 'viewer') return;
       updateFiles();
       shading.update();
@@ -139,17 +163,22 @@ function addFolders(viewer: PhongViewer, gui: GUI, range: SceneRange, open: read
       surface.update();
     },
     refreshVisible() {
-      for (const each of [lights, meshes, camera, shading, show, surface]) each.refreshVisible();
+      for (const each of [lights, meshes, camera, shading, show, surface]) {
+        each.refreshVisible();
+      }
     },
     dispose() {
-      for (const stop of stops) stop();
+      for (const stop of stops) {
+        stop();
+      }
     },
   };
 }
 
 function newRoot(place: HTMLElement): GUI {
   const gui = withoutAnimation(new GUI({ container: place, injectStyles: false }));
-  // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
+  // A press between the controls must focus the panel: otherwise the picture gets the focus and
+  // reacts to keys.
   gui.domElement.tabIndex = -1;
   gui.domElement.setAttribute('role', 'group');
   label(gui.domElement, (say) => {
@@ -162,9 +191,13 @@ function newRoot(place: HTMLElement): GUI {
 }
 
 /** A comparison makes room for it. */
-const markOpen = (place: HTMLElement, gui: GUI): boolean => place.toggleAttribute(OPEN_PANEL, !gui._closed);
+const markOpen = (place: HTMLElement, gui: GUI): boolean =>
+  place.toggleAttribute(OPEN_PANEL, !gui._closed);
 
-/** Opens the panel in wide viewers, as soon as they have a size. The returned function stops waiting for that. */
+/**
+ * Opens the panel in wide viewers, as soon as they have a size. The returned function stops waiting
+ * for that.
+ */
 function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   const hasDecided = (): boolean => {
     const fontSize = parseFloat(getComputedStyle(viewer).fontSize);
@@ -177,7 +210,9 @@ function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   if (hasDecided() || view === null) return () => undefined;
   gui.close();
   const observer = new view.ResizeObserver(() => {
-    if (hasDecided()) observer.disconnect();
+    if (hasDecided()) {
+      observer.disconnect();
+    }
   });
   observer.observe(viewer);
   return () => observer.disconnect();
@@ -193,7 +228,9 @@ function addFullScreen(title: HTMLElement, viewer: PhongViewer): () => void {
   const update = (): void => explain(button, isOn() ? 'Leave full screen' : 'Full screen');
   button.addEventListener('click', () => {
     // The browser may refuse. Then the page stays as it is.
-    (isOn() ? viewer.ownerDocument.exitFullscreen() : viewer.requestFullscreen()).catch(() => undefined);
+    (isOn() ? viewer.ownerDocument.exitFullscreen() : viewer.requestFullscreen()).catch(
+      () => undefined,
+    );
   });
   viewer.addEventListener('fullscreenchange', update);
   title.after(button);

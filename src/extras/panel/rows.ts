@@ -1,5 +1,5 @@
-// The rows of a table: one function for each kind of control. A table has a row for each field of an element, or says
-// that the field has none; a folder is built from it. Each write can be undone.
+// The rows of a table: one function for each kind of control. A table has a row for each field of
+// an element, or says that the field has none; a folder is built from it. Each write can be undone.
 import { type Controller, FunctionController, type GUI } from 'lil-gui';
 import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
 import { bindingOf } from '../../viewer/element/fields/field-binding.js';
@@ -12,7 +12,14 @@ import type { Vec3 } from '../../phong/math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { addColor } from './color-control.js';
 import { explain, nameAttribute, nameRow, type Say } from './label.js';
-import { addNumber, addVector, type Axis, type ComponentNames, componentOf, nameComponent } from './number-controls.js';
+import {
+  addNumber,
+  addVector,
+  type Axis,
+  type ComponentNames,
+  componentOf,
+  nameComponent,
+} from './number-controls.js';
 import { addSelect, addText, Readout } from './input-row.js';
 import type { SceneRange, SliderScale } from './travel.js';
 
@@ -51,7 +58,10 @@ export interface Row<T, E> {
   readonly add: (gui: GUI, place: RowContext<E>, value: Bound<T>) => void;
   /** Where the value is; the declared one, if left out. */
   readonly source?: (element: E) => Source;
-  /** When the row is shown; always, if left out. Rows with the same condition stay while one of them has the focus. */
+  /**
+   * When the row is shown; always, if left out. Rows with the same condition stay while one of them
+   * has the focus.
+   */
   readonly shown?: (element: E) => boolean;
   /** The folder of the row, where an element has several. */
   readonly folder?: ViewerText;
@@ -72,7 +82,9 @@ export type Rows<E> = Readonly<Record<string, AnyRow<E> | typeof NO_ROW>>;
 
 /** The same rows, in the folder of that name. */
 export const inFolder = <R extends Rows<never>>(folder: ViewerText, rows: R): R =>
-  Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row && { ...row, folder }])) as R;
+  Object.fromEntries(
+    Object.entries(rows).map(([key, row]) => [key, row && { ...row, folder }]),
+  ) as R;
 
 export const rowsIn = <E>(folder: ViewerText, rows: Rows<E>): Rows<E> =>
   Object.fromEntries(Object.entries(rows).filter(([, row]) => row?.folder === folder));
@@ -97,7 +109,11 @@ export function addRows<E extends Editable>(
     const { subject, get, set } = row.source?.(element) ?? declared(element, key);
     row.add(gui, place, edited(place.viewer, subject, get, set) as never);
     const controls = gui.controllers.slice(before);
-    if (Object.hasOwn(fields, key)) for (const { domElement } of controls) nameAttribute(domElement, attributeOf(key));
+    if (Object.hasOwn(fields, key)) {
+      for (const { domElement } of controls) {
+        nameAttribute(domElement, attributeOf(key));
+      }
+    }
     added.set(key, { row, controls });
   }
   return added;
@@ -110,11 +126,16 @@ export function edited<T>(
   get: () => T,
   set: (value: T) => void,
 ): Bound<T> {
-  const value: Bound<T> = bound(get, (next) => historyOf(viewer).edit(subject, () => set(next), value));
+  const value: Bound<T> = bound(get, (next) =>
+    historyOf(viewer).edit(subject, () => set(next), value),
+  );
   return value;
 }
 
-/** A row whose control edits `A` for a field that holds `B`. `write` gets the field's present value too. */
+/**
+ * A row whose control edits `A` for a field that holds `B`. `write` gets the field's present value
+ * too.
+ */
 export const mapped = <A, B, E>(
   row: Row<A, E>,
   read: (value: B) => A,
@@ -130,7 +151,8 @@ export const mapped = <A, B, E>(
   },
 });
 
-const scaled = <E>({ scale }: RowContext<E>, travel: SliderScale): SliderScale => scale?.(travel) ?? travel;
+const scaled = <E>({ scale }: RowContext<E>, travel: SliderScale): SliderScale =>
+  scale?.(travel) ?? travel;
 
 /** `travel`: the slider's scale, or how it follows from the scene. */
 export const number = <E>(
@@ -142,7 +164,9 @@ export const number = <E>(
     const control = addNumber(gui, value, label, () =>
       scaled(place, typeof travel === 'function' ? travel(place) : travel),
     );
-    if (hint !== undefined) explain(control.domElement, hint);
+    if (hint !== undefined) {
+      explain(control.domElement, hint);
+    }
   },
 });
 
@@ -156,8 +180,9 @@ export const vector = <E>(
     const travelOf = (axis: Axis): SliderScale =>
       scaled(place, typeof travel === 'function' ? travel(place, axis) : travel);
     const { axis = null } = place;
-    if (axis === null) addVector(gui, value, label, travelOf, components);
-    else {
+    if (axis === null) {
+      addVector(gui, value, label, travelOf, components);
+    } else {
       const control = addNumber(gui, componentOf(value, axis), label, () => travelOf(axis));
       nameComponent(control.$name, label, axis, components);
     }
@@ -183,7 +208,8 @@ export const flags = <T extends string>(
       const hasWord = mapped<boolean, readonly T[], unknown>(
         flag(label(word)),
         (listed) => listed.includes(word),
-        (wanted, listed) => words.filter((other) => (other === word ? wanted : listed.includes(other))),
+        (wanted, listed) =>
+          words.filter((other) => (other === word ? wanted : listed.includes(other))),
       );
       hasWord.add(gui, place, value);
     }
@@ -204,7 +230,9 @@ export const oneOf = <T extends ViewerText | null>(
   add: (gui, _, value) => {
     const textOf = (word: T, say: Say): string => say(word ?? 'as viewer');
     const control = addSelect(gui, value, label, () => words, textOf);
-    if (hint !== undefined) explain(control.domElement, hint);
+    if (hint !== undefined) {
+      explain(control.domElement, hint);
+    }
   },
 });
 
@@ -221,14 +249,21 @@ export const oneName = <E>(
 });
 
 /** Text that the user cannot edit. `followsPictures`: each drawn picture may change it. */
-export const readout = <T, E>(label: ViewerText, read: (element: E) => string, followsPictures = false): Row<T, E> => ({
+export const readout = <T, E>(
+  label: ViewerText,
+  read: (element: E) => string,
+  followsPictures = false,
+): Row<T, E> => ({
   add: (gui, { element, viewer }) => {
     new Readout(gui, () => read(element), label, followsPictures ? viewer : null);
   },
 });
 
 /** A button in a row of its own. The press edits what it needs to. */
-export const button = <E>(label: ViewerText, press: (place: RowContext<E>) => void): Row<unknown, E> => ({
+export const button = <E>(
+  label: ViewerText,
+  press: (place: RowContext<E>) => void,
+): Row<unknown, E> => ({
   add: (gui, place) => addButton(gui, label, () => press(place)),
 });
 

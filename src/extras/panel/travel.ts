@@ -18,7 +18,10 @@ export interface SliderScale {
   stepAt(value: number): number;
   /** This scale, or one wide enough for the value. */
   reaching(value: number): SliderScale;
-  /** This scale between these ends and in this step, null as it is now. With an end it no longer grows. */
+  /**
+   * This scale between these ends and in this step, null as it is now. With an end it no longer
+   * grows.
+   */
   within(min: number | null, max: number | null, step: number | null): SliderScale;
   /** Values outside cannot be typed. */
   readonly limits?: readonly [least: number, most: number];
@@ -27,7 +30,11 @@ export interface SliderScale {
 /** Steps from end to end: about one per pixel or two. */
 const STEPS = 200;
 
-export function linear(min: number, max: number, step = niceCeil((max - min) / STEPS)): SliderScale {
+export function linear(
+  min: number,
+  max: number,
+  step = niceCeil((max - min) / STEPS),
+): SliderScale {
   return {
     start: min,
     end: max,
@@ -49,7 +56,10 @@ export function linear(min: number, max: number, step = niceCeil((max - min) / S
   };
 }
 
-/** From 0 to `max`: linear up to about `knee`, logarithmic beyond. Usable around 1 as well as around 1e5. */
+/**
+ * From 0 to `max`: linear up to about `knee`, logarithmic beyond. Usable around 1 as well as around
+ * 1e5.
+ */
 export function logarithmic(knee: number, max: number): SliderScale {
   const span = Math.log1p(max / knee);
   const digits = (value: number): number => Number(value.toPrecision(3));
@@ -59,7 +69,8 @@ export function logarithmic(knee: number, max: number): SliderScale {
     step: 1 / (2 * STEPS),
     place: (value) => Math.log1p(Math.max(value, 0) / knee) / span,
     value: (place) => (place >= 1 ? max : digits(knee * Math.expm1(place * span))),
-    stepAt: (value) => (value === 0 ? knee / 10 : 10 ** (Math.floor(Math.log10(Math.abs(value))) - 1)),
+    stepAt: (value) =>
+      value === 0 ? knee / 10 : 10 ** (Math.floor(Math.log10(Math.abs(value))) - 1),
     reaching(value) {
       return value <= max ? this : logarithmic(knee, niceCeil(value));
     },
@@ -67,8 +78,10 @@ export function logarithmic(knee: number, max: number): SliderScale {
       const scale = logarithmic(knee, most ?? max);
       const start = scale.place(least ?? 0);
       if (!(start < 1)) return this;
-      const even = (value: number): number => tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
-      const stepped = by === null ? {} : { value: (p: number) => even(scale.value(p)), stepAt: () => by };
+      const even = (value: number): number =>
+        tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
+      const stepped =
+        by === null ? {} : { value: (p: number) => even(scale.value(p)), stepAt: () => by };
       return limited({ ...scale, start, ...stepped }, least, most);
     },
   };
@@ -86,7 +99,9 @@ const limited = (scale: SliderScale, least: number | null, most: number | null):
         },
       };
 
-/** A number as a person would write it. Values below 1e-9 of `span` are rounding noise and become 0. */
+/**
+ * A number as a person would write it. Values below 1e-9 of `span` are rounding noise and become 0.
+ */
 export function numberText(value: number, span = 0): string {
   return Math.abs(value) <= 1e-9 * span ? '0' : String(Number(value.toPrecision(6)));
 }
@@ -96,7 +111,10 @@ const REACH = 3;
 
 const EMPTY_REACH = 5;
 
-/** The range of sliders for positions: around the scene as it was last loaded. World space, scene units. */
+/**
+ * The range of sliders for positions: around the scene as it was last loaded. World space, scene
+ * units.
+ */
 export class SceneRange {
   readonly #viewer: PhongViewer;
   /** Null: the next read measures the scene. */
@@ -139,7 +157,10 @@ export class SceneRange {
     const { scene } = this.#viewer;
     scene.updateMatrixWorld();
     const { center = ORIGIN, radius = 0 } = measure(scene).bounds ?? {};
-    return (this.#measured = { center, reach: radius > 0 ? niceCeil(REACH * radius) : EMPTY_REACH });
+    return (this.#measured = {
+      center,
+      reach: radius > 0 ? niceCeil(REACH * radius) : EMPTY_REACH,
+    });
   }
 }
 

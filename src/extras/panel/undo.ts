@@ -1,4 +1,5 @@
-// Undo and redo in a viewer with a panel: two buttons, and the keys and gestures that take back or end a step.
+// Undo and redo in a viewer with a panel: two buttons, and the keys and gestures that take back or
+// end a step.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
 import { type History, historyOf, undoKey } from '../../viewer/element/viewer/history.js';
@@ -19,33 +20,47 @@ export function addUndo(gui: GUI, viewer: PhongViewer): () => void {
   update();
   const stops = [listenForUndo(viewer, gui.domElement, history), history.listen(update)];
   return () => {
-    for (const stop of stops) stop();
+    for (const stop of stops) {
+      stop();
+    }
   };
 }
 
 /** Inputs that hold no text that is typed, so that they have no undo of their own. */
-const TEXTLESS: ReadonlySet<string> = new Set('button checkbox color file image radio range reset submit'.split(' '));
+const TEXTLESS: ReadonlySet<string> = new Set(
+  'button checkbox color file image radio range reset submit'.split(' '),
+);
 
 /** Has undo by keys itself. */
 const isEditor = (target: EventTarget | null | undefined): boolean =>
   target instanceof HTMLInputElement
     ? !TEXTLESS.has(target.type)
-    : target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
+    : target instanceof HTMLTextAreaElement ||
+      (target instanceof HTMLElement && target.isContentEditable);
 
 /**
- * Undo by Ctrl or Cmd with Z, Shift + Z, and Y, wherever in `viewer` the focus is. A text field in which the user is
- * typing keeps its own undo. The returned function stops listening outside the panel.
+ * Undo by Ctrl or Cmd with Z, Shift + Z, and Y, wherever in `viewer` the focus is. A text field in
+ * which the user is typing keeps its own undo. The returned function stops listening outside the
+ * panel.
  */
-export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: History): () => void {
+export function listenForUndo(
+  viewer: HTMLElement,
+  panel: HTMLElement,
+  history: History,
+): () => void {
   let typedIn: EventTarget | null = null;
   panel.addEventListener('input', ({ target }) => {
-    if (isEditor(target)) typedIn = target;
+    if (isEditor(target)) {
+      typedIn = target;
+    }
   });
   panel.addEventListener('focusout', () => (typedIn = null));
   // A step ends when the pointer or an arrow key is released, and when a field or picker is left.
   for (const type of ['change', 'pointerup', 'pointercancel'] as const) {
     panel.addEventListener(type, () => {
-      if (type === 'change') typedIn = null;
+      if (type === 'change') {
+        typedIn = null;
+      }
       history.seal();
     });
   }
@@ -53,7 +68,9 @@ export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: 
   const onKey = (type: 'keyup' | 'keydown', heard: (event: KeyboardEvent) => void): void =>
     panel.addEventListener(type, heard, { capture: true });
   onKey('keyup', ({ key }) => {
-    if (key.startsWith('Arrow')) history.seal();
+    if (key.startsWith('Arrow')) {
+      history.seal();
+    }
   });
   const act = (event: KeyboardEvent): void => {
     const action = undoKey(event);
@@ -63,14 +80,18 @@ export function listenForUndo(viewer: HTMLElement, panel: HTMLElement, history: 
     history[action]();
   };
   onKey('keydown', (event) => {
-    if (typedIn === null || typedIn !== event.target) act(event);
+    if (typedIn === null || typedIn !== event.target) {
+      act(event);
+    }
   });
   const outside = new AbortController();
   viewer.addEventListener(
     'keydown',
     (event) => {
       // Handles of lights undo by themselves, without a panel too.
-      if (!event.defaultPrevented && !isEditor(event.composedPath()[0])) act(event);
+      if (!event.defaultPrevented && !isEditor(event.composedPath()[0])) {
+        act(event);
+      }
     },
     { signal: outside.signal },
   );

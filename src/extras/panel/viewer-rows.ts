@@ -1,4 +1,5 @@
-// The rows of the viewer's own folders: camera, shading, what is shown beside the shaded picture, and its own surface.
+// The rows of the viewer's own folders: camera, shading, what is shown beside the shaded picture,
+// and its own surface.
 import type { Pose } from '../../phong/camera/orbit.js';
 import { HELPERS, type ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
 import { fieldsOf, viewerCameras } from '../../viewer/element/internals.js';
@@ -27,8 +28,14 @@ import {
 } from './rows.js';
 import { linear, logarithmic, numberText } from './travel.js';
 
-/** Edits the camera as it is now, as a drag does: reset returns to the declared values. Nothing fits it afterwards. */
-const ofCamera = <K extends keyof Pose>(key: K, row: Row<Pose[K], PhongViewer>): Row<ViewerValues[K], PhongViewer> => ({
+/**
+ * Edits the camera as it is now, as a drag does: reset returns to the declared values. Nothing fits
+ * it afterwards.
+ */
+const ofCamera = <K extends keyof Pose>(
+  key: K,
+  row: Row<Pose[K], PhongViewer>,
+): Row<ViewerValues[K], PhongViewer> => ({
   ...(row as Row<ViewerValues[K], PhongViewer>),
   source: (viewer) => ({
     subject: cameraOf(viewer),
@@ -36,7 +43,10 @@ const ofCamera = <K extends keyof Pose>(key: K, row: Row<Pose[K], PhongViewer>):
     set(value) {
       const checked = fieldsOf(viewer).store.fields[key].check(value);
       const camera = viewerCameras.get(viewer);
-      camera?.place({ pose: { ...camera.placement().pose, [key]: checked }, framing: null }, 'panel');
+      camera?.place(
+        { pose: { ...camera.placement().pose, [key]: checked }, framing: null },
+        'panel',
+      );
     },
   }),
 });

@@ -1,4 +1,5 @@
-// Finds the pixels of a picture that differ from the equation. Positions are device pixels from the top left.
+// Finds the pixels of a picture that differ from the equation. Positions are device pixels from the
+// top left.
 import { add, cross, dot, length, subtract } from '../../phong/math/vector.js';
 import { radians } from '../../phong/math/angle.js';
 import type { PhongViewer } from '../../viewer/index.js';
@@ -46,27 +47,29 @@ interface JudgeOptions {
 }
 
 /**
- * Half a pixel, and one step of the coarsest grid that WebGL 2 lets a device move vertices to: sixteenths. What shows
- * in the pixel is within this of its centre in the unmoved scene.
+ * Half a pixel, and one step of the coarsest grid that WebGL 2 lets a device move vertices to:
+ * sixteenths. What shows in the pixel is within this of its centre in the unmoved scene.
  */
 const REACH = 0.5 + 2 ** -4;
 
 /**
- * Widest range of a channel in a pixel that is judged, in codes. Half of it is how far a wrong colour can be from the
- * right one and still pass. 44 % of a torus knot's pixels are within it at 300 × 200, 17 % within half of it.
+ * Widest range of a channel in a pixel that is judged, in codes. Half of it is how far a wrong
+ * colour can be from the right one and still pass. 44 % of a torus knot's pixels are within it at
+ * 300 × 200, 17 % within half of it.
  */
 const WIDEST = 8;
 
 /**
- * How far the centre may be from the mean of opposite corners, in codes: the one that a picture may be off. The mean of
- * a quadratic over a square is 2/3 of its centre and 1/12 of each corner, so it lies in the range of the five. More
- * means detail that five points do not show.
+ * How far the centre may be from the mean of opposite corners, in codes: the one that a picture may
+ * be off. The mean of a quadratic over a square is 2/3 of its centre and 1/12 of each corner, so it
+ * lies in the range of the five. More means detail that five points do not show.
  */
 const STRAIGHT = 1;
 
 /**
- * A surface goes on between two points if its normals there, and the line between the points and its tangent plane,
- * differ by no more. A cosine departs from a straight line by a code of 255 within this angle.
+ * A surface goes on between two points if its normals there, and the line between the points and
+ * its tangent plane, differ by no more. A cosine departs from a straight line by a code of 255
+ * within this angle.
  */
 const SMOOTH = Math.sin(radians(5));
 
@@ -96,13 +99,18 @@ export async function judgeInPage(
     const drawn = [...data.subarray(4 * at, 4 * at + 4)];
     const { least, greatest } = rangeOf(points);
     const isRight = least.every(
-      (low, k) => drawn[k]! >= Math.round(low) - codes && drawn[k]! <= Math.round(greatest[k]!) + codes,
+      (low, k) =>
+        drawn[k]! >= Math.round(low) - codes && drawn[k]! <= Math.round(greatest[k]!) + codes,
     );
     if (isRight && drawn[3] === 255) continue;
     wrongCount += 1;
-    if (wrong.length < most) wrong.push({ x, y, drawn, least, greatest });
+    if (wrong.length < most) {
+      wrong.push({ x, y, drawn, least, greatest });
+    }
   }
-  if (JSON.stringify(viewer.camera) !== before) throw new Error('the camera moved while the picture was judged');
+  if (JSON.stringify(viewer.camera) !== before) {
+    throw new Error('the camera moved while the picture was judged');
+  }
   const surface = Object.values(counts).reduce((sum, count) => sum + count, 0);
   return { counts, surface, sampled: looked / (width * height), wrong, wrongCount };
 }
@@ -111,10 +119,14 @@ export async function judgeInPage(
 function* spread(count: number, seed: number): Generator<number> {
   const factorOf = (a: number, b: number): number => (b === 0 ? a : factorOf(b, a % b));
   let step = Math.max(Math.round(count * 0.618), 1);
-  while (factorOf(count, step) !== 1) step += 1;
+  while (factorOf(count, step) !== 1) {
+    step += 1;
+  }
   // Weyl's sequence: neighbouring seeds begin far from each other.
   const start = Math.floor((((seed * 0.7549) % 1) + 1) * count);
-  for (let i = 0; i < count; i++) yield (start + i * step) % count;
+  for (let i = 0; i < count; i++) {
+    yield (start + i * step) % count;
+  }
 }
 
 type Points = readonly [center: Explained, ...corners: (Explained | null)[]];
@@ -150,11 +162,15 @@ function goesOn(a: Explained, b: Explained): boolean {
   if (dot(a.N, b.N) < 0 || length(cross(a.N, b.N)) > SMOOTH) return false;
   const step = subtract(b.p, a.p);
   const normal = add(a.N, b.N);
-  return a.triangle === b.triangle || Math.abs(dot(step, normal)) <= SMOOTH * length(step) * length(normal);
+  return (
+    a.triangle === b.triangle ||
+    Math.abs(dot(step, normal)) <= SMOOTH * length(step) * length(normal)
+  );
 }
 
 function isStraight([center, a, b, c, d]: readonly Explained[]): boolean {
-  const isMean = (x: number, one: number, other: number) => 255 * Math.abs(x - (one + other) / 2) <= STRAIGHT;
+  const isMean = (x: number, one: number, other: number) =>
+    255 * Math.abs(x - (one + other) / 2) <= STRAIGHT;
   const isMeanOf = (one: Explained, other: Explained) =>
     center!.color.every((x, k) => isMean(x, one.color[k]!, other.color[k]!));
   return isMeanOf(a!, b!) && isMeanOf(c!, d!);
@@ -188,7 +204,8 @@ async function pictureOf(viewer: PhongViewer): Promise<ImageData> {
 function explainer(viewer: PhongViewer, width: number, height: number): Explain {
   const surface = viewer.shadowRoot?.querySelector('[part=surface]');
   if (!surface) throw new Error('the viewer cannot be drawn here');
-  // shadeAt takes CSS pixels of the picture before any transform; inside CSS zoom, those of pointer events.
+  // shadeAt takes CSS pixels of the picture before any transform; inside CSS zoom, those of pointer
+  // events.
   const style = getComputedStyle(surface);
   const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   const cssX = (parseFloat(style.width) * zoom) / width;

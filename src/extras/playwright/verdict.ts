@@ -8,7 +8,10 @@ export interface Limits {
   readonly share: number;
 }
 
-/** `summary`: what was judged. `message`: also what is wrong, and the first wrong pixels. `seed` chose the pixels. */
+/**
+ * `summary`: what was judged. `message`: also what is wrong, and the first wrong pixels. `seed`
+ * chose the pixels.
+ */
 export function verdictOf(
   judgement: Judgement,
   { codes, share }: Limits,
@@ -30,7 +33,10 @@ export function verdictOf(
 function summaryOf({ counts, surface, sampled }: Judgement, seed: number): string {
   if (surface === 0) return 'The picture shows no surface.';
   const { judged, edges, steep, translucent, filtered } = counts;
-  const part = sampled === 1 ? '' : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
+  const part =
+    sampled === 1
+      ? ''
+      : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
   const left = Object.entries({
     'at edges': edges,
     'where the colour changes fast': steep,

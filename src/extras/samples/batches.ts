@@ -1,5 +1,6 @@
-// How many samples are drawn at once: as many as the GPU finishes in 12 ms, so that input and the page's own frames
-// never wait longer. The next batch follows at once: a small one ends long before the next frame.
+// How many samples are drawn at once: as many as the GPU finishes in 12 ms, so that input and the
+// page's own frames never wait longer. The next batch follows at once: a small one ends long before
+// the next frame.
 import type { WebGLRenderer } from 'three';
 import { pixelOffset } from '../../phong/math/pixel-offsets.js';
 import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
@@ -8,7 +9,10 @@ import type { SampleSum } from './sample-sum.js';
 
 const BATCH_MS = 12;
 
-/** Share of a batch after which the next one may be sent. The page hears of it 2 to 3 ms later: the GPU never idles. */
+/**
+ * Share of a batch after which the next one may be sent. The page hears of it 2 to 3 ms later: the
+ * GPU never idles.
+ */
 const NEAR_END = 3 / 4;
 
 /** Time from one look at the GPU to the next, and the same once the batch is late. */
@@ -28,7 +32,9 @@ export class Batches {
   #running = 0;
   #finished = Infinity;
 
-  /** `size`: samples of the first batch. `next`: a batch has nearly ended; another one may be sent. */
+  /**
+   * `size`: samples of the first batch. `next`: a batch has nearly ended; another one may be sent.
+   */
   constructor(gl: WebGL2RenderingContext, size: number, next?: () => void) {
     this.#gl = gl;
     this.#size = size;
@@ -50,7 +56,10 @@ export class Batches {
     return true;
   }
 
-  /** Draws at most `left` samples by `draw`; fewer than {@link size} where the script alone takes too long. */
+  /**
+   * Draws at most `left` samples by `draw`; fewer than {@link size} where the script alone takes
+   * too long.
+   */
   send(left: number, draw: () => void): void {
     this.cancel();
     const gl = this.#gl;
@@ -61,7 +70,9 @@ export class Batches {
     do {
       draw();
       drawn += 1;
-      if (drawn === Math.ceil(NEAR_END * wanted)) this.#fence = fence();
+      if (drawn === Math.ceil(NEAR_END * wanted)) {
+        this.#fence = fence();
+      }
     } while (drawn < wanted && performance.now() - start < BATCH_MS);
     this.#sent = drawn;
     this.#running = 0;
@@ -73,7 +84,9 @@ export class Batches {
 
   cancel(): void {
     clearTimeout(this.#timer);
-    if (this.#fence !== null) this.#gl.deleteSync(this.#fence);
+    if (this.#fence !== null) {
+      this.#gl.deleteSync(this.#fence);
+    }
     this.#fence = null;
   }
 
@@ -89,20 +102,29 @@ export class Batches {
         }
         this.#running = elapsed;
         inNextTask(() => {
-          if (this.#fence !== null) this.#look();
+          if (this.#fence !== null) {
+            this.#look();
+          }
         });
       },
       performance.now() - this.#start < BATCH_MS ? LOOK_MS : LATE_LOOK_MS,
     );
   }
 
-  /** Chooses a size that takes about {@link BATCH_MS}, as far as it is known how long the last one took. */
+  /**
+   * Chooses a size that takes about {@link BATCH_MS}, as far as it is known how long the last one
+   * took.
+   */
   #fit(): void {
     const size = (ms: number): number => (this.#sent * BATCH_MS) / ms;
-    if (this.#finished < BATCH_MS) this.#size = Math.min(Math.ceil(size(this.#finished)), 2 * this.#size);
-    // Not the first one, which compiles, allocates or wakes the GPU: the next may take a tenth of its time.
-    else if (this.#running > BATCH_MS && !this.#isFirst)
+    if (this.#finished < BATCH_MS) {
+      this.#size = Math.min(Math.ceil(size(this.#finished)), 2 * this.#size);
+    }
+    // Not the first one, which compiles, allocates or wakes the GPU: the next may take a tenth of
+    // its time.
+    else if (this.#running > BATCH_MS && !this.#isFirst) {
       this.#size = Math.max(1, this.#size >> 1, Math.floor(size(this.#running)));
+    }
   }
 
   get #signalled(): boolean {
@@ -111,7 +133,10 @@ export class Batches {
   }
 }
 
-/** Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a request. */
+/**
+ * Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a
+ * request.
+ */
 function inNextTask(work: () => void): void {
   const { port1, port2 } = new MessageChannel();
   port1.onmessage = () => {
@@ -121,7 +146,10 @@ function inNextTask(work: () => void): void {
   port2.postMessage(null);
 }
 
-/** Adds a batch of a picture of this size to `sum`, which is that of `tile` and gets so many `samples`. */
+/**
+ * Adds a batch of a picture of this size to `sum`, which is that of `tile` and gets so many
+ * `samples`.
+ */
 export function sendBatch(
   batches: Batches,
   sum: SampleSum,

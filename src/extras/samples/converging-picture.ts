@@ -1,5 +1,6 @@
-// The picture of one viewport while nothing changes: its samples are drawn batch by batch, and their mean replaces the
-// plain picture, until all are there. And pictures for `toBlob({ samples })`. Fetched with the first use of either.
+// The picture of one viewport while nothing changes: its samples are drawn batch by batch, and
+// their mean replaces the plain picture, until all are there. And pictures for `toBlob({ samples
+// })`. Fetched with the first use of either.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import { type Region, type Size, tilesOf } from '../../viewer/scene/gpu/atlas.js';
 import { SAFE_SIDE } from '../../viewer/scene/gpu/context.js';
@@ -23,7 +24,9 @@ const FIRST_SHOWN = 16;
 /** Samples that are sent to the GPU before its end is waited for, when all are drawn at once. */
 const WAITS_AFTER = 8;
 
-/** A mean is shown again once it has so many times the samples: each time costs a copy to the page. */
+/**
+ * A mean is shown again once it has so many times the samples: each time costs a copy to the page.
+ */
 const SHOWN_AGAIN = 4;
 
 export class ConvergingPicture {
@@ -73,21 +76,30 @@ export class ConvergingPicture {
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
     this.#aside(this.#draw);
-    if (this.#samples > before) this.#viewport.show(this.converged);
+    if (this.#samples > before) {
+      this.#viewport.show(this.converged);
+    }
     return this.#run !== null;
   }
 
-  /** While it is pending: draws what is missing now, without turns and frames, up to a time of `performance.now()`. */
+  /**
+   * While it is pending: draws what is missing now, without turns and frames, up to a time of
+   * `performance.now()`.
+   */
   finish(deadline: number): void {
     seize(this);
     const before = this.#samples;
-    while (this.pending && performance.now() < deadline && this.#aside(this.#drawNow));
+    while (this.pending && performance.now() < deadline && this.#aside(this.#drawNow)) {}
     this.pause();
-    if (this.#samples > before) this.#viewport.show(this.converged);
+    if (this.#samples > before) {
+      this.#viewport.show(this.converged);
+    }
   }
 
   reset(): void {
-    if (this.#stillFrames > 0) this.#dragged = !this.converged && performance.now() - this.#stood < LONE_MS;
+    if (this.#stillFrames > 0) {
+      this.#dragged = !this.converged && performance.now() - this.#stood < LONE_MS;
+    }
     this.#stillFrames = 0;
     this.#samples = 0;
     this.#failed = false;
@@ -117,7 +129,10 @@ export class ConvergingPicture {
     this.#picture = null;
   }
 
-  /** Fills the renderer's present viewport with the kept picture, or with the part of it that `part` is. */
+  /**
+   * Fills the renderer's present viewport with the kept picture, or with the part of it that `part`
+   * is.
+   */
   copy(renderer: WebGLRenderer, part?: Region): void {
     const { width, height } = this.#viewport;
     copyPart(renderer, this.#picture!.texture, part ?? { x: 0, y: 0, width, height }, height);
@@ -125,14 +140,18 @@ export class ConvergingPicture {
 
   /** Between two animation frames: draws the next batch. The next frame shows it. */
   readonly #goOn = (): void => {
-    if (this.#run!.sum.count < this.#wanted) this.#aside(this.#drawMore);
+    if (this.#run!.sum.count < this.#wanted) {
+      this.#aside(this.#drawMore);
+    }
   };
 
   /** False: there is no context, and the samples drawn so far are forgotten. */
   #aside(draw: (renderer: WebGLRenderer) => void): boolean {
     try {
       const drawn = stage.drawAside(draw);
-      if (!drawn) this.pause();
+      if (!drawn) {
+        this.pause();
+      }
       return drawn;
     } catch (error) {
       this.#fail();
@@ -142,16 +161,21 @@ export class ConvergingPicture {
 
   readonly #draw = (renderer: WebGLRenderer): void => {
     const run = this.#run ?? this.#begin(renderer);
-    if (run !== null) this.#advance(renderer, run, true);
+    if (run !== null) {
+      this.#advance(renderer, run, true);
+    }
   };
 
-  readonly #drawMore = (renderer: WebGLRenderer): void => this.#advance(renderer, this.#run!, false);
+  readonly #drawMore = (renderer: WebGLRenderer): void =>
+    this.#advance(renderer, this.#run!, false);
 
   readonly #drawNow = (renderer: WebGLRenderer): void => {
     const run = this.#run ?? this.#begin(renderer);
     if (run === null) return;
     // The deadline is the GPU's too: reading a pixel waits for it.
-    if (run.sum.count % WAITS_AFTER === 0) run.sum.wait();
+    if (run.sum.count % WAITS_AFTER === 0) {
+      run.sum.wait();
+    }
     run.batches.cancel();
     this.#advance(renderer, run, true);
   };
@@ -170,23 +194,35 @@ export class ConvergingPicture {
       this.#fail();
       return null;
     }
-    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, this.#pace, this.#goOn);
+    const batches = new Batches(
+      renderer.getContext() as WebGL2RenderingContext,
+      this.#pace,
+      this.#goOn,
+    );
     return (this.#run = { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN });
   }
 
-  /** Draws a batch if the last one has ended, and ends what is complete. `shown`: the page can show the mean now. */
+  /**
+   * Draws a batch if the last one has ended, and ends what is complete. `shown`: the page can show
+   * the mean now.
+   */
   #advance(renderer: WebGLRenderer, run: Run, shown: boolean): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
-    if (sum.count < this.#wanted && batches.ended)
+    if (sum.count < this.#wanted && batches.ended) {
       sendBatch(batches, sum, this.#wanted, this.#viewport, tile, renderer, this.#viewport.picture);
+    }
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = shown && (isLast || (tiles.length === 1 && sum.count >= run.nextShown));
-    if (shows || (complete && !isLast)) sum.resolve(this.#picture!, fromBelow(tile, this.#viewport.height));
+    if (shows || (complete && !isLast)) {
+      sum.resolve(this.#picture!, fromBelow(tile, this.#viewport.height));
+    }
     if (complete && !isLast) {
       run.tile += 1;
-      if (!sum.begin(tiles[run.tile]!)) this.#fail();
+      if (!sum.begin(tiles[run.tile]!)) {
+        this.#fail();
+      }
     }
     if (!shows) return;
     run.nextShown = sum.count * SHOWN_AGAIN;
@@ -202,7 +238,10 @@ export class ConvergingPicture {
   }
 }
 
-/** The samples of one standstill: of tile number `tile` now. From `nextShown` on the mean is shown again. */
+/**
+ * The samples of one standstill: of tile number `tile` now. From `nextShown` on the mean is shown
+ * again.
+ */
 interface Run {
   readonly batches: Batches;
   readonly sum: SampleSum;
@@ -214,17 +253,24 @@ interface Run {
 /** Milliseconds until the GPU is asked again whether it has finished a batch. */
 const PAUSE = 4;
 
-/** Times that a capture begins again because its scene has changed. The last time it is drawn in one task. */
+/**
+ * Times that a capture begins again because its scene has changed. The last time it is drawn in one
+ * task.
+ */
 const RESTARTS = 4;
 
 /** The page's last capture. One is drawn after the other: only the first has float buffers. */
 let last: Promise<unknown> = Promise.resolve();
 
 /**
- * The mean of the samples at any size, tile by tile, in batches; also without animation frames, as in hidden documents.
- * Rejects with RangeError if no canvas can hold it, and without a context.
+ * The mean of the samples at any size, tile by tile, in batches; also without animation frames, as
+ * in hidden documents. Rejects with RangeError if no canvas can hold it, and without a context.
  */
-export function captureSamples(viewport: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
+export function captureSamples(
+  viewport: Viewport,
+  size: Size,
+  samples: number,
+): Promise<HTMLCanvasElement> {
   const picture = last.then(() => draw(viewport, size, samples));
   last = picture.catch(() => undefined);
   return picture;
@@ -241,7 +287,9 @@ async function draw(viewport: Viewport, size: Size, samples: number): Promise<HT
       while (atOnce || viewport.picture.version === version) {
         const { done, value } = batches.next();
         if (done === true) return value ?? viewport.capture(size);
-        if (!atOnce) await new Promise((resolve) => setTimeout(resolve, PAUSE));
+        if (!atOnce) {
+          await new Promise((resolve) => setTimeout(resolve, PAUSE));
+        }
       }
     } finally {
       batches.return(undefined as never); // frees the buffers
@@ -249,7 +297,10 @@ async function draw(viewport: Viewport, size: Size, samples: number): Promise<HT
   }
 }
 
-/** Stops after each batch, unless `atOnce`. Null where the GPU has no float targets, or no memory for them. */
+/**
+ * Stops after each batch, unless `atOnce`. Null where the GPU has no float targets, or no memory
+ * for them.
+ */
 function* drawBatches(
   picture: Picture,
   size: Size,
@@ -265,8 +316,12 @@ function* drawBatches(
     try {
       if (!canSum(renderer) || !sum.begin(tile)) return null;
       while (sum.count < samples) {
-        if (atOnce || batches.ended) aside((r) => sendBatch(batches, sum, samples, size, tile, r, picture));
-        if (!atOnce) yield;
+        if (atOnce || batches.ended) {
+          aside((r) => sendBatch(batches, sum, samples, size, tile, r, picture));
+        }
+        if (!atOnce) {
+          yield;
+        }
       }
       aside(() => sum.resolve(mean, { ...tile, x: 0, y: 0 }));
       const piece = stage.capture(tile, (r, part) => copyPart(r, mean.texture, part, tile.height));

@@ -6,48 +6,64 @@ export interface PictureOptions {
   /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
   readonly width?: number;
   readonly height?: number;
-  /** Any type that the browser's canvas can encode; others give PNG, as there. Default `image/png`. */
+  /**
+   * Any type that the browser's canvas can encode; others give PNG, as there. Default `image/png`.
+   */
   readonly type?: string;
   /** 0–1, for lossy types. Default: the browser's. */
   readonly quality?: number;
   /**
-   * Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a page. Default
-   * false.
+   * Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a
+   * page. Default false.
    */
   readonly helpers?: boolean;
   /**
-   * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes a while, during
-   * which the page goes on. A picture whose scene changes begins again, the fourth time in one task: the scene is that
-   * of the last beginning. Report changes to the page's own objects in `scene` by `requestRender`. Pictures are drawn
-   * one after the other. Default: the picture as the page shows it, where it has this size; otherwise one with smooth
-   * edges only.
+   * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes
+   * a while, during which the page goes on. A picture whose scene changes begins again, the fourth
+   * time in one task: the scene is that of the last beginning. Report changes to the page's own
+   * objects in `scene` by `requestRender`. Pictures are drawn one after the other. Default: the
+   * picture as the page shows it, where it has this size; otherwise one with smooth edges only.
    */
   readonly samples?: number;
 }
 
-/** Null stands for an invalid size or number of samples. Rejects where options are wrong or the file cannot be made. */
+/**
+ * Null stands for an invalid size or number of samples. Rejects where options are wrong or the file
+ * cannot be made.
+ */
 export async function pictureBlob(
   picture: HTMLCanvasElement | null,
   { width, height, type = 'image/png', quality, samples }: PictureOptions,
 ): Promise<Blob> {
   if (picture === null) {
-    if (samples !== undefined && !(Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES))
+    if (
+      samples !== undefined &&
+      !(Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES)
+    ) {
       throw new RangeError(
         `toBlob: samples must be a whole number from 1 to ${String(MOST_SAMPLES)}, got ${String(samples)}`,
       );
+    }
     const asked = `${String(width ?? 'default')} × ${String(height ?? 'default')}`;
-    throw new RangeError(`toBlob: width and height must be whole numbers of pixels from 1, got ${asked}`);
+    throw new RangeError(
+      `toBlob: width and height must be whole numbers of pixels from 1, got ${asked}`,
+    );
   }
-  if (typeof type !== 'string') throw new TypeError(`toBlob: type must be text, got ${String(type)}`);
+  if (typeof type !== 'string') {
+    throw new TypeError(`toBlob: type must be text, got ${String(type)}`);
+  }
   if (quality !== undefined && !(quality >= 0 && quality <= 1)) {
     throw new RangeError(`toBlob: quality must be from 0 to 1, got ${String(quality)}`);
   }
-  if (type.toLowerCase() === 'image/jpeg') fillBehind(picture, 'white');
+  if (type.toLowerCase() === 'image/jpeg') {
+    fillBehind(picture, 'white');
+  }
   return new Promise((resolve, reject) =>
     picture.toBlob(
       (blob) => {
-        if (blob !== null) resolve(blob);
-        else {
+        if (blob !== null) {
+          resolve(blob);
+        } else {
           const size = `${String(picture.width)} × ${String(picture.height)}`;
           reject(new RangeError(`toBlob: ${size} pixels are too many to encode`));
         }

@@ -1,5 +1,6 @@
-// The sum of a picture's samples on the GPU. Each is drawn without multisampling into 8 bits, which clamp as the canvas
-// does. Its codes are added in float32, which holds 1,024 × 255 exactly; half floats lose 8 bits over 64 samples.
+// The sum of a picture's samples on the GPU. Each is drawn without multisampling into 8 bits, which
+// clamp as the canvas does. Its codes are added in float32, which holds 1,024 × 255 exactly; half
+// floats lose 8 bits over 64 samples.
 import {
   FloatType,
   NearestFilter,
@@ -11,13 +12,20 @@ import {
 import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
 import { ScreenPass } from './screen-pass.js';
 
-/** Most pixels of one sum, at 52 bytes each: 218 MB, and 108 MB at 1080p. Larger pictures have tiles. */
+/**
+ * Most pixels of one sum, at 52 bytes each: 218 MB, and 108 MB at 1080p. Larger pictures have
+ * tiles.
+ */
 export const MOST_SUMMED = 2 ** 22;
 
-/** Added at once. Adding single ones takes 1.3 times as long as drawing (sphere, 1080p, H200), blending 4.7 times. */
+/**
+ * Added at once. Adding single ones takes 1.3 times as long as drawing (sphere, 1080p, H200),
+ * blending 4.7 times.
+ */
 const LAYERS = 4;
 
-export const canSum = (renderer: WebGLRenderer): boolean => renderer.extensions.has('EXT_color_buffer_float');
+export const canSum = (renderer: WebGLRenderer): boolean =>
+  renderer.extensions.has('EXT_color_buffer_float');
 
 export class SampleSum {
   readonly #renderer: WebGLRenderer;
@@ -58,13 +66,17 @@ export class SampleSum {
     return true;
   }
 
-  /** Adds the sample that `paint` draws into the renderer's present target, which it must not clear. */
+  /**
+   * Adds the sample that `paint` draws into the renderer's present target, which it must not clear.
+   */
   add(paint: () => void): void {
     clear(this.#renderer, this.#targets!.samples, this.#layers);
     paint();
     this.#layers += 1;
     this.#count += 1;
-    if (this.#layers === LAYERS) this.#addLayers();
+    if (this.#layers === LAYERS) {
+      this.#addLayers();
+    }
   }
 
   /** Returns once the GPU has drawn all of it. */
@@ -76,7 +88,10 @@ export class SampleSum {
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
   }
 
-  /** Writes the mean of the samples so far, in 8 bits, to this place of `picture`: pixels from its bottom left. */
+  /**
+   * Writes the mean of the samples so far, in 8 bits, to this place of `picture`: pixels from its
+   * bottom left.
+   */
   resolve(picture: WebGLRenderTarget, { x, y, width, height }: Region): void {
     const renderer = this.#renderer;
     this.#addLayers();
@@ -92,7 +107,9 @@ export class SampleSum {
   free(): void {
     const { samples, sum, spare } = this.#targets ?? {};
     this.#targets = null;
-    for (const target of [samples, sum, spare]) target?.dispose();
+    for (const target of [samples, sum, spare]) {
+      target?.dispose();
+    }
   }
 
   dispose(): void {
@@ -123,8 +140,9 @@ const targetsOf = (width: number, height: number) => {
 };
 
 /**
- * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials only for the canvas and what
- * stands for it, as in WebXR. The internal format must not decode: the texels are the codes.
+ * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials only for
+ * the canvas and what stands for it, as in WebXR. The internal format must not decode: the texels
+ * are the codes.
  */
 function sampleTarget(width: number, height: number): WebGLArrayRenderTarget {
   const options = { ...NEAREST, internalFormat: 'RGBA8', colorSpace: SRGBColorSpace } as const;

@@ -1,4 +1,5 @@
-// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that reads textures.
+// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that
+// reads textures.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -21,8 +22,9 @@ in vec3 position;
 void main() { gl_Position = vec4(position, 1.0); }`;
 
 /**
- * Never executed. On a page with many viewers WebKitGTK 2.50 loses track of the driver's active texture unit, and a
- * program with one texture then reads whatever is bound elsewhere. For a program with two it sets the unit again.
+ * Never executed. On a page with many viewers WebKitGTK 2.50 loses track of the driver's active
+ * texture unit, and a program with one texture then reads whatever is bound elsewhere. For a
+ * program with two it sets the unit again.
  */
 const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uLayers, ivec3(at, 0), 0);';
 
@@ -37,10 +39,16 @@ export class ScreenPass {
   readonly #mesh: Mesh<BufferGeometry, RawShaderMaterial>;
   readonly #camera = new Camera();
 
-  /** `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at `at`. */
+  /**
+   * `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at
+   * `at`.
+   */
   constructor(body: string) {
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+    geometry.setAttribute(
+      'position',
+      new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3),
+    );
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
@@ -87,8 +95,15 @@ void main() {
 const copyPass = /* @__PURE__ */ new ScreenPass('color = texel;');
 const scratch = /* @__PURE__ */ new Vector4();
 
-/** Fills the renderer's present viewport with this part of a picture that is `height` pixels high. */
-export function copyPart(renderer: WebGLRenderer, picture: Texture, part: Region, height: number): void {
+/**
+ * Fills the renderer's present viewport with this part of a picture that is `height` pixels high.
+ */
+export function copyPart(
+  renderer: WebGLRenderer,
+  picture: Texture,
+  part: Region,
+  height: number,
+): void {
   const { x, y } = fromBelow(part, height);
   const viewport = renderer.getCurrentViewport(scratch);
   copyPass.uniforms.uOrigin.value.set(viewport.x - x, viewport.y - y);
@@ -96,4 +111,7 @@ export function copyPart(renderer: WebGLRenderer, picture: Texture, part: Region
 }
 
 /** The same part, counted from the picture's bottom left corner, as WebGL does. */
-export const fromBelow = (part: Region, whole: number): Region => ({ ...part, y: whole - part.y - part.height });
+export const fromBelow = (part: Region, whole: number): Region => ({
+  ...part,
+  y: whole - part.y - part.height,
+});

@@ -1,12 +1,16 @@
-// Pictures of a page converge one after the other: the first is finished sooner, and one set of float buffers serves
-// all of them. Pictures in view come first, and otherwise those that have stood still longer.
+// Pictures of a page converge one after the other: the first is finished sooner, and one set of
+// float buffers serves all of them. Pictures in view come first, and otherwise those that have
+// stood still longer.
 import type { WebGLRenderer } from 'three';
 import type { ConvergingPicture } from './converging-picture.js';
 import { SampleSum } from './sample-sum.js';
 
 let active: ConvergingPicture | null = null;
 let waiting = new Set<ConvergingPicture>();
-/** While somebody turns a knob, one picture follows the other. Allocating takes 60 ms at 1600 × 900 (H100, OpenGL). */
+/**
+ * While somebody turns a knob, one picture follows the other. Allocating takes 60 ms at 1600 × 900
+ * (H100, OpenGL).
+ */
 const KEPT_MS = 1000;
 
 let freeing = 0;
@@ -14,7 +18,9 @@ let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null
 
 /** It will take its turn soon: whoever comes before it is known then. */
 export function queue(one: ConvergingPicture): void {
-  if (active !== one) waiting.add(one);
+  if (active !== one) {
+    waiting.add(one);
+  }
 }
 
 /** Whether it is this one's turn. If not, it is woken once it may be. */
@@ -29,18 +35,24 @@ export function take(one: ConvergingPicture): boolean {
   if (active === null && next === one) {
     active = one;
     waiting.delete(one);
-  } else if (active === null) next?.wake();
+  } else if (active === null) {
+    next?.wake();
+  }
   return active === one;
 }
 
 function nextWaiting(): ConvergingPicture | undefined {
-  for (const one of waiting) if (one.inView) return one;
+  for (const one of waiting) {
+    if (one.inView) return one;
+  }
   const [first] = waiting;
   return first;
 }
 
 export function seize(one: ConvergingPicture): void {
-  if (active !== one) active?.pause();
+  if (active !== one) {
+    active?.pause();
+  }
   active = one;
   waiting.delete(one);
 }
@@ -49,15 +61,21 @@ export function seize(one: ConvergingPicture): void {
 export function release(one: ConvergingPicture): void {
   const waited = waiting.delete(one);
   if (active !== one && !waited) return;
-  if (active === one) active = null;
+  if (active === one) {
+    active = null;
+  }
   if (active !== null) return;
   const next = nextWaiting();
   clearTimeout(freeing);
-  if (next !== undefined) next.wake();
-  else
+  if (next !== undefined) {
+    next.wake();
+  } else {
     freeing = window.setTimeout(() => {
-      if (active === null) shared?.sum.free();
+      if (active === null) {
+        shared?.sum.free();
+      }
     }, KEPT_MS);
+  }
 }
 
 /** The buffers of the active picture. A restored context has another renderer. */

@@ -1,6 +1,7 @@
-// What a drag, a wheel event or a key does to the camera: pure functions to a new pose. Those of a drag take the pose at
-// its start and the total travel since then, so zero travel returns the start pose itself. Travel in CSS pixels, right
-// and down positive; angles in degrees, lengths in scene units. A travel to a pose that is not finite moves nothing.
+// What a drag, a wheel event or a key does to the camera: pure functions to a new pose. Those of a
+// drag take the pose at its start and the total travel since then, so zero travel returns the start
+// pose itself. Travel in CSS pixels, right and down positive; angles in degrees, lengths in scene
+// units. A travel to a pose that is not finite moves nothing.
 import { cosDegrees, sinDegrees, wrapDegrees } from '../math/angle.js';
 import { clamp } from '../math/vector.js';
 import { basisOf, clampLength, type Pose } from './orbit.js';
@@ -20,13 +21,18 @@ export interface RadiusLimits {
   readonly max: number;
 }
 
-/** One width is 360°, one height 180°; the shape follows the pointer. Without a size no angle is finite: no turn. */
+/**
+ * One width is 360°, one height 180°; the shape follows the pointer. Without a size no angle is
+ * finite: no turn.
+ */
 export const turn = (start: Pose, dx: number, dy: number, { width, height }: PictureFrame): Pose =>
   turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
 
 /** Adds angles in degrees to those of the start pose. φ stops at the poles. */
 export function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {
-  if ((dTheta === 0 && dPhi === 0) || !Number.isFinite(dTheta) || !Number.isFinite(dPhi)) return start;
+  if ((dTheta === 0 && dPhi === 0) || !Number.isFinite(dTheta) || !Number.isFinite(dPhi)) {
+    return start;
+  }
   return {
     ...start,
     // Wrap first: adding a small turn to 1e20 degrees would lose it to rounding.
@@ -35,12 +41,16 @@ export function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {
   };
 }
 
-/** Moves the target parallel to the picture plane, so that the point under the pointer stays under it. */
+/**
+ * Moves the target parallel to the picture plane, so that the point under the pointer stays under
+ * it.
+ */
 export function shift(start: Pose, dx: number, dy: number, view: PictureFrame): Pose {
   if (dx === 0 && dy === 0) return start;
   const step = worldPerPixel(start.radius, view);
   const { right, up } = basisOf(start);
-  const along = (i: 0 | 1 | 2): number => clampLength(start.target[i] + step * (up[i] * dy - right[i] * dx));
+  const along = (i: 0 | 1 | 2): number =>
+    clampLength(start.target[i] + step * (up[i] * dy - right[i] * dx));
   const target = [along(0), along(1), along(2)] as const;
   return target.every(Number.isFinite) ? { ...start, target } : start;
 }
@@ -56,7 +66,10 @@ export function pinch(start: Pose, startGap: number, gap: number, limits: Radius
   return startGap > 0 && startGap !== gap ? zoomBy(start, startGap / gap, limits) : start;
 }
 
-/** Multiplies the radius within the limits. A radius already outside them can come back but not move farther out. */
+/**
+ * Multiplies the radius within the limits. A radius already outside them can come back but not move
+ * farther out.
+ */
 export function zoomBy(start: Pose, factor: number, limits: RadiusLimits): Pose {
   const nearest = Math.min(limits.min, start.radius);
   const farthest = Math.max(limits.max, start.radius);
@@ -64,7 +77,10 @@ export function zoomBy(start: Pose, factor: number, limits: RadiusLimits): Pose 
   return radius > 0 && Number.isFinite(radius) ? { ...start, radius } : start;
 }
 
-/** CSS pixels per line of a wheel event: the browsers' default font size, also used by three.js's OrbitControls. */
+/**
+ * CSS pixels per line of a wheel event: the browsers' default font size, also used by three.js's
+ * OrbitControls.
+ */
 const LINE_PIXELS = 16;
 
 const WHEEL_RATE = 0.001;
@@ -72,7 +88,10 @@ const KEY_ZOOM = 1.1;
 const KEY_DEGREES = 5;
 const KEY_DEGREES_FINE = 1;
 
-/** Multiplies the radius by exp(0.001 · pixels): turning back undoes turning forth. `height`: a page, CSS pixels. */
+/**
+ * Multiplies the radius by exp(0.001 · pixels): turning back undoes turning forth. `height`: a
+ * page, CSS pixels.
+ */
 export function wheelZoom(
   start: Pose,
   { deltaY, deltaMode }: Pick<WheelEvent, 'deltaY' | 'deltaMode'>,
@@ -119,6 +138,12 @@ export function keyStep(key: string, shiftKey: boolean): KeyStep | undefined {
 }
 
 /** The pose after a turning or zooming key. */
-export function keyPose(start: Pose, step: Exclude<KeyStep, { kind: 'reset' }>, limits: RadiusLimits): Pose {
-  return step.kind === 'turn' ? turnBy(start, step.theta, step.phi) : zoomBy(start, step.factor, limits);
+export function keyPose(
+  start: Pose,
+  step: Exclude<KeyStep, { kind: 'reset' }>,
+  limits: RadiusLimits,
+): Pose {
+  return step.kind === 'turn'
+    ? turnBy(start, step.theta, step.phi)
+    : zoomBy(start, step.factor, limits);
 }

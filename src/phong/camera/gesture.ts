@@ -1,6 +1,6 @@
-// Camera poses of a gesture with one or two pointers, from the pose at the anchor and where each finger was then and is
-// now: returning to the start restores the start pose exactly. Client coordinates in CSS pixels; travel is measured
-// along the picture's own axes.
+// Camera poses of a gesture with one or two pointers, from the pose at the anchor and where each
+// finger was then and is now: returning to the start restores the start pose exactly. Client
+// coordinates in CSS pixels; travel is measured along the picture's own axes.
 import { type PictureFrame, pinch, type RadiusLimits, shift, turn } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
@@ -10,8 +10,8 @@ export interface PictureBox {
   readonly width: number;
   readonly height: number;
   /**
-   * Client coordinates of one of the box's own pixels: x and y of a pixel to the right, x and y of a pixel down. CSS
-   * transforms of the box or its parents change them. Default: 1, 0, 0, 1.
+   * Client coordinates of one of the box's own pixels: x and y of a pixel to the right, x and y of
+   * a pixel down. CSS transforms of the box or its parents change them. Default: 1, 0, 0, 1.
    */
   readonly axes?: PictureAxes;
 }
@@ -20,7 +20,10 @@ export type PictureAxes = readonly [rightX: number, rightY: number, downX: numbe
 
 const UPRIGHT: PictureAxes = [1, 0, 0, 1];
 
-/** Browsers place transformed boxes in float32: scrolling changes axes by about 1e-7 per pixel of their size. */
+/**
+ * Browsers place transformed boxes in float32: scrolling changes axes by about 1e-7 per pixel of
+ * their size.
+ */
 const AXIS_NOISE = 1e-5;
 
 /** What a gesture reads from its surroundings, at every move. */
@@ -31,7 +34,9 @@ export interface GestureHost {
   /** Vertical field of view, degrees. */
   fov(): number;
   radiusLimits(): RadiusLimits;
-  /** `orbit`: one pointer can turn and shift, two fingers can shift. `zoom`: two fingers can pinch. */
+  /**
+   * `orbit`: one pointer can turn and shift, two fingers can shift. `zoom`: two fingers can pinch.
+   */
   allows(): { readonly orbit: boolean; readonly zoom: boolean };
 }
 
@@ -54,7 +59,10 @@ interface Anchor {
   readonly axes: PictureAxes;
   readonly orbit: boolean;
   readonly zoom: boolean;
-  /** The orbit's after this gesture's last move: a different version means that something else moved the camera. */
+  /**
+   * The orbit's after this gesture's last move: a different version means that something else moved
+   * the camera.
+   */
   version: number;
 }
 
@@ -87,10 +95,15 @@ export class PointerGesture {
     return this.#fingers.some((finger) => finger.id === id);
   }
 
-  /** A pointer presses. Returns false and ignores it if two are down already or a coordinate is not finite. */
+  /**
+   * A pointer presses. Returns false and ignores it if two are down already or a coordinate is not
+   * finite.
+   */
   press(id: number, x: number, y: number, kind: DragKind): boolean {
     if (this.#fingers.length >= 2 || this.has(id) || !Number.isFinite(x + y)) return false;
-    if (!this.active) this.#dragged = false;
+    if (!this.active) {
+      this.#dragged = false;
+    }
     this.#kind = this.active ? 'turn' : kind; // whichever finger lifts first, the other one turns
     this.#fingers = [...this.#fingers, { id, anchorX: x, anchorY: y, x, y }];
     this.reanchor();
@@ -102,7 +115,9 @@ export class PointerGesture {
     const finger = this.#fingers.find((f) => f.id === id);
     if (finger === undefined || !Number.isFinite(x + y)) return false;
     let anchor = this.#anchor;
-    if (anchor === undefined || this.#outdated(anchor)) anchor = this.reanchor();
+    if (anchor === undefined || this.#outdated(anchor)) {
+      anchor = this.reanchor();
+    }
     finger.x = x;
     finger.y = y;
     const { orbit } = this.#host;
@@ -117,7 +132,9 @@ export class PointerGesture {
   lift(id: number): void {
     if (!this.has(id)) return;
     this.#fingers = this.#fingers.filter((finger) => finger.id !== id);
-    if (this.active) this.reanchor();
+    if (this.active) {
+      this.reanchor();
+    }
   }
 
   /** Sets a new anchor: the drag continues from the current camera and pointer positions. */
@@ -137,7 +154,8 @@ export class PointerGesture {
   #outdated({ view, axes: before, orbit, zoom, version }: Anchor): boolean {
     const { width, height, axes = UPRIGHT } = this.#host.size();
     const allows = this.#host.allows();
-    const sameView = view.width === width && view.height === height && view.fov === this.#host.fov();
+    const sameView =
+      view.width === width && view.height === height && view.fov === this.#host.fov();
     const sameAxes = axes.every((x, i) => Math.abs(x - before[i]!) < AXIS_NOISE);
     const sameRights = allows.orbit === orbit && allows.zoom === zoom;
     return !sameView || !sameAxes || !sameRights || this.#host.orbit.version !== version;

@@ -1,17 +1,24 @@
-// Keeps a drag from the page around it, which may be a link, a draggable card, a label or a summary.
+// Keeps a drag from the page around it, which may be a link, a draggable card, a label or a
+// summary.
 
-/** CSS pixels of the page. A press that moves less is a click: hands are not steady, and fingers less so. */
+/**
+ * CSS pixels of the page. A press that moves less is a click: hands are not steady, and fingers
+ * less so.
+ */
 export const SLOP = { mouse: 4, touch: 10 } as const;
 
-/** Milliseconds in which the click that ends a drag arrives. After a mouse it is there at once, after a touch later. */
+/**
+ * Milliseconds in which the click that ends a drag arrives. After a mouse it is there at once,
+ * after a touch later.
+ */
 const CLICK_DELAY = 300;
 
 /** Before the page's own listeners. */
 const CAPTURE = { capture: true };
 
 /**
- * Call at the press: from then on nothing around the picture is dragged. The returned function ends that; if the press
- * has `moved` something, the click that follows is kept from the page, too.
+ * Call at the press: from then on nothing around the picture is dragged. The returned function ends
+ * that; if the press has `moved` something, the click that follows is kept from the page, too.
  */
 export function keepDrag(view: EventTarget | null): (moved: boolean) => void {
   const keep = (event: Event): void => {

@@ -1,5 +1,6 @@
-// Pointer, wheel and key events on a picture, turned into numbers for the pure functions of this folder. Each event is
-// handled synchronously; no frame is requested and nothing is drawn. CSS pixels.
+// Pointer, wheel and key events on a picture, turned into numbers for the pure functions of this
+// folder. Each event is handled synchronously; no frame is requested and nothing is drawn. CSS
+// pixels.
 import { keyPose, keyStep, wheelZoom } from './drag.js';
 import { type GestureHost, PointerGesture } from './gesture.js';
 import { keepDrag, SLOP } from './kept-drag.js';
@@ -19,18 +20,23 @@ export interface OrbitInputHost extends GestureHost {
 const PRIMARY = 0;
 const SECONDARY = 2;
 
-/** Milliseconds after a secondary drag in which its context menu is suppressed: Windows opens it at the release. */
+/**
+ * Milliseconds after a secondary drag in which its context menu is suppressed: Windows opens it at
+ * the release.
+ */
 const MENU_DELAY = 300;
 
 /**
- * CSS pixels that a finger can move mainly up or down before the camera turns, so that scrolling past does not tilt the
- * picture: within its own slop (15 px in Chromium) the browser may make it a scroll and cancel the pointer.
+ * CSS pixels that a finger can move mainly up or down before the camera turns, so that scrolling
+ * past does not tilt the picture: within its own slop (15 px in Chromium) the browser may make it a
+ * scroll and cancel the pointer.
  */
 const SCROLL_SLOP = 32;
 
 /**
- * Connects a surface to an orbit. The surface holds the picture and nothing else that needs pointers (the panel is its
- * sibling). It must be focusable, with `touch-action: pan-y` and `user-select: none` in its CSS.
+ * Connects a surface to an orbit. The surface holds the picture and nothing else that needs
+ * pointers (the panel is its sibling). It must be focusable, with `touch-action: pan-y` and
+ * `user-select: none` in its CSS.
  */
 export class OrbitInput {
   readonly #surface: HTMLElement;
@@ -67,14 +73,19 @@ export class OrbitInput {
       // Respect preventDefault() of the page's scripts, but always track where the pointers are.
       const claimable = /down|wheel/.test(type);
       const listener = (event: Event): void => {
-        if (!claimable || !event.defaultPrevented) this.take(event);
+        if (!claimable || !event.defaultPrevented) {
+          this.take(event);
+        }
       };
       surface.addEventListener(type, listener, active);
     }
     // A drag must not select text: that would cancel the pointer.
-    surface.addEventListener('selectstart', (event) => this.dragging && event.preventDefault(), { signal });
-    for (const type of ['touchstart', 'touchmove'] as const)
+    surface.addEventListener('selectstart', (event) => this.dragging && event.preventDefault(), {
+      signal,
+    });
+    for (const type of ['touchstart', 'touchmove'] as const) {
       surface.addEventListener(type, (event) => this.#onTouch(event), active);
+    }
     const view = surface.ownerDocument.defaultView;
     view?.addEventListener('blur', () => this.#end(), { signal });
     // On the window, because a drag can end outside the surface.
@@ -94,11 +105,13 @@ export class OrbitInput {
   }
 
   /**
-   * Call when something else has changed the camera or the picture: a drag in progress continues from the current
-   * camera.
+   * Call when something else has changed the camera or the picture: a drag in progress continues
+   * from the current camera.
    */
   reanchor(): void {
-    if (this.#gesture.active) this.#gesture.reanchor();
+    if (this.#gesture.active) {
+      this.#gesture.reanchor();
+    }
   }
 
   readonly #handlers: Readonly<Record<string, (event: Event) => void>> = {
@@ -118,8 +131,11 @@ export class OrbitInput {
     this.#surface.focus({ preventScroll: true });
     this.#menuUntil = -1;
     // A pointer that presses again was released without an event.
-    if (this.#gesture.has(event.pointerId)) this.#lift(event.pointerId);
-    // Only a second finger joins a drag; a mouse does not join a pen. With `orbit` off, one finger waits for a pinch.
+    if (this.#gesture.has(event.pointerId)) {
+      this.#lift(event.pointerId);
+    }
+    // Only a second finger joins a drag; a mouse does not join a pen. With `orbit` off, one finger
+    // waits for a pinch.
     if (touch ? this.#gesture.active && !this.#touching : this.#gesture.active || !orbit) return;
     const begins = !this.#gesture.active;
     const kind = event.button === SECONDARY || event.shiftKey ? 'shift' : 'turn';
@@ -140,7 +156,8 @@ export class OrbitInput {
 
   #onMove(event: PointerEvent): void {
     if (!this.#gesture.has(event.pointerId)) return;
-    // The button was released without an event (over another window, under a menu, while another button is down).
+    // The button was released without an event (over another window, under a menu, while another
+    // button is down).
     const mask = this.#button === SECONDARY ? 2 : 1;
     if ((event.buttons & mask) === 0) {
       this.#lift(event.pointerId);
@@ -148,8 +165,11 @@ export class OrbitInput {
     }
     if (this.#mayScroll(event)) return;
     const slop = this.#touching ? SLOP.touch : SLOP.mouse;
-    this.#start.left ||= Math.hypot(event.clientX - this.#start.x, event.clientY - this.#start.y) > slop;
-    if (this.#gesture.move(event.pointerId, event.clientX, event.clientY)) this.#host.moved('pointer');
+    this.#start.left ||=
+      Math.hypot(event.clientX - this.#start.x, event.clientY - this.#start.y) > slop;
+    if (this.#gesture.move(event.pointerId, event.clientX, event.clientY)) {
+      this.#host.moved('pointer');
+    }
   }
 
   #mayScroll(event: PointerEvent): boolean {
@@ -164,36 +184,59 @@ export class OrbitInput {
   #onLift(event: PointerEvent): void {
     if (!this.#gesture.has(event.pointerId)) return;
     this.#lift(event.pointerId);
-    if (this.#button === SECONDARY && this.#gesture.dragged) this.#menuUntil = event.timeStamp + MENU_DELAY;
+    if (this.#button === SECONDARY && this.#gesture.dragged) {
+      this.#menuUntil = event.timeStamp + MENU_DELAY;
+    }
   }
 
-  /** Suppresses the context menu once after a secondary drag, and during it: Linux and macOS open it at the press. */
+  /**
+   * Suppresses the context menu once after a secondary drag, and during it: Linux and macOS open it
+   * at the press.
+   */
   #onMenu(event: MouseEvent): void {
-    const wanted = !(this.#gesture.active && this.#button === SECONDARY) && !(event.timeStamp <= this.#menuUntil);
+    const wanted =
+      !(this.#gesture.active && this.#button === SECONDARY) &&
+      !(event.timeStamp <= this.#menuUntil);
     this.#menuUntil = -1;
-    if (!wanted) event.preventDefault();
-    // An open menu captures the mouse. Touch is different: a long press fires `contextmenu` even if no menu opens.
-    else if (!this.#touching) this.#end();
+    if (!wanted) {
+      event.preventDefault();
+    }
+    // An open menu captures the mouse. Touch is different: a long press fires `contextmenu` even if
+    // no menu opens.
+    else if (!this.#touching) {
+      this.#end();
+    }
   }
 
   /** Two fingers move the camera: `touch-action: pan-y` alone would let them scroll the page. */
   #onTouch(event: TouchEvent): void {
-    if (event.cancelable && event.targetTouches.length > 1 && this.#gesture.active) event.preventDefault();
+    if (event.cancelable && event.targetTouches.length > 1 && this.#gesture.active) {
+      event.preventDefault();
+    }
   }
 
   #onWheel(event: WheelEvent): void {
-    // A trackpad's pinch arrives as a wheel event with Ctrl and zooms too. Horizontal scrolling is left to the page.
+    // A trackpad's pinch arrives as a wheel event with Ctrl and zooms too. Horizontal scrolling is
+    // left to the page.
     if (event.deltaY === 0 || !this.#host.allows().zoom || !this.#focused()) return;
     event.preventDefault();
     const { orbit } = this.#host;
-    this.#moveTo(wheelZoom(orbit.pose, event, this.#host.size().height, this.#host.radiusLimits()), 'wheel');
+    this.#moveTo(
+      wheelZoom(orbit.pose, event, this.#host.size().height, this.#host.radiusLimits()),
+      'wheel',
+    );
   }
 
   #onKey(event: KeyboardEvent): void {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = keyStep(event.key, event.shiftKey);
     const { orbit, zoom } = this.#host.allows();
-    if (step === undefined || !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom)) return;
+    if (
+      step === undefined ||
+      !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom)
+    ) {
+      return;
+    }
     event.preventDefault();
     event.stopPropagation(); // slides would turn to the next page
     if (step.kind === 'reset') {
@@ -215,20 +258,25 @@ export class OrbitInput {
 
   #focused(): boolean {
     const area = this.#host.focusArea ?? this.#surface;
-    // Asks the area's own tree, where an element with the focus in its shadow tree is the active one.
+    // Asks the area's own tree, where an element with the focus in its shadow tree is the active
+    // one.
     const { activeElement } = area.getRootNode() as Document | ShadowRoot;
     return area.contains(activeElement);
   }
 
   #lift(pointerId: number): void {
     this.#gesture.lift(pointerId);
-    if (this.#surface.hasPointerCapture(pointerId)) this.#surface.releasePointerCapture(pointerId);
+    if (this.#surface.hasPointerCapture(pointerId)) {
+      this.#surface.releasePointerCapture(pointerId);
+    }
     if (this.#gesture.active) return;
     this.#release?.(this.#gesture.dragged && this.#start.left);
     this.#host.held?.(false);
   }
 
   #end(): void {
-    for (const id of this.#gesture.pointers) this.#lift(id);
+    for (const id of this.#gesture.pointers) {
+      this.#lift(id);
+    }
   }
 }

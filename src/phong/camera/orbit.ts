@@ -1,12 +1,15 @@
-// The camera's pose: the eye lies on a sphere around the target, given by azimuth and polar angle, in float64. Angles
-// in degrees, lengths in scene units, world axes. The basis comes from the angles, never from an up vector, so it is
-// orthonormal at the poles too.
+// The camera's pose: the eye lies on a sphere around the target, given by azimuth and polar angle,
+// in float64. Angles in degrees, lengths in scene units, world axes. The basis comes from the
+// angles, never from an up vector, so it is orthonormal at the poles too.
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import { clamp, type Vec3 } from '../math/vector.js';
 
 /** Position and direction of the camera. Angles in degrees, lengths in scene units. */
 export interface Pose {
-  /** Azimuth about +y, any finite number; 0 looks from +z, 90 from +x. Not wrapped: use `wrapDegrees` for display. */
+  /**
+   * Azimuth about +y, any finite number; 0 looks from +z, 90 from +x. Not wrapped: use
+   * `wrapDegrees` for display.
+   */
   readonly theta: number;
   /** Polar angle from +y, 0 to 180. */
   readonly phi: number;
@@ -28,7 +31,12 @@ export interface Basis {
 /** Larger coordinates would make products overflow float32 on the GPU. */
 export const LARGEST_LENGTH = 1e15;
 
-const DEFAULT_POSE: Pose = Object.freeze({ theta: 30, phi: 70, radius: 4, target: Object.freeze([0, 0, 0] as const) });
+const DEFAULT_POSE: Pose = Object.freeze({
+  theta: 30,
+  phi: 70,
+  radius: 4,
+  target: Object.freeze([0, 0, 0] as const),
+});
 
 export class Orbit {
   #theta = DEFAULT_POSE.theta;
@@ -67,18 +75,35 @@ export class Orbit {
 
   /** The camera as it is now: a frozen value, not affected by later changes. */
   get pose(): Pose {
-    this.#pose ??= Object.freeze({ theta: this.#theta, phi: this.#phi, radius: this.#radius, target: this.#target });
+    this.#pose ??= Object.freeze({
+      theta: this.#theta,
+      phi: this.#phi,
+      radius: this.#radius,
+      target: this.#target,
+    });
     return this.#pose;
   }
 
   /**
-   * Moves the camera; omitted values stay. `phi`, large radii and large coordinates are clamped to their ranges. Throws
-   * `RangeError` and changes nothing if a number is not finite or the radius is not above 0.
+   * Moves the camera; omitted values stay. `phi`, large radii and large coordinates are clamped to
+   * their ranges. Throws `RangeError` and changes nothing if a number is not finite or the radius
+   * is not above 0.
    */
   set(change: Partial<Pose>): void {
-    const { theta = this.#theta, phi = this.#phi, radius = this.#radius, target = this.#target } = change;
-    if (!Number.isFinite(theta) || !Number.isFinite(phi) || !Number.isFinite(radius) || !(radius > 0))
+    const {
+      theta = this.#theta,
+      phi = this.#phi,
+      radius = this.#radius,
+      target = this.#target,
+    } = change;
+    if (
+      !Number.isFinite(theta) ||
+      !Number.isFinite(phi) ||
+      !Number.isFinite(radius) ||
+      !(radius > 0)
+    ) {
       throw new RangeError('a camera needs finite angles and a finite radius above 0');
+    }
     const nextTarget = target === this.#target ? target : reachableTarget(target, this.#target);
     // Adding 0 turns -0 into 0, so that equal cameras print alike.
     const nextTheta = theta + 0;
@@ -97,18 +122,24 @@ export class Orbit {
   /** Eye minus target, in world axes. */
   offset(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
     const { back } = basisOf(this, scratch);
-    for (let i = 0; i < 3; i++) out[i] = back[i]! * this.#radius;
+    for (let i = 0; i < 3; i++) {
+      out[i] = back[i]! * this.#radius;
+    }
     return out;
   }
 
   /** The eye in world space. */
   eye(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
     this.offset(out);
-    for (let i = 0; i < 3; i++) out[i]! += this.#target[i]!;
+    for (let i = 0; i < 3; i++) {
+      out[i]! += this.#target[i]!;
+    }
     return out;
   }
 
-  /** The camera's axes, orthonormal to 1e-15 at every angle. Exactly 0 and ±1 at multiples of 90°. */
+  /**
+   * The camera's axes, orthonormal to 1e-15 at every angle. Exactly 0 and ±1 at multiples of 90°.
+   */
   basis(out: Basis = newBasis()): Basis {
     return basisOf(this, out);
   }

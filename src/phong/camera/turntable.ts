@@ -1,5 +1,6 @@
-// The azimuth of `auto-rotate` at a given time: the azimuth at the start plus speed times elapsed time. Frames are
-// never summed, so nothing drifts. Degrees, degrees per second, milliseconds of one clock. Requests no frames itself.
+// The azimuth of `auto-rotate` at a given time: the azimuth at the start plus speed times elapsed
+// time. Frames are never summed, so nothing drifts. Degrees, degrees per second, milliseconds of
+// one clock. Requests no frames itself.
 import type { Orbit } from './orbit.js';
 
 export class Turntable {
@@ -8,9 +9,9 @@ export class Turntable {
   readonly #change = { theta: 0 };
 
   /**
-   * Turns the orbit to its azimuth at `time`. `speed` in degrees per second; positive raises θ. The first step after
-   * `rest`, after another change of θ and after a change of speed only records a new start. Returns whether the orbit
-   * moved.
+   * Turns the orbit to its azimuth at `time`. `speed` in degrees per second; positive raises θ. The
+   * first step after `rest`, after another change of θ and after a change of speed only records a
+   * new start. Returns whether the orbit moved.
    */
   step(orbit: Orbit, time: number, speed: number): boolean {
     if (!Number.isFinite(time) || !(Math.abs(speed) <= FASTEST)) return false;
@@ -27,7 +28,9 @@ export class Turntable {
     return orbit.version !== before;
   }
 
-  /** Pauses (during a drag, off screen, at speed 0): the time until the next `step` does not count. */
+  /**
+   * Pauses (during a drag, off screen, at speed 0): the time until the next `step` does not count.
+   */
   rest(): void {
     this.#start = undefined;
   }
@@ -37,9 +40,10 @@ export class Turntable {
 const FASTEST = 1e15;
 
 /**
- * Speed times elapsed time, modulo whole turns. The product is split so that its large part is exact in float64 (24
- * bits of speed times up to 29 bits of whole milliseconds); whole turns are removed before anything is rounded. After
- * six days at common speeds the error is still near 1e-12 degrees.
+ * Speed times elapsed time, modulo whole turns. The product is split so that its large part is
+ * exact in float64 (24 bits of speed times up to 29 bits of whole milliseconds); whole turns are
+ * removed before anything is rounded. After six days at common speeds the error is still near 1e-12
+ * degrees.
  */
 export function turnedBy(degreesPerSecond: number, milliseconds: number): number {
   const coarse = Math.fround(degreesPerSecond);

@@ -1,10 +1,13 @@
-// The declared values of one light, mesh or viewer: each has its default until it is set, is checked when it is set,
-// and notifies one listener when it changes.
+// The declared values of one light, mesh or viewer: each has its default until it is set, is
+// checked when it is set, and notifies one listener when it changes.
 import type { Field } from './field.js';
 
 export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
 
-/** For each set of fields, its defaults in one object: copying it is seven times as fast as writing them one by one. */
+/**
+ * For each set of fields, its defaults in one object: copying it is seven times as fast as writing
+ * them one by one.
+ */
 const defaults = new WeakMap<object, object>();
 
 function defaultsOf<V extends object>(fields: Fields<V>): V {
@@ -22,7 +25,10 @@ const NONE: readonly never[] = [];
 export class FieldStore<V extends object> {
   readonly fields: Fields<V>;
   readonly #values: V;
-  /** Keys of the values that were set. Replaced, not written to: most elements have few, and a set takes 200 bytes. */
+  /**
+   * Keys of the values that were set. Replaced, not written to: most elements have few, and a set
+   * takes 200 bytes.
+   */
   #given: readonly (keyof V)[] = NONE;
   #listener: ((key: keyof V) => void) | null = null;
 
@@ -42,15 +48,18 @@ export class FieldStore<V extends object> {
   }
 
   /**
-   * Sets a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError` for a value outside
-   * the field's domain and then changes nothing.
+   * Sets a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError`
+   * for a value outside the field's domain and then changes nothing.
    */
   set<K extends keyof V>(key: K, value: unknown): void {
     const given = value !== undefined && value !== null;
     const checked = given ? this.fields[key].check(value) : this.fields[key].fallback;
     const before = this.given(key);
-    if (given && !before) this.#given = [...this.#given, key];
-    else if (before && !given) this.#given = this.#given.filter((other) => other !== key);
+    if (given && !before) {
+      this.#given = [...this.#given, key];
+    } else if (before && !given) {
+      this.#given = this.#given.filter((other) => other !== key);
+    }
     if (given === before && sameValue(checked, this.#values[key])) return;
     this.#values[key] = checked;
     this.#listener?.(key);
@@ -66,9 +75,13 @@ export class FieldStore<V extends object> {
     for (const key in values) {
       if (!Object.hasOwn(this.fields, key)) throw new TypeError(`there is no value named ${key}`);
       const value = values[key];
-      if (value !== undefined && value !== null) this.fields[key].check(value);
+      if (value !== undefined && value !== null) {
+        this.fields[key].check(value);
+      }
     }
-    for (const key in values) this.set(key, values[key]);
+    for (const key in values) {
+      this.set(key, values[key]);
+    }
   }
 
   /** Replaces the listener; null removes it. */
@@ -78,7 +91,9 @@ export class FieldStore<V extends object> {
 
   /** Removes this listener. A listener that has replaced it stays. */
   unlisten(listener: (key: keyof V) => void): void {
-    if (this.#listener === listener) this.#listener = null;
+    if (this.#listener === listener) {
+      this.#listener = null;
+    }
   }
 }
 
@@ -86,6 +101,8 @@ export class FieldStore<V extends object> {
 export function sameValue(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return a === b;
   if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  for (let i = 0; i < a.length; i++) {
+    if (a[i] !== b[i]) return false;
+  }
   return true;
 }

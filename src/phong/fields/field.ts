@@ -1,5 +1,6 @@
-// A declared value's default, its domain in words, and the one check for all that sets it: attributes, properties and
-// the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full colour).
+// A declared value's default, its domain in words, and the one check for all that sets it:
+// attributes, properties and the plain objects of `phong-viewer/core`. Values are in HTML's units
+// (degrees, 255 = full colour).
 import type { Vec3, Vec4 } from '../math/vector.js';
 import { clip } from './clip.js';
 
@@ -20,8 +21,8 @@ export interface Field<T> {
   /** The domain as a noun phrase, for warnings and errors: "a number from 0 to 180". */
   readonly expected: string;
   /**
-   * Returns the value to store (arrays are copied). Throws `TypeError` for the wrong kind of value and `RangeError` for
-   * a value outside the domain. NaN and ±Infinity are always outside.
+   * Returns the value to store (arrays are copied). Throws `TypeError` for the wrong kind of value
+   * and `RangeError` for a value outside the domain. NaN and ±Infinity are always outside.
    */
   check(value: unknown): T;
 }
@@ -34,11 +35,14 @@ export interface Range {
   readonly integer?: boolean;
 }
 
-const spell = (n: number): string => (Math.abs(n) >= 1e5 ? n.toExponential().replace('e+', 'e') : String(n));
+const spell = (n: number): string =>
+  Math.abs(n) >= 1e5 ? n.toExponential().replace('e+', 'e') : String(n);
 
 function rangeWords({ min, max, above, integer }: Range): string {
   const kind = integer === true ? 'whole number' : 'number';
-  if (above !== undefined && max !== undefined) return `${kind} above ${spell(above)}, up to ${spell(max)}`;
+  if (above !== undefined && max !== undefined) {
+    return `${kind} above ${spell(above)}, up to ${spell(max)}`;
+  }
   if (min !== undefined && max !== undefined) return `${kind} from ${spell(min)} to ${spell(max)}`;
   return kind;
 }
@@ -73,7 +77,9 @@ function numberCheck(
 ): (value: unknown, whole: unknown) => number {
   return (value, whole) => {
     if (typeof value !== 'number') throw wrong(expected, whole);
-    if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value))) return value + 0; // -0 would show as "0" and divide as "-"
+    if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value))) {
+      return value + 0; // -0 would show as "0" and divide as "-"
+    }
     throw outside(expected, value);
   };
 }
@@ -84,7 +90,10 @@ export function numberField(fallback: number, range: Range): Field<number> {
   return { kind: 'number', fallback, expected, check: (value) => check(value, value) };
 }
 
-/** A tuple of numbers, each in the same range. `finish` completes a shorter list without writing to it. */
+/**
+ * A tuple of numbers, each in the same range. `finish` completes a shorter list without writing to
+ * it.
+ */
 function tupleField<T extends Vec3 | Vec4>(
   fallback: T,
   range: Range,
@@ -111,7 +120,10 @@ function tupleField<T extends Vec3 | Vec4>(
   };
 }
 
-/** Any number of numbers in ascending order, at least one; a single one may stand alone. `expected` says so. */
+/**
+ * Any number of numbers in ascending order, at least one; a single one may stand alone. `expected`
+ * says so.
+ */
 export function numbersField(expected: string, min: number, max: number): Field<readonly number[]> {
   const at = numberCheck({ min, max }, expected);
   return {
@@ -119,8 +131,11 @@ export function numbersField(expected: string, min: number, max: number): Field<
     fallback: Object.freeze([]),
     expected,
     check(value) {
-      if (isList(value) ? value.length === 0 || value.length > MOST_WORDS : typeof value !== 'number')
+      if (
+        isList(value) ? value.length === 0 || value.length > MOST_WORDS : typeof value !== 'number'
+      ) {
         throw wrong(expected, value);
+      }
       const numbers = (isList(value) ? Array.from(value) : [value]).map((n) => at(n, value));
       if (numbers.some((n, i) => i > 0 && n < numbers[i - 1]!)) throw outside(expected, value);
       return numbers;
@@ -131,7 +146,8 @@ export function numbersField(expected: string, min: number, max: number): Field<
 const isList = (value: unknown): value is readonly unknown[] =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
-export const vectorField = (fallback: Vec3, range: Range): Field<Vec3> => tupleField(fallback, range);
+export const vectorField = (fallback: Vec3, range: Range): Field<Vec3> =>
+  tupleField(fallback, range);
 
 /** x y z w, w being 0 (a direction) or 1 (a position); three numbers mean w = 1. */
 export function homogeneousField(fallback: Vec4, range: Range): Field<Vec4> {
@@ -159,19 +175,28 @@ export function colorField(fallback: Vec3, range: Range): Field<Vec3> {
 
 /** Three numbers, or one, alone or in a list, that stands for all three. */
 function repeatedField(fallback: Vec3, range: Range, expected: string): Field<Vec3> {
-  const tuple = tupleField(fallback, range, expected, (n) => (n.length === 1 ? [...n, ...n, ...n] : n));
+  const tuple = tupleField(fallback, range, expected, (n) =>
+    n.length === 1 ? [...n, ...n, ...n] : n,
+  );
   return { ...tuple, check: (value) => tuple.check(typeof value === 'number' ? [value] : value) };
 }
 
-export const booleanField = (fallback: boolean): Field<boolean> => typeField('boolean', fallback, 'true or false');
+export const booleanField = (fallback: boolean): Field<boolean> =>
+  typeField('boolean', fallback, 'true or false');
 
 /** True if present, like HTML's own boolean attributes, except for the text `false`. */
-export const presenceField = (): Field<boolean> => typeField<boolean>('presence', false, 'true or false');
+export const presenceField = (): Field<boolean> =>
+  typeField<boolean>('presence', false, 'true or false');
 
-export const textField = (fallback = '', expected = 'text'): Field<string> => typeField('text', fallback, expected);
+export const textField = (fallback = '', expected = 'text'): Field<string> =>
+  typeField('text', fallback, expected);
 
 /** Any value of the default's type. */
-const typeField = <T extends boolean | string>(kind: FieldKind, fallback: T, expected: string): Field<T> => ({
+const typeField = <T extends boolean | string>(
+  kind: FieldKind,
+  fallback: T,
+  expected: string,
+): Field<T> => ({
   kind,
   fallback,
   expected,
@@ -197,7 +222,10 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
   };
 }
 
-/** Words that a list may repeat. An empty list of length 2^32 - 1 would take 32 GB once it is spread. */
+/**
+ * Words that a list may repeat. An empty list of length 2^32 - 1 would take 32 GB once it is
+ * spread.
+ */
 const MOST_WORDS = 1000;
 
 /** Any subset of the choices, in the choices' order, each once. */
@@ -223,8 +251,8 @@ export function subsetField<T extends string>(
 }
 
 /**
- * False; true if present without a value or with its own name, as in HTML; or a list of words, all from one of `lists`,
- * in the order given, each once.
+ * False; true if present without a value or with its own name, as in HTML; or a list of words, all
+ * from one of `lists`, in the order given, each once.
  */
 export function flagOrWordsField(
   own: string,
@@ -240,8 +268,11 @@ export function flagOrWordsField(
       if (!Array.isArray(value) || value.length > MOST_WORDS) throw wrong(expected, value);
       const words: readonly unknown[] = [...(value as unknown[])];
       if (words.length === 1 && words[0] === own) return true;
-      if (!lists.some((list) => words.every((word) => (list as readonly unknown[]).includes(word))))
+      if (
+        !lists.some((list) => words.every((word) => (list as readonly unknown[]).includes(word)))
+      ) {
         throw outside(expected, words);
+      }
       return words.length > 0 && Object.freeze([...new Set(words as readonly string[])]);
     },
   };

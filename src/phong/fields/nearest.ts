@@ -1,19 +1,29 @@
 // Finds the known word that was probably meant by a misspelled one.
 
-/** Letters from which on a word may be misspelled twice. In shorter ones two edits make another word. */
+/**
+ * Letters from which on a word may be misspelled twice. In shorter ones two edits make another
+ * word.
+ */
 const TWICE_FROM = 6;
 
-/** The word of `words` that is one edit from `word`, or two from six letters on; undefined for none. */
+/**
+ * The word of `words` that is one edit from `word`, or two from six letters on; undefined for none.
+ */
 export const nearest = (word: string, words: readonly string[]): string | undefined =>
   words.find((known) => isWithin(1, word, known)) ??
   words.find((known) => known.length >= TWICE_FROM && isWithin(2, word, known));
 
-/** Whether at most `edits` make `a` to `b`: a letter inserted, left out or replaced, or two neighbours swapped. */
+/**
+ * Whether at most `edits` make `a` to `b`: a letter inserted, left out or replaced, or two
+ * neighbours swapped.
+ */
 function isWithin(edits: number, a: string, b: string): boolean {
   if (a === b) return true;
   if (edits === 0) return false;
   let i = 0;
-  while (a[i] === b[i]) i++;
+  while (a[i] === b[i]) {
+    i++;
+  }
   const [shortA, shortB] = [a.slice(i + 1), b.slice(i + 1)];
   const swapped = a[i] === b[i + 1] && a[i + 1] === b[i];
   return (

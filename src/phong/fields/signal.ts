@@ -9,6 +9,8 @@ export class Signal<T = void> {
   }
 
   emit(value: T): void {
-    for (const listener of this.#listeners) listener(value);
+    for (const listener of this.#listeners) {
+      listener(value);
+    }
   }
 }

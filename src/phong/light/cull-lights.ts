@@ -1,5 +1,6 @@
-// Finds the lights that can reach a box, in shading space and float64, from the packed rows that the GLSL reads. Only a
-// spot's cone keeps light out: attenuation never reaches 0. A culled light adds nothing to any point of the box.
+// Finds the lights that can reach a box, in shading space and float64, from the packed rows that
+// the GLSL reads. Only a spot's cone keeps light out: attenuation never reaches 0. A culled light
+// adds nothing to any point of the box.
 import { floatOf, HEADER, ROWS } from './light-layout.js';
 import type { PackedLights } from './pack-lights.js';
 import { LIMIT_OPEN, NEAREST } from './precision.js';
@@ -7,7 +8,9 @@ import { LIMIT_OPEN, NEAREST } from './precision.js';
 /** Axis-aligned, in shading space: low x y z, high x y z. */
 export type Box = readonly [number, number, number, number, number, number];
 
-/** Writes into `mask` 1 for each sent light that can reach the box, else 0. Returns how many can. */
+/**
+ * Writes into `mask` 1 for each sent light that can reach the box, else 0. Returns how many can.
+ */
 export function cullLights(packed: Readonly<PackedLights>, box: Box, mask: Uint8Array): number {
   const { directional, point } = packed.counts;
   const firstSpot = directional + point;
@@ -23,8 +26,9 @@ export function cullLights(packed: Readonly<PackedLights>, box: Box, mask: Uint8
 }
 
 /**
- * Largest angle in radians between the cone's edge on the GPU and here: 2e-6 measured on the worst lawful driver
- * (tests/stress), with a margin. Relative to the coordinates, it covers their rounding to float32 too.
+ * Largest angle in radians between the cone's edge on the GPU and here: 2e-6 measured on the worst
+ * lawful driver (tests/stress), with a margin. Relative to the coordinates, it covers their
+ * rounding to float32 too.
  */
 const EDGE = 1e-5;
 
@@ -35,12 +39,17 @@ const PLACE = floatOf('spot', 'position');
 const AXIS = floatOf('spot', 'axis');
 const APERTURE = floatOf('spot', 'aperture');
 
-/** One spot's cone, read once and tested against many boxes. Before it is read it reaches everything. */
+/**
+ * One spot's cone, read once and tested against many boxes. Before it is read it reaches
+ * everything.
+ */
 export class Cone {
   #x = 0;
   #y = 0;
   #z = 0;
-  /** The axis as rounded to float32: up to 6e-8 too long or short, so only ratios to it are used. */
+  /**
+   * The axis as rounded to float32: up to 6e-8 too long or short, so only ratios to it are used.
+   */
   #ax = 0;
   #ay = 0;
   #az = 0;
@@ -67,7 +76,15 @@ export class Cone {
   }
 
   /** Whether any point of the box may be inside. */
-  reaches(x0: number, y0: number, z0: number, x1: number, y1: number, z1: number, halvings = HALVINGS): boolean {
+  reaches(
+    x0: number,
+    y0: number,
+    z0: number,
+    x1: number,
+    y1: number,
+    z1: number,
+    halvings = HALVINGS,
+  ): boolean {
     if (this.#open) return true;
     const sizeX = x1 - x0;
     const sizeY = y1 - y0;
@@ -80,9 +97,12 @@ export class Cone {
     if (outside > radius) return false;
     if (halvings === 0 || outside <= 0) return true;
     const next = halvings - 1;
-    if (sizeX >= sizeY && sizeX >= sizeZ)
+    if (sizeX >= sizeY && sizeX >= sizeZ) {
       return this.reaches(x0, y0, z0, x, y1, z1, next) || this.reaches(x, y0, z0, x1, y1, z1, next);
-    if (sizeY >= sizeZ) return this.reaches(x0, y0, z0, x1, y, z1, next) || this.reaches(x0, y, z0, x1, y1, z1, next);
+    }
+    if (sizeY >= sizeZ) {
+      return this.reaches(x0, y0, z0, x1, y, z1, next) || this.reaches(x0, y, z0, x1, y1, z1, next);
+    }
     return this.reaches(x0, y0, z0, x1, y1, z, next) || this.reaches(x0, y0, z, x1, y1, z1, next);
   }
 
@@ -99,7 +119,9 @@ export class Cone {
     );
     const outside = across * this.#cos - along * this.#sin;
     // Beyond a right angle from the cone's side the nearest point is the apex.
-    return outside > 0 && along * this.#cos + across * this.#sin < 0 ? lengthOf(vx, vy, vz) : outside;
+    return outside > 0 && along * this.#cos + across * this.#sin < 0
+      ? lengthOf(vx, vy, vz)
+      : outside;
   }
 
   #slack(x: number, y: number, z: number, radius: number): number {
@@ -110,8 +132,8 @@ export class Cone {
 }
 
 /**
- * Euclidean length in half of Math.hypot's time: it runs for every spot in every frame that moves it. It loses numbers
- * below 1e-154, which do not matter beside NEAREST.
+ * Euclidean length in half of Math.hypot's time: it runs for every spot in every frame that moves
+ * it. It loses numbers below 1e-154, which do not matter beside NEAREST.
  */
 const lengthOf = (x: number, y: number, z: number): number => Math.sqrt(x * x + y * y + z * z);
 

@@ -1,5 +1,5 @@
-// The code that a light needs: its kind and its feature mask (LIGHT_FEATURES); and the mask of the lights given, which
-// PhongLighting accumulates for the general program.
+// The code that a light needs: its kind and its feature mask (LIGHT_FEATURES); and the mask of the
+// lights given, which PhongLighting accumulates for the general program.
 import { isBlack } from '../math/color.js';
 import { FEATURES_OF, LIGHT_FEATURES } from './light-layout.js';
 import { KINDS, type LightKind, type LightValues } from './light-state.js';
@@ -17,17 +17,24 @@ export function kindOf(light: Values): LightKind {
 }
 
 /**
- * What a program for any number of such lights needs, as bits of LIGHT_FEATURES without integer powers: the lights'
- * kinds, and their features with those that another colour, cone or cutoff of the same kind would add. Inactive lights
- * count, so that toggling or recolouring one never needs another program. DECLARED_FEATURES in the GLSL.
+ * What a program for any number of such lights needs, as bits of LIGHT_FEATURES without integer
+ * powers: the lights' kinds, and their features with those that another colour, cone or cutoff of
+ * the same kind would add. Inactive lights count, so that toggling or recolouring one never needs
+ * another program. DECLARED_FEATURES in the GLSL.
  */
 export function declaredFeatures(lights: Iterable<Values>): number {
   let declared = 0;
   for (const light of lights) {
     const kind = kindOf(light);
     declared |= LIGHT_FEATURES[kind];
-    for (const { bit, ever } of FEATURES_OF[kind]) if (ever(light)) declared |= bit;
-    if (!isBlack(light.ambient)) declared |= LIGHT_FEATURES.ambient; // any light's: see HEADER
+    for (const { bit, ever } of FEATURES_OF[kind]) {
+      if (ever(light)) {
+        declared |= bit;
+      }
+    }
+    if (!isBlack(light.ambient)) {
+      declared |= LIGHT_FEATURES.ambient; // any light's: see HEADER
+    }
   }
   // Without a cone there is no side to compare it on.
   return (declared & LIGHT_FEATURES.wide) === 0 ? declared & ~LIGHT_FEATURES.narrow : declared;
@@ -36,7 +43,11 @@ export function declaredFeatures(lights: Iterable<Values>): number {
 export function featuresOf(light: Values, kind: LightKind): number {
   const { cutoff } = light;
   let mask = kind === 'spot' && isIntegerPower(cutoff) ? cutoff << LIGHT_FEATURES.powerShift : 0;
-  for (const feature of FEATURES_OF[kind]) if (feature.now(light)) mask |= feature.bit;
+  for (const feature of FEATURES_OF[kind]) {
+    if (feature.now(light)) {
+      mask |= feature.bit;
+    }
+  }
   return mask;
 }
 
@@ -46,7 +57,8 @@ const BITS = (1 << LIGHT_FEATURES.powerShift) - 1;
 /** What lights of both masks need. Cutoffs that differ need a general power. */
 export function unionOf(a: number, b: number): number {
   const power = a >> LIGHT_FEATURES.powerShift;
-  const samePower = power === b >> LIGHT_FEATURES.powerShift && ((a ^ b) & LIGHT_FEATURES.decay) === 0;
+  const samePower =
+    power === b >> LIGHT_FEATURES.powerShift && ((a ^ b) & LIGHT_FEATURES.decay) === 0;
   const decay = samePower ? power << LIGHT_FEATURES.powerShift : LIGHT_FEATURES.decay;
   return ((a | b) & BITS) | decay;
 }

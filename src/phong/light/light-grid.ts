@@ -1,5 +1,6 @@
-// A light grid: a box divided into cells, each with a list of the spots that can reach it. A fragment of a large mesh
-// then loops over a few narrow spots instead of all. In shading space: it stays while the camera turns.
+// A light grid: a box divided into cells, each with a list of the spots that can reach it. A
+// fragment of a large mesh then loops over a few narrow spots instead of all. In shading space: it
+// stays while the camera turns.
 import { type Box, Cone } from './cull-lights.js';
 import { GRID, HEADER, ROWS } from './light-layout.js';
 import { forEachLight, type PackedLights, reserve } from './pack-lights.js';
@@ -14,8 +15,8 @@ export const LEAST_DIVIDED = 24;
 const MOST_OF_THEM = 0.5;
 
 /**
- * Cells are taken a little larger than they are, because fragments find theirs by float32 coordinates. As a share of a
- * cell, and of the largest coordinate (float32 rounds by 6e-8 of it).
+ * Cells are taken a little larger than they are, because fragments find theirs by float32
+ * coordinates. As a share of a cell, and of the largest coordinate (float32 rounds by 6e-8 of it).
  */
 const PADDING = { cell: 1e-3, coordinate: 1e-6 } as const;
 
@@ -35,10 +36,15 @@ interface Reach {
 }
 
 /**
- * Writes the lights of `packed` into `into`, spots that reach most cells before the others, and after them the grid for
- * `box`. Returns false, leaving `into` undefined, where the grid would not halve the lights per fragment.
+ * Writes the lights of `packed` into `into`, spots that reach most cells before the others, and
+ * after them the grid for `box`. Returns false, leaving `into` undefined, where the grid would not
+ * halve the lights per fragment.
  */
-export function divideLights(packed: Readonly<PackedLights>, box: Box, into: PackedLights): boolean {
+export function divideLights(
+  packed: Readonly<PackedLights>,
+  box: Box,
+  into: PackedLights,
+): boolean {
   const { directional, point, spot } = packed.counts;
   if (spot < LEAST_DIVIDED || directional + point > packed.sent / 2) return false;
   const cells = cellsOf(box);
@@ -52,8 +58,11 @@ export function divideLights(packed: Readonly<PackedLights>, box: Box, into: Pac
   forEachLight(packed, (light, kind, row) => {
     if (kind !== 'spot' || isTooMany()) return;
     const reached = reachedCells(packed, row, cells, scratch);
-    if (reached === null) unlisted += 1;
-    else listed += reached.length;
+    if (reached === null) {
+      unlisted += 1;
+    } else {
+      listed += reached.length;
+    }
     reaches.push({ light, row, cells: reached });
   });
   if (isTooMany()) return false;
@@ -68,8 +77,13 @@ function cellsOf(box: Box): Cells {
   let edge = largest / MOST_CELLS;
   const along = (length: number): number => Math.max(1, Math.floor(length / edge));
   const fits = (): boolean => along(extent[0]) * along(extent[1]) * along(extent[2]) <= MOST_CELLS;
-  if (!(largest > 0)) edge = 1;
-  else while (!fits()) edge *= 1.02;
+  if (!(largest > 0)) {
+    edge = 1;
+  } else {
+    while (!fits()) {
+      edge *= 1.02;
+    }
+  }
   const size = [along(extent[0]), along(extent[1]), along(extent[2])] as const;
   const coordinate = Math.max(...box.map(Math.abs));
   return {
@@ -81,7 +95,10 @@ function cellsOf(box: Box): Cells {
   };
 }
 
-/** The cells that the spot reaches, found by halving the box; null where they are too many for a list. */
+/**
+ * The cells that the spot reaches, found by halving the box; null where they are too many for a
+ * list.
+ */
 function reachedCells(
   packed: Readonly<PackedLights>,
   row: number,
@@ -103,7 +120,9 @@ function reachedCells(
     const j = j1 - j0;
     const k = k1 - k0;
     if (i === 1 && j === 1 && k === 1) {
-      if (count < scratch.length) scratch[count] = i0 + size[0] * (j0 + size[1] * k0);
+      if (count < scratch.length) {
+        scratch[count] = i0 + size[0] * (j0 + size[1] * k0);
+      }
       count += 1;
     } else if (i >= j && i >= k) {
       visit(i0, j0, k0, i0 + (i >> 1), j1, k1);
@@ -120,8 +139,15 @@ function reachedCells(
   return count > scratch.length ? null : scratch.slice(0, count);
 }
 
-/** Copies all lights, unlisted spots before listed ones. Returns the spots in that order, with their new rows. */
-function writeLights(packed: Readonly<PackedLights>, reaches: readonly Reach[], into: PackedLights): readonly Reach[] {
+/**
+ * Copies all lights, unlisted spots before listed ones. Returns the spots in that order, with their
+ * new rows.
+ */
+function writeLights(
+  packed: Readonly<PackedLights>,
+  reaches: readonly Reach[],
+  into: PackedLights,
+): readonly Reach[] {
   const { directional, point } = packed.counts;
   const before = directional + point;
   const firstRow = HEADER.rows + directional * ROWS.directional.rows + point * ROWS.point.rows;
@@ -132,7 +158,10 @@ function writeLights(packed: Readonly<PackedLights>, reaches: readonly Reach[], 
   into.sent = packed.sent;
   into.rows = packed.rows;
   Object.assign(into.counts, packed.counts);
-  const ordered = [...reaches.filter(({ cells }) => cells === null), ...reaches.filter(({ cells }) => cells !== null)];
+  const ordered = [
+    ...reaches.filter(({ cells }) => cells === null),
+    ...reaches.filter(({ cells }) => cells !== null),
+  ];
   const { rows } = ROWS.spot;
   return ordered.map(({ light, row, cells }, i) => {
     const newRow = firstRow + i * rows;
@@ -142,7 +171,12 @@ function writeLights(packed: Readonly<PackedLights>, reaches: readonly Reach[], 
   });
 }
 
-function writeGrid(reaches: readonly Reach[], cells: Cells, listed: number, into: PackedLights): void {
+function writeGrid(
+  reaches: readonly Reach[],
+  cells: Cells,
+  listed: number,
+  into: PackedLights,
+): void {
   const { box, size, step, count } = cells;
   const grid = into.rows;
   const firstCell = grid + GRID.rows;
@@ -158,7 +192,11 @@ function writeGrid(reaches: readonly Reach[], cells: Cells, listed: number, into
   put(grid + GRID.size, [...size, reaches.filter(({ cells }) => cells === null).length]);
   // Count the spots of each cell, then find where each list begins, then fill the lists.
   const cell = (i: number): number => (firstCell + i) * 4;
-  for (const { cells } of reaches) for (const i of cells ?? []) data[cell(i) + 1]! += 1;
+  for (const { cells } of reaches) {
+    for (const i of cells ?? []) {
+      data[cell(i) + 1]! += 1;
+    }
+  }
   const next = new Int32Array(count);
   let index = 0;
   for (let i = 0; i < count; i++) {

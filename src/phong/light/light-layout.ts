@@ -1,16 +1,21 @@
-// Where each number of a packed light is, from the table of values (LIGHT_FIELDS): the offsets that pack-lights writes
-// to, and the structs that the GLSL reads, so the two cannot disagree. A row is a vec4.
+// Where each number of a packed light is, from the table of values (LIGHT_FIELDS): the offsets that
+// pack-lights writes to, and the structs that the GLSL reads, so the two cannot disagree. A row is
+// a vec4.
 import { KINDS, LIGHT_FIELDS, type LightKind, type Packing } from './light-state.js';
 import { LEAST_EXPONENT, LIMIT_OPEN, NEAREST, TINY } from './precision.js';
 
-/** Rows before the first light: the number of lights of each kind, and the ambient light that reaches everywhere. */
+/**
+ * Rows before the first light: the number of lights of each kind, and the ambient light that
+ * reaches everywhere.
+ */
 export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
 
 /**
- * Rows of a light grid, relative to the row that the counts' w names. `low`: the box's low corner, w = the first cell's
- * row; `scale`: cells per unit, w = the first row of the list of spots, four to a row; `size`: cells along each axis, w
- * = the number of leading spots that stand in no list because they reach most cells. A cell's row: the index of its
- * first spot in the list, and its number of spots.
+ * Rows of a light grid, relative to the row that the counts' w names. `low`: the box's low corner,
+ * w = the first cell's row; `scale`: cells per unit, w = the first row of the list of spots, four
+ * to a row; `size`: cells along each axis, w = the number of leading spots that stand in no list
+ * because they reach most cells. A cell's row: the index of its first spot in the list, and its
+ * number of spots.
  */
 export const GRID = { low: 0, scale: 1, size: 2, rows: 3 } as const;
 
@@ -37,7 +42,8 @@ export interface PackedValue extends Pick<Packing<never>, 'as'> {
 }
 
 /** In x y z. */
-const isVector = ({ as }: Pick<PackedValue, 'as'>): boolean => typeof as === 'string' && as !== 'numbers';
+const isVector = ({ as }: Pick<PackedValue, 'as'>): boolean =>
+  typeof as === 'string' && as !== 'numbers';
 
 /** The packed values of each kind. */
 export const PACKED_VALUES = byKind((kind) =>
@@ -48,17 +54,25 @@ export const PACKED_VALUES = byKind((kind) =>
 );
 
 /** Those that depend on the space. */
-export const MOVED_VALUES = byKind((kind) => PACKED_VALUES[kind].filter(({ as }) => as === 'place' || as === 'axis'));
+export const MOVED_VALUES = byKind((kind) =>
+  PACKED_VALUES[kind].filter(({ as }) => as === 'place' || as === 'axis'),
+);
 
 /** Where the value of this name begins, in floats from the light's first. */
 export const floatOf = (kind: LightKind, name: string): number =>
   PACKED_VALUES[kind].find((value) => value.name === name)!.at;
 
-/** Rows from the first of a light, by the vector in x y z. Lights stand sorted: directional, point, spot. */
+/**
+ * Rows from the first of a light, by the vector in x y z. Lights stand sorted: directional, point,
+ * spot.
+ */
 export const ROWS = byKind((kind): Readonly<Record<string, number>> & { readonly rows: number } => {
   const values = PACKED_VALUES[kind];
   const rows = Math.max(...values.map(({ at, as }) => (at >> 2) + (as === 'numbers' ? 3 : 1)));
-  return { ...Object.fromEntries(values.filter(isVector).map(({ name, at }) => [name, at / 4])), rows };
+  return {
+    ...Object.fromEntries(values.filter(isVector).map(({ name, at }) => [name, at / 4])),
+    rows,
+  };
 });
 
 /** The bits of the feature mask, and which lights need them. */
@@ -69,26 +83,35 @@ export const FEATURES = SHADED.flatMap(({ features, terms, rows }) =>
 /** Those that lights of each kind can need. */
 export const FEATURES_OF = byKind((kind) => FEATURES.filter(({ rows }) => kind in rows));
 
-type FeatureName = { [K in Key]: Shading<K> extends { readonly features: infer F } ? keyof F : never }[Key];
+type FeatureName = {
+  [K in Key]: Shading<K> extends { readonly features: infer F } ? keyof F : never;
+}[Key];
 
 /**
- * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL share. Each bit adds
- * code, so the union of several lights' masks is right for all of them. Kind bits occur only in the declared mask;
- * packed lights are already sorted by kind. From `powerShift` on a mask holds a spot's cutoff where it is an integer
- * from 1 to LARGEST_INTEGER_POWER; other cutoffs above 0 set `decay`.
+ * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL
+ * share. Each bit adds code, so the union of several lights' masks is right for all of them. Kind
+ * bits occur only in the declared mask; packed lights are already sorted by kind. From `powerShift`
+ * on a mask holds a spot's cutoff where it is an integer from 1 to LARGEST_INTEGER_POWER; other
+ * cutoffs above 0 set `decay`.
  */
 export const LIGHT_FEATURES = Object.fromEntries([
   ...[...FEATURES.map(({ name }) => name), ...KINDS].map((name, i) => [name, 1 << i]),
   ['powerShift', FEATURES.length + KINDS.length],
 ]) as Readonly<Record<FeatureName | LightKind | 'powerShift', number>>;
 
-/** Width of the light texture in texels, one row of a light each: a power of two within every device's limit. */
+/**
+ * Width of the light texture in texels, one row of a light each: a power of two within every
+ * device's limit.
+ */
 export const TEXTURE_ROWS_LOG2 = 10;
 
 const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCase();
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
-/** Not String(n): V8's number-to-string cache grows to 64 KiB for good when numbers collide in it, as these do. */
+/**
+ * Not String(n): V8's number-to-string cache grows to 64 KiB for good when numbers collide in it,
+ * as these do.
+ */
 const integer = (n: number): string => n.toFixed();
 
 /** `#define` lines for the GLSL. */
@@ -102,19 +125,29 @@ export function layoutDefines(): string {
   ];
   const lengths = Object.fromEntries(KINDS.map((kind) => [`${kind}Rows`, ROWS[kind].rows]));
   const tables = { HEADER_: HEADER, GRID_: GRID, FEATURE_: LIGHT_FEATURES, '': lengths };
-  for (const [table, numbers] of Object.entries(tables))
-    for (const [name, number] of Object.entries(numbers))
+  for (const [table, numbers] of Object.entries(tables)) {
+    for (const [name, number] of Object.entries(numbers)) {
       lines.push(`#define ${table}${snake(name)} ${integer(number)}`);
+    }
+  }
   return lines.join('\n');
 }
 
-/** GLSL: for each kind a struct of its packed values, SpotLight, and the function of its first row, spotLight(row). */
+/**
+ * GLSL: for each kind a struct of its packed values, SpotLight, and the function of its first row,
+ * spotLight(row).
+ */
 export const lightStructs = (): string =>
   KINDS.map((kind) => {
     const type = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}Light`;
     const values = PACKED_VALUES[kind];
-    const members = values.map(({ as, name }) => `${typeof as === 'string' ? 'vec3' : 'float'} ${name};`);
-    const rows = Array.from({ length: ROWS[kind].rows }, (_, i) => `vec4 r${i}=lightRow(row+${i});`);
+    const members = values.map(
+      ({ as, name }) => `${typeof as === 'string' ? 'vec3' : 'float'} ${name};`,
+    );
+    const rows = Array.from(
+      { length: ROWS[kind].rows },
+      (_, i) => `vec4 r${i}=lightRow(row+${i});`,
+    );
     const numbers = values.map((value) => {
       const row = value.at >> 2;
       if (isVector(value)) return `r${row}.xyz`;

@@ -11,7 +11,10 @@ export class LightSet {
   #version = 0;
   #kindVersion = 0;
 
-  /** `changed` is called after each change: with the light, or null when lights were added, removed or reordered. */
+  /**
+   * `changed` is called after each change: with the light, or null when lights were added, removed
+   * or reordered.
+   */
   constructor(changed: (light: LightState | null) => void = () => undefined) {
     this.#changed = changed;
   }
@@ -38,11 +41,15 @@ export class LightSet {
   /** Makes these the lights, in this order. A light notifies only the set that took it last. */
   assign(lights: readonly LightState[]): void {
     if (sameValue(lights, this.#lights)) return;
-    for (const [light, listener] of this.#listeners) light.unlisten(listener);
+    for (const [light, listener] of this.#listeners) {
+      light.unlisten(listener);
+    }
     this.#listeners.clear();
     this.#lights.splice(0, Infinity, ...lights);
     this.#values.splice(0, Infinity, ...lights.map(({ values }) => values));
-    for (const light of lights) this.#listen(light);
+    for (const light of lights) {
+      this.#listen(light);
+    }
     this.#bump(null);
   }
 
@@ -79,7 +86,9 @@ export class LightSet {
   }
 
   #bump(light: LightState | null, isMove = false): void {
-    if (!isMove) this.#kindVersion += 1;
+    if (!isMove) {
+      this.#kindVersion += 1;
+    }
     this.#version += 1;
     this.#changed(light);
   }

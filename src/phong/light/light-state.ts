@@ -1,5 +1,6 @@
-// One light's values in HTML's units: their domains and defaults, and what shading makes of each. Elements, the panel
-// and plain JavaScript all write here; packing, masks and the GLSL's structs follow from the table.
+// One light's values in HTML's units: their domains and defaults, and what shading makes of each.
+// Elements, the panel and plain JavaScript all write here; packing, masks and the GLSL's structs
+// follow from the table.
 import { FieldStore } from '../fields/field-store.js';
 import {
   booleanField,
@@ -31,15 +32,18 @@ export interface LightValues {
   name: string;
   /** Whether the light takes part. An inactive light costs no shading. Default true. */
   active: boolean;
-  /** Ia: colour of the light's ambient term; 255 is full, more is a brighter light, up to 1e6. Default 0 0 0. */
+  /**
+   * Ia: colour of the light's ambient term; 255 is full, more is a brighter light, up to 1e6.
+   * Default 0 0 0.
+   */
   ambient: Vec3;
   /** Id: colour of the diffuse term, as `ambient`. Default 255 255 255. */
   diffuse: Vec3;
   /** Is: colour of the specular term, as `ambient`. Default 255 255 255. */
   specular: Vec3;
   /**
-   * Homogeneous position x y z w. w = 1: the light's place, in scene units; w = 0: the vector that points to a light
-   * infinitely far away. Three numbers mean w = 1. Default 1 2 3 0.
+   * Homogeneous position x y z w. w = 1: the light's place, in scene units; w = 0: the vector that
+   * points to a light infinitely far away. Three numbers mean w = 1. Default 1 2 3 0.
    */
   position: Vec4;
   /** Where a spot points, away from the light; any length. Zero: no spot. Default 0 0 -1. */
@@ -47,13 +51,19 @@ export interface LightValues {
   /** Half-angle of a spot's cone in degrees, 0–180: a hard edge. 180 means no cone. Default 180. */
   aperture: number;
   /**
-   * Exponent of the decay away from a spot's axis, >= 0: a soft edge. 20° off the axis 1 leaves 0.97 of the light, 4
-   * leaves 0.88, 12 leaves 0.69, 48 leaves 0.23. Below 1e-6: no decay. Default 0.
+   * Exponent of the decay away from a spot's axis, >= 0: a soft edge. 20° off the axis 1 leaves
+   * 0.97 of the light, 4 leaves 0.88, 12 leaves 0.69, 48 leaves 0.23. Below 1e-6: no decay. Default
+   * 0.
    */
   cutoff: number;
-  /** kc, kl and kq of 1 / max(kc + kl·d + kq·d², 1); positional lights only. Default 1 0 0: none. */
+  /**
+   * kc, kl and kq of 1 / max(kc + kl·d + kq·d², 1); positional lights only. Default 1 0 0: none.
+   */
   attenuation: Vec3;
-  /** `world`, or `camera` (x right, y up, looking along −z): the light turns with the eye. Default `world`. */
+  /**
+   * `world`, or `camera` (x right, y up, looking along −z): the light turns with the eye. Default
+   * `world`.
+   */
   space: LightSpace;
 }
 
@@ -69,19 +79,26 @@ type Test = (light: Readonly<LightValues>) => boolean;
 export interface Packing<T> {
   /**
    * The numbers in the rows. `light`: r g b, 255 is 1, times what its own cone and decay leave of a
-   * directional light. `place`: where the light is, or the unit vector to a directional one. `axis`: a unit vector.
-   * `numbers`: three, in the w of this row and of the next two. A function: one, in the row's w.
+   * directional light. `place`: where the light is, or the unit vector to a directional one.
+   * `axis`: a unit vector. `numbers`: three, in the w of this row and of the next two. A function:
+   * one, in the row's w.
    */
   readonly as: 'light' | 'place' | 'axis' | 'numbers' | ((value: T) => number);
   /** Its row in each kind of light that holds it, relative to the light's first. */
   readonly rows: { readonly [K in LightKind]?: number };
   /** The terms that it enters. Without these its features are left out. */
   readonly terms: readonly Term[];
-  /** Code that only some need, a bit each: `now` by this light, `ever` with another colour, cone or cutoff. */
+  /**
+   * Code that only some need, a bit each: `now` by this light, `ever` with another colour, cone or
+   * cutoff.
+   */
   readonly features: Readonly<Record<string, readonly [now: Test, ever?: Test]>>;
 }
 
-/** `select`: says whether, as which kind or in which space a light is packed. `none`: the picture is the same. */
+/**
+ * `select`: says whether, as which kind or in which space a light is packed. `none`: the picture is
+ * the same.
+ */
 export type LightField<T> = Field<T> & { readonly shading: Packing<T> | 'select' | 'none' };
 
 const isAmbient: Test = ({ ambient }) => !isBlack(ambient);
@@ -94,8 +111,9 @@ const hasCone: Test = ({ aperture }) => aperture < 180;
 const hasDecay: Test = ({ cutoff }) => cutoff >= LEAST_EXPONENT;
 
 /**
- * Every value of a light: default, domain, and what shading makes of it. One without `shading` does not compile. GLSL
- * reads a packed value by its name in the kind's struct, as in `light.cutoff`; its features are FEATURE_… there.
+ * Every value of a light: default, domain, and what shading makes of it. One without `shading` does
+ * not compile. GLSL reads a packed value by its name in the kind's struct, as in `light.cutoff`;
+ * its features are FEATURE_… there.
  */
 export const LIGHT_FIELDS = {
   name: { ...textField(), shading: 'none' },
@@ -103,26 +121,42 @@ export const LIGHT_FIELDS = {
   ambient: {
     ...colorField([0, 0, 0], colors),
     // The other kinds' is summed in the header.
-    shading: { as: 'light', rows: { spot: 4 }, terms: ['ambient'], features: { ambient: [isAmbient] } },
+    shading: {
+      as: 'light',
+      rows: { spot: 4 },
+      terms: ['ambient'],
+      features: { ambient: [isAmbient] },
+    },
   },
   diffuse: {
     ...colorField([255, 255, 255], colors),
     shading: {
       ...{ as: 'light', rows: { directional: 1, point: 1, spot: 1 }, terms: ['diffuse'] },
       // Grey light is summed as one number.
-      features: { diffuse: [isDiffuse], tintedDiffuse: [({ diffuse }) => !isGrey(diffuse), isDiffuse] },
+      features: {
+        diffuse: [isDiffuse],
+        tintedDiffuse: [({ diffuse }) => !isGrey(diffuse), isDiffuse],
+      },
     },
   },
   specular: {
     ...colorField([255, 255, 255], colors),
     shading: {
       ...{ as: 'light', rows: { directional: 2, point: 2, spot: 2 }, terms: ['specular'] },
-      features: { specular: [isSpecular], tintedSpecular: [({ specular }) => !isGrey(specular), isSpecular] },
+      features: {
+        specular: [isSpecular],
+        tintedSpecular: [({ specular }) => !isGrey(specular), isSpecular],
+      },
     },
   },
   position: {
     ...homogeneousField([1, 2, 3, 0], coordinates),
-    shading: { as: 'place', rows: { directional: 0, point: 0, spot: 0 }, terms: TERMS, features: {} },
+    shading: {
+      as: 'place',
+      rows: { directional: 0, point: 0, spot: 0 },
+      terms: TERMS,
+      features: {},
+    },
   },
   axis: {
     ...vectorField([0, 0, -1], coordinates),
@@ -137,7 +171,8 @@ export const LIGHT_FIELDS = {
         narrow: [(light) => hasCone(light) && !isOnFarSide(light.aperture), isSteep],
         // Compared on the far side, by (1 + c)/2.
         wide: [({ aperture }) => isOnFarSide(aperture), hasCone],
-        // Too steep for a cosine. Without chords an H200 takes 0.93 to 0.96 of the time under 8 to 256 lights.
+        // Too steep for a cosine. Without chords an H200 takes 0.93 to 0.96 of the time under 8 to
+        // 256 lights.
         chords: [isSteep],
       },
     },
@@ -156,7 +191,8 @@ export const LIGHT_FIELDS = {
       ...{ as: 'numbers', rows: { point: 0, spot: 0 }, terms: ['diffuse', 'specular'] },
       features: {
         attenuated: [isAttenuated],
-        // Near the light it is clamped to 1. Also without attenuation: in a loop every light takes its sum.
+        // Near the light it is clamped to 1. Also without attenuation: in a loop every light takes
+        // its sum.
         clamped: [({ attenuation: k }) => k[0] < 1, isAttenuated],
         // It needs the distance, not its square alone.
         linear: [({ attenuation: k }) => k[1] > 0, isAttenuated],

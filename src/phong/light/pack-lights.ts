@@ -1,5 +1,6 @@
-// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
-// lights left out. What is the same for all fragments is computed here in float64.
+// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind,
+// inactive and black lights left out. What is the same for all fragments is computed here in
+// float64.
 import { isBlack, srgbDecode } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3 } from '../math/vector.js';
 import { featuresOf, isSpot, kindOf } from './light-features.js';
@@ -7,7 +8,10 @@ import { HEADER, MOVED_VALUES, PACKED_VALUES, type PackedValue, ROWS } from './l
 import { KINDS, type LightKind, type LightValues } from './light-state.js';
 import { coneLimit, LEAST_EXPONENT } from './precision.js';
 
-/** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
+/**
+ * How lights get into shading space: the space, of any origin and orientation, that fragments are
+ * shaded in.
+ */
 export interface PackSpace {
   /** Rigid 4×4 matrix by columns, float64: world to shading space. */
   readonly worldToShading: Mat4;
@@ -32,7 +36,10 @@ export interface PackedLights {
   readonly counts: Record<LightKind, number>;
   /** The feature mask of each sent light; those from `sent` on are stale. */
   features: Uint32Array;
-  /** The sent lights in the order of their rows, where {@link moveLights} can follow them; else empty. */
+  /**
+   * The sent lights in the order of their rows, where {@link moveLights} can follow them; else
+   * empty.
+   */
   readonly sources: Values[];
 }
 
@@ -51,22 +58,34 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
   const ambient: [number, number, number] = [0, 0, 0];
   packNothing(into);
   let follows = true;
-  for (const light of lights) if (light.active) byKind[kindOf(light)].push(light);
+  for (const light of lights) {
+    if (light.active) {
+      byKind[kindOf(light)].push(light);
+    }
+  }
   for (const kind of KINDS) {
     const before = into.sent;
     for (const light of byKind[kind]) {
       into.active += 1;
       const hasConstantCone = kind === 'directional' && isSpot(light);
-      if (hasConstantCone || hasNoDirection(light, kind)) follows = false;
+      if (hasConstantCone || hasNoDirection(light, kind)) {
+        follows = false;
+      }
       const factor = hasConstantCone ? directionalDecay(light) : 1;
       if (factor === 0) continue;
-      if (kind !== 'spot') addAmbient(ambient, light.ambient, factor, space.linear);
-      if (shines(light, kind)) packLight(light, kind, factor, space, into);
+      if (kind !== 'spot') {
+        addAmbient(ambient, light.ambient, factor, space.linear);
+      }
+      if (shines(light, kind)) {
+        packLight(light, kind, factor, space, into);
+      }
     }
     into.counts[kind] = into.sent - before;
     byKind[kind].length = 0; // so that removed lights can be collected
   }
-  if (!follows) into.sources.length = 0;
+  if (!follows) {
+    into.sources.length = 0;
+  }
   writeCounts(into);
   into.data.set(ambient, HEADER.ambient * 4);
 }
@@ -77,18 +96,23 @@ export function packNothing(into: PackedLights): void {
   into.sent = 0;
   into.active = 0;
   into.sources.length = 0;
-  for (const kind of KINDS) into.counts[kind] = 0;
+  for (const kind of KINDS) {
+    into.counts[kind] = 0;
+  }
   into.data.fill(0, 0, HEADER.rows * 4);
 }
 
 function writeCounts({ data, counts }: PackedLights): void {
-  for (let i = 0; i < KINDS.length; i++) data[HEADER.counts * 4 + i] = counts[KINDS[i]!];
+  for (let i = 0; i < KINDS.length; i++) {
+    data[HEADER.counts * 4 + i] = counts[KINDS[i]!];
+  }
 }
 
 /**
- * Writes the places and axes of the lights that `into` was packed with again, where nothing else about them has changed
- * but the space's matrices. False where they need other rows: then call {@link packLights}, which takes nine times as
- * long for 32 lights (54 µs), and 50 times for 1,024 (3.5 ms).
+ * Writes the places and axes of the lights that `into` was packed with again, where nothing else
+ * about them has changed but the space's matrices. False where they need other rows: then call
+ * {@link packLights}, which takes nine times as long for 32 lights (54 µs), and 50 times for 1,024
+ * (3.5 ms).
  */
 export function moveLights(space: PackSpace, into: PackedLights): boolean {
   const { data, sources, sent, counts } = into;
@@ -100,7 +124,9 @@ export function moveLights(space: PackSpace, into: PackedLights): boolean {
     for (const end = light + counts[kind]; light < end; light++, row += rows) {
       const source = sources[light]!;
       if (hasNoDirection(source, kind)) return false;
-      for (const value of MOVED_VALUES[kind]) writeValue(value, source, kind, 1, space, data, row * 4);
+      for (const value of MOVED_VALUES[kind]) {
+        writeValue(value, source, kind, 1, space, data, row * 4);
+      }
     }
   }
   return true;
@@ -109,7 +135,9 @@ export function moveLights(space: PackSpace, into: PackedLights): boolean {
 /** Reused from call to call; empty between them. */
 const byKind: Readonly<Record<LightKind, Values[]>> = { directional: [], point: [], spot: [] };
 
-/** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
+/**
+ * Whether the loop has anything to do for this light that the sum of ambient light has not done.
+ */
 function shines(light: Values, kind: LightKind): boolean {
   const { diffuse, specular, ambient } = light;
   const lit = !(isBlack(diffuse) && isBlack(specular));
@@ -120,20 +148,30 @@ function shines(light: Values, kind: LightKind): boolean {
 const hasNoDirection = ({ position }: Values, kind: LightKind): boolean =>
   kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0;
 
-function packLight(light: Values, kind: LightKind, factor: number, space: PackSpace, into: PackedLights): void {
+function packLight(
+  light: Values,
+  kind: LightKind,
+  factor: number,
+  space: PackSpace,
+  into: PackedLights,
+): void {
   const { rows } = ROWS[kind];
   reserve(into, into.rows + rows, into.sent + 1);
   const { data } = into;
   const at = into.rows * 4;
   data.fill(0, at, at + rows * 4);
-  for (const value of PACKED_VALUES[kind]) writeValue(value, light, kind, factor, space, data, at);
+  for (const value of PACKED_VALUES[kind]) {
+    writeValue(value, light, kind, factor, space, data, at);
+  }
   into.features[into.sent] = featuresOf(light, kind);
   into.sources.push(light);
   into.rows += rows;
   into.sent += 1;
 }
 
-/** Writes one value into the rows that begin at `first`. The light's own are multiplied by `factor`. */
+/**
+ * Writes one value into the rows that begin at `first`. The light's own are multiplied by `factor`.
+ */
 function writeValue(
   { key, as, at: offset }: PackedValue,
   light: Values,
@@ -160,15 +198,23 @@ function writeValue(
     data[at + 8] = v[2];
   } else {
     const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
-    if (as === 'place' && kind !== 'directional') writeThrough(matrix, data, at, v[0], v[1], v[2], 1);
-    else writeDirection(matrix, data, at, v);
+    if (as === 'place' && kind !== 'directional') {
+      writeThrough(matrix, data, at, v[0], v[1], v[2], 1);
+    } else {
+      writeDirection(matrix, data, at, v);
+    }
   }
 }
 
 /** A channel of a light's colour as the shader takes it: 255 is 1, decoded for linear shading. */
 const channel = (c: number, linear: boolean): number => (linear ? srgbDecode(c / 255) : c / 255);
 
-function addAmbient(sum: [number, number, number], color: Vec3, factor: number, linear: boolean): void {
+function addAmbient(
+  sum: [number, number, number],
+  color: Vec3,
+  factor: number,
+  linear: boolean,
+): void {
   if (isBlack(color)) return;
   sum[0] += channel(color[0], linear) * factor;
   sum[1] += channel(color[1], linear) * factor;
@@ -176,8 +222,8 @@ function addAmbient(sum: [number, number, number], color: Vec3, factor: number, 
 }
 
 /**
- * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the cone. A zero vector
- * has no angle to the axis: inside any cone, decay 1.
+ * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the
+ * cone. A zero vector has no angle to the axis: inside any cone, decay 1.
  */
 function directionalDecay(light: Values): number {
   const L = normalize([light.position[0], light.position[1], light.position[2]]);
@@ -185,11 +231,14 @@ function directionalDecay(light: Values): number {
   const A = normalize(light.axis);
   const q = quarterChordSquared(L, A);
   const p = quarterChordSquared(L, negate(A));
-  // A few roundings of float64, so that a direction exactly at the edge stays inside. Compared as chords: near 0 their
-  // squares would make 6e-8 rad of the same roundings.
+  // A few roundings of float64, so that a direction exactly at the edge stays inside. Compared as
+  // chords: near 0 their squares would make 6e-8 rad of the same roundings.
   const rounding = 4 * Number.EPSILON;
   const limit = coneLimit(light.aperture);
-  const inside = limit < 0 ? Math.sqrt(p) >= Math.sqrt(-limit) - rounding : Math.sqrt(q) <= Math.sqrt(limit) + rounding;
+  const inside =
+    limit < 0
+      ? Math.sqrt(p) >= Math.sqrt(-limit) - rounding
+      : Math.sqrt(q) <= Math.sqrt(limit) + rounding;
   if (!inside) return 0;
   return light.cutoff < LEAST_EXPONENT ? 1 : p ** light.cutoff;
 }
@@ -200,7 +249,9 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
   return dot(sum, sum) / 4;
 }
 
-/** A unit vector along v, not zero; divided first, so that a denormal vector keeps its direction. */
+/**
+ * A unit vector along v, not zero; divided first, so that a denormal vector keeps its direction.
+ */
 function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3): void {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const x = v[0] / largest;
@@ -211,7 +262,15 @@ function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3): void 
 }
 
 /** A position (w = 1) or a direction (w = 0) through a matrix. */
-function writeThrough(m: Mat4, data: Float32Array, at: number, x: number, y: number, z: number, w: 0 | 1): void {
+function writeThrough(
+  m: Mat4,
+  data: Float32Array,
+  at: number,
+  x: number,
+  y: number,
+  z: number,
+  w: 0 | 1,
+): void {
   data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
   data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
   data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;
@@ -226,18 +285,26 @@ export function forEachLight(
   let light = 0;
   for (const kind of KINDS) {
     const rows = ROWS[kind].rows;
-    for (let i = 0; i < packed.counts[kind]; i++, row += rows) visit(light++, kind, row);
+    for (let i = 0; i < packed.counts[kind]; i++, row += rows) {
+      visit(light++, kind, row);
+    }
   }
 }
 
 /** Copies the lights that `mask` has a 1 for, and the header, into `into`. */
-export function selectLights(packed: Readonly<PackedLights>, mask: Uint8Array, into: PackedLights): void {
+export function selectLights(
+  packed: Readonly<PackedLights>,
+  mask: Uint8Array,
+  into: PackedLights,
+): void {
   reserve(into, packed.rows, packed.sent);
   into.data.set(packed.data.subarray(0, HEADER.rows * 4));
   into.active = packed.active;
   into.sent = 0;
   into.rows = HEADER.rows;
-  for (const kind of KINDS) into.counts[kind] = 0;
+  for (const kind of KINDS) {
+    into.counts[kind] = 0;
+  }
   forEachLight(packed, (light, kind, row) => {
     if (mask[light] !== 1) return;
     const rows = ROWS[kind].rows;

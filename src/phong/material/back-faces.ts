@@ -1,18 +1,27 @@
-// Decides whether a mesh's back faces can be seen. Where they cannot, they are culled: half of a closed shape's
-// fragments. Decided for each draw, so that moving into a shape compiles nothing.
+// Decides whether a mesh's back faces can be seen. Where they cannot, they are culled: half of a
+// closed shape's fragments. Decided for each draw, so that moving into a shape compiles nothing.
 import type { BufferGeometry, Camera, Matrix4 } from 'three';
 
 /**
- * Which sides a surface has. `closed`: an opaque shape without holes, whose inside is seen only from inside. `single`:
- * back faces are never drawn (glTF's `doubleSided: false`). `double`: both sides are drawn.
+ * Which sides a surface has. `closed`: an opaque shape without holes, whose inside is seen only
+ * from inside. `single`: back faces are never drawn (glTF's `doubleSided: false`). `double`: both
+ * sides are drawn.
  */
 export type Sides = 'closed' | 'single' | 'double';
 
-/** Determinants below this share of the column lengths' product are 0 up to rounding: the mesh is flattened. */
+/**
+ * Determinants below this share of the column lengths' product are 0 up to rounding: the mesh is
+ * flattened.
+ */
 const FLATTENED = 1e-9;
 
 /** Whether back faces are culled. Never on a flattened mesh: its two sides coincide. */
-export function cullsBackFaces(sides: Sides, geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
+export function cullsBackFaces(
+  sides: Sides,
+  geometry: BufferGeometry,
+  matrixWorld: Matrix4,
+  camera: Camera,
+): boolean {
   if (sides === 'double' || isFlattened(matrixWorld)) return false;
   return sides === 'single' || isOutside(geometry, matrixWorld, camera);
 }
@@ -26,8 +35,12 @@ function isFlattened({ elements: e }: Matrix4): boolean {
 
 /** Whether the eye and the near plane are outside the geometry's bounds. */
 function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
-  if (geometry.boundingBox === null) geometry.computeBoundingBox();
-  if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+  if (geometry.boundingBox === null) {
+    geometry.computeBoundingBox();
+  }
+  if (geometry.boundingSphere === null) {
+    geometry.computeBoundingSphere();
+  }
   const { boundingBox: box, boundingSphere: sphere } = geometry;
   if (box === null || sphere === null || box.isEmpty()) return false;
   const { elements: m } = matrixWorld;
@@ -40,8 +53,10 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const dx = view[12] - (m[0] * x + m[4] * y + m[8] * z + m[12]);
   const dy = view[13] - (m[1] * x + m[5] * y + m[9] * z + m[13]);
   const dz = view[14] - (m[2] * x + m[6] * y + m[10] * z + m[14]);
-  // Half the bounds' depth along the view: the moved sphere is an ellipsoid, the moved box a parallelepiped.
-  const along = (column: number): number => m[column]! * backX + m[column + 1]! * backY + m[column + 2]! * backZ;
+  // Half the bounds' depth along the view: the moved sphere is an ellipsoid, the moved box a
+  // parallelepiped.
+  const along = (column: number): number =>
+    m[column]! * backX + m[column + 1]! * backY + m[column + 2]! * backZ;
   const [ax, ay, az] = [along(0), along(4), along(8)];
   const hx = (box.max.x - box.min.x) / 2;
   const hy = (box.max.y - box.min.y) / 2;
@@ -51,7 +66,8 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const boxDepth = hx * Math.abs(ax) + hy * Math.abs(ay) + hz * Math.abs(az);
   const depth = dx * backX + dy * backY + dz * backZ;
   if (depth - Math.min(sphereDepth, boxDepth) > nearOf(camera)) return true;
-  // Beside or behind the eye: the near plane's corners are within `reach`, and the box's face normals separate it.
+  // Beside or behind the eye: the near plane's corners are within `reach`, and the box's face
+  // normals separate it.
   const reach = nearReach(camera);
   return (
     isBeyond(m, 4, 8, 0, hx, dx, dy, dz, reach) ||
@@ -60,7 +76,10 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   );
 }
 
-/** Whether d is longer than `half` of the column at `axis`, plus `reach`, along the normal of columns `u` and `v`. */
+/**
+ * Whether d is longer than `half` of the column at `axis`, plus `reach`, along the normal of
+ * columns `u` and `v`.
+ */
 function isBeyond(
   m: ArrayLike<number>,
   u: number,
@@ -80,9 +99,13 @@ function isBeyond(
   return Math.abs(nx * dx + ny * dy + nz * dz) > extent + reach * length;
 }
 
-const isPerspective = ({ projectionMatrix }: Camera): boolean => projectionMatrix.elements[11] !== 0;
+const isPerspective = ({ projectionMatrix }: Camera): boolean =>
+  projectionMatrix.elements[11] !== 0;
 
-/** Distance of the near plane, from the projection. A multiple of a perspective projection is the same projection. */
+/**
+ * Distance of the near plane, from the projection. A multiple of a perspective projection is the
+ * same projection.
+ */
 function nearOf(camera: Camera): number {
   const p = camera.projectionMatrix.elements;
   return isPerspective(camera) ? p[14] / (p[10] + p[11]) : (p[14] + 1) / p[10];

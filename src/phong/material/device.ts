@@ -1,7 +1,10 @@
 // What draws: software or a GPU, and how many rows of lights fit its uniforms.
 import type { WebGLRenderer } from 'three';
 
-/** Rows of the uniform array in general programs: what WebGL 2 promises (224) less RESERVED, then 1,000. */
+/**
+ * Rows of the uniform array in general programs: what WebGL 2 promises (224) less RESERVED, then
+ * 1,000.
+ */
 const CAPACITIES = [200, 1000] as const;
 const RESERVED = 24;
 
@@ -15,7 +18,10 @@ export interface Device {
 
 const devices = new WeakMap<WebGLRenderer, Device>();
 
-/** What a renderer draws on. Ask once before its first commands: the answer waits for all that are queued. */
+/**
+ * What a renderer draws on. Ask once before its first commands: the answer waits for all that are
+ * queued.
+ */
 export function deviceOf(renderer: WebGLRenderer): Device {
   const known = devices.get(renderer);
   if (known !== undefined) return known;
@@ -33,6 +39,8 @@ export function deviceOf(renderer: WebGLRenderer): Device {
     // SwiftShader draws 1.4 times as long with a uniform array, which it reads float by float.
     capacities: software ? [] : CAPACITIES.filter((rows) => rows <= most - RESERVED),
   };
-  if (!gl.isContextLost()) devices.set(renderer, device); // a lost context answers null
+  if (!gl.isContextLost()) {
+    devices.set(renderer, device); // a lost context answers null
+  }
   return device;
 }

@@ -1,17 +1,20 @@
-// A geometry's triangles with a normal of their own each, for flat shading without derivatives in the shader.
-// Positions stay as they are, in the geometry's own space. Made once a source, and freed with it.
+// A geometry's triangles with a normal of their own each, for flat shading without derivatives in
+// the shader. Positions stay as they are, in the geometry's own space. Made once a source, and
+// freed with it.
 import { BufferAttribute, BufferGeometry } from 'three';
 
 const made = new WeakMap<BufferGeometry, BufferGeometry>();
 const sources = new WeakMap<BufferGeometry, BufferGeometry>();
 
 /** What {@link flatGeometry} made this geometry from; the geometry itself if it is no such copy. */
-export const smoothGeometry = (geometry: BufferGeometry): BufferGeometry => sources.get(geometry) ?? geometry;
+export const smoothGeometry = (geometry: BufferGeometry): BufferGeometry =>
+  sources.get(geometry) ?? geometry;
 
 /**
- * A non-indexed copy of `source` in which the three vertices of a triangle carry that triangle's unit normal, turned by
- * the winding (counter-clockwise is outside) and computed in float64. A triangle without area gets a zero normal, which
- * shades as ambient only. Other attributes are kept. Cached by source; disposing of the source disposes of the copy.
+ * A non-indexed copy of `source` in which the three vertices of a triangle carry that triangle's
+ * unit normal, turned by the winding (counter-clockwise is outside) and computed in float64. A
+ * triangle without area gets a zero normal, which shades as ambient only. Other attributes are
+ * kept. Cached by source; disposing of the source disposes of the copy.
  */
 export function flatGeometry(source: BufferGeometry): BufferGeometry {
   const present = made.get(source);
@@ -36,7 +39,10 @@ function disposeFlat({ target }: { readonly target: BufferGeometry }): void {
   made.get(target)?.dispose();
 }
 
-/** Call when positions, tangents, index or bounds of `source` have changed: updates its flat copy, if there is one. */
+/**
+ * Call when positions, tangents, index or bounds of `source` have changed: updates its flat copy,
+ * if there is one.
+ */
 export function updateFlatGeometry(source: BufferGeometry): void {
   const flat = made.get(source);
   if (!flat) return;
@@ -56,16 +62,25 @@ export function updateFlatGeometry(source: BufferGeometry): void {
   flat.boundingSphere = source.boundingSphere;
 }
 
-function separateTriangles({ attributes, index }: BufferGeometry, names: readonly string[]): BufferGeometry {
+function separateTriangles(
+  { attributes, index }: BufferGeometry,
+  names: readonly string[],
+): BufferGeometry {
   const corners = new BufferGeometry();
-  for (const name of names) if (name !== 'normal' && name in attributes) corners.setAttribute(name, attributes[name]!);
+  for (const name of names) {
+    if (name !== 'normal' && name in attributes) {
+      corners.setAttribute(name, attributes[name]!);
+    }
+  }
   const { count } = corners.getAttribute('position');
   const inOrder = (): Uint32Array => new Uint32Array(count).map((_, i) => i);
   corners.index = index ?? new BufferAttribute(inOrder(), 1);
   const flat = corners.toNonIndexed();
   for (const [name, attribute] of Object.entries(flat.attributes)) {
     const { usage } = attributes[name] as Partial<BufferAttribute>;
-    if (usage !== undefined) (attribute as BufferAttribute).setUsage(usage);
+    if (usage !== undefined) {
+      (attribute as BufferAttribute).setUsage(usage);
+    }
   }
   const positions = flat.getAttribute('position').array;
   const normals = new Float32Array(positions.length);
@@ -74,8 +89,16 @@ function separateTriangles({ attributes, index }: BufferGeometry, names: readonl
   return flat.setAttribute('normal', new BufferAttribute(normals, 3));
 }
 
-/** Writes the unit normal of triangles `from` to `to` (excluded), three times each, as {@link flatGeometry} says. */
-export function writeFaceNormals(positions: ArrayLike<number>, normals: Float32Array, from: number, to: number): void {
+/**
+ * Writes the unit normal of triangles `from` to `to` (excluded), three times each, as {@link
+ * flatGeometry} says.
+ */
+export function writeFaceNormals(
+  positions: ArrayLike<number>,
+  normals: Float32Array,
+  from: number,
+  to: number,
+): void {
   for (let at = from * 9; at < to * 9; at += 9) {
     const ux = positions[at + 3]! - positions[at]!;
     const uy = positions[at + 4]! - positions[at + 1]!;

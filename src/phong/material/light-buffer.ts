@@ -1,5 +1,5 @@
-// The packed lights that some meshes are drawn with, as the GPU reads them: a uniform array while they fit, a float
-// texture beyond. Sends only what changed.
+// The packed lights that some meshes are drawn with, as the GPU reads them: a uniform array while
+// they fit, a float texture beyond. Sends only what changed.
 import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
 import { kindFeatures } from '../light/light-features.js';
@@ -17,13 +17,21 @@ export class LightBuffer {
   /** What the GPU is to hold: a copy of the packed rows, in lines of the texture. */
   #data = new Float32Array(TEXTURE_WIDTH * 4);
   #rows = this.#data.subarray(0, 0);
-  /** Most rows ever held. Those beyond the last row stay: lights that come back find theirs unchanged. */
+  /**
+   * Most rows ever held. Those beyond the last row stay: lights that come back find theirs
+   * unchanged.
+   */
   #written = 0;
   #featureKey = '';
   #revision = 0;
-  /** three.js uses it unchanged. A texture of three's own would query the anisotropy limit, which blocks. */
+  /**
+   * three.js uses it unchanged. A texture of three's own would query the anisotropy limit, which
+   * blocks.
+   */
   readonly #texture = new ExternalTexture();
-  /** Whose texture it is. three.js replaces a renderer's properties when a lost context is restored. */
+  /**
+   * Whose texture it is. three.js replaces a renderer's properties when a lost context is restored.
+   */
   #owner: { readonly renderer: WebGLRenderer; readonly properties: object } | null = null;
   /** Rows that changed since they were sent to the texture: from, and up to but without. */
   #stale = { from: 0, to: 0 };
@@ -34,12 +42,18 @@ export class LightBuffer {
   /** The last revision that was counted as an upload; kept by its lighting. */
   counted = -1;
 
-  /** The counts and features of each kind of light, as text: what a specialised program on a GPU depends on. */
+  /**
+   * The counts and features of each kind of light, as text: what a specialised program on a GPU
+   * depends on.
+   */
   get featureKey(): string {
     return this.#featureKey;
   }
 
-  /** Increases whenever a number changes, and is no other buffer's. What is made from the lights remembers it. */
+  /**
+   * Increases whenever a number changes, and is no other buffer's. What is made from the lights
+   * remembers it.
+   */
   get revision(): number {
     return this.#revision;
   }
@@ -51,21 +65,32 @@ export class LightBuffer {
   /** The packed lights were written. Cheap where no number differs. */
   changed(): void {
     const { data, rows } = this.packed;
-    if (rows * 4 > this.#data.length) this.#grow(rows);
+    if (rows * 4 > this.#data.length) {
+      this.#grow(rows);
+    }
     const end = rows * 4;
     const kept = this.#data;
-    if (this.#rows.length !== end) this.#rows = kept.subarray(0, end);
+    if (this.#rows.length !== end) {
+      this.#rows = kept.subarray(0, end);
+    }
     this.#written = Math.max(this.#written, rows);
     let first = 0;
-    while (first < end && kept[first] === data[first]) first += 1;
+    while (first < end && kept[first] === data[first]) {
+      first += 1;
+    }
     if (first === end) return;
     let last = end - 1;
-    while (kept[last] === data[last]) last -= 1;
+    while (kept[last] === data[last]) {
+      last -= 1;
+    }
     kept.set(data.subarray(first, last + 1), first);
     this.#revision = revisions += 1;
     const [firstRow, endRow] = [first >> 2, (last >> 2) + 1];
     const { from, to } = this.#stale;
-    this.#stale = { from: from < to ? Math.min(from, firstRow) : firstRow, to: Math.max(to, endRow) };
+    this.#stale = {
+      from: from < to ? Math.min(from, firstRow) : firstRow,
+      to: Math.max(to, endRow),
+    };
     const { counts } = this.packed;
     const masks = kindFeatures(this.packed);
     this.#featureKey = KINDS.flatMap((kind) => [counts[kind], masks[kind]]).join();
@@ -91,7 +116,13 @@ export class LightBuffer {
       // An H200 takes 1.4 to 1.9 times as long with a texture that repeats, the default.
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXTURE_WIDTH, this.#data.length / (TEXTURE_WIDTH * 4));
+      gl.texStorage2D(
+        gl.TEXTURE_2D,
+        1,
+        gl.RGBA32F,
+        TEXTURE_WIDTH,
+        this.#data.length / (TEXTURE_WIDTH * 4),
+      );
     }
     // three.js keeps track of these since r184. Before, it set them for each upload.
     const unpack = 'pixelStorei' in state ? state : gl;
@@ -102,11 +133,15 @@ export class LightBuffer {
     return this.#texture;
   }
 
-  /** Frees the texture, or forgets one that a lost context took along; the next draw sends it again. */
+  /**
+   * Frees the texture, or forgets one that a lost context took along; the next draw sends it again.
+   */
   dispose(): void {
     const owner = this.#owner;
     const isThere = owner !== null && owner.properties === owner.renderer.properties;
-    if (isThere) owner.renderer.getContext().deleteTexture(this.#texture.sourceTexture);
+    if (isThere) {
+      owner.renderer.getContext().deleteTexture(this.#texture.sourceTexture);
+    }
     this.#texture.sourceTexture = null;
     this.#owner = null;
   }

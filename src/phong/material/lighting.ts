@@ -1,5 +1,6 @@
-// The lights of one picture on their way to its materials: packs them when lights, origin or colour space changed,
-// collects the features that programs need, and holds what all materials of the picture share.
+// The lights of one picture on their way to its materials: packs them when lights, origin or colour
+// space changed, collects the features that programs need, and holds what all materials of the
+// picture share.
 import { type Camera, Matrix4, type Mesh, Vector3, type WebGLRenderer } from 'three';
 import { sameValue } from '../fields/field-store.js';
 import { declaredFeatures } from '../light/light-features.js';
@@ -14,9 +15,10 @@ import type { Form } from './program/variant.js';
 import type { PictureView } from './views.js';
 
 /**
- * From where a picture is seen. Shading space has the world's axes and its origin at `origin`. Differences to it are
- * taken in float64, so that scenes far from the world's origin shade like scenes at it. It does not move while the
- * camera turns about its target, and the packed lights stay as they are.
+ * From where a picture is seen. Shading space has the world's axes and its origin at `origin`.
+ * Differences to it are taken in float64, so that scenes far from the world's origin shade like
+ * scenes at it. It does not move while the camera turns about its target, and the packed lights
+ * stay as they are.
  */
 export interface ShadingFrame {
   /** World position of shading space's origin: the camera's target. */
@@ -28,7 +30,10 @@ export interface ShadingFrame {
   readonly back: Vec3;
 }
 
-/** Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two cores). */
+/**
+ * Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two
+ * cores).
+ */
 const MOST_INLINED = 16;
 
 export class PhongLighting {
@@ -37,12 +42,18 @@ export class PhongLighting {
   readonly eye = { value: new Vector3() };
   /** Uniform `uShadingToClip`, shared by all materials; see {@link aim}. */
   readonly clip = { value: new Matrix4() };
-  /** Uniform `uMapBias`, shared by all materials: levels added to the one that a map is sampled from. Default 0. */
+  /**
+   * Uniform `uMapBias`, shared by all materials: levels added to the one that a map is sampled
+   * from. Default 0.
+   */
   readonly mapBias = { value: 0 };
   /** Specialised programs of this picture. */
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();
-  /** Shown in place of the shaded colour; null: nothing. Materials need a call of `setStyle` afterwards. */
+  /**
+   * Shown in place of the shaded colour; null: nothing. Materials need a call of `setStyle`
+   * afterwards.
+   */
   view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
   #declared = 0;
@@ -73,7 +84,9 @@ export class PhongLighting {
     this.lights = lights;
   }
 
-  /** Shade in linear light: colours are decoded first, and the sum is encoded last. Default false. */
+  /**
+   * Shade in linear light: colours are decoded first, and the sum is encoded last. Default false.
+   */
   get linear(): boolean {
     return this.#space.linear;
   }
@@ -102,10 +115,12 @@ export class PhongLighting {
   }
 
   /**
-   * Call before each frame, after moving the camera: takes its world matrix and whatever changed about the lights.
+   * Call before each frame, after moving the camera: takes its world matrix and whatever changed
+   * about the lights.
    * @param camera any three.js camera with an up-to-date `matrixWorld`
-   * @param target where the scene is, in world coordinates: shading is computed relative to it. Default: the world's
-   *   origin. For scenes far away give their centre, and keep it still while only the camera moves.
+   * @param target where the scene is, in world coordinates: shading is computed relative to it.
+   * Default: the world's origin. For scenes far away give their centre, and keep it still while
+   * only the camera moves.
    */
   update(camera: Camera, target: Vec3 = [0, 0, 0]): void {
     const e = camera.matrixWorld.elements;
@@ -119,8 +134,9 @@ export class PhongLighting {
   }
 
   /**
-   * The same from a frame whose eye is known relative to the origin, more precisely than world coordinates can say.
-   * `camera` is the one that stands there: vertices are then placed by the frame, not by its matrices.
+   * The same from a frame whose eye is known relative to the origin, more precisely than world
+   * coordinates can say. `camera` is the one that stands there: vertices are then placed by the
+   * frame, not by its matrices.
    */
   updateFrame(frame: ShadingFrame, camera: Camera | null = null): void {
     const { origin, eye } = frame;
@@ -128,7 +144,9 @@ export class PhongLighting {
     writeView(this.#frameView, frame, eye);
     this.eye.value.set(eye[0], eye[1], eye[2]);
     const moved = !sameValue(origin, this.#origin);
-    if (moved) this.#origin = [origin[0], origin[1], origin[2]];
+    if (moved) {
+      this.#origin = [origin[0], origin[1], origin[2]];
+    }
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
     this.#changed = false;
@@ -139,11 +157,15 @@ export class PhongLighting {
       this.#declared |= declaredFeatures(values);
       this.#followsCamera = values.some(({ space }) => space === 'camera');
     }
-    if (isOther || moved || this.#followsCamera || lights !== version)
+    if (isOther || moved || this.#followsCamera || lights !== version) {
       this.#pack(frame, isOther || kinds !== kindVersion);
+    }
   }
 
-  /** Call before each draw: updates {@link clip} to `camera`. Returns a version that increments when it changes. */
+  /**
+   * Call before each draw: updates {@link clip} to `camera`. Returns a version that increments when
+   * it changes.
+   */
   aim(camera: Camera): number {
     const { view: last, projection } = this.#aimed;
     const seen = camera === this.#frameCamera ? this.#frameView : this.#viewOf(camera);
@@ -170,8 +192,11 @@ export class PhongLighting {
     const { sent } = this.packed;
     if (list.length === 0) return sent;
     let count = 0;
-    for (let light = 0; light < sent; light++)
-      if (list.some((mesh) => this.#meshLights.reaches(mesh, light))) count += 1;
+    for (let light = 0; light < sent; light++) {
+      if (list.some((mesh) => this.#meshLights.reaches(mesh, light))) {
+        count += 1;
+      }
+    }
     return count;
   }
 
@@ -228,19 +253,31 @@ export class PhongLighting {
     const space = this.#space;
     this.#worldToShading.makeTranslation(-x, -y, -z);
     writeCamera(this.#cameraToShading, frame, frame.eye);
-    if (this.view !== null) this.view.pack(values, space, packed);
-    else if (all || !moveLights(space, packed)) packLights(values, space, packed);
-    this.#packedFor = { lights: version, kinds: kindVersion, view: this.view, linear: space.linear };
+    if (this.view !== null) {
+      this.view.pack(values, space, packed);
+    } else if (all || !moveLights(space, packed)) {
+      packLights(values, space, packed);
+    }
+    this.#packedFor = {
+      lights: version,
+      kinds: kindVersion,
+      view: this.view,
+      linear: space.linear,
+    };
     this.#fit();
     buffer.changed();
     this.#changed = buffer.revision !== revision;
   }
 
-  /** Makes the uniform array long enough. It never shrinks: lights that come and go compile once. */
+  /**
+   * Makes the uniform array long enough. It never shrinks: lights that come and go compile once.
+   */
   #fit(): void {
     const { rows } = this.packed;
     const capacities = this.#device?.capacities ?? [];
-    while (rows > (capacities[this.#capacity] ?? Infinity)) this.#capacity += 1;
+    while (rows > (capacities[this.#capacity] ?? Infinity)) {
+      this.#capacity += 1;
+    }
   }
 }
 

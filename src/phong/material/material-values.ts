@@ -1,11 +1,14 @@
-// What an author says about a surface: its values in HTML's units (255 = 1) with their domains and defaults, and how it
-// is shaded. Names that markup, panel, material and programs share.
+// What an author says about a surface: its values in HTML's units (255 = 1) with their domains and
+// defaults, and how it is shaded. Names that markup, panel, material and programs share.
 import { LIMITS, type Term, TERMS } from '../light/light-state.js';
 import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';
 
 export interface SurfaceValues {
-  /** Ka: the share of ambient light that is reflected, per channel; 255 is all of it. Default 200 200 200. */
+  /**
+   * Ka: the share of ambient light that is reflected, per channel; 255 is all of it. Default 200
+   * 200 200.
+   */
   ka: Vec3;
   /** Kd: the same of diffuse light. Default 200 200 200. */
   kd: Vec3;
@@ -30,7 +33,10 @@ export const REFLECTIONS = ['phong', 'blinn-phong'] as const;
 export type Shading = (typeof SHADINGS)[number];
 export type Reflection = (typeof REFLECTIONS)[number];
 
-/** How a surface is shaded, besides its colours. `flat` needs a geometry that carries the triangles' own normals. */
+/**
+ * How a surface is shaded, besides its colours. `flat` needs a geometry that carries the triangles'
+ * own normals.
+ */
 export interface ShadingStyle {
   readonly shading: Shading;
   readonly reflection: Reflection;

@@ -1,5 +1,6 @@
-// The lights that each mesh is drawn with: all, or those whose cones reach its bounds, culled where lights or mesh have
-// changed. Meshes that the same lights reach share one buffer; many narrow spots on one mesh get a light grid.
+// The lights that each mesh is drawn with: all, or those whose cones reach its bounds, culled where
+// lights or mesh have changed. Meshes that the same lights reach share one buffer; many narrow
+// spots on one mesh get a light grid.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
 import { type Box, cullLights } from '../light/cull-lights.js';
 import { divideLights, LEAST_DIVIDED } from '../light/light-grid.js';
@@ -27,7 +28,10 @@ export class MeshLights {
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
 
-  /** A frame begins: frees the buffers that the last one did not use. `origin` is another array after each move. */
+  /**
+   * A frame begins: frees the buffers that the last one did not use. `origin` is another array
+   * after each move.
+   */
   begin(origin: Vec3): void {
     for (const [key, subset] of this.#subsets) {
       if (subset.frame === this.#frame) continue;
@@ -71,16 +75,24 @@ export class MeshLights {
 
   dispose(): void {
     this.all.dispose();
-    for (const { buffer } of this.#subsets.values()) buffer.dispose();
-    for (const grid of this.#grids) grid.dispose();
+    for (const { buffer } of this.#subsets.values()) {
+      buffer.dispose();
+    }
+    for (const grid of this.#grids) {
+      grid.dispose();
+    }
   }
 
   #culledFor(mesh: Mesh): CulledLights {
     let culled = this.#culled.get(mesh);
-    if (culled === undefined) this.#culled.set(mesh, (culled = new CulledLights(mesh)));
+    if (culled === undefined) {
+      this.#culled.set(mesh, (culled = new CulledLights(mesh)));
+    }
     const moved = culled.moved(this.#origin);
     const kept = culled.subset === null || this.#subsets.get(culled.subset.key) === culled.subset;
-    if (moved || !kept || culled.source !== this.all.revision) this.#cull(culled);
+    if (moved || !kept || culled.source !== this.all.revision) {
+      this.#cull(culled);
+    }
     return culled;
   }
 
@@ -89,7 +101,9 @@ export class MeshLights {
     culled.source = revision;
     culled.subset = null;
     if (culled.box === null) return;
-    if (this.#mask.length < packed.sent) this.#mask = new Uint8Array(packed.features.length);
+    if (this.#mask.length < packed.sent) {
+      this.#mask = new Uint8Array(packed.features.length);
+    }
     const mask = this.#mask.subarray(0, packed.sent);
     if (cullLights(packed, culled.box, mask) === packed.sent) return;
     culled.mask = mask.slice();
@@ -150,7 +164,10 @@ class CulledLights {
   }
 }
 
-/** Most frames to skip after failed divisions. One can cost 27 ms (43 wide spots), in every frame that moves lights. */
+/**
+ * Most frames to skip after failed divisions. One can cost 27 ms (43 wide spots), in every frame
+ * that moves lights.
+ */
 const MOST_SKIPPED = 63;
 
 /** One mesh's grid. Divides again when the lights change; backs off while dividing does not pay. */
@@ -171,8 +188,11 @@ class MeshLightGrid {
       this.#source = lights.revision;
       this.#box = box;
       this.#divided = false;
-      if (this.#skips > 0) this.#skips -= 1;
-      else if (box !== null) this.#divide(lights, box);
+      if (this.#skips > 0) {
+        this.#skips -= 1;
+      } else if (box !== null) {
+        this.#divide(lights, box);
+      }
     }
     return this.#divided ? this.#buffer : null;
   }
@@ -184,7 +204,9 @@ class MeshLightGrid {
 
   #divide({ packed }: LightBuffer, box: Box): void {
     this.#divided = divideLights(packed, box, this.#buffer.packed);
-    if (this.#divided) this.#buffer.changed();
+    if (this.#divided) {
+      this.#buffer.changed();
+    }
     this.#nextSkips = this.#divided ? 0 : Math.min(2 * this.#nextSkips + 1, MOST_SKIPPED);
     this.#skips = this.#nextSkips;
   }
@@ -194,7 +216,9 @@ const asText = /* @__PURE__ */ new TextDecoder('latin1');
 const bounds = /* @__PURE__ */ new Box3();
 
 function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
-  if (geometry.boundingBox === null) geometry.computeBoundingBox();
+  if (geometry.boundingBox === null) {
+    geometry.computeBoundingBox();
+  }
   if (geometry.boundingBox === null) return null;
   const { min, max } = bounds.copy(geometry.boundingBox).applyMatrix4(matrixWorld);
   const [x, y, z] = origin;

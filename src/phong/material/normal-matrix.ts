@@ -1,12 +1,17 @@
-// Normals from model to shading space: the cofactor matrix, which unlike the inverse transpose is defined for
-// flattened meshes, times the determinant's sign, which keeps normals outside on mirrored ones. Float64, scaled to
-// a largest entry of 1, so that any scale fits a float32. cofactor(M) = det(M) · M^-T.
+// Normals from model to shading space: the cofactor matrix, which unlike the inverse transpose is
+// defined for flattened meshes, times the determinant's sign, which keeps normals outside on
+// mirrored ones. Float64, scaled to a largest entry of 1, so that any scale fits a float32.
+// cofactor(M) = det(M) · M^-T.
 import type { Matrix3, Matrix4 } from 'three';
 
-/** Writes the normal matrix of `model` into `out`; zero where the model is flattened to a line or a point. */
+/**
+ * Writes the normal matrix of `model` into `out`; zero where the model is flattened to a line or a
+ * point.
+ */
 export function normalMatrix(model: Matrix4, out: Matrix3): void {
   const m = model.elements;
-  // Entries are scaled first: the products of a mesh scaled by 1e±12 stay far from a double's ends either way.
+  // Entries are scaled first: the products of a mesh scaled by 1e±12 stay far from a double's ends
+  // either way.
   const largest = Math.max(
     Math.abs(m[0]), Math.abs(m[1]), Math.abs(m[2]),
     Math.abs(m[4]), Math.abs(m[5]), Math.abs(m[6]),
@@ -16,7 +21,8 @@ export function normalMatrix(model: Matrix4, out: Matrix3): void {
     out.set(0, 0, 0, 0, 0, 0, 0, 0, 0);
     return;
   }
-  // Divided, not multiplied by 1/largest: that would overflow for the smallest scales of the domain.
+  // Divided, not multiplied by 1/largest: that would overflow for the smallest scales of the
+  // domain.
   const a = m[0] / largest, b = m[1] / largest, c = m[2] / largest; // oxfmt-ignore
   const d = m[4] / largest, e = m[5] / largest, f = m[6] / largest; // oxfmt-ignore
   const g = m[8] / largest, h = m[9] / largest, i = m[10] / largest; // oxfmt-ignore
@@ -32,5 +38,7 @@ export function normalMatrix(model: Matrix4, out: Matrix3): void {
   const signed = top > 0 ? (determinant < 0 ? -top : top) : 1;
   out.set(c0, c3, c6, c1, c4, c7, c2, c5, c8);
   const { elements } = out;
-  for (let k = 0; k < 9; k++) elements[k] = (elements[k] ?? 0) / signed;
+  for (let k = 0; k < 9; k++) {
+    elements[k] = (elements[k] ?? 0) / signed;
+  }
 }

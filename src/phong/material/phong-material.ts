@@ -1,6 +1,17 @@
-// A three.js material that draws with the hand-written light loop. Keeps uniforms and program in step with its surface,
-// its style and its picture's lights, and decides per draw which program and which sides of a mesh it needs.
-import { DoubleSide, FrontSide, GLSL3, Material, Matrix3, type Mesh, RawShaderMaterial, Vector2, Vector3 } from 'three';
+// A three.js material that draws with the hand-written light loop. Keeps uniforms and program in
+// step with its surface, its style and its picture's lights, and decides per draw which program and
+// which sides of a mesh it needs.
+import {
+  DoubleSide,
+  FrontSide,
+  GLSL3,
+  Material,
+  Matrix3,
+  type Mesh,
+  RawShaderMaterial,
+  Vector2,
+  Vector3,
+} from 'three';
 import type { Texture } from 'three';
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
@@ -8,7 +19,12 @@ import { cullsBackFaces, type Sides } from './back-faces.js';
 import { type BaseLook, PLAIN_LOOK, lobeScale, usesRoughnessMap } from './file-surface.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
-import { SURFACE_FIELDS, type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from './material-values.js';
+import {
+  SURFACE_FIELDS,
+  type SurfaceValues,
+  DEFAULT_STYLE,
+  type ShadingStyle,
+} from './material-values.js';
 import type { Term } from '../light/light-state.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
@@ -25,17 +41,19 @@ const DEFAULT_SURFACE: SurfaceValues = {
 const BLACK: Vec3 = [0, 0, 0];
 
 /**
- * The revision of the rows that each program's uniform array holds, by the variant's key: many meshes would spend their
- * frame on sending 1,000 rows each. Forgotten with every disposed material: a program made again starts empty.
+ * The revision of the rows that each program's uniform array holds, by the variant's key: many
+ * meshes would spend their frame on sending 1,000 rows each. Forgotten with every disposed
+ * material: a program made again starts empty.
  */
 let programRows = new WeakMap<object, Map<string, number>>();
 
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
 /**
- * Draws opaque or blended 8-bit colour: the sum is clamped to 0–1 and rounded to the nearest code, whatever the target.
- * Call {@link PhongLighting.update} before each frame. A raw material, because three.js's key for its programs then
- * leaves out `side`: culling back faces in one draw and not in the next compiles nothing.
+ * Draws opaque or blended 8-bit colour: the sum is clamped to 0–1 and rounded to the nearest code,
+ * whatever the target. Call {@link PhongLighting.update} before each frame. A raw material, because
+ * three.js's key for its programs then leaves out `side`: culling back faces in one draw and not in
+ * the next compiles nothing.
  */
 export class PhongMaterial extends RawShaderMaterial {
   /** Which sides can be seen: back faces that cannot are culled. Default `double`. */
@@ -100,7 +118,10 @@ export class PhongMaterial extends RawShaderMaterial {
     return this.#lighting.linear;
   }
 
-  /** Sets Ka, Kd, Ks (255 = 1) and the exponent. Throws for values outside their domain and then changes nothing. */
+  /**
+   * Sets Ka, Kd, Ks (255 = 1) and the exponent. Throws for values outside their domain and then
+   * changes nothing.
+   */
   setSurface(values: Partial<SurfaceValues>): void {
     const { ka, kd, ks, shininess } = { ...this.#surface, ...values };
     this.#surface = {
@@ -132,23 +153,31 @@ export class PhongMaterial extends RawShaderMaterial {
     const mesh = object as Mesh;
     const culls = cullsBackFaces(this.sides, geometry, mesh.matrixWorld, camera);
     this.side = culls ? FrontSide : DoubleSide;
-    if (this.#linear !== this.linear) this.#writeSurface();
+    if (this.#linear !== this.linear) {
+      this.#writeSurface();
+    }
     const mirrors = this.#place(mesh);
     const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
     Object.assign(this.uniforms, this.#lighting.view?.program?.uniforms);
     this.#use(variant);
     const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
     const storage = variant.defines['LIGHT_STORAGE'];
-    if (storage !== 'STORAGE_INLINED') this.#lighting.countUpload(lights);
+    if (storage !== 'STORAGE_INLINED') {
+      this.#lighting.countUpload(lights);
+    }
     uLightRows.needsUpdate = storage === 'STORAGE_UNIFORMS' && !this.#holdsRows(renderer, lights);
-    if (uLightRows.needsUpdate) uLightRows.value = lights.rows;
+    if (uLightRows.needsUpdate) {
+      uLightRows.value = lights.rows;
+    }
     if (storage === 'STORAGE_TEXTURE') {
       uLightTexture.value = lights.sendTexture(renderer);
       uLightTextureScale.value.copy(lights.textureScale);
     }
     const aim = this.#lighting.aim(camera);
-    // three.js sends a material's uniforms once per frame, unless they change between two of its draws.
-    this.uniformsNeedUpdate = aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
+    // three.js sends a material's uniforms once per frame, unless they change between two of its
+    // draws.
+    this.uniformsNeedUpdate =
+      aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
     this.#aim = aim;
     this.#lights = lights;
   }
@@ -163,7 +192,9 @@ export class PhongMaterial extends RawShaderMaterial {
   #holdsRows({ properties }: BeforeRender[0], { revision }: LightBuffer): boolean {
     // three.js replaces a renderer's properties when a lost context is restored.
     let held = programRows.get(properties);
-    if (held === undefined) programRows.set(properties, (held = new Map<string, number>()));
+    if (held === undefined) {
+      programRows.set(properties, (held = new Map<string, number>()));
+    }
     const program = this.#variant?.key ?? '';
     if (held.get(program) === revision) return true;
     held.set(program, revision);
@@ -177,7 +208,10 @@ export class PhongMaterial extends RawShaderMaterial {
     this.needsUpdate = true;
   }
 
-  /** Writes the mesh's place in shading space into three.js's matrices. True where `uMirrored` has changed. */
+  /**
+   * Writes the mesh's place in shading space into three.js's matrices. True where `uMirrored` has
+   * changed.
+   */
   #place(mesh: Mesh): boolean {
     const { origin } = this.#lighting;
     const model = mesh.modelViewMatrix.copy(mesh.matrixWorld);
@@ -204,8 +238,11 @@ export class PhongMaterial extends RawShaderMaterial {
     const write = (into: Vector3, term: Term, k: Vec3, base: Vec3): void => {
       const channel = (i: 0 | 1 | 2): number =>
         linear ? srgbDecode(k[i] / 255) * srgbDecode(base[i]) : (k[i] / 255) * base[i];
-      if (terms.includes(term)) into.set(channel(0), channel(1), channel(2));
-      else into.set(...BLACK);
+      if (terms.includes(term)) {
+        into.set(channel(0), channel(1), channel(2));
+      } else {
+        into.set(...BLACK);
+      }
     };
     write(uKa.value, 'ambient', ka, look.baseColor);
     write(uKd.value, 'diffuse', kd, look.baseColor);
@@ -216,7 +253,9 @@ export class PhongMaterial extends RawShaderMaterial {
     uEmissive.value.set(...decode(term === null ? look.emissive : BLACK));
     uLobeScale.value = look.roughness === null ? 1 : lobeScale(shininess);
     // Where the shader does not scale Ks itself.
-    if (!(look.metalness > 0) && !usesRoughnessMap(look, this.#style)) uKs.value.multiplyScalar(uLobeScale.value);
+    if (!(look.metalness > 0) && !usesRoughnessMap(look, this.#style)) {
+      uKs.value.multiplyScalar(uLobeScale.value);
+    }
     this.#programs.describe(style, this.#surface);
   }
 }

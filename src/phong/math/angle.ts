@@ -10,7 +10,10 @@ export function wrapDegrees(degrees: number): number {
   return turned < -180 ? turned + 360 : turned;
 }
 
-/** Sine of degrees. The angle is reduced before it becomes radians, so that multiples of 90° give 0 and ±1 exactly. */
+/**
+ * Sine of degrees. The angle is reduced before it becomes radians, so that multiples of 90° give 0
+ * and ±1 exactly.
+ */
 export function sinDegrees(degrees: number): number {
   const d = wrapDegrees(degrees);
   if (d > 90) return sinFirstQuadrants(180 - d);

@@ -1,5 +1,5 @@
-// The sRGB transfer curve, on single channels where 1 is full. Constants: IEC 61966-2-1. The GLSL of the same curve is
-// generated from SRGB. Colours by channels.
+// The sRGB transfer curve, on single channels where 1 is full. Constants: IEC 61966-2-1. The GLSL
+// of the same curve is generated from SRGB. Colours by channels.
 import type { Vec3 } from './vector.js';
 
 export const SRGB = {
@@ -12,14 +12,19 @@ export const SRGB = {
   exponent: 2.4,
 } as const;
 
-/** Encoded to linear light. The power branch continues above 1, as bright lights need; negative values give 0. */
+/**
+ * Encoded to linear light. The power branch continues above 1, as bright lights need; negative
+ * values give 0.
+ */
 export function srgbDecode(encoded: number): number {
   if (!(encoded > 0)) return 0;
   if (encoded <= SRGB.encodedKnee) return encoded / SRGB.slope;
   return ((encoded + SRGB.offset) / (1 + SRGB.offset)) ** SRGB.exponent;
 }
 
-/** Linear light to encoded: the inverse of {@link srgbDecode}, continued above 1 in the same way. */
+/**
+ * Linear light to encoded: the inverse of {@link srgbDecode}, continued above 1 in the same way.
+ */
 export function srgbEncode(linear: number): number {
   if (!(linear > 0)) return 0;
   if (linear <= SRGB.linearKnee) return linear * SRGB.slope;

@@ -1,9 +1,11 @@
-// Where in its pixel each sample lies: a (0,2)-sequence, scrambled. Pixels, from the pixel's centre, right and down.
+// Where in its pixel each sample lies: a (0,2)-sequence, scrambled. Pixels, from the pixel's
+// centre, right and down.
 //
-// The first two dimensions of Sobol's sequence, with Owen's scrambling by a hash: Burley, "Practical Hash-based Owen
-// Scrambling", JCGT 9 (4), 2020, with the permutation of Laine and Karras (2011). Any first 2^k points are spread
-// evenly, so the picture is good long before the last sample. RMS error of the share of a pixel that a straight edge
-// covers, over all edges, with 8, 16, 64 and 256 samples:
+// The first two dimensions of Sobol's sequence, with Owen's scrambling by a hash: Burley,
+// "Practical Hash-based Owen Scrambling", JCGT 9 (4), 2020, with the permutation of Laine and
+// Karras (2011). Any first 2^k points are spread evenly, so the picture is good long before the
+// last sample. RMS error of the share of a pixel that a straight edge covers, over all edges, with
+// 8, 16, 64 and 256 samples:
 //
 // | sequence                     | 8     | 16    | 64    | 256   |
 // | this one                     | 0.059 | 0.036 | 0.013 | 0.005 |
@@ -14,7 +16,10 @@
 
 /** Offset of sample `index`, from 0. Both coordinates are in [-0.5, 0.5). */
 export function pixelOffset(index: number): { readonly x: number; readonly y: number } {
-  return { x: fraction(owen(reversed(index), SCRAMBLE_X)), y: fraction(owen(sobolSecond(index), SCRAMBLE_Y)) };
+  return {
+    x: fraction(owen(reversed(index), SCRAMBLE_X)),
+    y: fraction(owen(sobolSecond(index), SCRAMBLE_Y)),
+  };
 }
 
 /** Of 400 pairs tried, the one with the least error with 8, 16 and 64 samples. */
@@ -28,7 +33,9 @@ function sobolSecond(index: number): number {
   let bits = 0;
   let direction = 0x80000000;
   for (let rest = index; rest !== 0; rest >>>= 1) {
-    if ((rest & 1) === 1) bits ^= direction;
+    if ((rest & 1) === 1) {
+      bits ^= direction;
+    }
     direction = (direction ^ (direction >>> 1)) >>> 0;
   }
   return bits >>> 0;
@@ -38,7 +45,9 @@ function sobolSecond(index: number): number {
 function owen(bits: number, seed: number): number {
   let x = reversed(bits);
   x = (x + seed) >>> 0;
-  for (const factor of [0x6c50b47c, 0xb82f1e52, 0xc7afe638, 0x8d22f6e6]) x = (x ^ Math.imul(x, factor)) >>> 0;
+  for (const factor of [0x6c50b47c, 0xb82f1e52, 0xc7afe638, 0x8d22f6e6]) {
+    x = (x ^ Math.imul(x, factor)) >>> 0;
+  }
   return reversed(x);
 }
 

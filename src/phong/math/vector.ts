@@ -1,5 +1,5 @@
-// Numbers and small float64 vectors for the CPU. Unitless; the caller's names give the space. Functions of vectors
-// allocate: do not use them in per-vertex or per-frame loops.
+// Numbers and small float64 vectors for the CPU. Unitless; the caller's names give the space.
+// Functions of vectors allocate: do not use them in per-vertex or per-frame loops.
 
 export type Vec3 = readonly [number, number, number];
 export type Vec4 = readonly [number, number, number, number];
@@ -7,7 +7,8 @@ export type Vec4 = readonly [number, number, number, number];
 /** A 4×4 matrix by columns, as WebGL and three.js keep it. */
 export type Mat4 = ArrayLike<number>;
 
-export const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
+export const clamp = (x: number, low: number, high: number): number =>
+  Math.min(Math.max(x, low), high);
 
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
@@ -41,8 +42,8 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
 export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
 
 /**
- * The unit vector along `a`, or the zero vector if `a` is zero. Scales by the largest component first, so that a
- * denormal vector keeps its direction.
+ * The unit vector along `a`, or the zero vector if `a` is zero. Scales by the largest component
+ * first, so that a denormal vector keeps its direction.
  */
 export function normalize(a: Vec3): Vec3 {
   const largest = Math.max(Math.abs(a[0]), Math.abs(a[1]), Math.abs(a[2]));

@@ -1,5 +1,6 @@
-// The shading equation in float64. The picture is measured against this file, so it follows the textbook rather than
-// the shader. World space throughout. Colours come in as in HTML (255 = 1) and go out with 1 as full.
+// The shading equation in float64. The picture is measured against this file, so it follows the
+// textbook rather than the shader. World space throughout. Colours come in as in HTML (255 = 1) and
+// go out with 1 as full.
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
 import type { LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
@@ -68,7 +69,10 @@ export interface LightShare {
   readonly L: Vec3;
   /** Distance; Infinity for directional lights. */
   readonly d: number;
-  /** Cosine of the angle between the axis and the fragment, with or without a cone; 1 if the axis or L is zero. */
+  /**
+   * Cosine of the angle between the axis and the fragment, with or without a cone; 1 if the axis or
+   * L is zero.
+   */
   readonly c: number;
   readonly insideCone: boolean;
   readonly att: number;
@@ -104,7 +108,9 @@ export function shade(
 ): Shaded {
   const N = normalize(fragment.normal);
   const V = normalize(subtract(fragment.eye, fragment.p));
-  const shares = lights.map((light) => (light.active ? share(light, fragment, N, V, surface, options) : null));
+  const shares = lights.map((light) =>
+    light.active ? share(light, fragment, N, V, surface, options) : null,
+  );
   return { N, V, ...sumOf(shares, surface, options.linear), shares };
 }
 
@@ -115,12 +121,21 @@ export function sumOf(
   linear = false,
 ): Pick<Shaded, 'sum' | 'color'> {
   let sum = unlit ? decoded(baseColor, linear) : decoded(emissive, linear);
-  for (const s of unlit ? [] : shares) if (s !== null) sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
-  if (linear) sum = map(sum, srgbEncode);
+  for (const s of unlit ? [] : shares) {
+    if (s !== null) {
+      sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
+    }
+  }
+  if (linear) {
+    sum = map(sum, srgbEncode);
+  }
   return { sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)) };
 }
 
-/** Ka, Kd and Ks as they enter the sum: 0–1, with base colour and metalness, decoded if shading is linear. */
+/**
+ * Ka, Kd and Ks as they enter the sum: 0–1, with base colour and metalness, decoded if shading is
+ * linear.
+ */
 export function coefficientsOf(surface: Surface, linear = false): Record<'ka' | 'kd' | 'ks', Vec3> {
   const { baseColor = WHITE, metalness = 0, lobeScale = 1, unlit = false } = surface;
   if (unlit) return { ka: BLACK, kd: BLACK, ks: BLACK };
@@ -150,7 +165,11 @@ function share(
   surface: Surface,
   options: ReferenceOptions,
 ): LightShare {
-  const { linear = false, reflection = 'phong', terms = ['ambient', 'diffuse', 'specular'] } = options;
+  const {
+    linear = false,
+    reflection = 'phong',
+    terms = ['ambient', 'diffuse', 'specular'],
+  } = options;
   const { toLight, axis, positional } = placeLight(light, p, eye, options.camera);
   const d = length(toLight);
   const distance = positional && d < NEAREST ? 0 : d;
@@ -169,7 +188,9 @@ function share(
 
   const { ka, kd, ks } = coefficientsOf(surface, linear);
   const term = (name: (typeof terms)[number], k: Vec3, i: Vec3, factor: number): Vec3 =>
-    insideCone && terms.includes(name) ? scale(multiply(k, decoded(scale(i, 1 / 255), linear)), factor * decay) : BLACK;
+    insideCone && terms.includes(name)
+      ? scale(multiply(k, decoded(scale(i, 1 / 255), linear)), factor * decay)
+      : BLACK;
   return {
     L,
     d: positional ? d : Infinity,
@@ -186,7 +207,12 @@ function share(
 }
 
 /** The vector to the light and the spot's axis in world space. */
-function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: CameraAxes | undefined) {
+function placeLight(
+  light: Readonly<LightValues>,
+  p: Vec3,
+  eye: Vec3,
+  camera: CameraAxes | undefined,
+) {
   const [x, y, z, w] = light.position;
   const positional = w === 1;
   if (light.space === 'world') {
@@ -198,7 +224,8 @@ function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: Ca
     add(add(scale(camera.right, v[0]), scale(camera.up, v[1])), scale(camera.back, v[2]));
   const turned = toWorld([x, y, z]);
   return {
-    // Subtract the fragment from the eye first: far from the origin, eye + turned would round the light's offset away.
+    // Subtract the fragment from the eye first: far from the origin, eye + turned would round the
+    // light's offset away.
     toLight: positional ? add(subtract(eye, p), turned) : turned,
     axis: toWorld(light.axis),
     positional,
@@ -206,12 +233,15 @@ function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: Ca
 }
 
 /**
- * Tolerance of the cone's edge in radians: a few roundings of float64. Simple directions do lie exactly on an edge,
- * such as 0 1 1 seen along 1 0 1 at 120°.
+ * Tolerance of the cone's edge in radians: a few roundings of float64. Simple directions do lie
+ * exactly on an edge, such as 0 1 1 seen along 1 0 1 at 120°.
  */
 const EDGE = 16 * Number.EPSILON;
 
-/** Cone and decay. Everything passes if the axis or the direction is zero, or there is neither cone nor cutoff. */
+/**
+ * Cone and decay. Everything passes if the axis or the direction is zero, or there is neither cone
+ * nor cutoff.
+ */
 function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   const A = normalize(axis);
   const away = negate(A);
@@ -221,7 +251,8 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   return {
     c,
     insideCone: angle <= radians(light.aperture) + EDGE,
-    // Both from chords: right behind the spot (1 + c)/2 would cancel all digits, and small exponents need them.
+    // Both from chords: right behind the spot (1 + c)/2 would cancel all digits, and small
+    // exponents need them.
     decay: power(halfChord(L, A) / 2, halfChord(L, away) / 2, light.cutoff),
   };
 }
@@ -232,7 +263,10 @@ function halfChord(a: Vec3, b: Vec3): number {
   return dot(d, d) / 2;
 }
 
-/** max(x, 0)^n with x^0 = 1 for every x. `y` = 1 - x, given separately because 1 - x would cancel near x = 1. */
+/**
+ * max(x, 0)^n with x^0 = 1 for every x. `y` = 1 - x, given separately because 1 - x would cancel
+ * near x = 1.
+ */
 function power(x: number, y: number, n: number): number {
   if (n < LEAST_EXPONENT) return 1;
   // H has no length where L and V are opposite, and y is then 1/2 or a rounding less.

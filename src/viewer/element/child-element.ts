@@ -1,13 +1,18 @@
-// What lights and meshes share: values from attributes and properties, and a place in the nearest viewer's registry.
+// What lights and meshes share: values from attributes and properties, and a place in the nearest
+// viewer's registry.
 import type { FieldStore } from '../../phong/fields/field-store.js';
 import { type ChildRegistry, registryAround } from './child-registry.js';
 import { inspect } from './inspect.js';
 import { FieldBinding } from './fields/field-binding.js';
 
 /** Importing this file where there is no DOM does nothing. */
-export const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
+export const Base =
+  typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
 
-/** Registers a light or mesh with the nearest viewer around it, if any. Does nothing for other elements. */
+/**
+ * Registers a light or mesh with the nearest viewer around it, if any. Does nothing for other
+ * elements.
+ */
 export let register: (element: Element) => void;
 
 /** The binding of a light or mesh, found faster than by `bindingOf`. */
@@ -16,7 +21,9 @@ export let childBinding: (element: HTMLElement) => FieldBinding<Record<string, u
 export abstract class ChildElement<V extends object> extends Base {
   static {
     register = (element) => {
-      if (#registry in element) element.#register();
+      if (#registry in element) {
+        element.#register();
+      }
     };
     childBinding = (element) => (element as ChildElement<Record<string, unknown>>).#binding;
   }
@@ -51,7 +58,9 @@ export abstract class ChildElement<V extends object> extends Base {
   #register(): void {
     this.#binding.upgrade();
     const registry = registryAround(this);
-    if (registry !== this.#registry) this.#registry?.delete(this);
+    if (registry !== this.#registry) {
+      this.#registry?.delete(this);
+    }
     this.#registry = registry;
     registry?.add(this);
   }

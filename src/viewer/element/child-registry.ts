@@ -1,5 +1,6 @@
-// Which elements belong to which viewer: lights and meshes to the nearest one around, at any depth and across shadow
-// roots, but not in the content of a slot (slot="error"). A viewer that is upgraded later finds them then.
+// Which elements belong to which viewer: lights and meshes to the nearest one around, at any depth
+// and across shadow roots, but not in the content of a slot (slot="error"). A viewer that is
+// upgraded later finds them then.
 
 /** Called synchronously. `moved`: the child is still there, but may have another place. */
 type Listener = Readonly<Record<'added' | 'removed' | 'moved', (child: HTMLElement) => void>>;
@@ -14,13 +15,17 @@ export function registryOf(viewer: Element): ChildRegistry {
   return registry;
 }
 
-/** The registry of the nearest viewer around `element`; null outside any viewer and in the content of its slots. */
+/**
+ * The registry of the nearest viewer around `element`; null outside any viewer and in the content
+ * of its slots.
+ */
 export function registryAround(element: Element): ChildRegistry | null {
   // By steps, not by selectors: most children are a viewer's own.
   let inner: Element | null = null;
   for (let outer: Element | null = element; outer !== null;) {
-    if (outer.localName === 'phong-viewer')
+    if (outer.localName === 'phong-viewer') {
       return (inner?.getAttribute('slot') ?? '') === '' ? registryOf(outer) : null;
+    }
     const parent: Element | null = outer.parentElement;
     inner = parent === null ? null : outer;
     outer = parent ?? shadowTreeOf(outer)?.host ?? null;
@@ -28,10 +33,15 @@ export function registryAround(element: Element): ChildRegistry | null {
   return null;
 }
 
-/** The shadow tree that contains `element`, or null. Not by `instanceof`: another window has a class of its own. */
+/**
+ * The shadow tree that contains `element`, or null. Not by `instanceof`: another window has a class
+ * of its own.
+ */
 function shadowTreeOf(element: Element): ShadowRoot | null {
   const root = element.getRootNode();
-  return root.nodeType === Node.DOCUMENT_FRAGMENT_NODE && 'host' in root ? (root as ShadowRoot) : null;
+  return root.nodeType === Node.DOCUMENT_FRAGMENT_NODE && 'host' in root
+    ? (root as ShadowRoot)
+    : null;
 }
 
 export class ChildRegistry {
@@ -47,13 +57,16 @@ export class ChildRegistry {
   /** The viewer listens from its upgrade on. Children that came before are added now. */
   listen(listener: Listener): void {
     this.#listener = listener;
-    for (const child of this.inOrder) listener.added(child);
+    for (const child of this.inOrder) {
+      listener.added(child);
+    }
   }
 
   add(child: HTMLElement): void {
     this.#inOrder = null;
-    if (this.#children.has(child)) this.#listener?.moved(child);
-    else {
+    if (this.#children.has(child)) {
+      this.#listener?.moved(child);
+    } else {
       this.#children.add(child);
       this.#listener?.added(child);
     }
@@ -69,7 +82,10 @@ export class ChildRegistry {
     return this.#children;
   }
 
-  /** In document order. Sorted on demand, in one pass over the viewer's tree; a new array after a change. */
+  /**
+   * In document order. Sorted on demand, in one pass over the viewer's tree; a new array after a
+   * change.
+   */
   get inOrder(): readonly HTMLElement[] {
     return (this.#inOrder ??= sorted(this.#children, this.#viewer));
   }
@@ -82,19 +98,28 @@ function sorted(children: ReadonlySet<HTMLElement>, viewer: Element): HTMLElemen
     const walker = document.createTreeWalker(tree, NodeFilter.SHOW_ELEMENT);
     while (walker.nextNode() !== null) {
       const element = walker.currentNode as HTMLElement;
-      if (children.has(element)) list.push(element);
+      if (children.has(element)) {
+        list.push(element);
+      }
       const inner = trees.get(element);
-      if (inner !== undefined) visit(inner);
+      if (inner !== undefined) {
+        visit(inner);
+      }
     }
   };
   const ownTree = trees.get(viewer);
-  if (ownTree !== undefined) visit(ownTree);
+  if (ownTree !== undefined) {
+    visit(ownTree);
+  }
   visit(viewer);
   return list;
 }
 
 /** The shadow trees between the viewer and its children, by their hosts. Closed ones too. */
-function shadowTrees(children: ReadonlySet<HTMLElement>, viewer: Element): Map<Element, ShadowRoot> {
+function shadowTrees(
+  children: ReadonlySet<HTMLElement>,
+  viewer: Element,
+): Map<Element, ShadowRoot> {
   const trees = new Map<Element, ShadowRoot>();
   const outermost = viewer.getRootNode();
   for (const child of children) {

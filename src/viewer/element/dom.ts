@@ -1,5 +1,5 @@
-// Builds and changes elements by the DOM's own calls: for what follows every frame (strokes, handles)
-// (decisions/lit.md), and for the boxes that templates are rendered into.
+// Builds and changes elements by the DOM's own calls: for what follows every frame (strokes,
+// handles) (decisions/lit.md), and for the boxes that templates are rendered into.
 import type { LitElement } from 'lit';
 
 type Attributes = Readonly<Record<string, string | null>>;
@@ -12,34 +12,58 @@ export const create = <Tag extends keyof HTMLElementTagNameMap>(
 export const createSvg = <Tag extends keyof SVGElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
-): SVGElementTagNameMap[Tag] => set(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes);
+): SVGElementTagNameMap[Tag] =>
+  set(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes);
 
-/** As written last. Reading attributes back from the page took a tenth of the script of a frame with 64 lights. */
+/**
+ * As written last. Reading attributes back from the page took a tenth of the script of a frame with
+ * 64 lights.
+ */
 const written = new WeakMap<Element, Record<string, string | null>>();
 
-/** Writes only changes: every write is restyled, and may be observed. Null removes. Nothing else may write these. */
+/**
+ * Writes only changes: every write is restyled, and may be observed. Null removes. Nothing else may
+ * write these.
+ */
 export function set<E extends Element>(element: E, attributes: Attributes): E {
   let known = written.get(element);
-  if (known === undefined) written.set(element, (known = {}));
+  if (known === undefined) {
+    written.set(element, (known = {}));
+  }
   for (const name in attributes) {
     const value = attributes[name] ?? null;
     if ((known[name] ?? null) === value) continue;
     known[name] = value;
-    if (value === null) element.removeAttribute(name);
-    else element.setAttribute(name, value);
+    if (value === null) {
+      element.removeAttribute(name);
+    } else {
+      element.setAttribute(name, value);
+    }
   }
   return element;
 }
 
-/** Writes only what changes, for the same reason as {@link set}. Screen readers may also read again what is written. */
+/**
+ * Writes only what changes, for the same reason as {@link set}. Screen readers may also read again
+ * what is written.
+ */
 export function write(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
+  if (element.textContent !== text) {
+    element.textContent = text;
+  }
 }
 
-/** Pixels of the page, as of pointer events, for each CSS pixel of an element: CSS zoom. Not all browsers say it. */
-export const zoomOf = (element: Element): number => (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+/**
+ * Pixels of the page, as of pointer events, for each CSS pixel of an element: CSS zoom. Not all
+ * browsers say it.
+ */
+export const zoomOf = (element: Element): number =>
+  (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
 
-/** Templates of `element` are created in its own document, which may be that of an iframe, not in the script's. */
+/**
+ * Templates of `element` are created in its own document, which may be that of an iframe, not in
+ * the script's.
+ */
 export function renderWhereShown(element: LitElement): void {
   element.renderOptions.creationScope = {
     importNode: (node, deep) => element.ownerDocument.importNode(node, deep),

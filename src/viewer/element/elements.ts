@@ -1,7 +1,13 @@
-// The elements as their users and each other's parts see them. The classes implement these types. Types only.
+// The elements as their users and each other's parts see them. The classes implement these types.
+// Types only.
 import type { LitElement } from 'lit';
 import type { Scene } from 'three';
-import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
+import type {
+  Listen,
+  PhongCompareEventMap,
+  PhongMeshEventMap,
+  PhongViewerEventMap,
+} from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import type { CompareProperties } from './fields/compare-fields.js';
 import type { ControlProperties } from '../../extras/panel/control-fields.js';
@@ -22,7 +28,10 @@ export interface ElementClass<E extends HTMLElement> {
 /** A light of the `<phong-viewer>` around it. */
 export interface PhongLight extends HTMLElement, LightProperties {
   readonly localName: 'phong-light';
-  /** Text shown in the panel and in explanations. Default: `light N`, N counting the viewer's lights from 1. */
+  /**
+   * Text shown in the panel and in explanations. Default: `light N`, N counting the viewer's lights
+   * from 1.
+   */
   get name(): LightProperties['name'];
   set name(name: string | null | undefined);
 }
@@ -40,71 +49,88 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   addEventListener: Listen<this, PhongViewerEventMap>;
   removeEventListener: Listen<this, PhongViewerEventMap>;
   /**
-   * The `<phong-light>` elements that belong to this viewer, in document order. Frozen; a new list when they change.
+   * The `<phong-light>` elements that belong to this viewer, in document order. Frozen; a new list
+   * when they change.
    */
   readonly lights: readonly PhongLight[];
-  /** The `<phong-mesh>` elements that belong to this viewer, in document order. Frozen; a new list when they change. */
+  /**
+   * The `<phong-mesh>` elements that belong to this viewer, in document order. Frozen; a new list
+   * when they change.
+   */
   readonly meshes: readonly PhongMesh[];
   /** The camera as it is now, wherever the user, `auto-rotate` or `auto` has moved it. */
   readonly camera: CameraState;
-  /** Everything requested is there, and shapes have been drawn. False while nothing is requested. */
+  /**
+   * Everything requested is there, and shapes have been drawn. False while nothing is requested.
+   */
   readonly loaded: boolean;
   /**
-   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out are
-   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in
-   * use, the page's included; null if all are English. Throws TypeError for anything but an object of strings.
+   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts
+   * that are left out are the page's ({@link ViewerClass.texts}), or English. Null, the default,
+   * restores all. Reading gives the texts in use, the page's included; null if all are English.
+   * Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
   /**
-   * The three.js scene, for objects of your own. After changing it call {@link requestRender}, or {@link refit} if it
-   * has new vertices. The standalone file does not contain the shaders of three.js's own materials: objects need a
-   * ShaderMaterial or a RawShaderMaterial there.
+   * The three.js scene, for objects of your own. After changing it call {@link requestRender}, or
+   * {@link refit} if it has new vertices. The standalone file does not contain the shaders of
+   * three.js's own materials: objects need a ShaderMaterial or a RawShaderMaterial there.
    */
   readonly scene: Scene;
   /**
-   * Most triangles that all meshes together may hold, shared shapes and models counted once and flat ones 4.4 times. A
-   * mesh beyond is not shown and reports `too-large`, until it is tried again: by the button of the message, or by
-   * setting this. Default and most: 16,777,216. Lower it where strangers write the markup. Null restores the default.
-   * Throws TypeError or RangeError for anything else.
+   * Most triangles that all meshes together may hold, shared shapes and models counted once and
+   * flat ones 4.4 times. A mesh beyond is not shown and reports `too-large`, until it is tried
+   * again: by the button of the message, or by setting this. Default and most: 16,777,216. Lower it
+   * where strangers write the markup. Null restores the default. Throws TypeError or RangeError for
+   * anything else.
    */
   get maxTriangles(): number;
   set maxTriangles(triangles: number | null | undefined);
   readonly stats: ViewerStats;
   /**
-   * Resolves once everything requested has been drawn, or could be drawn if it were visible. Never rejects. After a
-   * change it is a new promise.
+   * Resolves once everything requested has been drawn, or could be drawn if it were visible. Never
+   * rejects. After a change it is a new promise.
    */
   readonly ready: Promise<void>;
   /**
-   * Draws one frame, for changes to {@link scene} that the element cannot see. Keeps target and radius and measures
-   * nothing: geometries are taken to have the bounds they had.
+   * Draws one frame, for changes to {@link scene} that the element cannot see. Keeps target and
+   * radius and measures nothing: geometries are taken to have the bounds they had.
    */
   requestRender(): void;
   /**
-   * Measures the scene again and draws one frame: for new vertices in a geometry of {@link scene}, and for a new
-   * framing where `target` or `radius` is `auto` and the user has not moved the camera.
+   * Measures the scene again and draws one frame: for new vertices in a geometry of {@link scene},
+   * and for a new framing where `target` or `radius` is `auto` and the user has not moved the
+   * camera.
    */
   refit(): void;
-  /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
+  /**
+   * The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid
+   * sizes.
+   */
   toBlob(options?: PictureOptions): Promise<Blob>;
   /**
-   * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS pixels from the picture's
-   * top left corner, inside any border, like `offsetX` and `offsetY` of a pointer event on the viewer. The fragment is
-   * the one at the centre of the device pixel there, or with `exact` the one at that very point. The scene is that of
-   * the call, except animated vertices and objects of your own. Blended surfaces are explained without what lies behind
-   * them. Textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene}
-   * is nearest (its lines and points are ignored), and while the viewer has no box on the page. Rejects with
-   * `TypeError` or `RangeError` unless x and y are finite numbers.
+   * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS
+   * pixels from the picture's top left corner, inside any border, like `offsetX` and `offsetY` of a
+   * pointer event on the viewer. The fragment is the one at the centre of the device pixel there,
+   * or with `exact` the one at that very point. The scene is that of the call, except animated
+   * vertices and objects of your own. Blended surfaces are explained without what lies behind them.
+   * Textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in
+   * {@link scene} is nearest (its lines and points are ignored), and while the viewer has no box on
+   * the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**
-   * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface there, drawn, hidden or
-   * outside the picture. Null if no surface is near it on the line from the eye, and while the viewer has no box on the
-   * page. Rejects with `TypeError` or `RangeError` unless it is three finite numbers.
+   * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface
+   * there, drawn, hidden or outside the picture. Null if no surface is near it on the line from the
+   * eye, and while the viewer has no box on the page. Rejects with `TypeError` or `RangeError`
+   * unless it is three finite numbers.
    */
   explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null>;
-  /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
+  /**
+   * The scene as markup with the camera as it is now. Loaded at the same size, it gives the same
+   * picture.
+   */
   toHTML(): string;
   /** Back to the last declared camera. */
   resetCamera(): void;
@@ -113,16 +139,19 @@ export interface PhongViewer extends LitElement, ViewerProperties {
 /** The class of `<phong-viewer>`. */
 export interface ViewerClass extends ElementClass<PhongViewer> {
   /**
-   * Texts for all viewers and comparisons of the page, those added later too, as {@link PhongViewer.texts}. A viewer's
-   * own texts go first; those of a `<script type="application/json" data-phong-viewer-texts>` come after these. Reading
-   * gives the texts in use on the page. Null, the default, leaves the script's. Throws TypeError for anything but an
-   * object of strings.
+   * Texts for all viewers and comparisons of the page, those added later too, as {@link
+   * PhongViewer.texts}. A viewer's own texts go first; those of a `<script type="application/json"
+   * data-phong-viewer-texts>` come after these. Reading gives the texts in use on the page. Null,
+   * the default, leaves the script's. Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
 }
 
-/** Shows the viewers that are its children over each other, with dividers between them, or side by side. */
+/**
+ * Shows the viewers that are its children over each other, with dividers between them, or side by
+ * side.
+ */
 export interface PhongCompare extends LitElement, CompareProperties {
   readonly localName: 'phong-compare';
   addEventListener: Listen<this, PhongCompareEventMap>;
@@ -138,7 +167,9 @@ export interface PhongControl extends HTMLElement, ControlProperties {
   readonly localName: 'phong-control';
 }
 
-/** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
+/**
+ * A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise.
+ */
 export interface ViewerStats extends ViewportStats {
   readonly lightsDeclared: number;
 }
@@ -146,7 +177,10 @@ export interface ViewerStats extends ViewportStats {
 /** What moved the camera. */
 export type CameraSource = 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto';
 
-/** The camera as it is now. Frozen. Angles in degrees, lengths in scene units, vectors in world space. */
+/**
+ * The camera as it is now. Frozen. Angles in degrees, lengths in scene units, vectors in world
+ * space.
+ */
 export interface CameraState {
   readonly eye: Vec3;
   readonly target: Vec3;

@@ -1,4 +1,5 @@
-// The elements' events, for `addEventListener`, JSX and the editors' data: names, details, when they come. Types only.
+// The elements' events, for `addEventListener`, JSX and the editors' data: names, details, when
+// they come. Types only.
 import type { CameraSource, PhongLight } from './elements.js';
 import type { FragmentExplanation } from './explanation.js';
 import type { ViewerErrorCode } from './fields/texts.js';
@@ -14,13 +15,19 @@ export interface ViewerErrorDetail {
 /** What was loaded. */
 export interface LoadDetail {
   readonly url: string;
-  /** Images and material libraries that are missing or broken, by the names in the model; empty if all are there. */
+  /**
+   * Images and material libraries that are missing or broken, by the names in the model; empty if
+   * all are there.
+   */
   readonly missing: readonly string[];
 }
 
 /** Events of `<phong-mesh>`. None bubbles. */
 export interface PhongMeshEventMap {
-  /** Its `src` is shown; `detail.url` is where it came from, `detail.missing` what it is shown without. */
+  /**
+   * Its `src` is shown; `detail.url` is where it came from, `detail.missing` what it is shown
+   * without.
+   */
   load: CustomEvent<LoadDetail>;
   /** Its `src` cannot be shown; `detail.code` and `detail.message` say why. */
   error: CustomEvent<ViewerErrorDetail>;
@@ -69,27 +76,36 @@ export interface AnswerDetail {
 }
 
 /**
- * Events of `<phong-viewer>`. None bubbles. `progress`, `camera-change` and `light-change` come once for a task,
- * however many there were.
+ * Events of `<phong-viewer>`. None bubbles. `progress`, `camera-change` and `light-change` come
+ * once for a task, however many there were.
  */
 export interface PhongViewerEventMap {
   /**
-   * A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from, `detail.missing` what it is
-   * shown without.
+   * A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from,
+   * `detail.missing` what it is shown without.
    */
   load: CustomEvent<LoadDetail>;
   /** Bytes of models have arrived; `detail.totalProgress` is from 0 to 1. */
   progress: CustomEvent<{ readonly totalProgress: number }>;
-  /** Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if any. */
+  /**
+   * Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if
+   * any.
+   */
   error: CustomEvent<ViewerErrorDetail>;
   /**
-   * The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another viewer of its
-   * `camera-group`.
+   * The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another
+   * viewer of its `camera-group`.
    */
   'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
-  /** Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it may be empty). */
+  /**
+   * Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it
+   * may be empty).
+   */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
-  /** The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and `detail.y`. */
+  /**
+   * The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and
+   * `detail.y`.
+   */
   'probe-change': CustomEvent<ProbeDetail>;
   /** The user answered a question of `probe="ask"`. */
   answer: CustomEvent<AnswerDetail>;
@@ -113,5 +129,9 @@ export interface Listen<E, Own> {
     listener: (this: E, event: HeardEvents<Own>[K]) => unknown,
     options?: boolean | AddEventListenerOptions,
   ): void;
-  (type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  (
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
 }

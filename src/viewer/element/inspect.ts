@@ -1,5 +1,6 @@
-// Finds elements that may hold a mistake that nothing else reports: by cheap, coarse tests, once each, after the task
-// or the parsing that connected it. Looks for the page's own texts at the same time.
+// Finds elements that may hold a mistake that nothing else reports: by cheap, coarse tests, once
+// each, after the task or the parsing that connected it. Looks for the page's own texts at the same
+// time.
 import { registryAround } from './child-registry.js';
 import type { ElementClass, PhongViewer } from './elements.js';
 import { lookForTexts } from './page/page-texts.js';
@@ -8,16 +9,25 @@ import { isNamed } from './viewer/description.js';
 const waiting = new Set<Element>();
 const tested = new WeakSet<Element>();
 
-/** Tests `element` once, after the task or the parsing; `again`: a viewer, for elements inside that are not defined. */
+/**
+ * Tests `element` once, after the task or the parsing; `again`: a viewer, for elements inside that
+ * are not defined.
+ */
 export function inspect(element: Element, again = false): void {
   if (tested.has(element) && !again) return;
   waiting.add(element);
   if (waiting.size > 1) return;
-  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', inspectSoon, { once: true });
-  else inspectSoon();
+  if (document.readyState === 'loading') {
+    document.addEventListener('DOMContentLoaded', inspectSoon, { once: true });
+  } else {
+    inspectSoon();
+  }
 }
 
-/** Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name theirs. */
+/**
+ * Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name
+ * theirs.
+ */
 export function strayAttributes(element: Element): string[] {
   const { observedAttributes: own } = element.constructor as unknown as ElementClass<HTMLElement>;
   return element.getAttributeNames().filter((name) => !own.includes(name) && !FOREIGN.test(name));
@@ -44,7 +54,9 @@ function inspectSoon(): void {
 function report(suspects: readonly Element[]): void {
   if (suspects.length === 0) return;
   // Without this code nothing is reported, and nothing else fails.
-  void import('../../extras/diagnosis/diagnose.js').then(({ diagnose }) => diagnose(suspects)).catch(() => undefined);
+  void import('../../extras/diagnosis/diagnose.js')
+    .then(({ diagnose }) => diagnose(suspects))
+    .catch(() => undefined);
 }
 
 const isNameless = (element: Element): boolean =>
@@ -58,7 +70,10 @@ function isSuspect(element: Element): boolean {
   if (element.localName === 'phong-compare') return wrappedViewer(element) !== null;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
-    element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
-    Array.from(element.childNodes).some((node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '')
+    element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !==
+      null ||
+    Array.from(element.childNodes).some(
+      (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',
+    )
   );
 }

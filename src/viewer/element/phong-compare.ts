@@ -1,11 +1,16 @@
-// <phong-compare>: the declared values, and the box that CSS sizes. A chunk shows the viewers in it.
+// <phong-compare>: the declared values, and the box that CSS sizes. A chunk shows the viewers in
+// it.
 import { html, LitElement, nothing } from 'lit';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Comparison } from '../../extras/compare/comparison.js';
 import type { ElementClass, PhongCompare as PublicCompare, PhongViewer } from './elements.js';
 import type { Listen, PhongCompareEventMap } from './events.js';
-import { COMPARE_FIELDS, type CompareProperties, type CompareValues } from './fields/compare-fields.js';
+import {
+  COMPARE_FIELDS,
+  type CompareProperties,
+  type CompareValues,
+} from './fields/compare-fields.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { renderWhereShown } from './dom.js';
 import { placed } from './internals.js';
@@ -23,9 +28,9 @@ interface CompareElement extends CompareProperties {
 }
 
 /**
- * Shows the viewers that are its children over each other, with dividers between them, or side by side. Their cameras
- * move together, except those of viewers with a `camera-group` of their own. CSS gives the size, 300 × 150 pixels if it
- * gives none; the viewers fill it.
+ * Shows the viewers that are its children over each other, with dividers between them, or side by
+ * side. Their cameras move together, except those of viewers with a `camera-group` of their own.
+ * CSS gives the size, 300 × 150 pixels if it gives none; the viewers fill it.
  *
  * @slot - `<phong-viewer>` elements; other children are not displayed
  * @csspart label - the label of a viewer
@@ -34,7 +39,10 @@ interface CompareElement extends CompareProperties {
  */
 class CompareElement extends LitElement implements PublicCompare {
   // Nothing is displayed until it is known where the viewers lie: they would be drawn twice.
-  static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', slotAssignment: 'manual' };
+  static override readonly shadowRootOptions: ShadowRootInit = {
+    mode: 'open',
+    slotAssignment: 'manual',
+  };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(COMPARE_FIELDS)];
   }
@@ -53,7 +61,9 @@ class CompareElement extends LitElement implements PublicCompare {
 
   get viewers(): readonly PhongViewer[] {
     return Object.freeze(
-      Array.from(this.children).filter((child): child is PhongViewer => child.localName === 'phong-viewer'),
+      Array.from(this.children).filter(
+        (child): child is PhongViewer => child.localName === 'phong-viewer',
+      ),
     );
   }
 
@@ -65,11 +75,18 @@ class CompareElement extends LitElement implements PublicCompare {
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
-    if (this.#comparison === null) void this.#load();
-    else this.requestUpdate();
+    if (this.#comparison === null) {
+      void this.#load();
+    } else {
+      this.requestUpdate();
+    }
   }
 
-  override attributeChangedCallback(attribute: string, old: string | null, text: string | null): void {
+  override attributeChangedCallback(
+    attribute: string,
+    old: string | null,
+    text: string | null,
+  ): void {
     super.attributeChangedCallback(attribute, old, text);
     this.#binding.attributeChanged(attribute, text);
   }
@@ -81,7 +98,9 @@ class CompareElement extends LitElement implements PublicCompare {
   protected override updated(): void {
     if (this.#comparison !== null) return;
     this.renderRoot.querySelector('slot')?.assign(...this.viewers);
-    if (this.#failed) this.viewers.forEach((viewer) => placed(viewer));
+    if (this.#failed) {
+      this.viewers.forEach((viewer) => placed(viewer));
+    }
   }
 
   async #load(): Promise<void> {

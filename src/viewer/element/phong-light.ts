@@ -1,4 +1,5 @@
-// <phong-light>: a light as markup. Renders nothing; its attributes and properties write into one LightState.
+// <phong-light>: a light as markup. Renders nothing; its attributes and properties write into one
+// LightState.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../../phong/light/light-state.js';
 import type { ElementClass, PhongLight as PublicLight } from './elements.js';
 import { childBinding, ChildElement } from './child-element.js';
@@ -23,9 +24,10 @@ interface LightElement extends LightProperties {
 }
 
 /**
- * A light of the nearest `<phong-viewer>` around it: in wrapper elements, in shadow trees, or in another light or mesh,
- * so that `<phong-light … />` works. A viewer without lights gets one at the eye. Its properties have the attributes'
- * names. A bad attribute value warns and gives the default; a bad property value throws.
+ * A light of the nearest `<phong-viewer>` around it: in wrapper elements, in shadow trees, or in
+ * another light or mesh, so that `<phong-light … />` works. A viewer without lights gets one at the
+ * eye. Its properties have the attributes' names. A bad attribute value warns and gives the
+ * default; a bad property value throws.
  */
 class LightElement extends ChildElement<LightValues> implements PublicLight {
   static readonly observedAttributes: readonly string[] = attributesOf(LIGHT_FIELDS);
@@ -39,7 +41,8 @@ class LightElement extends ChildElement<LightValues> implements PublicLight {
   get name(): LightProperties['name'] {
     const { name } = fieldsOf(this).store.values;
     if (name !== '') return name;
-    const lights = registryAround(this)?.inOrder.filter((child) => child instanceof LightElement) ?? [];
+    const lights =
+      registryAround(this)?.inOrder.filter((child) => child instanceof LightElement) ?? [];
     return numberedName(Math.max(lights.indexOf(this), 0));
   }
 
@@ -53,8 +56,14 @@ export const numberedName = (index: number, texts: ViewerTexts | null = null): s
   phrase(texts, 'light {number}', { number: String(index + 1) });
 
 /** As the panel and explanations name a light; `index` counts the viewer's lights from 0. */
-export const lightName = (state: LightState, index: number, texts: ViewerTexts | null = null): string =>
-  lightOf(state) === null ? phrase(texts, 'head-light') : state.values.name || numberedName(index, texts);
+export const lightName = (
+  state: LightState,
+  index: number,
+  texts: ViewerTexts | null = null,
+): string =>
+  lightOf(state) === null
+    ? phrase(texts, 'head-light')
+    : state.values.name || numberedName(index, texts);
 
 defineProperties(LightElement.prototype, LIGHT_FIELDS, childBinding);
 

@@ -1,4 +1,5 @@
-// <phong-mesh>: a mesh as markup. Renders nothing; its attributes and properties write into one FieldStore.
+// <phong-mesh>: a mesh as markup. Renders nothing; its attributes and properties write into one
+// FieldStore.
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
 import { childBinding, ChildElement } from './child-element.js';
@@ -15,8 +16,9 @@ interface MeshElement extends MeshProperties {
 }
 
 /**
- * A mesh of the nearest `<phong-viewer>` around it, as with lights. Its properties have the attributes' names. A bad
- * attribute value warns and gives the default; a bad property value throws.
+ * A mesh of the nearest `<phong-viewer>` around it, as with lights. Its properties have the
+ * attributes' names. A bad attribute value warns and gives the default; a bad property value
+ * throws.
  */
 class MeshElement extends ChildElement<MeshValues> implements PublicMesh {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
@@ -28,7 +30,9 @@ class MeshElement extends ChildElement<MeshValues> implements PublicMesh {
 
 /** The same value again retries what failed. */
 function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
-  if (key === 'src' || key === 'geometry') store.notify(key);
+  if (key === 'src' || key === 'geometry') {
+    store.notify(key);
+  }
 }
 
 defineProperties(MeshElement.prototype, MESH_FIELDS, childBinding);

@@ -1,15 +1,27 @@
-// <phong-viewer>: turns attributes and children into the picture's state, input into camera moves, changes into events.
+// <phong-viewer>: turns attributes and children into the picture's state, input into camera moves,
+// changes into events.
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { lazyCode } from '../model/lazy-code.js';
-import type { CameraState, PhongLight, PhongMesh, PhongViewer as PublicViewer, ViewerClass } from './elements.js';
+import type {
+  CameraState,
+  PhongLight,
+  PhongMesh,
+  PhongViewer as PublicViewer,
+  ViewerClass,
+} from './elements.js';
 import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
-import { RETRY_KEYS, VIEWER_FIELDS, type ViewerProperties, type ViewerValues } from './fields/viewer-fields.js';
+import {
+  RETRY_KEYS,
+  VIEWER_FIELDS,
+  type ViewerProperties,
+  type ViewerValues,
+} from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
@@ -29,7 +41,10 @@ import { NAMING } from './viewer/description.js';
 import { Readiness } from './viewer/readiness.js';
 import { sceneMarkup } from './viewer/to-html.js';
 
-const explanationCode = /* @__PURE__ */ lazyCode(() => import('../../extras/explain/shade-at.js'), 'shadeAt');
+const explanationCode = /* @__PURE__ */ lazyCode(
+  () => import('../../extras/explain/shade-at.js'),
+  'shadeAt',
+);
 
 // The accessors come from the table of fields.
 interface ViewerElement extends ViewerProperties {
@@ -39,20 +54,24 @@ interface ViewerElement extends ViewerProperties {
 }
 
 /**
- * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its end tag. CSS sets
- * its size, 300 × 150 pixels if it sets none. Where nothing is drawn the canvas is transparent. Properties have the
- * attributes' names in camel case. A bad attribute value warns and gives the default; a bad property value throws.
+ * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth; it needs its
+ * end tag. CSS sets its size, 300 × 150 pixels if it sets none. Where nothing is drawn the canvas
+ * is transparent. Properties have the attributes' names in camel case. A bad attribute value warns
+ * and gives the default; a bad property value throws.
  *
- * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is displayed
- * @slot progress - shown instead of the element's own progress bar, while something has been loading for more than 300
- *   ms
+ * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is
+ * displayed
+ * @slot progress - shown instead of the element's own progress bar, while something has been
+ * loading for more than 300 ms
  * @slot error - shown instead of the element's own message and button when something fails
  * @csspart surface - the picture, without the panel
  * @csspart poster - the image shown before the first picture
- * @csspart progress - the element's own progress bar; its `color` is that of the share that has arrived
+ * @csspart progress - the element's own progress bar; its `color` is that of the share that has
+ * arrived
  * @csspart notice - the element's own message when something fails
  * @csspart retry - the button under that message, which tries again what failed
- * @csspart dismiss - the same button beside a message about a file of the user's own, which removes the message
+ * @csspart dismiss - the same button beside a message about a file of the user's own, which removes
+ * the message
  * @csspart panel - the control panel's place
  * @csspart legend - what the colours of `view` mean
  * @csspart probe - the box of `probe`: a point's colour and the table of its sum
@@ -62,7 +81,10 @@ interface ViewerElement extends ViewerProperties {
  * @cssState empty - nothing to show is declared, and `scene` holds no object
  */
 class ViewerElement extends LitElement implements PublicViewer {
-  static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
+  static override readonly shadowRootOptions: ShadowRootInit = {
+    mode: 'open',
+    delegatesFocus: true,
+  };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
   }
@@ -78,7 +100,9 @@ class ViewerElement extends LitElement implements PublicViewer {
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
   readonly #binding = new FieldBinding<ViewerValues>(this, this.#store, (key) => {
     this.#camera.assigned(key);
-    if (RETRY_KEYS.has(key)) this.requestUpdate(key);
+    if (RETRY_KEYS.has(key)) {
+      this.requestUpdate(key);
+    }
   });
 
   readonly #holder = create('div', { class: 'holder' });
@@ -102,10 +126,14 @@ class ViewerElement extends LitElement implements PublicViewer {
     signals.lightChanged.listen((light) => this.#events.enqueueLight(light));
     signals.cameraMoved.listen(({ source, linked }) => {
       // The first framing is not a move.
-      if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
+      if (this.hasUpdated) {
+        this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
+      }
     });
     // Visibility first: it brings the holder into the element's document.
-    for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
+    for (const part of [this.#visibility, this.#camera, this.#loading]) {
+      this.addController(part);
+    }
     viewerCameras.set(this, this.#camera);
     renderWhereShown(this);
   }
@@ -147,7 +175,9 @@ class ViewerElement extends LitElement implements PublicViewer {
   set maxTriangles(triangles: number | null | undefined) {
     this.#context.picture.budget.limit = triangles ?? null;
     this.#context.picture.invalidate(); // other levels of detail may fit
-    if (this.hasUpdated) this.#loading.retry();
+    if (this.hasUpdated) {
+      this.#loading.retry();
+    }
   }
 
   get stats(): PublicViewer['stats'] {
@@ -156,7 +186,9 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   get ready(): Promise<void> {
     // Observers report what was just shown only after a frame.
-    if (!this.#context.viewport.drawable) this.#visibility.look();
+    if (!this.#context.viewport.drawable) {
+      this.#visibility.look();
+    }
     return this.#readiness.promise;
   }
 
@@ -214,7 +246,10 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#readiness.check();
   }
 
-  /** After `moveBefore`, instead of disconnecting and connecting; and when a comparison has placed the viewer. */
+  /**
+   * After `moveBefore`, instead of disconnecting and connecting; and when a comparison has placed
+   * the viewer.
+   */
   connectedMoveCallback(): void {
     this.#visibility.look();
     this.#extras.apply();
@@ -222,12 +257,18 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   override attributeChangedCallback(name: string, old: string | null, text: string | null): void {
     super.attributeChangedCallback(name, old, text);
-    if (!this.#binding.attributeChanged(name, text)) this.requestUpdate();
+    if (!this.#binding.attributeChanged(name, text)) {
+      this.requestUpdate();
+    }
   }
 
   protected override willUpdate(changed: PropertyValues): void {
-    if (changed.size > 0) this.#apply(changed as ReadonlyMap<string, unknown>);
-    if (this.hasUpdated) this.#display.keepFocus(this.renderRoot);
+    if (changed.size > 0) {
+      this.#apply(changed as ReadonlyMap<string, unknown>);
+    }
+    if (this.hasUpdated) {
+      this.#display.keepFocus(this.renderRoot);
+    }
   }
 
   protected override render(): TemplateResult {
@@ -239,8 +280,12 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   protected override updated(changed: PropertyValues): void {
-    if (changed.has('gui')) void this.#panel.toggle(this.#store.values.gui, this.#display.panel);
-    if (changed.size > 0) this.#panel.changed('viewer');
+    if (changed.has('gui')) {
+      void this.#panel.toggle(this.#store.values.gui, this.#display.panel);
+    }
+    if (changed.size > 0) {
+      this.#panel.changed('viewer');
+    }
     this.#display.updated(changed.size > 0);
   }
 
@@ -251,19 +296,32 @@ class ViewerElement extends LitElement implements PublicViewer {
     picture.fit.fov = values.fov;
     picture.linear = values.colorInterpolation === 'linear';
     viewport.still.wanted = values.antialias === 'full' ? values.samples : 0;
-    if (STYLE_KEYS.some((key) => changed.has(key))) picture.style = { shading, reflection, terms };
-    if (changed.has('src')) this.#readiness.supersede();
+    if (STYLE_KEYS.some((key) => changed.has(key))) {
+      picture.style = { shading, reflection, terms };
+    }
+    if (changed.has('src')) {
+      this.#readiness.supersede();
+    }
     this.#loading.apply(changed);
-    if (changed.has('loading')) this.#visibility.shown();
+    if (changed.has('loading')) {
+      this.#visibility.shown();
+    }
     this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
-    if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
+    if (changed.has('autoRotate') && this.#camera.turning) {
+      viewport.animate();
+    }
   }
 
   /** Applies now what was written in this task and would otherwise wait for its end. */
   #update(): void {
-    if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
-    else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
-    if (this.#visibility.connected && !this.#visibility.looked) this.#visibility.look();
+    if (this.isUpdatePending && this.hasUpdated) {
+      this.performUpdate();
+    } else if (!this.hasUpdated) {
+      this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
+    }
+    if (this.#visibility.connected && !this.#visibility.looked) {
+      this.#visibility.look();
+    }
     this.#children.sort();
     this.#children.flush();
   }
@@ -285,6 +343,8 @@ export const PhongViewer: ViewerClass = ViewerElement;
 
 /** In a comparison that has not placed it yet. */
 const isUnplaced = ({ parentElement, assignedSlot }: PublicViewer): boolean =>
-  parentElement?.localName === 'phong-compare' && parentElement.shadowRoot !== null && assignedSlot === null;
+  parentElement?.localName === 'phong-compare' &&
+  parentElement.shadowRoot !== null &&
+  assignedSlot === null;
 
 const STYLE_KEYS = ['shading', 'reflection', 'terms'] as const;

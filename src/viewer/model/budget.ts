@@ -1,4 +1,5 @@
-// What the files and shapes of one viewer claim, before anything is allocated. What meshes share counts once.
+// What the files and shapes of one viewer claim, before anything is allocated. What meshes share
+// counts once.
 import * as limits from './limits.js';
 import { TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } from './limits.js';
 import { ModelError } from './model.js';
@@ -45,26 +46,46 @@ export const NO_CLAIMS = /* @__PURE__ */ (() =>
 
 export function plus(a: Amounts, b: Claims): Amounts {
   const sum = { ...a };
-  for (const key of KEYS) sum[key] += b[key] ?? 0;
+  for (const key of KEYS) {
+    sum[key] += b[key] ?? 0;
+  }
   return sum;
 }
 
 /**
- * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes 4
- * bytes in the page and 5.33 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12
- * kB, a node 2 kB.
+ * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there
+ * twice. A pixel takes 4 bytes in the page and 5.33 on the GPU, with mipmaps; the image that is
+ * being uploaded takes 8 more. A draw takes 12 kB, a node 2 kB.
  */
 const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
-  Math.ceil(8 * values + 9.33 * pixels + 8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) + 12e3 * parts + 2000 * nodes);
+  Math.ceil(
+    8 * values +
+      9.33 * pixels +
+      8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) +
+      12e3 * parts +
+      2000 * nodes,
+  );
 
 /** @throws ModelError `too-large` if one file claims more than may be shown. */
 export function requireWithin(amounts: Amounts, subject = 'The model has'): void {
-  for (const key of KEYS) requireAtMost(amounts[key], ...LIMITS[key], subject);
-  requireAtMost(memoryOf(amounts), limits.MEMORY_LIMIT, 'bytes in memory (vertices and images)', subject);
+  for (const key of KEYS) {
+    requireAtMost(amounts[key], ...LIMITS[key], subject);
+  }
+  requireAtMost(
+    memoryOf(amounts),
+    limits.MEMORY_LIMIT,
+    'bytes in memory (vertices and images)',
+    subject,
+  );
 }
 
 /** @throws ModelError `too-large` if more than the limit of something is claimed. */
-export function requireAtMost(claimed: number, limit: number, what: string, subject = 'The model has'): void {
+export function requireAtMost(
+  claimed: number,
+  limit: number,
+  what: string,
+  subject = 'The model has',
+): void {
   if (claimed <= limit) return;
   const [count, most] = [claimed, limit].map((value) => value.toLocaleString('en'));
   throw new ModelError(
@@ -86,7 +107,10 @@ export interface Need {
   readonly flat: boolean;
 }
 
-/** What the content of one mesh holds. What replaces it may take its room, though both are in memory for a while. */
+/**
+ * What the content of one mesh holds. What replaces it may take its room, though both are in memory
+ * for a while.
+ */
 export class Claim {
   readonly budget: Budget;
   readonly owner: object;
@@ -98,7 +122,10 @@ export class Claim {
     this.owner = owner;
   }
 
-  /** Claims these as well, or more of them. @throws ModelError `too-large`; the claim is as before then. */
+  /**
+   * Claims these as well, or more of them. @throws ModelError `too-large`; the claim is as before
+   * then.
+   */
   add(needs: readonly Need[]): void {
     if (needs.every((need) => isHeld(need, this.needs.get(need.key)))) return;
     this.budget.take(this, [...this.needs.values(), ...needs]);
@@ -138,18 +165,27 @@ export class Budget {
     return this.#limit;
   }
 
-  /** Null for the default. @throws TypeError or RangeError unless it is a whole number from 0 to the default. */
+  /**
+   * Null for the default. @throws TypeError or RangeError unless it is a whole number from 0 to the
+   * default.
+   */
   set limit(limit: number | null) {
     const most = limit ?? TRIANGLE_LIMIT;
-    if (typeof most !== 'number') throw new TypeError(`maxTriangles must be a number, not ${typeof most}.`);
-    if (!Number.isInteger(most) || most < 0 || most > TRIANGLE_LIMIT)
+    if (typeof most !== 'number') {
+      throw new TypeError(`maxTriangles must be a number, not ${typeof most}.`);
+    }
+    if (!Number.isInteger(most) || most < 0 || most > TRIANGLE_LIMIT) {
       throw new RangeError(
         `maxTriangles must be a whole number from 0 to ${String(TRIANGLE_LIMIT)}, not ${String(most)}.`,
       );
+    }
     this.#limit = most;
   }
 
-  /** Triangles that are held now, weighed by memory. Of round shapes with automatic segments, the coarsest level. */
+  /**
+   * Triangles that are held now, weighed by memory. Of round shapes with automatic segments, the
+   * coarsest level.
+   */
   get used(): number {
     return Math.ceil(this.#total.values / VALUES_PER_TRIANGLE);
   }
@@ -158,32 +194,57 @@ export class Budget {
     return new Claim(this, owner);
   }
 
-  /** For claims: {@link hold} within the limits. @throws ModelError `too-large`; all is as before then. */
+  /**
+   * For claims: {@link hold} within the limits. @throws ModelError `too-large`; all is as before
+   * then.
+   */
   take(claim: Claim, needs: readonly Need[]): void {
-    const before = [...(this.#claims.get(claim.owner) ?? [])].map((own) => [own, [...own.needs.values()]] as const);
-    for (const [own] of before) this.hold(own, []);
+    const before = [...(this.#claims.get(claim.owner) ?? [])].map(
+      (own) => [own, [...own.needs.values()]] as const,
+    );
+    for (const [own] of before) {
+      this.hold(own, []);
+    }
     this.hold(claim, needs);
     try {
       requireAtMost(this.used, this.#limit, 'triangles', SUBJECT);
       // Triangles have been counted, in place of their values.
-      requireWithin({ ...this.#total, values: Math.min(this.#total.values, limits.VALUE_LIMIT) }, SUBJECT);
+      requireWithin(
+        { ...this.#total, values: Math.min(this.#total.values, limits.VALUE_LIMIT) },
+        SUBJECT,
+      );
     } catch (error) {
       this.hold(claim, []);
-      for (const [own, held] of before) this.hold(own, held);
+      for (const [own, held] of before) {
+        this.hold(own, held);
+      }
       throw error;
     }
-    for (const [own, held] of before) if (own !== claim) this.hold(own, held);
+    for (const [own, held] of before) {
+      if (own !== claim) {
+        this.hold(own, held);
+      }
+    }
   }
 
   /** For claims: `claim` holds these and nothing else. */
   hold(claim: Claim, needs: readonly Need[]): void {
     const next = new Map(needs.map((need) => [need.key, need]));
-    for (const [key, { claims }] of next) this.#change(key, (holders) => holders.add(claim), claims);
-    for (const key of claim.needs.keys()) if (!next.has(key)) this.#change(key, (holders) => holders.delete(claim));
+    for (const [key, { claims }] of next) {
+      this.#change(key, (holders) => holders.add(claim), claims);
+    }
+    for (const key of claim.needs.keys()) {
+      if (!next.has(key)) {
+        this.#change(key, (holders) => holders.delete(claim));
+      }
+    }
     claim.needs = next;
     const own = this.#claims.get(claim.owner) ?? new Set();
-    if (next.size > 0) this.#claims.set(claim.owner, own.add(claim));
-    else if (own.delete(claim) && own.size === 0) this.#claims.delete(claim.owner);
+    if (next.size > 0) {
+      this.#claims.set(claim.owner, own.add(claim));
+    } else if (own.delete(claim) && own.size === 0) {
+      this.#claims.delete(claim.owner);
+    }
   }
 
   #change(key: Need['key'], edit: (holders: Set<Claim>) => void, claims?: Claims): void {
@@ -192,18 +253,25 @@ export class Budget {
     edit(use.holders);
     use.claims = claims ?? use.claims;
     this.#count(use, 1);
-    if (use.holders.size > 0) this.#uses.set(key, use);
-    else this.#uses.delete(key);
+    if (use.holders.size > 0) {
+      this.#uses.set(key, use);
+    } else {
+      this.#uses.delete(key);
+    }
   }
 
   /** Draws count for each holder, everything else once. */
   #count({ claims, holders: { size } }: Use, sign: 1 | -1): void {
-    for (const key of KEYS)
+    for (const key of KEYS) {
       this.#total[key] += sign * (claims[key] ?? 0) * (key === 'parts' ? size : Math.min(size, 1));
+    }
   }
 }
 
 const SUBJECT = 'With this the viewer would hold';
 
 /** What a number of triangles holds, weighed by memory. */
-export const claimsOf = (triangles: number, parts = 0): Claims => ({ values: triangles * VALUES_PER_TRIANGLE, parts });
+export const claimsOf = (triangles: number, parts = 0): Claims => ({
+  values: triangles * VALUES_PER_TRIANGLE,
+  parts,
+});

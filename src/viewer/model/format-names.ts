@@ -1,5 +1,5 @@
-// The formats of models: their names, extensions and media types, and the code that reads them. What a file's bytes say
-// is in format.ts.
+// The formats of models: their names, extensions and media types, and the code that reads them.
+// What a file's bytes say is in format.ts.
 import { lazyCode } from './lazy-code.js';
 import type { ModelReader } from '../../extras/models/model-reader.js';
 
@@ -7,28 +7,40 @@ import type { ModelReader } from '../../extras/models/model-reader.js';
 export const FORMAT_NAMES = {
   gltf: {
     name: 'glTF',
-    code: /* @__PURE__ */ lazyCode(() => import('../../extras/models/gltf/read-gltf.js'), 'glTF models'),
+    code: /* @__PURE__ */ lazyCode(
+      () => import('../../extras/models/gltf/read-gltf.js'),
+      'glTF models',
+    ),
     extensions: ['glb', 'gltf'],
     types: ['gltf', 'glb', 'model/gltf-binary', 'model/gltf+json'],
     otherTypes: [],
   },
   ply: {
     name: 'PLY',
-    code: /* @__PURE__ */ lazyCode(() => import('../../extras/models/ply/read-ply.js'), 'PLY files'),
+    code: /* @__PURE__ */ lazyCode(
+      () => import('../../extras/models/ply/read-ply.js'),
+      'PLY files',
+    ),
     extensions: ['ply'],
     types: ['ply', 'model/ply'],
     otherTypes: ['application/ply', 'application/x-ply', 'text/ply'],
   },
   stl: {
     name: 'STL',
-    code: /* @__PURE__ */ lazyCode(() => import('../../extras/models/stl/read-stl.js'), 'STL files'),
+    code: /* @__PURE__ */ lazyCode(
+      () => import('../../extras/models/stl/read-stl.js'),
+      'STL files',
+    ),
     extensions: ['stl'],
     types: ['stl', 'model/stl'],
     otherTypes: ['model/x.stl-binary', 'model/x.stl-ascii', 'application/sla'],
   },
   obj: {
     name: 'OBJ',
-    code: /* @__PURE__ */ lazyCode(() => import('../../extras/models/obj/read-obj.js'), 'OBJ files'),
+    code: /* @__PURE__ */ lazyCode(
+      () => import('../../extras/models/obj/read-obj.js'),
+      'OBJ files',
+    ),
     extensions: ['obj'],
     types: ['obj', 'model/obj'],
     otherTypes: ['application/x-obj', 'text/prs.wavefront-obj'],
@@ -53,4 +65,6 @@ export type FormatKey = keyof typeof FORMAT_NAMES;
 export type ModelType = (typeof FORMAT_NAMES)[FormatKey]['types'][number];
 
 /** What `type` takes. */
-export const MODEL_TYPES: readonly ModelType[] = Object.values(FORMAT_NAMES).flatMap(({ types }) => types);
+export const MODEL_TYPES: readonly ModelType[] = Object.values(FORMAT_NAMES).flatMap(
+  ({ types }) => types,
+);

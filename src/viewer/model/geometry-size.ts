@@ -14,7 +14,14 @@ import type { Slices } from '../../extras/models/slices.js';
 /** x, y, z of each vertex, one after the other. */
 export type Vertices = Float32Array | Float64Array;
 
-type Box = readonly [minX: number, minY: number, minZ: number, maxX: number, maxY: number, maxZ: number];
+type Box = readonly [
+  minX: number,
+  minY: number,
+  minZ: number,
+  maxX: number,
+  maxY: number,
+  maxZ: number,
+];
 
 export interface GeometrySize {
   readonly box: Box;
@@ -34,7 +41,10 @@ interface Measured {
 
 const known = new WeakMap<BufferGeometry, Measured>();
 
-/** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetSize}. */
+/**
+ * Null where the geometry has no vertex. Measured with the first call, and kept until {@link
+ * forgetSize}.
+ */
 export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
   const steps = measuring(geometry);
   for (;;) {
@@ -45,7 +55,11 @@ export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
 
 export async function measureInSlices(geometry: BufferGeometry, slices: Slices): Promise<void> {
   const steps = measuring(geometry);
-  while (steps.next().done === false) if (slices.due) await slices.pause();
+  while (steps.next().done === false) {
+    if (slices.due) {
+      await slices.pause();
+    }
+  }
 }
 
 /** Replaces the measured size of a geometry, until its vertices are written to. */
@@ -66,7 +80,9 @@ export function shareSize(geometry: BufferGeometry, copy: BufferGeometry): void 
 /** The vertices may have changed. Whether they have not, because the declared size still holds. */
 export function forgetSize(geometry: BufferGeometry): boolean {
   const holds = known.get(geometry)?.declaredFor === versionOf(geometry);
-  if (!holds) known.delete(geometry);
+  if (!holds) {
+    known.delete(geometry);
+  }
   return holds;
 }
 
@@ -85,12 +101,17 @@ function* measuring(geometry: BufferGeometry): Steps<GeometrySize | null> {
 function* measured(geometry: BufferGeometry): Steps<GeometrySize | null> {
   const position = geometry.getAttribute('position');
   const plain =
-    position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
-  // Most have only finite numbers, and are read without a copy. Animated ones are framed by the first pose.
+    position instanceof BufferAttribute &&
+    position.itemSize === 3 &&
+    position.array instanceof Float32Array;
+  // Most have only finite numbers, and are read without a copy. Animated ones are framed by the
+  // first pose.
   const isStill = plain && position.usage === StaticDrawUsage;
   const array = position.array as Float32Array;
   const found = plain ? yield* sizeAround(isStill ? array : array.slice()) : null;
-  if (found === null || !Number.isFinite(found.radius)) return yield* sizeAround(finiteVertices(position));
+  if (found === null || !Number.isFinite(found.radius)) {
+    return yield* sizeAround(finiteVertices(position));
+  }
   // three.js would find the same numbers for its own culling, in a pass over all vertices for each.
   if (isStill && geometry.morphAttributes['position'] === undefined) {
     const [minX, minY, minZ, maxX, maxY, maxZ] = found.box;
@@ -110,10 +131,16 @@ function* sizeAround(vertices: Vertices): Steps<GeometrySize | null> {
   const [minX, minY, minZ] = around.min.toArray();
   const [maxX, maxY, maxZ] = around.max.toArray();
   if (!(minX <= maxX)) return null;
-  const center: Vec3 = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2];
+  const center: Vec3 = [
+    minX + (maxX - minX) / 2,
+    minY + (maxY - minY) / 2,
+    minZ + (maxZ - minZ) / 2,
+  ];
   let farthest = 0;
   for (let i = 0; i < vertices.length; i += 3) {
-    if (i % PIECE === 0) yield;
+    if (i % PIECE === 0) {
+      yield;
+    }
     const dx = vertices[i]! - center[0];
     const dy = vertices[i + 1]! - center[1];
     const dz = vertices[i + 2]! - center[2];

@@ -1,23 +1,30 @@
-// Fetches code that the first frame does not need with its first use, and again with the next use after a failure.
+// Fetches code that the first frame does not need with its first use, and again with the next use
+// after a failure.
 
 /**
- * A function that fetches a part of the package by `load`, which is an `import()`. All uses share one request. After a
- * failure the next call requests it again, and the error is a sentence for the page's author; the browser's own error
- * is its `cause`.
- * @param load is called with the number of failures so far. The build uses it (.ci/retried-imports.ts): some browsers
- *   never request the same address again.
+ * A function that fetches a part of the package by `load`, which is an `import()`. All uses share
+ * one request. After a failure the next call requests it again, and the error is a sentence for the
+ * page's author; the browser's own error is its `cause`.
+ * @param load is called with the number of failures so far. The build uses it
+ * (.ci/retried-imports.ts): some browsers never request the same address again.
  * @param what names the part in that sentence: "The code of … could not be fetched."
  */
-export function lazyCode<T>(load: (failures: number) => Promise<T>, what: string): () => Promise<T> {
+export function lazyCode<T>(
+  load: (failures: number) => Promise<T>,
+  what: string,
+): () => Promise<T> {
   let code: Promise<T> | null = null;
   let failures = 0;
   return () =>
     (code ??= load(failures).catch((cause: unknown) => {
       code = null;
       failures += 1;
-      throw new Error(`The code of ${what} could not be fetched. The next use requests it again.`, { cause });
+      throw new Error(`The code of ${what} could not be fetched. The next use requests it again.`, {
+        cause,
+      });
     }));
 }
 
 /** For uses that go on without the code. */
-export const reportMissing = (error: unknown): void => console.warn(`<phong-viewer>: ${(error as Error).message}`);
+export const reportMissing = (error: unknown): void =>
+  console.warn(`<phong-viewer>: ${(error as Error).message}`);

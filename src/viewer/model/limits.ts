@@ -1,81 +1,124 @@
-// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by less than 1 GB; how
-// memory is freed, and how a lack of it is recognised.
+// The limits of a model's size, chosen so that the page's renderer and GPU process together grow by
+// less than 1 GB; how memory is freed, and how a lack of it is recognised.
 
-/** Most bytes of one model's files, unpacked: 256 MiB. They are held besides their copies as vertices. */
+/**
+ * Most bytes of one model's files, unpacked: 256 MiB. They are held besides their copies as
+ * vertices.
+ */
 export const BYTE_LIMIT = 2 ** 28;
 
-/** Most bytes of text, without base64: 128 MiB. Strings, lists and numbers take more than the bytes. */
+/**
+ * Most bytes of text, without base64: 128 MiB. Strings, lists and numbers take more than the bytes.
+ */
 export const TEXT_LIMIT = 2 ** 27;
 
-/** Most bytes of a glTF's JSON without base64: 32 MiB. It is held several times, as text and as values. */
+/**
+ * Most bytes of a glTF's JSON without base64: 32 MiB. It is held several times, as text and as
+ * values.
+ */
 export const JSON_TEXT_LIMIT = 2 ** 25;
 
-/** Most items that are visited while a model is read, beyond its values: some seconds, in short tasks. */
+/**
+ * Most items that are visited while a model is read, beyond its values: some seconds, in short
+ * tasks.
+ */
 export const WORK_LIMIT = 2 ** 28;
 
-/** Most triangle corners in all draws of a model, repeated meshes counted each time: 5.6 million triangles. */
+/**
+ * Most triangle corners in all draws of a model, repeated meshes counted each time: 5.6 million
+ * triangles.
+ */
 export const CORNER_LIMIT = 2 ** 24;
 
-/** Most corners and vertices of one Draco mesh: a million triangles, which take 500 MB; two million take 1.1 GB. */
+/**
+ * Most corners and vertices of one Draco mesh: a million triangles, which take 500 MB; two million
+ * take 1.1 GB.
+ */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 
 /** Most 4-byte values in vertices and indices: 400 MB in the page, and as much on the GPU. */
 export const VALUE_LIMIT = 100_000_000;
 
-/** Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few frames per second. */
+/**
+ * Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few
+ * frames per second.
+ */
 export const PART_LIMIT = 10_000;
 
-/** Most nodes of a model's tree, with or without meshes. Each takes 2 kB and 20 µs while the model is read. */
+/**
+ * Most nodes of a model's tree, with or without meshes. Each takes 2 kB and 20 µs while the model
+ * is read.
+ */
 export const NODE_LIMIT = 30_000;
 
 /** Most values in a glTF's JSON, by its brackets and commas. A parsed one takes up to 200 bytes. */
 export const JSON_LIMIT = 2 ** 21;
 
 /**
- * Most values in one object of a list of that JSON (a mesh, an animation), and in all that is in no list. It is parsed
- * in one piece: 2 to 5 ms, and 35 ms for as many names of values.
+ * Most values in one object of a list of that JSON (a mesh, an animation), and in all that is in no
+ * list. It is parsed in one piece: 2 to 5 ms, and 35 ms for as many names of values.
  */
 export const JSON_PIECE_LIMIT = 2 ** 16;
 
-/** Most bytes of such a part: a string with an escape for every second byte takes 5 ms a megabyte. */
+/**
+ * Most bytes of such a part: a string with an escape for every second byte takes 5 ms a megabyte.
+ */
 export const JSON_PIECE_BYTES = 2 ** 23;
 
-/** Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024 × 1024. */
+/**
+ * Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024
+ * × 1024.
+ */
 export const PIXEL_LIMIT = 2 ** 26;
 
-/** Longest side of an image as it is shown; larger ones are scaled down. All but old phones have such textures. */
+/**
+ * Longest side of an image as it is shown; larger ones are scaled down. All but old phones have
+ * such textures.
+ */
 export const IMAGE_SIDE_LIMIT = 8192;
 
-/** Most pixels of an image as it is shown; larger ones are scaled down. The upload takes the memory four times. */
+/**
+ * Most pixels of an image as it is shown; larger ones are scaled down. The upload takes the memory
+ * four times.
+ */
 export const IMAGE_PIXEL_LIMIT = 2 ** 25;
 
 /** Most bytes in the page and the GPU process together, by the estimate in `budget.ts`. */
 export const MEMORY_LIMIT = 950_000_000;
 
 /**
- * Values of 4 bytes that a triangle of a round shape takes: half a vertex of 8 and three indices. 56 bytes in the page
- * and on the GPU together. What has more values per triangle counts as more triangles: a flat copy's triangle as 24/7,
- * an STL file's as 18/7.
+ * Values of 4 bytes that a triangle of a round shape takes: half a vertex of 8 and three indices.
+ * 56 bytes in the page and on the GPU together. What has more values per triangle counts as more
+ * triangles: a flat copy's triangle as 24/7, an STL file's as 18/7.
  */
 export const VALUES_PER_TRIANGLE = 7;
 
 /**
- * Most triangles that all meshes of a viewer hold, geometries that they share counted once: 0.94 GB in the page and on
- * the GPU together. All other limits are those of a viewer too, so every model within them fits in alone.
+ * Most triangles that all meshes of a viewer hold, geometries that they share counted once: 0.94 GB
+ * in the page and on the GPU together. All other limits are those of a viewer too, so every model
+ * within them fits in alone.
  */
 export const TRIANGLE_LIMIT = 2 ** 24;
 
-/** Frees arrays that nothing reads any more, where the browser can: the collector may come after the upload. */
+/**
+ * Frees arrays that nothing reads any more, where the browser can: the collector may come after the
+ * upload.
+ */
 export function free(...arrays: readonly ArrayBufferView[]): void {
-  for (const { buffer } of arrays) (buffer as { transfer?: (bytes: number) => void }).transfer?.(0);
+  for (const { buffer } of arrays) {
+    (buffer as { transfer?: (bytes: number) => void }).transfer?.(0);
+  }
 }
 
 /**
- * Whether memory could not be allocated. Browsers throw a RangeError for that, Firefox also an InternalError or a
- * string. A RangeError can also mean an offset outside a buffer or a recursion that is too deep.
+ * Whether memory could not be allocated. Browsers throw a RangeError for that, Firefox also an
+ * InternalError or a string. A RangeError can also mean an offset outside a buffer or a recursion
+ * that is too deep.
  */
 export function isOutOfMemory(error: unknown): boolean {
   const text = String(error);
-  if (error instanceof RangeError) return !/offset|bounds|multiple|call stack|recursion/i.test(text);
+  if (error instanceof RangeError) {
+    return !/offset|bounds|multiple|call stack|recursion/i.test(text);
+  }
   return /out of memory|allocation size/i.test(text);
 }

@@ -1,4 +1,5 @@
-// What a mesh shows, a built-in shape or a loaded model of any format, and why a model cannot be shown.
+// What a mesh shows, a built-in shape or a loaded model of any format, and why a model cannot be
+// shown.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { Sides } from '../../phong/material/back-faces.js';
 import type { BaseLook } from '../../phong/material/file-surface.js';
@@ -12,9 +13,14 @@ export interface Content {
   readonly motion: Motion | null;
   /** Features of the file that the equation has no place for, by the file's own names. */
   readonly dropped?: ReadonlySet<string>;
-  /** Images and material libraries that are missing or broken, by the names in the model: it is shown without them. */
+  /**
+   * Images and material libraries that are missing or broken, by the names in the model: it is
+   * shown without them.
+   */
   readonly missing?: readonly string[];
-  /** Frees geometries and textures and closes their images. Call once for each mesh that shows it. */
+  /**
+   * Frees geometries and textures and closes their images. Call once for each mesh that shows it.
+   */
   dispose(): void;
 }
 
@@ -25,10 +31,11 @@ export interface ContentPart {
   /** Its name in the file; may be empty. */
   readonly name: string;
   /**
-   * Attributes: `position` (float, finite); `normal` (float, unit length or zero); for each map of the look the texture
-   * coordinates of its channel (`uv`, `uv1`, …); `tangent` (unit, w ±1) for a normal map; `color` (encoded sRGB, 3 or 4
-   * components, 0 to 1) if the look has vertex colours. Indexed or not. Parts can share geometries or attributes.
-   * Vertices that {@link Motion} changes have `DynamicDrawUsage`.
+   * Attributes: `position` (float, finite); `normal` (float, unit length or zero); for each map of
+   * the look the texture coordinates of its channel (`uv`, `uv1`, …); `tangent` (unit, w ±1) for a
+   * normal map; `color` (encoded sRGB, 3 or 4 components, 0 to 1) if the look has vertex colours.
+   * Indexed or not. Parts can share geometries or attributes. Vertices that {@link Motion} changes
+   * have `DynamicDrawUsage`.
    */
   readonly geometry: BufferGeometry;
   /** Part to mesh, float64, in the file's units. {@link Motion} changes it. */
@@ -44,11 +51,14 @@ export interface ContentPart {
 export interface Motion {
   /** At least one, in the file's order. Can be empty or repeat. */
   readonly names: readonly string[];
-  /** Length in seconds of the animation with this name; of the first one if the name is empty or unknown. */
+  /**
+   * Length in seconds of the animation with this name; of the first one if the name is empty or
+   * unknown.
+   */
   durationOf(name: string): number;
   /**
-   * Writes a pose into the parts' matrices and geometries, bounds of the latter included. After its end an animation
-   * begins again. Null: the file's own pose, without animation. Never throws.
+   * Writes a pose into the parts' matrices and geometries, bounds of the latter included. After its
+   * end an animation begins again. Null: the file's own pose, without animation. Never throws.
    */
   pose(name: string | null, seconds: number): void;
 }

@@ -1,22 +1,28 @@
-// Requests a model's files, and the code that reads them; and what a file is called in messages. Imports nothing that
-// takes long to run.
+// Requests a model's files, and the code that reads them; and what a file is called in messages.
+// Imports nothing that takes long to run.
 import { FORMAT_NAMES, type FormatNames } from './format-names.js';
 import { lazyCode } from './lazy-code.js';
 
 /** The code that loads models. */
-export const modelCode = /* @__PURE__ */ lazyCode(() => import('../../extras/models/model-content.js'), 'models');
+export const modelCode = /* @__PURE__ */ lazyCode(
+  () => import('../../extras/models/model-content.js'),
+  'models',
+);
 
 /**
- * Requests the code for a model beside its file, not after it: each request that waits for another is a delay that the
- * user sees. The file's name says which format; the content decides what is read. What both chunks import is not
- * requested here: after a failure Firefox would never fetch it again.
+ * Requests the code for a model beside its file, not after it: each request that waits for another
+ * is a delay that the user sees. The file's name says which format; the content decides what is
+ * read. What both chunks import is not requested here: after a failure Firefox would never fetch it
+ * again.
  */
 export function requestCode({ pathname }: URL): void {
   const path = pathname.toLowerCase();
   const named = Object.values<FormatNames>(FORMAT_NAMES).filter(({ extensions }) =>
     extensions.some((extension) => path.endsWith(`.${extension}`)),
   );
-  for (const { code } of [{ code: modelCode }, ...named]) code().catch(() => undefined); // reported when it is used
+  for (const { code } of [{ code: modelCode }, ...named]) {
+    code().catch(() => undefined); // reported when it is used
+  }
 }
 
 /** Requests that no element has taken yet, by address and credentials. */
@@ -64,7 +70,10 @@ interface RequestOptions {
 
 export interface FileRequest {
   readonly response: Promise<Response>;
-  /** The directive of the page's Content-Security-Policy that refused the request. Stays pending otherwise. */
+  /**
+   * The directive of the page's Content-Security-Policy that refused the request. Stays pending
+   * otherwise.
+   */
   readonly refusal: Promise<string>;
   /** Stops waiting for a refusal. */
   stop(): void;
@@ -73,7 +82,11 @@ export interface FileRequest {
 /** Not requested: a strict policy forbids fetching it, and what it holds is there already. */
 export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
 
-export function requestFile(url: URL, redirect: RequestRedirect, { signal, crossOrigin }: RequestOptions): FileRequest {
+export function requestFile(
+  url: URL,
+  redirect: RequestRedirect,
+  { signal, crossOrigin }: RequestOptions,
+): FileRequest {
   const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
   const watch = new AbortController();
   const refusal = refusalOf(url, watch.signal);
@@ -83,23 +96,32 @@ export function requestFile(url: URL, redirect: RequestRedirect, { signal, cross
   return { response, refusal, stop };
 }
 
-/** A fetch refused by the policy rejects like a network failure. Only an event distinguishes the two. */
+/**
+ * A fetch refused by the policy rejects like a network failure. Only an event distinguishes the
+ * two.
+ */
 function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
   const address = url.href.split('#', 1)[0];
   return new Promise((resolve) => {
     if (typeof document === 'undefined') return;
     const listener = (event: SecurityPolicyViolationEvent): void => {
       const mine = event.blockedURI === address || event.blockedURI === url.origin;
-      if (event.disposition === 'enforce' && mine) resolve(event.effectiveDirective);
+      if (event.disposition === 'enforce' && mine) {
+        resolve(event.effectiveDirective);
+      }
     };
     document.addEventListener('securitypolicyviolation', listener, { signal });
   });
 }
 
 /** The name of a `File`; `model` for a `Blob`, which has none. */
-export const fileName = (file: Blob): string => ('name' in file ? String(file.name) : '') || 'model';
+export const fileName = (file: Blob): string =>
+  ('name' in file ? String(file.name) : '') || 'model';
 
-/** The last part of an address, for messages: addresses can be long. Those that have none give their host. */
+/**
+ * The last part of an address, for messages: addresses can be long. Those that have none give their
+ * host.
+ */
 export function nameOf(url: URL): string {
   if (url.protocol === 'data:') return 'the data: URI';
   const last = url.pathname.slice(url.pathname.lastIndexOf('/') + 1);

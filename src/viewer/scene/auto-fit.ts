@@ -1,4 +1,5 @@
-// Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each frame how deep it is.
+// Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each
+// frame how deep it is.
 import type { Mesh } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../../phong/camera/fit.js';
 import type { Vec3 } from '../../phong/math/vector.js';
@@ -78,10 +79,16 @@ export class AutoFit {
     this.#refit();
   }
 
-  /** A mesh has moved from where its world matrix is. Inside the bounds at both places it leaves them. */
+  /**
+   * A mesh has moved from where its world matrix is. Inside the bounds at both places it leaves
+   * them.
+   */
   moved(mesh: Mesh): void {
-    if (this.#staysInside(mesh)) this.#picture.invalidate();
-    else this.reshaped();
+    if (this.#staysInside(mesh)) {
+      this.#picture.invalidate();
+    } else {
+      this.reshaped();
+    }
   }
 
   #staysInside({ geometry, matrixWorld, matrix, parent }: Mesh): boolean {
@@ -89,13 +96,17 @@ export class AutoFit {
     // Other points than the bounds' centre have other farthest vertices.
     const { target = 'auto', radius = 0 } = this.#framing ?? {};
     const isFitted = this.#fitted !== null || this.#framing === null;
-    if (extent === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) return false;
+    if (extent === null || !isFitted || this.#shared !== null || parent !== this.#picture.scene) {
+      return false;
+    }
     if (target !== 'auto' && radius === 'auto') return false;
     return [matrixWorld, matrix].every(({ elements }) => extent.holds(geometry, elements));
   }
 
   resized({ width, height }: Size): void {
-    if (width > 0 && height > 0) this.#aspect = width / height;
+    if (width > 0 && height > 0) {
+      this.#aspect = width / height;
+    }
     this.#refit();
   }
 
@@ -105,7 +116,10 @@ export class AutoFit {
     return (this.#measured = measure(this.#picture.scene));
   }
 
-  /** Holds all that is visible now, about the same centre; null for nothing. Overwritten by the next call. */
+  /**
+   * Holds all that is visible now, about the same centre; null for nothing. Overwritten by the next
+   * call.
+   */
   depthBounds(): Bounds | null {
     const { bounds } = this.measure();
     const depth = this.#depthBounds;
@@ -122,18 +136,26 @@ export class AutoFit {
     const { radius } = this.#framing;
     const { orbit } = this.#picture;
     const before = orbit.version;
-    orbit.set({ target: this.#fitted.target, radius: radius === 'auto' ? this.#fitted.radius : radius });
+    orbit.set({
+      target: this.#fitted.target,
+      radius: radius === 'auto' ? this.#fitted.radius : radius,
+    });
     return orbit.version !== before;
   }
 
-  /** The camera of this framing for this picture alone. Its radius is that of `auto`, whatever the framing says. */
+  /**
+   * The camera of this framing for this picture alone. Its radius is that of `auto`, whatever the
+   * framing says.
+   */
   fitOf({ target }: Framing): Fit {
     const extent = this.measure();
     const { bounds } = extent;
     const empty = bounds === null;
     const fitted = fitPose(bounds, this.#fov, this.#aspect);
     if (target === 'auto') return { ...fitted, empty };
-    const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), this.#fov, this.#aspect);
+    const radius = empty
+      ? fitted.radius
+      : fitRadius(extent.radiusAbout(target), this.#fov, this.#aspect);
     return { target, radius, empty };
   }
 

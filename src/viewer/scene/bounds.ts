@@ -1,12 +1,21 @@
 // The size of a scene: the centre of its box and its farthest vertex, in world space and float64.
-import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
+import {
+  type BufferGeometry,
+  DynamicDrawUsage,
+  type Mesh,
+  type Object3D,
+  type Sphere,
+} from 'three';
 import type { Bounds } from '../../phong/camera/fit.js';
 import type { MutableVec3 } from '../../phong/camera/orbit.js';
 import { transformed, type Vec3 } from '../../phong/math/vector.js';
 import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
 
 export interface Extent {
-  /** Centre of the scene's box, and the distance of the farthest vertex from it; null where it shows nothing. */
+  /**
+   * Centre of the scene's box, and the distance of the farthest vertex from it; null where it shows
+   * nothing.
+   */
   readonly bounds: Bounds | null;
   /** Distance of the farthest vertex from a point. */
   radiusAbout(point: Vec3): number;
@@ -28,7 +37,9 @@ const sphereOf = ({ size: { center, radius }, matrix }: Placed): Bounds => ({
 
 const AXES = [0, 1, 2] as const;
 
-/** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
+/**
+ * Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough.
+ */
 const SAME = 1e-9;
 
 /** Measures every visible mesh below `root`. World matrices must be up to date. */
@@ -40,14 +51,22 @@ export function measure(root: Object3D): Extent {
   /** `share` of a sphere is inside the box. */
   const inside = ({ center, radius }: Bounds, share: number): boolean => {
     const r = share * radius;
-    for (const i of AXES) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
+    for (const i of AXES) {
+      if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
+    }
     return true;
   };
   // Boxes first: then most turned meshes are found to lie inside by their spheres.
-  for (const { size, matrix } of meshes) if (!isTurned(matrix)) extend(low, high, size.box, matrix);
-  for (const mesh of meshes)
-    if (isTurned(mesh.matrix) && !inside(sphereOf(mesh), 1 - SAME))
+  for (const { size, matrix } of meshes) {
+    if (!isTurned(matrix)) {
+      extend(low, high, size.box, matrix);
+    }
+  }
+  for (const mesh of meshes) {
+    if (isTurned(mesh.matrix) && !inside(sphereOf(mesh), 1 - SAME)) {
       extend(low, high, mesh.size.vertices(), mesh.matrix);
+    }
+  }
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   const center: Vec3 = [middle(0), middle(1), middle(2)];
   const radius = farthestFrom(center, meshes);
@@ -64,13 +83,18 @@ export function measure(root: Object3D): Extent {
   };
 }
 
-/** Radius of a sphere about `point` that holds all that is visible below `root`: one step per object. */
+/**
+ * Radius of a sphere about `point` that holds all that is visible below `root`: one step per
+ * object.
+ */
 export function radiusOf(root: Object3D, point: Vec3): number {
   if (!root.visible) return 0;
   let radius = boundsOf(root, ball) ? reachOf(root.matrixWorld.elements, ball, point) : 0;
   for (const child of root.children) {
     const other = radiusOf(child, point);
-    if (other > radius) radius = other;
+    if (other > radius) {
+      radius = other;
+    }
   }
   return radius;
 }
@@ -87,7 +111,9 @@ export const newBall = (): Ball => ({ x: 0, y: 0, z: 0, radius: 0 });
 /** Used within one call of {@link radiusOf}. */
 const ball = newBall();
 
-/** Writes a sphere that holds an object's own vertices, where they are now. False where it has none. */
+/**
+ * Writes a sphere that holds an object's own vertices, where they are now. False where it has none.
+ */
 export function boundsOf(object: Object3D, into: Ball): boolean {
   const { geometry, boundingSphere } = object as Partial<Mesh> & { boundingSphere?: Sphere | null };
   // Instanced, skinned and batched meshes know where their parts are.
@@ -114,14 +140,22 @@ export function writeBall(into: Ball, { center, radius }: Sphere): boolean {
   return radius >= 0;
 }
 
-/** The vertices of what is below `root` may have changed: reads them again when they are next needed. */
+/**
+ * The vertices of what is below `root` may have changed: reads them again when they are next
+ * needed.
+ */
 export function forgetBounds(root: Object3D): void {
   root.traverse((object) => {
     const { geometry } = object as Partial<Mesh>;
     const measured = object as { boundingBox?: unknown; boundingSphere?: unknown };
-    if (measured.boundingBox !== undefined) measured.boundingBox = null;
-    if (measured.boundingSphere !== undefined) measured.boundingSphere = null;
-    // A shape's own bounds hold whatever its segments: on a new page, and in viewers that share the geometry.
+    if (measured.boundingBox !== undefined) {
+      measured.boundingBox = null;
+    }
+    if (measured.boundingSphere !== undefined) {
+      measured.boundingSphere = null;
+    }
+    // A shape's own bounds hold whatever its segments: on a new page, and in viewers that share the
+    // geometry.
     if (geometry === undefined || forgetSize(geometry)) return;
     // three.js culls by the one, lights are culled by the other.
     geometry.boundingSphere = null;
@@ -135,7 +169,9 @@ function placedMeshes(root: Object3D): Placed[] {
     // By its mark, not its class: another copy of three.js may have made it.
     const { isMesh, geometry } = object as Partial<Mesh>;
     const size = isMesh === true && geometry !== undefined ? measuredOf(geometry) : null;
-    if (size !== null) placed.push({ size, matrix: object.matrixWorld.elements });
+    if (size !== null) {
+      placed.push({ size, matrix: object.matrixWorld.elements });
+    }
   });
   return placed;
 }
@@ -144,7 +180,10 @@ function placedMeshes(root: Object3D): Placed[] {
 export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
   (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
 
-/** A geometry's size is that of the first pose, so that framing keeps still; these are those of the last one. */
+/**
+ * A geometry's size is that of the first pose, so that framing keeps still; these are those of the
+ * last one.
+ */
 const movingBounds = (geometry: BufferGeometry): Sphere | null =>
   hasMovingVertices(geometry) ? geometry.boundingSphere : null;
 
@@ -152,14 +191,23 @@ const measuredOf = (geometry: BufferGeometry): GeometrySize | null =>
   'position' in geometry.attributes ? sizeOf(geometry) : null;
 
 /** Makes a box as large as to hold places, given as x, y, z one after the other, under a matrix. */
-function extend(low: MutableVec3, high: MutableVec3, places: ArrayLike<number>, m: readonly number[]): void {
+function extend(
+  low: MutableVec3,
+  high: MutableVec3,
+  places: ArrayLike<number>,
+  m: readonly number[],
+): void {
   for (const axis of AXES) {
     const [a, b, c, d] = [m[axis]!, m[axis + 4]!, m[axis + 8]!, m[axis + 12]!];
     let [least, most] = [low[axis], high[axis]];
     for (let i = 0; i < places.length; i += 3) {
       const at = a * places[i]! + b * places[i + 1]! + c * places[i + 2]! + d;
-      if (at < least) least = at;
-      if (at > most) most = at;
+      if (at < least) {
+        least = at;
+      }
+      if (at > most) {
+        most = at;
+      }
     }
     low[axis] = least;
     high[axis] = most;
@@ -199,7 +247,10 @@ const isEvenlyScaled = (m: readonly number[]): boolean =>
 const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =>
   Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
 
-/** Most that a matrix lengthens vectors: √ of the largest row sum of MᵀM, exact where it does not shear. */
+/**
+ * Most that a matrix lengthens vectors: √ of the largest row sum of MᵀM, exact where it does not
+ * shear.
+ */
 export function stretch(m: readonly number[]): number {
   const along = (i: number, j: number): number =>
     Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);

@@ -1,5 +1,6 @@
-// Decides when pictures are drawn. At most one animation frame is pending for each window, and none while nothing
-// changes. A frame has three phases, and every picture finishes one before any picture starts the next.
+// Decides when pictures are drawn. At most one animation frame is pending for each window, and none
+// while nothing changes. A frame has three phases, and every picture finishes one before any
+// picture starts the next.
 import type { Viewport } from './viewport.js';
 
 export class FrameLoop {
@@ -16,7 +17,9 @@ export class FrameLoop {
   /** Requests a frame for `viewport`. Any number of requests in one task make one frame. */
   request(viewport: Viewport): void {
     this.#waiting.add(viewport);
-    if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
+    if (this.#pending === 0) {
+      this.#pending = this.#source.requestAnimationFrame(this.#run);
+    }
   }
 
   cancel(viewport: Viewport): void {
@@ -31,13 +34,18 @@ export class FrameLoop {
     [this.#waiting, this.#running] = [this.#running, this.#waiting];
     this.#each((viewport) => viewport.prepare());
     this.#each((viewport) => {
-      if (viewport.advance(now)) this.request(viewport);
+      if (viewport.advance(now)) {
+        this.request(viewport);
+      }
     });
     this.#each((viewport) => viewport.draw());
     this.#running.clear();
   };
 
-  /** Draws the waiting pictures of another size between layout and paint: later they would be stretched in a frame. */
+  /**
+   * Draws the waiting pictures of another size between layout and paint: later they would be
+   * stretched in a frame.
+   */
   drawResized(): void {
     for (const viewport of this.#waiting) {
       if (!viewport.resized) continue;
@@ -62,7 +70,10 @@ export class FrameLoop {
 
 const loops = new WeakMap<Window, FrameLoop>();
 
-/** The frame loop of the window that shows a picture: another one may be hidden, minimised or closed. */
+/**
+ * The frame loop of the window that shows a picture: another one may be hidden, minimised or
+ * closed.
+ */
 export function frameLoopOf(source: Window): FrameLoop {
   const loop = loops.get(source) ?? new FrameLoop(source);
   loops.set(source, loop);

@@ -1,5 +1,6 @@
-// What one drawing of a picture shows, whatever it is for: its size, its samples and its camera. The matrices are
-// written from the orbit's own basis, without an up vector or an inverse: poles and distant targets lose no accuracy.
+// What one drawing of a picture shows, whatever it is for: its size, its samples and its camera.
+// The matrices are written from the orbit's own basis, without an up vector or an inverse: poles
+// and distant targets lose no accuracy.
 import { type Object3D, PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange, nearBefore } from '../../phong/camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../../phong/camera/orbit.js';
@@ -42,7 +43,10 @@ export class Frame {
     this.camera.matrixWorldAutoUpdate = false;
   }
 
-  /** Looks from the orbit; {@link aim} follows. `fov` is vertical, in degrees. False if only lights can differ. */
+  /**
+   * Looks from the orbit; {@link aim} follows. `fov` is vertical, in degrees. False if only lights
+   * can differ.
+   */
   look(fov: number, { width, height }: Size, samples = 1, version = 0): boolean {
     const { view, camera } = this;
     const isSameSize = width === this.width && height === this.height;
@@ -65,11 +69,16 @@ export class Frame {
     return isOther;
   }
 
-  /** Writes the camera. Its near plane lies before whatever is visible below `root`, which `bounds` hold. */
+  /**
+   * Writes the camera. Its near plane lies before whatever is visible below `root`, which `bounds`
+   * hold.
+   */
   aim(root: Object3D, bounds: Bounds | null): void {
     const { camera, view } = this;
     const { near, far, cuts } = depthRange(this.#orbit.pose, bounds, this.#depth);
-    camera.near = cuts ? Math.min(near, nearBefore(nearestDepth(root, view, 2 * near), view.radius)) : near;
+    camera.near = cuts
+      ? Math.min(near, nearBefore(nearestDepth(root, view, 2 * near), view.radius))
+      : near;
     camera.far = far;
     writeCamera(camera.matrixWorld, this.#basis, this.#eye);
     writeView(camera.matrixWorldInverse, this.#basis, this.#eye);
@@ -82,28 +91,42 @@ export class Frame {
   /** The camera takes in this part of the picture; without one, the whole of it. */
   show(part?: Region): void {
     const { camera, width, height } = this;
-    if (part === undefined) camera.clearViewOffset();
-    else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
+    if (part === undefined) {
+      camera.clearViewOffset();
+    } else {
+      camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
+    }
     camera.updateProjectionMatrix();
-    if (camera.far > DEEPEST * camera.near) removeFarPlane(camera);
+    if (camera.far > DEEPEST * camera.near) {
+      removeFarPlane(camera);
+    }
     scaleClipSpace(camera, this.view.radius);
   }
 }
 
-/** Moves the far plane to infinity: depth is then w − 2 near, rounded as w is, and no vertex falls behind the plane. */
-function removeFarPlane({ near, projectionMatrix, projectionMatrixInverse }: PerspectiveCamera): void {
+/**
+ * Moves the far plane to infinity: depth is then w − 2 near, rounded as w is, and no vertex falls
+ * behind the plane.
+ */
+function removeFarPlane({
+  near,
+  projectionMatrix,
+  projectionMatrixInverse,
+}: PerspectiveCamera): void {
   const { elements } = projectionMatrix;
   elements[10] = -1;
   elements[14] = -2 * near;
   projectionMatrixInverse.copy(projectionMatrix).invert();
 }
 
-/** Far over near. Beyond, far lies less than 20 roundings of w behind the scene, and could cut it. */
+/**
+ * Far over near. Beyond, far lies less than 20 roundings of w behind the scene, and could cut it.
+ */
 const DEEPEST = 2 ** 14;
 
 /**
- * Brings w in clip space near 1: software GL interpolates wrongly in scenes of size 1e-14 and 2e11. Usual scenes keep w
- * as the distance: three.js's sprites and points recognise a perspective by it.
+ * Brings w in clip space near 1: software GL interpolates wrongly in scenes of size 1e-14 and 2e11.
+ * Usual scenes keep w as the distance: three.js's sprites and points recognise a perspective by it.
  */
 function scaleClipSpace(camera: PerspectiveCamera, radius: number): void {
   if (radius > 1 / USUAL_RADIUS && radius < USUAL_RADIUS) return;

@@ -1,5 +1,6 @@
-// Clips triangles by the four sides of a view frustum. Clip coordinates are x, y and w: w is the depth along the view,
-// and a point is in view where neither |x| nor |y| exceeds it. Float64, relative to the eye.
+// Clips triangles by the four sides of a view frustum. Clip coordinates are x, y and w: w is the
+// depth along the view, and a point is in view where neither |x| nor |y| exceeds it. Float64,
+// relative to the eye.
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { type Ball, stretch } from './bounds.js';
@@ -15,8 +16,9 @@ export interface Frustum {
 }
 
 /**
- * A share of the orbit's radius: about 4 roundings of a float32 of its size. A face whose plane passes nearer to the
- * eye cannot be told from one seen edge-on, which covers no pixel: the GPU places vertices relative to the target.
+ * A share of the orbit's radius: about 4 roundings of a float32 of its size. A face whose plane
+ * passes nearer to the eye cannot be told from one seen edge-on, which covers no pixel: the GPU
+ * places vertices relative to the target.
  */
 const EDGE_ON = 2 ** -22;
 
@@ -59,9 +61,13 @@ function writeRow(
 const coordinate = (m: ClipRows, row: number, x: number, y: number, z: number): number =>
   m[row]! * x + m[row + 1]! * y + m[row + 2]! * z + m[row + 3]!;
 
-export const depthOf = (m: ClipRows, x: number, y: number, z: number): number => coordinate(m, 8, x, y, z);
+export const depthOf = (m: ClipRows, x: number, y: number, z: number): number =>
+  coordinate(m, 8, x, y, z);
 
-/** A lower bound of the depth of a sphere in view, at most `before`; `m`: world matrix of its object. */
+/**
+ * A lower bound of the depth of a sphere in view, at most `before`; `m`: world matrix of its
+ * object.
+ */
 export function sphereDepth(
   { frame, slopeX, slopeY }: Frustum,
   m: readonly number[],
@@ -99,7 +105,10 @@ export function boxIsInView(m: ClipRows, boxes: BoxList, at: number, before: num
   );
 }
 
-/** How much w plus `share` of a coordinate changes from a box's centre to a corner, and a little for rounding. */
+/**
+ * How much w plus `share` of a coordinate changes from a box's centre to a corner, and a little for
+ * rounding.
+ */
 function extent(m: ClipRows, row: number, share: number, boxes: BoxList, at: number): number {
   const sum =
     Math.abs(m[8]! + share * m[row]!) * boxes[at + 3]! +
@@ -115,7 +124,10 @@ const STRIDE = 3;
 const polygon = new Float64Array(STRIDE * 8);
 const clipped = new Float64Array(STRIDE * 8);
 
-/** The least depth of a triangle's part in view if below `before`; else `before`, as for one seen edge-on. */
+/**
+ * The least depth of a triangle's part in view if below `before`; else `before`, as for one seen
+ * edge-on.
+ */
 export function triangleDepth(
   m: ClipRows,
   view: Frustum,
@@ -138,7 +150,9 @@ export function triangleDepth(
   let least = before;
   for (let i = 0; i < corners; i++) {
     const depth = polygon[STRIDE * i + 2]!;
-    if (depth >= 0 && depth < least) least = depth; // NaN, of a broken vertex, is not drawn either
+    if (depth >= 0 && depth < least) {
+      least = depth; // NaN, of a broken vertex, is not drawn either
+    }
   }
   return least;
 }
@@ -152,7 +166,10 @@ function writeCorner(m: ClipRows, position: Position, vertex: number, at: number
   polygon[at + 2] = coordinate(m, 8, x, y, z);
 }
 
-/** The triangle's plane passes through the eye, as far as the GPU or float64 can tell. False for lines and points. */
+/**
+ * The triangle's plane passes through the eye, as far as the GPU or float64 can tell. False for
+ * lines and points.
+ */
 function isEdgeOn({ slopeX, slopeY, radius }: Frustum): boolean {
   const p = polygon;
   const ax = p[0]! * slopeX;
@@ -173,23 +190,44 @@ function isEdgeOn({ slopeX, slopeY, radius }: Frustum): boolean {
   return length > 0 && distance <= Math.max(EDGE_ON * radius, rounding) * length;
 }
 
-/** Clips by the side where w plus or minus coordinate `axis` is 0. Returns the number of corners that are left. */
-function clip(from: Float64Array, corners: number, axis: 0 | 1, sign: number, to: Float64Array): number {
+/**
+ * Clips by the side where w plus or minus coordinate `axis` is 0. Returns the number of corners
+ * that are left.
+ */
+function clip(
+  from: Float64Array,
+  corners: number,
+  axis: 0 | 1,
+  sign: number,
+  to: Float64Array,
+): number {
   let left = 0;
   for (let i = 0; i < corners; i++) {
     const at = STRIDE * i;
     const next = i + 1 < corners ? at + STRIDE : 0;
     const here = from[at + 2]! + sign * from[at + axis]!;
     const there = from[next + 2]! + sign * from[next + axis]!;
-    if (here >= 0) left = keep(from, at, at, 0, to, left);
-    if (here >= 0 !== there >= 0) left = keep(from, at, next, here / (here - there), to, left);
+    if (here >= 0) {
+      left = keep(from, at, at, 0, to, left);
+    }
+    if (here >= 0 !== there >= 0) {
+      left = keep(from, at, next, here / (here - there), to, left);
+    }
   }
   return left;
 }
 
 /** Adds the point that lies `share` of the way between two corners. */
-function keep(from: Float64Array, start: number, end: number, share: number, to: Float64Array, left: number): number {
-  for (let i = 0; i < STRIDE; i++)
+function keep(
+  from: Float64Array,
+  start: number,
+  end: number,
+  share: number,
+  to: Float64Array,
+  left: number,
+): number {
+  for (let i = 0; i < STRIDE; i++) {
     to[STRIDE * left + i] = from[start + i]! + share * (from[end + i]! - from[start + i]!);
+  }
   return left + 1;
 }

@@ -1,4 +1,5 @@
-// The depth of the nearest surface in view, along the view: faces are cut by its sides. Float64, relative to the eye.
+// The depth of the nearest surface in view, along the view: faces are cut by its sides. Float64,
+// relative to the eye.
 import {
   type BufferAttribute,
   type BufferGeometry,
@@ -26,9 +27,10 @@ import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle
 const UNKNOWN_NEAREST = 1e-5;
 
 /**
- * The least depth of what is visible below `root` and in view, at most `limit`. Exact for triangles, lines and points.
- * Objects whose vertices only the GPU knows (skinned, displaced, drawn by a shader of the page's own) count by their
- * spheres, down to {@link UNKNOWN_NEAREST}. World matrices must be up to date.
+ * The least depth of what is visible below `root` and in view, at most `limit`. Exact for
+ * triangles, lines and points. Objects whose vertices only the GPU knows (skinned, displaced, drawn
+ * by a shader of the page's own) count by their spheres, down to {@link UNKNOWN_NEAREST}. World
+ * matrices must be up to date.
  */
 export function nearestDepth(root: Object3D, view: Frustum, limit: number): number {
   search.view = view;
@@ -47,9 +49,13 @@ class NearestSearch implements BvhQuery {
 
   below(object: Object3D): void {
     if (!object.visible) return;
-    if (boundsOf(object, ball)) this.#object(object as Mesh);
+    if (boundsOf(object, ball)) {
+      this.#object(object as Mesh);
+    }
     const { children } = object;
-    for (let i = 0; i < children.length; i++) this.below(children[i]!);
+    for (let i = 0; i < children.length; i++) {
+      this.below(children[i]!);
+    }
   }
 
   #object(object: Mesh): void {
@@ -58,18 +64,27 @@ class NearestSearch implements BvhQuery {
     if (least >= this.nearest) return;
     writeModelViewProjection(this.view, elements, this.#matrix);
     const { isInstancedMesh, isSprite } = object as Partial<InstancedMesh> & { isSprite?: boolean };
-    if (isSprite === true) this.#consider(depthOf(this.#matrix, ball.x, ball.y, ball.z)); // it faces the eye
-    else if (!hasKnownVertices(object)) this.#consider(Math.max(least, unknownDepth(this.view)));
-    else if (isInstancedMesh === true) this.#instances(object as InstancedMesh);
-    else this.#geometry(object.geometry, object);
+    if (isSprite === true) {
+      this.#consider(depthOf(this.#matrix, ball.x, ball.y, ball.z)); // it faces the eye
+    } else if (!hasKnownVertices(object)) {
+      this.#consider(Math.max(least, unknownDepth(this.view)));
+    } else if (isInstancedMesh === true) {
+      this.#instances(object as InstancedMesh);
+    } else {
+      this.#geometry(object.geometry, object);
+    }
   }
 
   #instances(object: InstancedMesh): void {
     const { geometry, instanceMatrix, count, matrixWorld } = object;
-    if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+    if (geometry.boundingSphere === null) {
+      geometry.computeBoundingSphere();
+    }
     writeBall(ball, geometry.boundingSphere!);
     for (let i = 0; i < count; i++) {
-      const { elements } = instance.fromArray(instanceMatrix.array, 16 * i).premultiply(matrixWorld);
+      const { elements } = instance
+        .fromArray(instanceMatrix.array, 16 * i)
+        .premultiply(matrixWorld);
       if (sphereDepth(this.view, elements, ball, this.nearest) >= this.nearest) continue;
       writeModelViewProjection(this.view, elements, this.#matrix);
       this.#geometry(geometry, object);
@@ -81,13 +96,22 @@ class NearestSearch implements BvhQuery {
     this.#index = geometry.index;
     this.#position = geometry.getAttribute('position');
     const { count } = this.#index ?? this.#position;
-    const { isMesh, isLine, isLineSegments, isLineLoop } = object as Partial<Mesh & LineLoop & LineSegments>;
+    const { isMesh, isLine, isLineSegments, isLineLoop } = object as Partial<
+      Mesh & LineLoop & LineSegments
+    >;
     if (isMesh !== true) {
       const [step, size] = isLineSegments === true ? [2, 1] : [1, isLine === true ? 1 : 0];
-      for (let i = 0; i + size < count; i += step) this.#triangle(i, i, i + size);
-      if (isLineLoop === true) this.#triangle(0, 0, count - 1);
-    } else if (hasMovingVertices(geometry)) this.visit(0, count);
-    else queryBvh(geometry, this);
+      for (let i = 0; i + size < count; i += step) {
+        this.#triangle(i, i, i + size);
+      }
+      if (isLineLoop === true) {
+        this.#triangle(0, 0, count - 1);
+      }
+    } else if (hasMovingVertices(geometry)) {
+      this.visit(0, count);
+    } else {
+      queryBvh(geometry, this);
+    }
   }
 
   meets(boxes: BoxList, at: number): boolean {
@@ -95,7 +119,9 @@ class NearestSearch implements BvhQuery {
   }
 
   visit(first: number, end: number): void {
-    for (let i = first; i + 2 < end; i += 3) this.#triangle(i, i + 1, i + 2);
+    for (let i = first; i + 2 < end; i += 3) {
+      this.#triangle(i, i + 1, i + 2);
+    }
   }
 
   #triangle(a: number, b: number, c: number): void {
@@ -108,7 +134,9 @@ class NearestSearch implements BvhQuery {
 
   /** NaN is ignored. */
   #consider(depth: number): void {
-    if (depth >= 0 && depth < this.nearest) this.nearest = depth;
+    if (depth >= 0 && depth < this.nearest) {
+      this.nearest = depth;
+    }
   }
 }
 
@@ -122,9 +150,14 @@ const unknownDepth = ({ radius, slopeX, slopeY }: Frustum): number =>
   (UNKNOWN_NEAREST * radius) / Math.hypot(1, slopeX, slopeY);
 
 function hasKnownVertices(object: Mesh): boolean {
-  const { isSkinnedMesh, isBatchedMesh } = object as { isSkinnedMesh?: boolean; isBatchedMesh?: boolean };
+  const { isSkinnedMesh, isBatchedMesh } = object as {
+    isSkinnedMesh?: boolean;
+    isBatchedMesh?: boolean;
+  };
   const { isInstancedBufferGeometry } = object.geometry as { isInstancedBufferGeometry?: boolean };
-  if (isSkinnedMesh === true || isBatchedMesh === true || isInstancedBufferGeometry === true) return false;
+  if (isSkinnedMesh === true || isBatchedMesh === true || isInstancedBufferGeometry === true) {
+    return false;
+  }
   if (object.morphTargetInfluences !== undefined) return false;
   const material = object.material as Material | Material[] | undefined;
   if (Array.isArray(material)) return material.every(keepsVertices);
@@ -133,7 +166,10 @@ function hasKnownVertices(object: Mesh): boolean {
 
 function keepsVertices(material: Material): boolean {
   if (material instanceof PhongMaterial) return true;
-  const { isShaderMaterial, displacementMap } = material as { isShaderMaterial?: boolean; displacementMap?: unknown };
+  const { isShaderMaterial, displacementMap } = material as {
+    isShaderMaterial?: boolean;
+    displacementMap?: unknown;
+  };
   if (isShaderMaterial === true || (displacementMap ?? null) !== null) return false;
   return !Object.hasOwn(material, 'onBeforeCompile');
 }

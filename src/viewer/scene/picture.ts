@@ -1,5 +1,13 @@
-// What one viewer shows: scene, lights and camera. It is drawn alike for the page, for files and for samples.
-import { Scene, type Mesh, type WebGLRenderer, type Object3D, type ShaderMaterial, Texture } from 'three';
+// What one viewer shows: scene, lights and camera. It is drawn alike for the page, for files and
+// for samples.
+import {
+  Scene,
+  type Mesh,
+  type WebGLRenderer,
+  type Object3D,
+  type ShaderMaterial,
+  Texture,
+} from 'three';
 import type { Bounds } from '../../phong/camera/fit.js';
 import { Orbit } from '../../phong/camera/orbit.js';
 import type { LightSet } from '../../phong/light/light-set.js';
@@ -50,7 +58,10 @@ export class Picture {
     return this.#meshes;
   }
 
-  /** Counts the changes of what it shows. Two frames of one version, size and number of samples are the same. */
+  /**
+   * Counts the changes of what it shows. Two frames of one version, size and number of samples are
+   * the same.
+   */
   get version(): number {
     return this.#version;
   }
@@ -83,7 +94,9 @@ export class Picture {
 
   set style(style: ShadingStyle) {
     this.materials.style = style;
-    for (const mesh of this.meshes) mesh.restyle();
+    for (const mesh of this.meshes) {
+      mesh.restyle();
+    }
     this.reshaped();
   }
 
@@ -105,37 +118,60 @@ export class Picture {
     this.reshaped();
   }
 
-  /** Drawing order: other meshes, these, own objects of the page. Where surfaces coincide, the last one shows. */
+  /**
+   * Drawing order: other meshes, these, own objects of the page. Where surfaces coincide, the last
+   * one shows.
+   */
   arrange(meshes: readonly SceneMesh[]): void {
-    for (const mesh of meshes) if (this.#meshes.delete(mesh)) this.#meshes.add(mesh);
+    for (const mesh of meshes) {
+      if (this.#meshes.delete(mesh)) {
+        this.#meshes.add(mesh);
+      }
+    }
     this.invalidate();
   }
 
-  /** Updates order and world matrices. An unmoved mesh costs one call; a user's objects are always computed. */
+  /**
+   * Updates order and world matrices. An unmoved mesh costs one call; a user's objects are always
+   * computed.
+   */
   place(): void {
     const { children } = this.scene;
     let own = 0;
     for (const { root } of this.#meshes) {
       if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
-      if (children[own] !== root) this.#sort();
+      if (children[own] !== root) {
+        this.#sort();
+      }
       own += 1;
     }
-    for (let i = 0; i < children.length; i++) children[i]!.updateMatrixWorld(i >= own);
+    for (let i = 0; i < children.length; i++) {
+      children[i]!.updateMatrixWorld(i >= own);
+    }
   }
 
   #sort(): void {
     const ranks = new Map<Object3D, number>();
-    for (const { root } of this.#meshes) if (root !== null) ranks.set(root, ranks.size);
+    for (const { root } of this.#meshes) {
+      if (root !== null) {
+        ranks.set(root, ranks.size);
+      }
+    }
     const rank = (object: Object3D): number => ranks.get(object) ?? ranks.size;
     this.scene.children.sort((a, b) => rank(a) - rank(b));
   }
 
   /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
   settle(): void {
-    if (this.fit.settle()) this.#fitted();
+    if (this.fit.settle()) {
+      this.#fitted();
+    }
   }
 
-  /** The meshes' bounds, measured unless nothing has changed since; null where the scene shows nothing. */
+  /**
+   * The meshes' bounds, measured unless nothing has changed since; null where the scene shows
+   * nothing.
+   */
   measure(): Bounds | null {
     this.settle();
     return this.fit.measure().bounds;
@@ -146,28 +182,44 @@ export class Picture {
     const { frame, scene } = this;
     this.settle();
     this.place();
-    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit)) this.levels.choose(frame);
+    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit)) {
+      this.levels.choose(frame);
+    }
     frame.aim(scene, this.fit.depthBounds());
   }
 
   /** Draws {@link frame}, or the part of it that `part` is, which need not lie on whole pixels. */
   draw(renderer: WebGLRenderer, part?: Region): void {
     const { frame, lighting, scene } = this;
-    if (part !== undefined) frame.show(part);
+    if (part !== undefined) {
+      frame.show(part);
+    }
     // The samples of one picture have its lights, and count as no frames for programs.
-    if (frame.samples === 1 || this.#lit !== this.#version) lighting.updateFrame(frame.shading, frame.camera);
+    if (frame.samples === 1 || this.#lit !== this.#version) {
+      lighting.updateFrame(frame.shading, frame.camera);
+    }
     this.#lit = this.#version;
     lighting.mapBias.value = mapBiasOf(frame.samples);
     renderer.render(scene, frame.camera);
     this.#drawCalls = renderer.info.render.calls;
   }
 
-  /** Everything that a frame of this size shows, as it is now. `ownerOf` names the owner of a mesh. */
-  snapshot<Owner>({ width, height }: Size, samples: number, ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
+  /**
+   * Everything that a frame of this size shows, as it is now. `ownerOf` names the owner of a mesh.
+   */
+  snapshot<Owner>(
+    { width, height }: Size,
+    samples: number,
+    ownerOf: (mesh: SceneMesh) => Owner,
+  ): SceneSnapshot<Owner> {
     this.make({ width, height }, samples);
     const { camera, shading } = this.frame;
     const owners = new Map<Object3D, Owner>();
-    for (const mesh of this.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
+    for (const mesh of this.meshes) {
+      for (const part of mesh.parts) {
+        owners.set(part.mesh, ownerOf(mesh));
+      }
+    }
     const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
     return { width, height, frame: copyFrame(shading), camera: camera.clone(), objects };
   }
@@ -181,15 +233,23 @@ export class Picture {
       for (const one of [material ?? []].flat()) {
         one.dispose();
         const { uniforms = {} } = one as Partial<ShaderMaterial>;
-        for (const { value } of Object.values(uniforms)) if (value instanceof Texture) value.dispose();
+        for (const { value } of Object.values(uniforms)) {
+          if (value instanceof Texture) {
+            value.dispose();
+          }
+        }
       }
     });
     this.lighting.dispose();
   }
 
-  get stats(): Pick<ViewportStats, 'lightsActive' | 'lightsSent' | 'lightsSentByMesh' | 'uploads' | 'drawCalls'> {
+  get stats(): Pick<
+    ViewportStats,
+    'lightsActive' | 'lightsSent' | 'lightsSentByMesh' | 'uploads' | 'drawCalls'
+  > {
     const { lighting } = this;
-    const reaching = (parts: SceneMesh['parts']): number => lighting.countReaching(parts.map(({ mesh }) => mesh));
+    const reaching = (parts: SceneMesh['parts']): number =>
+      lighting.countReaching(parts.map(({ mesh }) => mesh));
     const shown = [...this.meshes].filter(({ parts }) => parts.length > 0);
     return {
       lightsActive: lighting.packed.active,
@@ -202,10 +262,11 @@ export class Picture {
 }
 
 /**
- * Levels of maps suit a whole pixel, and a sample stands for a share of it. Left so, a floor whose texture is minified
- * 2 to 16 times is 10.1 codes (RMSE) off the exact mean, whatever the number of samples; by this formula 1.7, 0.50 and
- * 0.33 with 16, 64 and 256 (H200). −1/2, the share's side, leaves 1.3 times the error with 64: a level's texels reach
- * farther than the share. GPUs may stop at −2.
+ * Levels of maps suit a whole pixel, and a sample stands for a share of it. Left so, a floor whose
+ * texture is minified 2 to 16 times is 10.1 codes (RMSE) off the exact mean, whatever the number of
+ * samples; by this formula 1.7, 0.50 and 0.33 with 16, 64 and 256 (H200). −1/2, the share's side,
+ * leaves 1.3 times the error with 64: a level's texels reach farther than the share. GPUs may stop
+ * at −2.
  */
 const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
 
@@ -213,14 +274,21 @@ const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
 export interface ViewportStats {
   readonly frames: number;
   /**
-   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0 before its first
-   * ones are shown. Stays 0 where the GPU has no float targets: `full` is like `edges` there.
+   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0
+   * before its first ones are shown. Stays 0 where the GPU has no float targets: `full` is like
+   * `edges` there.
    */
   readonly samples: number;
   readonly lightsActive: number;
-  /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */
+  /**
+   * Lights that the shader loops over for at least one mesh; the others add ambient light only, or
+   * nothing.
+   */
   readonly lightsSent: number;
-  /** The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were added. */
+  /**
+   * The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were
+   * added.
+   */
   readonly lightsSentByMesh: readonly number[];
   /** Programs of the page's WebGL context. */
   readonly programs: number;

@@ -1,12 +1,15 @@
-// What a picture shows at one moment: the scene may change while the code of shadeAt is fetched. Values that are
-// overwritten are copied, except animated vertices and the page's own objects: these count as they are when it runs.
+// What a picture shows at one moment: the scene may change while the code of shadeAt is fetched.
+// Values that are overwritten are copied, except animated vertices and the page's own objects:
+// these count as they are when it runs.
 import type { BufferGeometry, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
 import { smoothGeometry } from '../../phong/material/flat-geometry.js';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import { PhongMaterial } from '../../phong/material/phong-material.js';
 
 /** How the Phong material shades an object. */
-export type DrawnLook = Readonly<Pick<PhongMaterial, 'look' | 'sides' | 'surface' | 'style' | 'linear'>>;
+export type DrawnLook = Readonly<
+  Pick<PhongMaterial, 'look' | 'sides' | 'surface' | 'style' | 'linear'>
+>;
 
 /** An object that an element declares. */
 export interface OwnDrawn<Owner = unknown> {
@@ -17,8 +20,13 @@ export interface OwnDrawn<Owner = unknown> {
   readonly phong: DrawnLook;
 }
 
-/** A drawn object; `phong` is null for a page author's own and for other materials than the Phong one. */
-export type Drawn<Owner = unknown> = OwnDrawn<Owner> | { readonly object: Object3D; readonly phong: null };
+/**
+ * A drawn object; `phong` is null for a page author's own and for other materials than the Phong
+ * one.
+ */
+export type Drawn<Owner = unknown> =
+  | OwnDrawn<Owner>
+  | { readonly object: Object3D; readonly phong: null };
 
 export interface SceneSnapshot<Owner = unknown> {
   /** Device pixels. */
@@ -30,7 +38,9 @@ export interface SceneSnapshot<Owner = unknown> {
   readonly objects: readonly Drawn<Owner>[];
 }
 
-/** The visible objects below `object`, as three.js draws them. World matrices must be up to date. */
+/**
+ * The visible objects below `object`, as three.js draws them. World matrices must be up to date.
+ */
 export function drawnObjects<Owner>(
   object: Object3D,
   camera: PerspectiveCamera,
@@ -41,9 +51,11 @@ export function drawnObjects<Owner>(
   const { material, geometry, isMesh } = object as Partial<Mesh>;
   const hidden = material !== undefined && !Array.isArray(material) && !material.visible;
   if (!hidden && object.layers.test(camera.layers)) {
-    const owner = isMesh === true && material instanceof PhongMaterial ? ownerOf(object) : undefined;
-    if (owner === undefined) into.push({ object, phong: null });
-    else {
+    const owner =
+      isMesh === true && material instanceof PhongMaterial ? ownerOf(object) : undefined;
+    if (owner === undefined) {
+      into.push({ object, phong: null });
+    } else {
       const { look, sides, surface, style, linear } = material as PhongMaterial;
       // A view may show separate triangles where the shading is smooth.
       const shown = style.shading === 'flat' ? geometry! : smoothGeometry(geometry!);
@@ -51,7 +63,9 @@ export function drawnObjects<Owner>(
       into.push({ object, matrixWorld: object.matrixWorld.clone(), geometry: shown, owner, phong });
     }
   }
-  for (const child of object.children) drawnObjects(child, camera, ownerOf, into);
+  for (const child of object.children) {
+    drawnObjects(child, camera, ownerOf, into);
+  }
   return into;
 }
 

@@ -1,4 +1,5 @@
-// The samples of a picture while it stands still. The code that draws them is fetched with its first use.
+// The samples of a picture while it stands still. The code that draws them is fetched with its
+// first use.
 import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Size } from './gpu/atlas.js';
 import type { ConvergingPicture } from '../../extras/samples/converging-picture.js';
@@ -36,7 +37,9 @@ export class StillPicture {
     this.#wanted = samples;
     this.#converging?.dispose();
     this.#converging = null;
-    if (samples > 0) void this.#fetch();
+    if (samples > 0) {
+      void this.#fetch();
+    }
     this.#viewport.picture.invalidate();
   }
 
@@ -55,16 +58,25 @@ export class StillPicture {
     try {
       return this.#converging?.step() === true;
     } finally {
-      if (!this.pending) this.#settled();
+      if (!this.pending) {
+        this.#settled();
+      }
     }
   }
 
   finish(deadline: number): void {
-    if (this.pending) this.#converging?.finish(deadline);
-    if (!this.pending) this.#settled();
+    if (this.pending) {
+      this.#converging?.finish(deadline);
+    }
+    if (!this.pending) {
+      this.#settled();
+    }
   }
 
-  /** The mean of so many samples at this size; plain without float targets. RangeError if no canvas can hold it. */
+  /**
+   * The mean of so many samples at this size; plain without float targets. RangeError if no canvas
+   * can hold it.
+   */
   async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
     const { captureSamples } = await sampling();
     return captureSamples(this.#viewport, size, samples);

@@ -1,5 +1,6 @@
-// A bounding volume hierarchy of a geometry's triangles, in its own space: boxes around runs of triangles in drawing
-// order, and boxes around those. Most triangles are skipped without being read. Kept while the geometry is the same.
+// A bounding volume hierarchy of a geometry's triangles, in its own space: boxes around runs of
+// triangles in drawing order, and boxes around those. Most triangles are skipped without being
+// read. Kept while the geometry is the same.
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 
 export type Position = BufferAttribute | InterleavedBufferAttribute;
@@ -40,8 +41,11 @@ function walk(bvh: Bvh, level: number, first: number, end: number, query: BvhQue
   const last = Math.min(end, boxes.length / 6);
   for (let box = first; box < last; box++) {
     if (!query.meets(boxes, 6 * box)) continue;
-    if (level > 0) walk(bvh, level - 1, IN_BOX * box, IN_BOX * (box + 1), query);
-    else query.visit(3 * IN_BOX * box, Math.min(3 * IN_BOX * (box + 1), bvh.corners));
+    if (level > 0) {
+      walk(bvh, level - 1, IN_BOX * box, IN_BOX * (box + 1), query);
+    } else {
+      query.visit(3 * IN_BOX * box, Math.min(3 * IN_BOX * (box + 1), bvh.corners));
+    }
   }
 }
 
@@ -56,11 +60,14 @@ function bvhOf(geometry: BufferGeometry): Bvh {
     present.index === index &&
     present.positionVersion === positionVersion &&
     present.indexVersion === indexVersion
-  )
+  ) {
     return present;
+  }
   const corners = (index ?? position).count;
   const levels = [boxesOfRuns(position, index, 3 * Math.floor(corners / 3))];
-  for (let below = levels[0]!; below.length > 6; below = levels.at(-1)!) levels.push(boxesAround(below));
+  for (let below = levels[0]!; below.length > 6; below = levels.at(-1)!) {
+    levels.push(boxesAround(below));
+  }
   const bvh = { position, positionVersion, index, indexVersion, corners, levels };
   known.set(geometry, bvh);
   return bvh;
@@ -85,8 +92,11 @@ function boxesAround(below: BoxList): BoxList {
   const boxes = new Float64Array(6 * Math.ceil(below.length / (6 * IN_BOX)));
   for (let at = 0, from = 0; from < below.length; at += 6) {
     clear();
-    for (const end = Math.min(from + 6 * IN_BOX, below.length); from < end; from += 6)
-      for (let axis = 0; axis < 3; axis++) extend(axis, below[from + axis]!, below[from + 3 + axis]!);
+    for (const end = Math.min(from + 6 * IN_BOX, below.length); from < end; from += 6) {
+      for (let axis = 0; axis < 3; axis++) {
+        extend(axis, below[from + axis]!, below[from + 3 + axis]!);
+      }
+    }
     write(boxes, at);
   }
   return boxes;

@@ -1,4 +1,5 @@
-// When one viewer's picture is drawn, and where: on the page's stage when something has changed, while it is near.
+// When one viewer's picture is drawn, and where: on the page's stage when something has changed,
+// while it is near.
 import type { WebGLRenderer } from 'three';
 import { Signal } from '../../phong/fields/signal.js';
 import type { LightSet } from '../../phong/light/light-set.js';
@@ -12,13 +13,21 @@ const NONE = -1; // no version of a picture
 
 /** What a viewport reports to the parts around it, and what it asks them. */
 export class ViewportSignals {
-  /** Before the first frame: size and visibility of the picture are not known yet. Set `near` and call `resize`. */
+  /**
+   * Before the first frame: size and visibility of the picture are not known yet. Set `near` and
+   * call `resize`.
+   */
   readonly layoutNeeded = new Signal();
   /** A frame was drawn, and may still have to be copied to the picture's canvas. */
   readonly drawn = new Signal();
-  /** A changed picture is on its canvas, whose pixels can be read until the task ends. Once a frame. */
+  /**
+   * A changed picture is on its canvas, whose pixels can be read until the task ends. Once a frame.
+   */
   readonly shown = new Signal();
-  /** After {@link drawn}, where drawing threw, and where there is no context: no more frames come by themselves. */
+  /**
+   * After {@link drawn}, where drawing threw, and where there is no context: no more frames come by
+   * themselves.
+   */
   readonly frameEnded = new Signal();
   /** `auto` found another target or radius. Not for the first frame. */
   readonly fitted = new Signal();
@@ -30,7 +39,10 @@ export class ViewportSignals {
   moveTo: (now: number) => boolean = () => false;
   /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
   awaited: () => boolean = () => false;
-  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
+  /**
+   * Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw,
+   * and may throw.
+   */
   recover: (error: unknown, draw: () => void) => boolean = () => false;
 }
 
@@ -107,7 +119,10 @@ export class Viewport {
     this.#wake();
   }
 
-  /** In device pixels. A picture of no pixels is not drawn; larger ones than the GPU can draw are reduced. */
+  /**
+   * In device pixels. A picture of no pixels is not drawn; larger ones than the GPU can draw are
+   * reduced.
+   */
   resize(size: Size): void {
     if (size.width === this.#wanted.width && size.height === this.#wanted.height) return;
     this.#wanted = size;
@@ -135,32 +150,48 @@ export class Viewport {
   /** The canvas no longer shows the picture: draws it again once it is visible. */
   repaint(): void {
     // Out of sight, what the GPU keeps goes with the copy on the page.
-    if (this.still.samples === 0 || !this.drawable) this.still.converging?.reset();
+    if (this.still.samples === 0 || !this.drawable) {
+      this.still.converging?.reset();
+    }
     this.#painted = NONE;
     this.animate();
   }
 
   /** Requests a frame for motion; {@link ViewportSignals.moveTo} says whether it goes on. */
   animate(): void {
-    if (this.drawable) this.#loop?.request(this);
+    if (this.drawable) {
+      this.#loop?.request(this);
+    }
   }
 
-  /** First phase of a frame: reads the page's layout. Nothing writes to the page before all pictures have read. */
+  /**
+   * First phase of a frame: reads the page's layout. Nothing writes to the page before all pictures
+   * have read.
+   */
   prepare(): void {
-    if (this.#near === undefined) this.#signals.layoutNeeded.emit();
+    if (this.#near === undefined) {
+      this.#signals.layoutNeeded.emit();
+    }
   }
 
-  /** Second phase: advances motion to `now`, in ms; true requests another frame. All move before the first draws. */
+  /**
+   * Second phase: advances motion to `now`, in ms; true requests another frame. All move before the
+   * first draws.
+   */
   advance(now: number): boolean {
     return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));
   }
 
   draw(): void {
     if (!this.drawable) return;
-    if (this.#signals.awaited()) stage.draw(this); // opens the context meanwhile
-    else if (!this.upToDate) this.redraw();
-    else if (this.#moving || !this.still.step()) return;
-    if (this.#moving || this.still.converging?.pending === true) this.animate();
+    if (this.#signals.awaited()) {
+      stage.draw(this); // opens the context meanwhile
+    } else if (!this.upToDate) {
+      this.redraw();
+    } else if (this.#moving || !this.still.step()) return;
+    if (this.#moving || this.still.converging?.pending === true) {
+      this.animate();
+    }
   }
 
   redraw(): void {
@@ -170,7 +201,9 @@ export class Viewport {
     } else if (this.still.samples > 0) {
       this.show(false);
       this.#signals.frameEnded.emit();
-    } else this.#paintScene();
+    } else {
+      this.#paintScene();
+    }
   }
 
   #paintScene(): void {
@@ -181,7 +214,9 @@ export class Viewport {
       if (this.#paint()) {
         this.#frames += 1;
         this.#signals.drawn.emit();
-      } else this.#painted = NONE; // drawn once there is a context
+      } else {
+        this.#painted = NONE; // drawn once there is a context
+      }
       materials.sweep();
     } catch (error) {
       if (!this.#signals.recover(error, this.#paint)) {
@@ -202,27 +237,42 @@ export class Viewport {
     this.picture.draw(renderer);
   };
 
-  /** Draws the samples that are missing now, as far as `deadline` allows: a time as of `performance.now()`. */
+  /**
+   * Draws the samples that are missing now, as far as `deadline` allows: a time as of
+   * `performance.now()`.
+   */
   converge(deadline: number): void {
-    if (this.drawable && this.upToDate && !this.#moving) this.still.finish(deadline);
+    if (this.drawable && this.upToDate && !this.#moving) {
+      this.still.finish(deadline);
+    }
   }
 
   /** Shows the kept mean. `last`: it has all samples. */
   show(last: boolean): void {
     const isShown = stage.draw(this, (renderer) => this.still.converging?.copy(renderer));
     this.#painted = isShown ? this.picture.version : NONE;
-    if (last) this.#reported = NONE;
+    if (last) {
+      this.#reported = NONE;
+    }
   }
 
-  /** The picture now: the shown mean if it has this size, else plain. RangeError if no canvas can hold it. */
+  /**
+   * The picture now: the shown mean if it has this size, else plain. RangeError if no canvas can
+   * hold it.
+   */
   capture(size: Size): HTMLCanvasElement {
     const { picture, still, width, height } = this;
     const isMean = still.samples > 0 && size.width === width && size.height === height;
-    if (!isMean) picture.make(size, 1);
+    if (!isMean) {
+      picture.make(size, 1);
+    }
     this.releaseUnlessAttached();
     return stage.capture(size, (renderer, part) => {
-      if (isMean) still.converging?.copy(renderer, part);
-      else picture.draw(renderer, part);
+      if (isMean) {
+        still.converging?.copy(renderer, part);
+      } else {
+        picture.draw(renderer, part);
+      }
     });
   }
 
@@ -258,7 +308,10 @@ export class Viewport {
     this.#signals.frameEnded.emit();
   }
 
-  /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
+  /**
+   * An element that only moves is back before the microtask; one that stays away gives its GPU
+   * memory back.
+   */
   releaseUnlessAttached(): void {
     queueMicrotask(() => {
       if (this.attached) return;
@@ -267,11 +320,16 @@ export class Viewport {
     });
   }
 
-  /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
+  /**
+   * After a change of visibility, size or context: requests a frame that was waiting, or takes the
+   * request back.
+   */
   #wake(): void {
     if (!this.drawable) {
       this.#loop?.cancel(this);
       this.still.converging?.pause();
-    } else if (!this.upToDate || this.still.pending) this.#loop?.request(this);
+    } else if (!this.upToDate || this.still.pending) {
+      this.#loop?.request(this);
+    }
   }
 }

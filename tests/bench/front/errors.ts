@@ -9,8 +9,11 @@ export interface ErrorFigures {
 
 /** Both of one length, without NaN. Throws a RangeError otherwise. */
 export function errorOf(picture: Float64Array, truth: Float64Array): ErrorFigures {
-  if (picture.length !== truth.length || picture.length === 0)
-    throw new RangeError(`a picture of ${picture.length} channels has no error against ${truth.length}`);
+  if (picture.length !== truth.length || picture.length === 0) {
+    throw new RangeError(
+      `a picture of ${picture.length} channels has no error against ${truth.length}`,
+    );
+  }
   const errors = picture.map((channel, i) => Math.abs(channel - truth[i]!)).sort();
   const max = errors[errors.length - 1]!; // NaN sorts last
   if (Number.isNaN(max)) throw new RangeError('a channel is not a number');

@@ -1,5 +1,5 @@
-// The scenes of the fronts: a bent floor that fills the picture. Points and normals are exact in float32, so a difference from
-// float64 comes from the arithmetic of the light loop alone.
+// The scenes of the fronts: a bent floor that fills the picture. Points and normals are exact in
+// float32, so a difference from float64 comes from the arithmetic of the light loop alone.
 import { LightState, type LightValues, shade } from 'phong-viewer/reference';
 import { mixedLights, type Vec3 } from '../pages/scenes.js';
 
@@ -50,7 +50,10 @@ export const FLOORS: Readonly<Record<string, () => Floor>> = {
   'shininess 100000': () => oneHighlight(1e5),
 };
 
-/** A square picture in float64, three channels of 255 a pixel, rows from the bottom. `pace` lets the page live in between. */
+/**
+ * A square picture in float64, three channels of 255 a pixel, rows from the bottom. `pace` lets the
+ * page live in between.
+ */
 export async function floorTruth(
   { lights, shininess, eye, half }: Floor,
   side: number,

@@ -1,5 +1,5 @@
-// A front: variants of the light loop as points of run time against error. Draws them on a canvas of its own, and compares each
-// with float64. Knows nothing of how results are shown.
+// A front: variants of the light loop as points of run time against error. Draws them on a canvas
+// of its own, and compares each with float64. Knows nothing of how results are shown.
 import { fullScreenProgram } from '../../glsl/float-pass.js';
 import { clockFrames, hasTimer, rendererName, timeFrames } from '../pages/timing.js';
 import { errorOf, type ErrorFigures } from './errors.js';
@@ -35,7 +35,11 @@ const ERROR_SIDE = 128;
 const TASK_MS = 12;
 
 /** `holder` shows the canvas. */
-export function openFront(holder: HTMLElement, name: string, [width, height]: readonly [number, number]): Front {
+export function openFront(
+  holder: HTMLElement,
+  name: string,
+  [width, height]: readonly [number, number],
+): Front {
   const floor = FLOORS[name]?.();
   if (floor === undefined) throw new RangeError(`no front is called ${name}`);
   const canvas = document.createElement('canvas');
@@ -43,8 +47,9 @@ export function openFront(holder: HTMLElement, name: string, [width, height]: re
   holder.append(canvas);
   const gl = canvas.getContext('webgl2', { antialias: false, depth: false, alpha: false });
   if (gl === null) throw new Error('this browser has no WebGL 2');
-  if (gl.getExtension('EXT_color_buffer_float') === null)
+  if (gl.getExtension('EXT_color_buffer_float') === null) {
     throw new Error('this device cannot draw floats, which errors are taken from');
+  }
   const variants = variantsOf(floor.lights);
   const drawers = variants.map((variant) => drawerOf(gl, floor, variant));
   const frameOf = (variant: number) => () => {
@@ -74,9 +79,14 @@ export function openFront(holder: HTMLElement, name: string, [width, height]: re
 
 type Drawer = (width: number, height: number) => void;
 
-function drawerOf(gl: WebGL2RenderingContext, { eye, shininess, half }: Floor, variant: Variant): Drawer {
+function drawerOf(
+  gl: WebGL2RenderingContext,
+  { eye, shininess, half }: Floor,
+  variant: Variant,
+): Drawer {
   const program = fullScreenProgram(gl, fragmentOf(variant));
-  const at = (uniform: string): WebGLUniformLocation | null => gl.getUniformLocation(program, uniform);
+  const at = (uniform: string): WebGLUniformLocation | null =>
+    gl.getUniformLocation(program, uniform);
   const { ka, kd, ks } = SURFACE;
   gl.useProgram(program);
   gl.uniform3f(at('uEye'), ...eye);
@@ -124,8 +134,9 @@ function floatsOf(gl: WebGL2RenderingContext, draw: Drawer): Float64Array {
   gl.deleteFramebuffer(frame);
   gl.deleteTexture(target);
   const data = new Float64Array(ERROR_SIDE * ERROR_SIDE * 3);
-  for (let i = 0; i < data.length; i++)
+  for (let i = 0; i < data.length; i++) {
     data[i] = 255 * Math.min(Math.max(floats[4 * Math.floor(i / 3) + (i % 3)]!, 0), 1);
+  }
   return data;
 }
 

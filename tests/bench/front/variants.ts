@@ -1,10 +1,20 @@
-// Ways to write the light loop: as in the specification, with constants hoisted, with approximate lobes, and the shipped one as
-// `phong-viewer/core` documents it for any program. Text and data; nothing is drawn here.
-import { declaredFeatures, emptyPack, LIGHT_LOOP_GLSL, type LightValues, packLights } from 'phong-viewer/core';
+// Ways to write the light loop: as in the specification, with constants hoisted, with approximate
+// lobes, and the shipped one as `phong-viewer/core` documents it for any program. Text and data;
+// nothing is drawn here.
+import {
+  declaredFeatures,
+  emptyPack,
+  LIGHT_LOOP_GLSL,
+  type LightValues,
+  packLights,
+} from 'phong-viewer/core';
 import hoistedGlsl from './hoisted.glsl?raw';
 import literalGlsl from './literal.glsl?raw';
 
-/** A loop and the rows of four floats that it reads through `vec4 row(int)`. It provides `vec3 shadeHere(vec3 p, vec3 normal)`. */
+/**
+ * A loop and the rows of four floats that it reads through `vec4 row(int)`. It provides `vec3
+ * shadeHere(vec3 p, vec3 normal)`.
+ */
 export interface Variant {
   readonly label: string;
   readonly glsl: string;
@@ -39,14 +49,16 @@ type Triple = readonly [number, number, number];
 const full = ([r, g, b]: Triple): Triple => [r / 255, g / 255, b / 255];
 
 function literal(lights: readonly LightValues[]): Variant {
-  const rows = lights.flatMap(({ position, axis, aperture, ambient, diffuse, cutoff, specular, attenuation }) => [
-    ...position,
-    ...[...axis, aperture],
-    ...[...full(ambient), 0],
-    ...[...full(diffuse), cutoff],
-    ...[...full(specular), 0],
-    ...[...attenuation, 0],
-  ]);
+  const rows = lights.flatMap(
+    ({ position, axis, aperture, ambient, diffuse, cutoff, specular, attenuation }) => [
+      ...position,
+      ...[...axis, aperture],
+      ...[...full(ambient), 0],
+      ...[...full(diffuse), cutoff],
+      ...[...full(specular), 0],
+      ...[...attenuation, 0],
+    ],
+  );
   return {
     label: BASE,
     glsl: defines({ COUNT: lights.length }) + literalGlsl,
@@ -67,11 +79,12 @@ function hoisted(label: string, lobe: string, lights: readonly LightValues[]): V
     (sum, light) => full(light.ambient).map((channel, k) => channel + sum[k]!) as unknown as Triple,
     [0, 0, 0],
   );
-  const positional = ({ position: [x, y, z], diffuse, specular, attenuation: [kc, kl, kq] }: LightValues) => [
-    ...[x, y, z, kc],
-    ...[...full(diffuse), kl],
-    ...[...full(specular), kq],
-  ];
+  const positional = ({
+    position: [x, y, z],
+    diffuse,
+    specular,
+    attenuation: [kc, kl, kq],
+  }: LightValues) => [...[x, y, z, kc], ...[...full(diffuse), kl], ...[...full(specular), kq]];
   const rows = [
     ...directional.flatMap(({ position: [x, y, z], diffuse, specular }) =>
       [unit([x, y, z]), full(diffuse), full(specular)].flatMap((v) => [...v, 0]),
@@ -99,7 +112,11 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 function shipped(lights: readonly LightValues[]): Variant {
   const packed = emptyPack();
-  packLights(lights, { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false }, packed);
+  packLights(
+    lights,
+    { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false },
+    packed,
+  );
   return {
     label: 'shipped',
     glsl: `${defines({ LIGHT_STORAGE: 'STORAGE_OWN', DECLARED_FEATURES: String(declaredFeatures(lights)) })}

@@ -1,7 +1,8 @@
 // @ts-check
-// Frame times of one scene by all its sides, each on a page of its own in one fresh browser: the first frames, the longest frame
-// of the take-over by a specialised program, and settled. Also script per frame. The longest frame and the usual frame beside it
-// are wall time; the others are GPU time, in software CPU time of the GPU process.
+// Frame times of one scene by all its sides, each on a page of its own in one fresh browser: the
+// first frames, the longest frame of the take-over by a specialised program, and settled. Also
+// script per frame. The longest frame and the usual frame beside it are wall time; the others are
+// GPU time, in software CPU time of the GPU process.
 
 import { frameTime, gpuProcess, mainThreadTime, openPage } from '../browser.mjs';
 import { interleaved } from '../statistics.mjs';
@@ -19,13 +20,16 @@ const SCRIPT_WARM_MS = 1500;
 
 /**
  * @typedef {import('../pages/frame.js').SideName} SideName
- * @typedef {{ side: SideName, page: import('playwright-core').Page, check: () => void, facts: Awaited<ReturnType<import('../pages/frame.js').FrameBench['open']>> }} Opened
- * @typedef {{ size: readonly [number, number], rounds: number, add: (measure: string, unit: string, values: Record<string, number>) => void }} Options
+ * @typedef {{ side: SideName, page: import('playwright-core').Page, check: () => void, facts:
+ * Awaited<ReturnType<import('../pages/frame.js').FrameBench['open']>> }} Opened
+ * @typedef {{ size: readonly [number, number], rounds: number, add: (measure: string, unit: string,
+ * values: Record<string, number>) => void }} Options
  */
 
 /**
  * One launch of a frame subject.
- * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').FrameSubject} subject @param {number} launch @param {Options} options
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').FrameSubject} subject
+ * @param {number} launch @param {Options} options
  */
 export async function measureFrames(lab, { scene, sides }, launch, { size, rounds, add }) {
   const browser = await lab.launch();
@@ -46,19 +50,31 @@ export async function measureFrames(lab, { scene, sides }, launch, { size, round
     SAMPLE,
     rounds,
   );
-  for (const { check } of pages) check();
-  /** @param {string} measure @param {(one: typeof pages[number], i: number) => number | undefined} valueOf */
+  for (const { check } of pages) {
+    check();
+  }
+  /**
+   * @param {string} measure @param {(one: typeof pages[number], i: number) => number | undefined}
+   * valueOf
+   */
   const addAll = (measure, valueOf) =>
-    add(measure, 'ms', Object.fromEntries(pages.map((one, i) => [one.side, valueOf(one, i) ?? NaN])));
+    add(
+      measure,
+      'ms',
+      Object.fromEntries(pages.map((one, i) => [one.side, valueOf(one, i) ?? NaN])),
+    );
   addAll('first frames', ({ first }) => first);
   addAll('longest frame', ({ longest }) => longest);
   addAll('usual frame', ({ usual }) => usual);
-  for (let round = 0; round < rounds; round++) addAll('settled', (_, i) => settled[i]?.[round]);
+  for (let round = 0; round < rounds; round++) {
+    addAll('settled', (_, i) => settled[i]?.[round]);
+  }
 }
 
 /**
  * One launch of a script subject. In microseconds of the page's main thread per frame.
- * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').ScriptSubject} subject @param {Omit<Options, 'size'>} options
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').ScriptSubject}
+ * subject @param {Omit<Options, 'size'>} options
  */
 export async function measureScript(lab, { scene, sides }, { rounds, add }) {
   const browser = await lab.launch();
@@ -75,12 +91,16 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
       await page.evaluate((n) => window.bench.script(n), frames);
       return (await cpuTime()) - before;
     };
-    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) await time(5);
+    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) {
+      await time(5);
+    }
     samplers.push(time);
     checks.push(check);
   }
   const samples = await frameTimes(samplers, SCRIPT_SAMPLE, rounds);
-  for (const check of checks) check();
+  for (const check of checks) {
+    check();
+  }
   for (let round = 0; round < rounds; round++) {
     const values = sides.map((side, i) => [side, 1000 * (samples[i]?.[round] ?? NaN)]);
     add('script per frame', 'µs', Object.fromEntries(values));
@@ -88,7 +108,8 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
 }
 
 /**
- * @param {import('playwright-core').Browser} browser @param {import('../browser.mjs').Lab} lab @param {string} scene @param {SideName} side
+ * @param {import('playwright-core').Browser} browser @param {import('../browser.mjs').Lab} lab
+ * @param {string} scene @param {SideName} side
  * @param {readonly [number, number]} size @returns {Promise<Opened>}
  */
 async function openSide(browser, lab, scene, side, size) {
@@ -100,16 +121,25 @@ async function openSide(browser, lab, scene, side, size) {
   return { side, page, check, facts };
 }
 
-/** The sides have to draw the same number of samples of as many pixels. @param {readonly Opened[]} opened */
+/**
+ * The sides have to draw the same number of samples of as many pixels. @param {readonly Opened[]}
+ * opened
+ */
 function assertAlike(opened) {
   const [one, ...others] = opened.map(({ facts }) => JSON.stringify(facts.canvas));
-  for (const other of others) if (other !== one) throw new Error(`the sides' canvases differ: ${one} and ${other}`);
+  for (const other of others) {
+    if (other !== one) throw new Error(`the sides' canvases differ: ${one} and ${other}`);
+  }
   const shares = opened.map(({ facts }) => facts.lit);
-  if (Math.max(...shares) - Math.min(...shares) > 0.02)
+  if (Math.max(...shares) - Math.min(...shares) > 0.02) {
     throw new Error(`the sides' pictures differ: shares ${shares.join(', ')} are covered`);
+  }
 }
 
-/** Milliseconds that so many frames take. @param {Opened} one @param {number | null} gpu @param {number} frames */
+/**
+ * Milliseconds that so many frames take. @param {Opened} one @param {number | null} gpu @param
+ * {number} frames
+ */
 const sample = ({ page, facts }, gpu, frames) =>
   frameTime(
     facts.renderer,
@@ -134,10 +164,13 @@ async function framesFor(time, { ms, most }) {
 
 /**
  * Milliseconds of one frame by each sampler, in turns.
- * @param {readonly ((frames: number) => Promise<number>)[]} samplers @param {{ ms: number, most: number }} wanted @param {number} rounds
+ * @param {readonly ((frames: number) => Promise<number>)[]} samplers @param {{ ms: number, most:
+ * number }} wanted @param {number} rounds
  */
 async function frameTimes(samplers, wanted, rounds) {
   const timed = [];
-  for (const time of samplers) timed.push({ time, count: await framesFor(time, wanted) });
+  for (const time of samplers) {
+    timed.push({ time, count: await framesFor(time, wanted) });
+  }
   return interleaved(timed, rounds, async ({ time, count }) => (await time(count)) / count);
 }

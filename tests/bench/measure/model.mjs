@@ -1,6 +1,7 @@
 // @ts-check
-// How long a page takes from navigation to the first picture of a model, in three viewers that draw and show it each in their own
-// way. So the picture is judged where all of them are alike: on the screen, in the frames that the browser's trace records.
+// How long a page takes from navigation to the first picture of a model, in three viewers that draw
+// and show it each in their own way. So the picture is judged where all of them are alike: on the
+// screen, in the frames that the browser's trace records.
 
 import { readFileSync } from 'node:fs';
 import { openPage, processesOf } from '../browser.mjs';
@@ -10,7 +11,10 @@ import { measureInTurns, startGpuProcess } from './start.mjs';
 /** The element's size: the page shows nothing else. */
 const SIZE = /** @type {const} */ ([400, 300]);
 const PATIENCE_MS = 60_000;
-/** From the element's own word that the model is there until the screen is looked at: its picture may come later. */
+/**
+ * From the element's own word that the model is there until the screen is looked at: its picture
+ * may come later.
+ */
 const REST_MS = 2000;
 /** A fast line from home, and the way to a server in another country. */
 const SLOW = { bitsPerSecond: 10e6, latencyMs: 40 };
@@ -24,17 +28,20 @@ const CATEGORIES = [
  * @typedef {object} Load what one load of a page took
  * @property {number} ms until the first picture
  * @property {number} task the longest task of the page's main thread until it rests, ms
- * @property {number} memory peak of the page's process and the GPU's, MiB; NaN where the system does not say
+ * @property {number} memory peak of the page's process and the GPU's, MiB; NaN where the system
+ * does not say
  */
 
 /**
  * One load in each viewer.
- * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').ModelSubject} subject @param {number} launch
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').ModelSubject} subject
+ * @param {number} launch
  * @param {Pick<import('./frames.mjs').Options, 'add'>} options
  */
 export async function measureModel(lab, { file, pages, slow }, launch, { add }) {
-  if (builtFrom(lab.folder).versions['model-viewer'] === undefined)
+  if (builtFrom(lab.folder).versions['model-viewer'] === undefined) {
     throw new Error('the other viewers were not installed when the pages were built');
+  }
   const load = (/** @type {string} */ page) => loadOf(lab, `${page}?model=models/${file}`, slow);
   await measureInTurns(pages, launch, load, MEASURES, add);
 }
@@ -46,7 +53,10 @@ const MEASURES = [
   ['peak memory', 'MiB', 'memory'],
 ];
 
-/** @param {import('../browser.mjs').Lab} lab @param {string} path @param {boolean} slow @returns {Promise<Load>} */
+/**
+ * @param {import('../browser.mjs').Lab} lab @param {string} path @param {boolean} slow @returns
+ * {Promise<Load>}
+ */
 async function loadOf(lab, path, slow) {
   lab.compresses = slow;
   const browser = await lab.launch();
@@ -81,12 +91,17 @@ async function loadOf(lab, path, slow) {
   return { ms: await firstPicture(browser, trace.frames), task: trace.longestTask, memory };
 }
 
-/** Sum of the largest resident sets that the page's process and the GPU's have had, in MiB. @param {import('playwright-core').Browser} browser */
+/**
+ * Sum of the largest resident sets that the page's process and the GPU's have had, in MiB. @param
+ * {import('playwright-core').Browser} browser
+ */
 async function peakMemory(browser) {
   /** @param {number} id */
   const peak = (id) => {
     try {
-      return Number(/^VmHWM:\s*(\d+)/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1]) / 1024;
+      return (
+        Number(/^VmHWM:\s*(\d+)/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1]) / 1024
+      );
     } catch {
       return NaN; // no Linux
     }
@@ -102,7 +117,10 @@ async function peakMemory(browser) {
  * @param {Buffer} file @returns {{ frames: Frame[], longestTask: number }}
  */
 export function readTrace(file) {
-  /** @type {{ traceEvents: { name: string, pid: number, tid: number, ts: number, dur?: number, args: Record<string, unknown> }[] }} */
+  /**
+   * @type {{ traceEvents: { name: string, pid: number, tid: number, ts: number, dur?: number, args:
+   * Record<string, unknown> }[] }}
+   */
   const { traceEvents } = JSON.parse(file.toString());
   const start = traceEvents.findLast(({ name, args }) => {
     const data = /** @type {{ documentLoaderURL?: string } | undefined} */ (args['data']);
@@ -120,7 +138,10 @@ export function readTrace(file) {
   };
 }
 
-/** When half of the model's pixels were there first. @param {import('playwright-core').Browser} browser @param {Frame[]} frames */
+/**
+ * When half of the model's pixels were there first. @param {import('playwright-core').Browser}
+ * browser @param {Frame[]} frames
+ */
 async function firstPicture(browser, frames) {
   const pictures = frames.map(({ jpeg }) => jpeg);
   const shares = await sharesOfModel(browser, pictures);
@@ -130,7 +151,8 @@ async function firstPicture(browser, frames) {
 }
 
 /**
- * The share of the model's pixels in each picture of the page, all 0 if the last one shows no model.
+ * The share of the model's pixels in each picture of the page, all 0 if the last one shows no
+ * model.
  * @param {import('playwright-core').Browser} browser @param {string[]} pictures base64
  */
 async function sharesOfModel(browser, pictures) {
@@ -141,8 +163,8 @@ async function sharesOfModel(browser, pictures) {
 }
 
 /**
- * Runs in a page. The model is where the last picture is not the background, in the middle: progress bars and buttons are at the
- * edges.
+ * Runs in a page. The model is where the last picture is not the background, in the middle:
+ * progress bars and buttons are at the edges.
  * @param {string[]} pictures
  */
 async function compareWithLast(pictures) {
@@ -150,7 +172,9 @@ async function compareWithLast(pictures) {
   const DIFFERENT = 32; // more than JPEG's noise
   const covered = await Promise.all(
     pictures.map(async (picture) => {
-      const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${picture}`)).blob());
+      const bitmap = await createImageBitmap(
+        await (await fetch(`data:image/png;base64,${picture}`)).blob(),
+      );
       const { width, height } = bitmap;
       const context = new OffscreenCanvas(width, height).getContext('2d');
       if (context === null) throw new Error('no canvas');
@@ -158,7 +182,9 @@ async function compareWithLast(pictures) {
       /** @param {Uint8ClampedArray} data */
       const differs = (data) =>
         Array.from({ length: data.length / 4 }, (_, i) =>
-          BACKGROUND.some((level, channel) => Math.abs((data[4 * i + channel] ?? 0) - level) > DIFFERENT),
+          BACKGROUND.some(
+            (level, channel) => Math.abs((data[4 * i + channel] ?? 0) - level) > DIFFERENT,
+          ),
         );
       const middle = context.getImageData(width >> 2, height >> 2, width >> 1, height >> 1).data;
       const corner = context.getImageData(0, height - 1, 1, 1).data;

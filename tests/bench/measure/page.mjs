@@ -1,5 +1,6 @@
 // @ts-check
-// Measures of whole pages: the frame rate of many viewers against one, a still picture's samples, and bytes to download.
+// Measures of whole pages: the frame rate of many viewers against one, a still picture's samples,
+// and bytes to download.
 
 import { builtFrom } from '../build.mjs';
 import { openPage } from '../browser.mjs';
@@ -11,7 +12,10 @@ const WARM = { frames: 60, atMost: 24_000 };
 /** Changes until the code is there, and the levels of round shapes. */
 const WARM_CHANGES = 2;
 
-/** Pictures a second, 60 at most, of twenty turning viewers and of one with as many pixels, on pages of one size. @param {import('../browser.mjs').Lab} lab @param {Options} options */
+/**
+ * Pictures a second, 60 at most, of twenty turning viewers and of one with as many pixels, on pages
+ * of one size. @param {import('../browser.mjs').Lab} lab @param {Options} options
+ */
 export async function measureViewers(lab, { size, add }) {
   const browser = await lab.launch();
   /** @type {number[]} */
@@ -23,8 +27,9 @@ export async function measureViewers(lab, { size, add }) {
     const rate = () => page.evaluate((ms) => window.frameRate(ms), RATE_MS);
     await page.evaluate(() => window.viewersReady);
     // Until specialised programs have taken over.
-    for (let [frames, ms] = [0, 0]; frames < WARM.frames && ms < WARM.atMost; ms += RATE_MS)
+    for (let [frames, ms] = [0, 0]; frames < WARM.frames && ms < WARM.atMost; ms += RATE_MS) {
       frames += ((await rate()) * RATE_MS) / 1000;
+    }
     rates.push(await rate());
     check();
     await page.close();
@@ -34,8 +39,10 @@ export async function measureViewers(lab, { size, add }) {
 }
 
 /**
- * The time from a change to the converged picture of `antialias="full"`, with the page's own animation frames, and to the plain one.
- * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StillSubject} subject @param {Options} options
+ * The time from a change to the converged picture of `antialias="full"`, with the page's own
+ * animation frames, and to the plain one.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StillSubject} subject
+ * @param {Options} options
  */
 export async function measureStill(lab, { geometry }, { size, rounds, add }) {
   const browser = await lab.launch();
@@ -50,7 +57,9 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
   /** @param {'full' | 'edges'} antialias */
   const time = (antialias) =>
     page.evaluate(async (mode) => {
-      const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (document.querySelector('phong-viewer'));
+      const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (
+        document.querySelector('phong-viewer')
+      );
       viewer.antialias = mode;
       await viewer.ready;
       await new Promise((resolve) => setTimeout(resolve, 100));
@@ -61,13 +70,18 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
     }, antialias);
   for (let round = -WARM_CHANGES; round < rounds; round++) {
     const values = { 'full, 64 samples': await time('full'), edges: await time('edges') };
-    if (round >= 0) add('change to picture', 'ms', values);
+    if (round >= 0) {
+      add('change to picture', 'ms', values);
+    }
   }
   check();
 }
 
 /** Brotli sizes. @param {import('../browser.mjs').Lab} lab @param {Options} options */
 export function measureBytes(lab, { add }) {
-  const sizes = Object.entries(builtFrom(lab.folder).bytes).map(([side, bytes]) => [side, bytes / 1000]);
+  const sizes = Object.entries(builtFrom(lab.folder).bytes).map(([side, bytes]) => [
+    side,
+    bytes / 1000,
+  ]);
   add('brotli', 'kB', Object.fromEntries(sizes));
 }

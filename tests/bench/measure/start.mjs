@@ -1,6 +1,6 @@
 // @ts-check
-// How long pages take from navigation to their first picture, and what they keep in memory then: a fresh browser for each page,
-// nothing cached, in turns.
+// How long pages take from navigation to their first picture, and what they keep in memory then: a
+// fresh browser for each page, nothing cached, in turns.
 
 const SIZE = { width: 1280, height: 800 };
 const PATIENCE_MS = 60_000;
@@ -9,12 +9,20 @@ const REST_MS = 500;
 
 /**
  * One launch of each page.
- * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StartSubject} subject @param {number} launch
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StartSubject} subject
+ * @param {number} launch
  * @param {Pick<import('./frames.mjs').Options, 'rounds' | 'add'>} options
  */
 export async function measureStart(lab, { pages, pageSays = false }, launch, { rounds, add }) {
-  for (let round = 0; round < rounds; round++)
-    await measureInTurns(pages, launch + round, (path) => startOf(lab, path, pageSays), MEASURES, add);
+  for (let round = 0; round < rounds; round++) {
+    await measureInTurns(
+      pages,
+      launch + round,
+      (path) => startOf(lab, path, pageSays),
+      MEASURES,
+      add,
+    );
+  }
 }
 
 /** @type {Measures<Awaited<ReturnType<typeof startOf>>>} */
@@ -29,7 +37,8 @@ const MEASURES = [
  */
 
 /**
- * Loads one page after the other, every other round backwards, and adds each figure that all of them have.
+ * Loads one page after the other, every other round backwards, and adds each figure that all of
+ * them have.
  * @template {Record<keyof T, number>} T
  * @param {Readonly<Record<string, string>>} pages by side @param {number} round
  * @param {(path: string) => Promise<T>} load its figures are NaN where the system does not say
@@ -39,10 +48,14 @@ export async function measureInTurns(pages, round, load, measures, add) {
   const sides = Object.keys(pages);
   /** @type {Record<string, T>} */
   const loads = {};
-  for (const side of round % 2 === 0 ? sides : [...sides].reverse()) loads[side] = await load(pages[side] ?? '');
+  for (const side of round % 2 === 0 ? sides : [...sides].reverse()) {
+    loads[side] = await load(pages[side] ?? '');
+  }
   for (const [measure, unit, key] of measures) {
     const values = sides.map((side) => /** @type {const} */ ([side, loads[side]?.[key] ?? NaN]));
-    if (values.every(([, value]) => !Number.isNaN(value))) add(measure, unit, Object.fromEntries(values));
+    if (values.every(([, value]) => !Number.isNaN(value))) {
+      add(measure, unit, Object.fromEntries(values));
+    }
   }
 }
 
@@ -51,7 +64,9 @@ async function startOf(lab, path, pageSays) {
   const browser = await lab.launch();
   await startGpuProcess(browser);
   const page = await browser.newPage({ viewport: SIZE });
-  if (!pageSays) await page.addInitScript(watchFirstPicture);
+  if (!pageSays) {
+    await page.addInitScript(watchFirstPicture);
+  }
   await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
   const waiting = { polling: 20, timeout: PATIENCE_MS };
   await page.waitForFunction(() => window.firstPicture !== undefined, undefined, waiting);
@@ -60,7 +75,10 @@ async function startOf(lab, path, pageSays) {
   return { ms, heap: await heapOf(page) };
 }
 
-/** It belongs to the browser's start, not to the page's. @param {import('playwright-core').Browser} browser */
+/**
+ * It belongs to the browser's start, not to the page's. @param {import('playwright-core').Browser}
+ * browser
+ */
 export async function startGpuProcess(browser) {
   const page = await browser.newPage();
   await page.evaluate(() => {
@@ -82,12 +100,17 @@ async function heapOf(page) {
 }
 
 /**
- * Runs in the page before its own scripts. Notes when a picture is there: after the task that draws, a row of pixels near the
- * canvas's centre is read back, and not all of it is transparent.
+ * Runs in the page before its own scripts. Notes when a picture is there: after the task that
+ * draws, a row of pixels near the canvas's centre is read back, and not all of it is transparent.
  */
 function watchFirstPicture() {
   const prototype = WebGL2RenderingContext.prototype;
-  const names = /** @type {const} */ (['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']);
+  const names = /** @type {const} */ ([
+    'drawElements',
+    'drawArrays',
+    'drawElementsInstanced',
+    'drawArraysInstanced',
+  ]);
   const originals = names.map((name) => prototype[name]);
   let waiting = false;
   /** @param {WebGL2RenderingContext} gl */
@@ -107,9 +130,15 @@ function watchFirstPicture() {
     Object.assign(prototype, {
       /** @this {WebGL2RenderingContext} @param {unknown[]} args */
       [name](...args) {
-        if (!waiting) queueMicrotask(() => look(this));
+        if (!waiting) {
+          queueMicrotask(() => look(this));
+        }
         waiting = true;
-        return Reflect.apply(/** @type {(...args: unknown[]) => void} */ (originals[i]), this, args);
+        return Reflect.apply(
+          /** @type {(...args: unknown[]) => void} */ (originals[i]),
+          this,
+          args,
+        );
       },
     }),
   );

@@ -1,4 +1,5 @@
-// What a viewer shows, as plain data for the ray caster: its triangles, or the true shapes that they stand for.
+// What a viewer shows, as plain data for the ray caster: its triangles, or the true shapes that
+// they stand for.
 import {
   type BufferGeometry,
   ClampToEdgeWrapping,
@@ -37,7 +38,9 @@ export function shownMeshes(viewer: Viewer): ShownMesh[] {
   const meshes: ShownMesh[] = [];
   viewer.scene.updateMatrixWorld();
   viewer.scene.traverse((object) => {
-    if (object instanceof Mesh) meshes.push(object as ShownMesh);
+    if (object instanceof Mesh) {
+      meshes.push(object as ShownMesh);
+    }
   });
   return meshes;
 }

@@ -20,7 +20,8 @@ import { pause } from './timing.js';
 export type Viewer = HTMLElementTagNameMap['phong-viewer'];
 type LightElement = HTMLElementTagNameMap['phong-light'];
 
-const lightElement = (values: SceneLight): LightElement => Object.assign(document.createElement('phong-light'), values);
+const lightElement = (values: SceneLight): LightElement =>
+  Object.assign(document.createElement('phong-light'), values);
 
 /** Runs frames until everything that these viewers were asked for is drawn. */
 export async function drawUntilReady(...viewers: readonly Viewer[]): Promise<void> {
@@ -37,19 +38,30 @@ export const openElement: OpenSide = (holder, scene) => open(holder, scene);
 /** The same with a fixed number of segments. */
 export const openFixed: OpenSide = (holder, scene) => open(holder, scene, scene.segments);
 
-async function open(holder: HTMLElement, scene: Scene, segments: number | 'auto' = 'auto'): Promise<Side> {
+async function open(
+  holder: HTMLElement,
+  scene: Scene,
+  segments: number | 'auto' = 'auto',
+): Promise<Side> {
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
   Object.assign(viewer, { alt: 'The scene', theta: 0, phi: 90, fov: FOV });
-  if (scene.autoFit !== true) Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
+  if (scene.autoFit !== true) {
+    Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
+  }
   const lights = scene.lights.map(lightElement);
   const { ka, kd, ks } = SURFACE;
   const { shininess = SURFACE.shininess } = scene;
   const meshes = scene.meshes.map(({ shape, position = ORIGIN, scale = 1 }) => {
     const mesh = document.createElement('phong-mesh');
-    if (shape.endsWith('.glb')) mesh.src = shape;
-    else mesh.geometry = shape as RoundShape | 'box';
-    if (shape !== 'box') mesh.segments = segments;
+    if (shape.endsWith('.glb')) {
+      mesh.src = shape;
+    } else {
+      mesh.geometry = shape as RoundShape | 'box';
+    }
+    if (shape !== 'box') {
+      mesh.segments = segments;
+    }
     return Object.assign(mesh, { position, scale, ka, kd, ks, shininess });
   });
   viewer.append(...lights, ...meshes);
@@ -66,8 +78,9 @@ async function open(holder: HTMLElement, scene: Scene, segments: number | 'auto'
         lights.forEach((light, k) => (light.position = lightAt(scene.lights[k]!, i)));
         break;
       case 'light count':
-        if (extra === null) viewer.append((extra = lightElement(scene.lights[extraLight(i)]!)));
-        else {
+        if (extra === null) {
+          viewer.append((extra = lightElement(scene.lights[extraLight(i)]!)));
+        } else {
           extra.remove();
           extra = null;
         }

@@ -1,5 +1,6 @@
-// The element's equation as a ShaderMaterial of plain three.js: the package's light loop in a page's own program. With an
-// opaque base texture at most, which is what the bench's whole pictures have.
+// The element's equation as a ShaderMaterial of plain three.js: the package's light loop in a
+// page's own program. With an opaque base texture at most, which is what the bench's whole pictures
+// have.
 import {
   CanvasTexture,
   DoubleSide,
@@ -65,19 +66,28 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** `eye` and the mesh's `matrix` are in world space. `decodes`: writes linear light, which three.js encodes on its way to the canvas; otherwise the equation's codes. */
+/**
+ * `eye` and the mesh's `matrix` are in world space. `decodes`: writes linear light, which three.js
+ * encodes on its way to the canvas; otherwise the equation's codes.
+ */
 export function equationMaterial(
   { surface, look, sides }: ShownMaterial,
   lights: Iterable<Readonly<LightValues>>,
   { eye, matrix }: { readonly eye: Vec3; readonly matrix: Matrix4 },
   decodes: boolean,
 ): ShaderMaterial {
-  if (look.metalness > 0 || look.roughness !== null || look.unlit || look.alphaMode !== 'opaque')
+  if (look.metalness > 0 || look.roughness !== null || look.unlit || look.alphaMode !== 'opaque') {
     throw new Error('this material is more than a base colour');
+  }
   const values = [...lights];
   const packed = emptyPack();
-  packLights(values, { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false }, packed);
-  const channels = (k: Vec3, base: Vec3): Vector3 => new Vector3(...k.map((value, i) => (value / 255) * base[i]!));
+  packLights(
+    values,
+    { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false },
+    packed,
+  );
+  const channels = (k: Vec3, base: Vec3): Vector3 =>
+    new Vector3(...k.map((value, i) => (value / 255) * base[i]!));
   const { map, baseColor } = look;
   return new ShaderMaterial({
     defines: {

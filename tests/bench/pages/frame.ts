@@ -1,4 +1,5 @@
-// One scene drawn by one side, for the bench to drive and time: frame.html?scene=sphere:8&side=element.
+// One scene drawn by one side, for the bench to drive and time:
+// frame.html?scene=sphere:8&side=element.
 import { onlyContext } from './page-hooks.js';
 import { type OpenSide, sceneOf } from './scenes.js';
 import { clockFrames, finish, pause, rendererName, timeFrames } from './timing.js';
@@ -55,7 +56,10 @@ const frame = (): Promise<void> => draw(next++);
 window.bench = {
   async open() {
     const openSide = await SIDES[query.get('side') as SideName]();
-    const side = await openSide(document.getElementById('holder')!, sceneOf(query.get('scene') ?? ''));
+    const side = await openSide(
+      document.getElementById('holder')!,
+      sceneOf(query.get('scene') ?? ''),
+    );
     draw = (i) => side.frame(i);
     await frame();
     const gl = onlyContext();
@@ -76,7 +80,9 @@ window.bench = {
     const gl = onlyContext();
     finish(gl);
     for (let done = 0; done < frames; done += RUN) {
-      for (let i = done; i < Math.min(done + RUN, frames); i++) await frame();
+      for (let i = done; i < Math.min(done + RUN, frames); i++) {
+        await frame();
+      }
       finish(gl);
     }
   },
@@ -114,6 +120,10 @@ function litShare(gl: WebGL2RenderingContext): number {
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   let lit = 0;
-  for (let i = 3; i < pixels.length; i += 4) if (pixels[i]! > 0) lit += 1;
+  for (let i = 3; i < pixels.length; i += 4) {
+    if (pixels[i]! > 0) {
+      lit += 1;
+    }
+  }
   return lit / (width * height);
 }

@@ -1,5 +1,6 @@
-// Takes over what a bench page needs before any scene code runs: animation frames are run by the bench, and the page's WebGL 2
-// contexts are recorded, so that every side is driven and timed in the same way. Import it first.
+// Takes over what a bench page needs before any scene code runs: animation frames are run by the
+// bench, and the page's WebGL 2 contexts are recorded, so that every side is driven and timed in
+// the same way. Import it first.
 
 let waiting = new Map<number, FrameRequestCallback>();
 let last = 0;
@@ -17,21 +18,23 @@ export function runFrame(): number {
   const callbacks = waiting;
   waiting = new Map();
   const now = performance.now();
-  for (const callback of callbacks.values()) callback(now);
+  for (const callback of callbacks.values()) {
+    callback(now);
+  }
   return callbacks.size;
 }
 
-const getContext = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, 'getContext')?.value as (
-  this: HTMLCanvasElement,
-  ...args: unknown[]
-) => unknown;
+const getContext = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, 'getContext')
+  ?.value as (this: HTMLCanvasElement, ...args: unknown[]) => unknown;
 
 Object.defineProperty(HTMLCanvasElement.prototype, 'getContext', {
   configurable: true,
   writable: true,
   value(this: HTMLCanvasElement, ...args: unknown[]): unknown {
     const context = getContext.apply(this, args);
-    if (context instanceof WebGL2RenderingContext && !contexts.includes(context)) contexts.push(context);
+    if (context instanceof WebGL2RenderingContext && !contexts.includes(context)) {
+      contexts.push(context);
+    }
     return context;
   },
 });
@@ -40,7 +43,8 @@ Object.defineProperty(HTMLCanvasElement.prototype, 'getContext', {
 export function onlyContext(): WebGL2RenderingContext {
   const open = contexts.filter((context) => !context.isContextLost());
   const [first] = open;
-  if (first === undefined || open.length > 1)
+  if (first === undefined || open.length > 1) {
     throw new Error(`the page has ${open.length} WebGL 2 contexts instead of one`);
+  }
   return first;
 }

@@ -1,4 +1,5 @@
-// A whole picture by the element: the plain one, with averaged highlights, or the mean of many samples.
+// A whole picture by the element: the plain one, with averaged highlights, or the mean of many
+// samples.
 import { onlyContext, runFrame } from './page-hooks.js';
 import type { TrueShape } from '../../support/caster/scene.js';
 import { castSceneOf } from './cast-scene.js';
@@ -7,7 +8,10 @@ import type { OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
 import { finish, pause } from './timing.js';
 
-/** Frames and rest until specialised programs are used: 20 frames, then a compilation in the background. */
+/**
+ * Frames and rest until specialised programs are used: 20 frames, then a compilation in the
+ * background.
+ */
 const SETTLING = { frames: 30, betweenMs: 4, restMs: 400 } as const;
 /** What a change turns the camera by and back, in degrees: the levels of round shapes stay. */
 const NUDGE = 0.01;
@@ -22,16 +26,24 @@ export interface Mode {
 }
 
 /** Puts the scene's viewers into the holder's cells and draws them until all are ready. */
-export async function showViewers(holder: HTMLElement, { viewers }: PictureScene): Promise<Viewer[]> {
+export async function showViewers(
+  holder: HTMLElement,
+  { viewers }: PictureScene,
+): Promise<Viewer[]> {
   holder.innerHTML = viewers.join('');
   const shown = Array.from(holder.querySelectorAll('phong-viewer'));
-  for (const viewer of shown) Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
+  for (const viewer of shown) {
+    Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
+  }
   await drawUntilReady(...shown);
   return shown;
 }
 
 /** Antialiases all viewers in this way, and draws until they are ready. */
-export async function antialiasAll(viewers: readonly Viewer[], { antialias, samples }: Mode): Promise<void> {
+export async function antialiasAll(
+  viewers: readonly Viewer[],
+  { antialias, samples }: Mode,
+): Promise<void> {
   for (const viewer of viewers) {
     viewer.antialias = antialias;
     viewer.samples = samples === 0 ? null : samples;
@@ -56,8 +68,11 @@ export const openElement =
     const gl = onlyContext();
     let isNudged = false;
 
-    const turn = (by: number): void => viewers.forEach((viewer, i) => (viewer.theta = thetas[i]! + by));
-    /** Changes the picture and draws until it has so many samples. Ends in the task that drew it. */
+    const turn = (by: number): void =>
+      viewers.forEach((viewer, i) => (viewer.theta = thetas[i]! + by));
+    /**
+     * Changes the picture and draws until it has so many samples. Ends in the task that drew it.
+     */
     const draw = async (wanted: number): Promise<void> => {
       const before = viewers.map(({ stats }) => stats.frames);
       isNudged = !isNudged;
@@ -82,13 +97,17 @@ export const openElement =
     await draw(0);
     if (mode.antialias === 'full') {
       await antialiasAll(viewers, WARM);
-      for (const viewer of viewers) viewer.samples = mode.samples;
+      for (const viewer of viewers) {
+        viewer.samples = mode.samples;
+      }
     }
 
     return {
       methods: { element: { steps: 1 } },
       scenes: (round) =>
-        viewers.map((viewer) => castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null)),
+        viewers.map((viewer) =>
+          castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null),
+        ),
       async time() {
         finish(gl);
         const start = performance.now();
@@ -100,16 +119,21 @@ export const openElement =
         isNudged = true; // so that drawing turns back
         turn(NUDGE);
         await draw(mode.samples);
-        if (viewers.length > 1) await nextTask(); // copies are made at a task's end
-        const target = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!;
+        if (viewers.length > 1) {
+          await nextTask(); // copies are made at a task's end
+        }
+        const target = new OffscreenCanvas(width, height).getContext('2d', {
+          willReadFrequently: true,
+        })!;
         const all = new Uint8Array(3 * width * height * viewers.length);
         viewers.forEach((viewer, i) => {
           target.fillRect(0, 0, width, height);
           target.drawImage(viewer.shadowRoot!.querySelector('canvas')!, 0, 0);
           const { data } = target.getImageData(0, 0, width, height);
           const start = 3 * width * height * i;
-          for (let pixel = 0; pixel < width * height; pixel++)
+          for (let pixel = 0; pixel < width * height; pixel++) {
             all.set(data.subarray(4 * pixel, 4 * pixel + 3), start + 3 * pixel);
+          }
         });
         return all;
       },

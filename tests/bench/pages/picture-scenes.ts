@@ -1,5 +1,5 @@
-// The whole pictures whose error is measured, as markup: viewers in equal cells, row by row. Each has a light from afar,
-// one nearby and a spot with a hard edge.
+// The whole pictures whose error is measured, as markup: viewers in equal cells, row by row. Each
+// has a light from afar, one nearby and a spot with a hard edge.
 
 export interface PictureScene {
   readonly columns: number;
@@ -38,6 +38,9 @@ export const PICTURE_SCENES: Readonly<Record<PictureName, PictureScene>> = {
   nine: {
     columns: 3,
     rows: 3,
-    viewers: [...SHAPES.map((shape) => viewer(`geometry="${shape}"`)), viewer('geometry="torus" phi="100"')],
+    viewers: [
+      ...SHAPES.map((shape) => viewer(`geometry="${shape}"`)),
+      viewer('geometry="torus" phi="100"'),
+    ],
   },
 };

@@ -1,6 +1,15 @@
-// A whole picture by three.js, under a ShaderMaterial of the same equation: the triangles of the element's plain picture,
-// multisampled by the canvas; or those of its samples, by three.js's passes as shipped.
-import { LinearSRGBColorSpace, Mesh, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
+// A whole picture by three.js, under a ShaderMaterial of the same equation: the triangles of the
+// element's plain picture, multisampled by the canvas; or those of its samples, by three.js's
+// passes as shipped.
+import {
+  LinearSRGBColorSpace,
+  Mesh,
+  PerspectiveCamera,
+  Scene,
+  SRGBColorSpace,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { EffectComposer } from 'three/addons/postprocessing/EffectComposer.js';
 import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { SSAARenderPass } from 'three/addons/postprocessing/SSAARenderPass.js';
@@ -36,7 +45,9 @@ async function canvases(
   multisamples: boolean,
 ): Promise<Canvas[]> {
   const viewers = await showViewers(holder, scene);
-  if (!multisamples) await antialiasAll(viewers, WARM);
+  if (!multisamples) {
+    await antialiasAll(viewers, WARM);
+  }
   const taken = viewers.map((viewer) => ({
     camera: cameraOf(viewer, width / height),
     scenes: { light: sceneOf(viewer, true), codes: sceneOf(viewer, false) },
@@ -51,7 +62,10 @@ async function canvases(
   });
 }
 
-function cameraOf({ camera: { eye, target, up, radius }, fov }: Viewer, aspect: number): PerspectiveCamera {
+function cameraOf(
+  { camera: { eye, target, up, radius }, fov }: Viewer,
+  aspect: number,
+): PerspectiveCamera {
   const camera = new PerspectiveCamera(fov, aspect, radius / 20, 20 * radius);
   camera.position.set(...eye);
   camera.up.set(...up);
@@ -89,7 +103,9 @@ const open =
     const drawAll = ({ draw }: Way, k: number): void => all.forEach((canvas) => draw(canvas, k));
     const finishAll = (): void => all.forEach((canvas) => finish(canvas.gl));
     return {
-      methods: Object.fromEntries(Object.entries(ways).map(([name, { steps }]) => [name, { steps }])),
+      methods: Object.fromEntries(
+        Object.entries(ways).map(([name, { steps }]) => [name, { steps }]),
+      ),
       scenes: () => [], // those of the element
       async time(method) {
         const way = ways[method]!;
@@ -111,7 +127,9 @@ const open =
         last = { method, step };
         await Promise.resolve();
         const parts = all.map((canvas) => {
-          for (let k = next; k <= step; k++) draw(canvas, k);
+          for (let k = next; k <= step; k++) {
+            draw(canvas, k);
+          }
           return codesOf(canvas.gl, cell);
         });
         const joined = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
@@ -127,11 +145,12 @@ function codesOf(gl: WebGL2RenderingContext, { width, height }: Cell): Uint8Arra
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   const codes = new Uint8Array(3 * width * height);
-  for (let y = 0; y < height; y++)
+  for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const from = 4 * ((height - 1 - y) * width + x);
       codes.set(pixels.subarray(from, from + 3), 3 * (y * width + x));
     }
+  }
   return codes;
 }
 

@@ -1,6 +1,6 @@
 // One whole picture drawn by one side, for the bench to time and to compare with the exact one:
-// picture.html?scene=sphere&side=full&width=400&height=300. Each way of the element has a page of its own, so that its
-// programs stay.
+// picture.html?scene=sphere&side=full&width=400&height=300. Each way of the element has a page of
+// its own, so that its programs stay.
 import './page-hooks.js';
 import type { CastScene } from '../../support/caster/scene.js';
 import { FULL, full, PLAIN } from '../pictures.mjs';
@@ -12,15 +12,24 @@ type Methods = Readonly<Record<string, { readonly steps: number }>>;
 
 interface PictureSide {
   readonly methods: Methods;
-  /** Milliseconds from a change to each of the method's pictures, closed by reading a pixel back. */
+  /**
+   * Milliseconds from a change to each of the method's pictures, closed by reading a pixel back.
+   */
   time(method: string): Promise<number[]>;
-  /** The codes of a picture: r, g, b of each pixel over black, row by row from the top, viewer by viewer. */
+  /**
+   * The codes of a picture: r, g, b of each pixel over black, row by row from the top, viewer by
+   * viewer.
+   */
   codes(method: string, step: number): Promise<Uint8Array>;
   /** What each viewer shows now; `round`: as the true shape. */
   scenes(round: boolean): readonly CastScene[];
 }
 
-export type OpenPicture = (holder: HTMLElement, scene: PictureScene, size: Cell) => Promise<PictureSide>;
+export type OpenPicture = (
+  holder: HTMLElement,
+  scene: PictureScene,
+  size: Cell,
+) => Promise<PictureSide>;
 
 /** The size of each viewer in pixels. */
 export interface Cell {
@@ -38,7 +47,9 @@ declare global {
 const openElement = async (mode: Mode): Promise<OpenPicture> =>
   (await import('./picture-element.js')).openElement(mode);
 const SIDES: Readonly<Record<string, () => Promise<OpenPicture>>> = {
-  ...Object.fromEntries(FULL.map((samples) => [full(samples), () => openElement({ antialias: 'full', samples })])),
+  ...Object.fromEntries(
+    FULL.map((samples) => [full(samples), () => openElement({ antialias: 'full', samples })]),
+  ),
   [PLAIN]: () => openElement({ antialias: 'edges', samples: 0 }),
   multisampled: async () => (await import('./picture-three.js')).openMultisampled,
   passes: async () => (await import('./picture-three.js')).openPasses,

@@ -1,5 +1,6 @@
-// The scenes that the bench draws, described once for all sides, in the element's units: lengths in scene units, angles in
-// degrees, colours 0 to 255. Positions come from Halton sequences, so every run draws the same scene.
+// The scenes that the bench draws, described once for all sides, in the element's units: lengths in
+// scene units, angles in degrees, colours 0 to 255. Positions come from Halton sequences, so every
+// run draws the same scene.
 
 export type Vec3 = readonly [number, number, number];
 type Vec4 = readonly [number, number, number, number];
@@ -78,9 +79,9 @@ function halton(i: number, base: number): number {
 const between = (low: number, high: number, t: number): number => low + (high - low) * t;
 
 /**
- * Lights on the eye's side of the origin, `distance` to twice that far from it: directional, point and spot in turn. Every cone
- * holds a sphere of a sixth of `distance` around the origin, so no light can be culled. Together they are about as bright as
- * one full light.
+ * Lights on the eye's side of the origin, `distance` to twice that far from it: directional, point
+ * and spot in turn. Every cone holds a sphere of a sixth of `distance` around the origin, so no
+ * light can be culled. Together they are about as bright as one full light.
  */
 export function mixedLights(count: number, distance = 2): SceneLight[] {
   const full = Math.min(200, 600 / Math.max(count, 1));
@@ -95,7 +96,9 @@ export function mixedLights(count: number, distance = 2): SceneLight[] {
     const color: Vec3 = [channel(7), channel(11), channel(13)];
     const common = { ambient: [0, 0, 0], diffuse: color, specular: color } as const;
     const attenuation: Vec3 = [1, 0.05, 0.02];
-    if (i % 3 === 0) return { ...common, position: [x, y, z, 0], ambient: [full / 10, full / 10, full / 10] };
+    if (i % 3 === 0) {
+      return { ...common, position: [x, y, z, 0], ambient: [full / 10, full / 10, full / 10] };
+    }
     if (i % 3 === 1) return { ...common, position: [x, y, z, 1], attenuation };
     const spot = { axis: [-x, -y, -z] as const, aperture: 30, cutoff: 4 + (i % 12) };
     return { ...common, position: [x, y, z, 1], attenuation, ...spot };
@@ -202,5 +205,8 @@ export function lightAt({ position: [x, y, z, w] }: SceneLight, frame: number): 
   return [x + way, y, z - way, w];
 }
 
-/** The kind of the light that is added at even frames and removed at odd ones: an index into `lights`. */
+/**
+ * The kind of the light that is added at even frames and removed at odd ones: an index into
+ * `lights`.
+ */
 export const extraLight = (frame: number): number => Math.floor(frame / 2) % 3;

@@ -4,7 +4,14 @@ import { FOV, sceneOf } from './scenes.js';
 
 const scene = sceneOf(new URLSearchParams(location.search).get('scene')!);
 const viewer = document.createElement('phong-viewer');
-Object.assign(viewer, { alt: 'Boxes', theta: 0, phi: 90, target: [0, 0, 0], radius: scene.radius, fov: FOV });
+Object.assign(viewer, {
+  alt: 'Boxes',
+  theta: 0,
+  phi: 90,
+  target: [0, 0, 0],
+  radius: scene.radius,
+  fov: FOV,
+});
 viewer.append(
   ...scene.lights.map((light) => Object.assign(document.createElement('phong-light'), light)),
   ...scene.meshes.map(({ position, scale }) =>

@@ -6,7 +6,9 @@ import { threeLight } from './three-side.js';
 
 const bench = sceneOf(new URLSearchParams(location.search).get('scene')!);
 const { renderer, camera, scene } = threePage(document.getElementById('holder')!, 0.1, 100);
-for (const light of bench.lights) scene.add(threeLight(light));
+for (const light of bench.lights) {
+  scene.add(threeLight(light));
+}
 const [geometry, material] = [new BoxGeometry(), new MeshPhongMaterial({ shininess: 32 })];
 for (const { position = ORIGIN, scale = 1 } of bench.meshes) {
   const mesh = new Mesh(geometry, material);

@@ -1,4 +1,5 @@
-// A plain three.js page that shows a model by three's own loader, under a light at the camera, with MeshPhongMaterial.
+// A plain three.js page that shows a model by three's own loader, under a light at the camera, with
+// MeshPhongMaterial.
 import {
   Box3,
   type BufferGeometry,

@@ -1,9 +1,22 @@
 // A plain three.js page with the same sphere under the nearest lights that three.js has.
-import { AmbientLight, DirectionalLight, Mesh, MeshPhongMaterial, PointLight, SphereGeometry, SpotLight } from 'three';
+import {
+  AmbientLight,
+  DirectionalLight,
+  Mesh,
+  MeshPhongMaterial,
+  PointLight,
+  SphereGeometry,
+  SpotLight,
+} from 'three';
 import { threePage } from './three-page.js';
 
 const { renderer, camera, scene } = threePage(document.getElementById('holder')!, 0.1, 10);
-scene.add(new Mesh(new SphereGeometry(0.5, 64, 32), new MeshPhongMaterial({ shininess: 32, specular: 0x808080 })));
+scene.add(
+  new Mesh(
+    new SphereGeometry(0.5, 64, 32),
+    new MeshPhongMaterial({ shininess: 32, specular: 0x808080 }),
+  ),
+);
 const sun = new DirectionalLight(0x969696, Math.PI);
 sun.position.set(1, 2, 3);
 const lamp = new PointLight(0xc8783c, 20);

@@ -1,4 +1,5 @@
-// What plain three.js pages have in common: a canvas as large as the holder, made as the element makes its own, and a camera.
+// What plain three.js pages have in common: a canvas as large as the holder, made as the element
+// makes its own, and a camera.
 import { PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { FOV } from './scenes.js';
 

@@ -1,4 +1,5 @@
-// Plain three.js on a canvas like the element's: MeshPhongMaterial under the nearest lights that three.js has, or one unlit mesh.
+// Plain three.js on a canvas like the element's: MeshPhongMaterial under the nearest lights that
+// three.js has, or one unlit mesh.
 import {
   AmbientLight,
   BackSide,
@@ -38,12 +39,21 @@ const SHAPES: Readonly<Record<string, () => BufferGeometry>> = {
   box: () => new BoxGeometry(),
 };
 
-/** The nearest light that three.js has. Its penumbra stands for `cutoff`, its decay for `attenuation`. */
-export function threeLight({ position: [x, y, z, w], diffuse, axis, aperture = 180 }: SceneLight): Light {
+/**
+ * The nearest light that three.js has. Its penumbra stands for `cutoff`, its decay for
+ * `attenuation`.
+ */
+export function threeLight({
+  position: [x, y, z, w],
+  diffuse,
+  axis,
+  aperture = 180,
+}: SceneLight): Light {
   const [r, g, b] = diffuse;
   const color = new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
   if (w === 0) return placed(new DirectionalLight(color, Math.PI), [x, y, z]);
-  // Brightness falls with the square of the distance: as bright at the origin as the element's light.
+  // Brightness falls with the square of the distance: as bright at the origin as the element's
+  // light.
   const intensity = Math.PI * (x * x + y * y + z * z);
   if (axis === undefined) return placed(new PointLight(color, intensity, 0, 2), [x, y, z]);
   const spot = new SpotLight(color, intensity, 0, MathUtils.degToRad(aperture), 0.5, 2);
@@ -65,7 +75,9 @@ function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): M
     specular: new Color().setScalar(ks / 255).convertSRGBToLinear(),
     shininess,
   });
-  if (inside === true) material.side = BackSide;
+  if (inside === true) {
+    material.side = BackSide;
+  }
   return material;
 }
 
@@ -86,7 +98,10 @@ async function threeMeshes(scene: BenchScene, material: Material): Promise<Mesh[
   return meshes;
 }
 
-/** The first geometry of a model. `material` takes over which sides the model shows and whether it is blended. */
+/**
+ * The first geometry of a model. `material` takes over which sides the model shows and whether it
+ * is blended.
+ */
 async function loadGeometry(url: string, material: Material): Promise<BufferGeometry> {
   const [{ GLTFLoader }, { DRACOLoader }] = await Promise.all([
     import('three/addons/loaders/GLTFLoader.js'),
@@ -96,7 +111,9 @@ async function loadGeometry(url: string, material: Material): Promise<BufferGeom
   const { scene } = await new GLTFLoader().setDRACOLoader(draco).loadAsync(url);
   let found: Mesh<BufferGeometry, Material> | undefined;
   scene.traverse((object) => {
-    if (object instanceof Mesh) found ??= object as Mesh<BufferGeometry, Material>;
+    if (object instanceof Mesh) {
+      found ??= object as Mesh<BufferGeometry, Material>;
+    }
   });
   if (found === undefined) throw new Error(`${url} has no mesh`);
   material.side = found.material.side;
@@ -115,11 +132,17 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
   const { renderer, camera, scene } = threePage(holder, 0.05, 100);
   const material = lit ? phongMaterial(bench) : new MeshBasicMaterial();
   const meshes = await threeMeshes(bench, material);
-  for (const mesh of meshes) scene.add(mesh);
+  for (const mesh of meshes) {
+    scene.add(mesh);
+  }
   const lights = lit ? bench.lights.map(threeLight) : [];
-  for (const light of lights) scene.add(light, ...targetOf(light));
+  for (const light of lights) {
+    scene.add(light, ...targetOf(light));
+  }
   const ambient = bench.lights.reduce((sum, light) => sum + light.ambient[0] / 255, 0);
-  if (lit && ambient > 0) scene.add(new AmbientLight(0xffffff, ambient));
+  if (lit && ambient > 0) {
+    scene.add(new AmbientLight(0xffffff, ambient));
+  }
 
   let extra: Light | null = null;
   const change = (i: number): void => {
@@ -141,7 +164,9 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
         }
         break;
       case 'toggle':
-        for (const light of lights.slice(lights.length >> 1, (lights.length >> 1) + 1)) light.visible = i % 2 === 0;
+        for (const light of lights.slice(lights.length >> 1, (lights.length >> 1) + 1)) {
+          light.visible = i % 2 === 0;
+        }
         break;
       case 'mesh':
         meshes[0]!.position.x = 0.1 * swing(i);

@@ -1,5 +1,5 @@
-// Turning viewers that fill the page, in so many columns and rows: viewers.html?columns=5&rows=4. They draw at the browser's
-// own frame rate.
+// Turning viewers that fill the page, in so many columns and rows: viewers.html?columns=5&rows=4.
+// They draw at the browser's own frame rate.
 import 'phong-viewer';
 import { mixedLights } from './scenes.js';
 
@@ -19,7 +19,9 @@ document.body.style.gridTemplate = `repeat(${String(rows)}, 1fr) / repeat(${Stri
 const viewers = Array.from({ length: columns * rows }, () => {
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer, { alt: 'A sphere', geometry: 'sphere', autoRotate: 30 });
-  viewer.append(...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)));
+  viewer.append(
+    ...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)),
+  );
   return viewer;
 });
 document.body.append(...viewers);

@@ -1,5 +1,6 @@
-// Every attribute of the elements: what it gives where it is absent, valid, malformed or out of its domain, and what
-// its property refuses. Values in HTML's units; a table to be read beside the one for users.
+// Every attribute of the elements: what it gives where it is absent, valid, malformed or out of its
+// domain, and what its property refuses. Values in HTML's units; a table to be read beside the one
+// for users.
 
 export interface Row {
   readonly attribute: string;
@@ -69,7 +70,15 @@ const color = (attribute: string, fallback: unknown): Row => ({
     transparent: [0, 0, 0],
   },
   bad: [
-    ...['', 'currentColor', 'color-mix(in srgb, currentColor, red)', 'nocolor', '#12', '1 2', 'rgb(1,2'],
+    ...[
+      '',
+      'currentColor',
+      'color-mix(in srgb, currentColor, red)',
+      'nocolor',
+      '#12',
+      '1 2',
+      'rgb(1,2',
+    ],
     ...['inherit', 'var(--x)', 'red; blue', 'url(x)', '-1 0 0', '1e7', '0 0 1e999'],
     ...['color(display-p3 1 0 0)', 'oklch(0.7 0.4 140)', 'color(srgb 1.5 0 0)'],
   ],
@@ -79,7 +88,11 @@ const color = (attribute: string, fallback: unknown): Row => ({
   },
 });
 
-const choice = (attribute: string, fallback: string | null, ...choices: readonly string[]): Row => ({
+const choice = (
+  attribute: string,
+  fallback: string | null,
+  ...choices: readonly string[]
+): Row => ({
   attribute,
   fallback,
   valid: Object.fromEntries(choices.flatMap((name) => [[name, name], [` ${name.toUpperCase()} `, name]])), // oxfmt-ignore
@@ -125,7 +138,17 @@ const position: Row = {
     '1 2 3 1': [1, 2, 3, 1],
     '-0 1e-320 1e15 -0': [0, 1e-320, 1e15, 0],
   },
-  bad: ['', '1 2', '1 2 x', '1 2 3 4 5', '1 2 3 0.5', '1 2 3 2', '1e16 0 0', '0 0 0 -1', '1e999 0 0 0'],
+  bad: [
+    '',
+    '1 2',
+    '1 2 x',
+    '1 2 3 4 5',
+    '1 2 3 0.5',
+    '1 2 3 2',
+    '1e16 0 0',
+    '0 0 0 -1',
+    '1e999 0 0 0',
+  ],
   refused: { RangeError: [[1, 2, 3, 4]], TypeError: [[1, 2], '1 2 x'] },
 };
 
@@ -175,7 +198,17 @@ const dividers: Row = {
   refused: { RangeError: [101, [60, 40], [NaN]], TypeError: [[], ['1'], true, {}] },
 };
 
-const geometries = ['box', 'sphere', 'cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
+const geometries = [
+  'box',
+  'sphere',
+  'cylinder',
+  'cone',
+  'pyramid',
+  'torus',
+  'torus-knot',
+  'teapot',
+  'plane',
+];
 const shape: readonly Row[] = [
   text('src', ''),
   choice('type', null, 'obj', 'glb', 'model/stl'),

@@ -1,5 +1,5 @@
-// Does every attribute and property behave as its row of the table says? The elements are outside the document: parsing
-// needs no picture, and nothing is fetched.
+// Does every attribute and property behave as its row of the table says? The elements are outside
+// the document: parsing needs no picture, and nothing is fetched.
 
 import { expect, test } from '../../support/test.js';
 import { type Row, tables } from './attribute-rows.js';
@@ -9,14 +9,19 @@ const propertyOf = ({ attribute, property }: Row): string =>
   property ?? attribute.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 
 for (const [tag, rows] of Object.entries(tables)) {
-  test(`attributes and properties of <${tag}> behave as their complete table says`, async ({ page, mount }) => {
+  test(`attributes and properties of <${tag}> behave as their complete table says`, async ({
+    page,
+    mount,
+  }) => {
     await mount('<main></main>');
     for (const row of rows) {
       const faults = await page.evaluate(faultsOf, { tag, row, property: propertyOf(row) });
       expect(faults, row.attribute).toEqual([]);
     }
     const [observed, keys] = await page.evaluate((name) => {
-      const { observedAttributes } = customElements.get(name) as unknown as { observedAttributes: string[] };
+      const { observedAttributes } = customElements.get(name) as unknown as {
+        observedAttributes: string[];
+      };
       const element = document.createElement(name);
       const names = new Set(Object.getOwnPropertyNames(element));
       for (
@@ -24,18 +29,29 @@ for (const [tag, rows] of Object.entries(tables)) {
         at !== HTMLElement.prototype;
         at = Object.getPrototypeOf(at) as object
       ) {
-        for (const key of Object.getOwnPropertyNames(at)) names.add(key);
+        for (const key of Object.getOwnPropertyNames(at)) {
+          names.add(key);
+        }
       }
       return [observedAttributes, [...names]] as const;
     }, tag);
-    const known = [...rows.map(({ attribute }) => attribute), 'aria-label', 'aria-labelledby', 'role'];
+    const known = [
+      ...rows.map(({ attribute }) => attribute),
+      'aria-label',
+      'aria-labelledby',
+      'role',
+    ];
     expect(observed.filter((attribute) => !known.includes(attribute))).toEqual([]);
-    // Internals are not properties. Viewers and comparisons have methods and Lit’s properties as well.
+    // Internals are not properties. Viewers and comparisons have methods and Lit’s properties as
+    // well.
     const internals = ['state', 'declared', 'moveFrom', 'store', 'binding', 'context'];
     const inside =
       tag === 'phong-viewer' || tag === 'phong-compare'
         ? keys.filter((key) => internals.includes(key))
-        : keys.filter((key) => !['constructor', ...rows.map(propertyOf)].includes(key) && !key.endsWith('Callback'));
+        : keys.filter(
+            (key) =>
+              !['constructor', ...rows.map(propertyOf)].includes(key) && !key.endsWith('Callback'),
+          );
     expect(inside).toEqual([]);
   });
 }
@@ -53,9 +69,15 @@ function faultsOf({ tag, row, property }: { tag: string; row: Row; property: str
   const check = (what: string, wanted: unknown): void => {
     const value = Reflect.get(element, property) as unknown;
     const got = JSON.stringify(value);
-    if (got !== JSON.stringify(wanted)) faults.push(`${what} gives ${got}, not ${JSON.stringify(wanted)}`);
-    if ([value].flat().some((n) => Object.is(n, -0))) faults.push(`${what} gives -0`);
-    if (Array.isArray(value) && !Object.isFrozen(value)) faults.push(`${what} gives a list that is not frozen`);
+    if (got !== JSON.stringify(wanted)) {
+      faults.push(`${what} gives ${got}, not ${JSON.stringify(wanted)}`);
+    }
+    if ([value].flat().some((n) => Object.is(n, -0))) {
+      faults.push(`${what} gives -0`);
+    }
+    if (Array.isArray(value) && !Object.isFrozen(value)) {
+      faults.push(`${what} gives a list that is not frozen`);
+    }
   };
   check('absence', fallback);
   for (const [text, value] of texts) {
@@ -64,7 +86,9 @@ function faultsOf({ tag, row, property }: { tag: string; row: Row; property: str
     element.removeAttribute(attribute);
     check(`removal after "${text}"`, fallback);
   }
-  if (warnings.length > 0) faults.push(`good values are warned of: ${warnings.join(' | ')}`);
+  if (warnings.length > 0) {
+    faults.push(`good values are warned of: ${warnings.join(' | ')}`);
+  }
   for (const text of bad) {
     warnings.length = 0;
     element.setAttribute(attribute, good);
@@ -76,8 +100,12 @@ function faultsOf({ tag, row, property }: { tag: string; row: Row; property: str
     const instead = fallback === null ? 'none' : [fallback].flat().join(' ');
     const named = [`<${tag}>`, attribute, JSON.stringify(text), 'expected', instead];
     const missing = named.filter((part) => warnings[0]?.includes(part) !== true);
-    if (missing.length > 0) faults.push(`the warning of "${text}" lacks ${missing.join()}: ${warnings[0]}`);
-    if (warnings.length > 1) faults.push(`"${text}" is warned of ${warnings.length} times`);
+    if (missing.length > 0) {
+      faults.push(`the warning of "${text}" lacks ${missing.join()}: ${warnings[0]}`);
+    }
+    if (warnings.length > 1) {
+      faults.push(`"${text}" is warned of ${warnings.length} times`);
+    }
   }
   console.warn = warn;
 
@@ -87,8 +115,9 @@ function faultsOf({ tag, row, property }: { tag: string; row: Row; property: str
       const what = JSON.stringify(given);
       Reflect.set(element, property, given);
       check(`the property ${what}`, value);
-      if (Array.isArray(given) && Reflect.get(element, property) === given)
+      if (Array.isArray(given) && Reflect.get(element, property) === given) {
         faults.push('keeps the list that it was given');
+      }
       for (const nothing of [null, undefined]) {
         Reflect.set(element, property, given);
         Reflect.set(element, property, nothing);
@@ -106,19 +135,28 @@ function faultsOf({ tag, row, property }: { tag: string; row: Row; property: str
         error = String(thrown);
       }
       const what = JSON.stringify(wrong);
-      if (!error.startsWith(kind) || !error.includes(`<${tag}>`))
+      if (!error.startsWith(kind) || !error.includes(`<${tag}>`)) {
         faults.push(`${what} throws ${error}, not a ${kind} that names the element`);
+      }
       check(`the refusal of ${what}`, itsValue);
     }
   }
-  if (element.hasAttribute(attribute)) faults.push('is reflected');
+  if (element.hasAttribute(attribute)) {
+    faults.push('is reflected');
+  }
   return faults;
 }
 
-test('values set before the upgrade are used, or give a warning if invalid', async ({ page, site, consoleGuard }) => {
+test('values set before the upgrade are used, or give a warning if invalid', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
   const warnings = consoleGuard.allow(/^warning: <phong-/, 6);
   const light = '<phong-light></phong-light>';
-  await page.goto(site.page(`<phong-viewer>${light}<phong-mesh></phong-mesh>${light}</phong-viewer>`));
+  await page.goto(
+    site.page(`<phong-viewer>${light}<phong-mesh></phong-mesh>${light}</phong-viewer>`),
+  );
   const ofViewer = { fov: 33, target: [1, 2, 3], theta: 'north', autoRotate: null };
   await assign(page.locator('phong-viewer'), ofViewer);
   const first = page.locator('phong-light').first();
@@ -127,7 +165,9 @@ test('values set before the upgrade are used, or give a warning if invalid', asy
   await page.evaluate(() => {
     // Objects without a text form.
     const second = document.querySelectorAll('phong-light')[1]!;
-    for (const key of ['name', 'diffuse', 'cutoff']) Reflect.set(second, key, Object.create(null));
+    for (const key of ['name', 'diffuse', 'cutoff']) {
+      Reflect.set(second, key, Object.create(null));
+    }
   });
   await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js' });
   await page.evaluate(() => customElements.whenDefined('phong-viewer'));
@@ -160,7 +200,10 @@ test('values set before the upgrade are used, or give a warning if invalid', asy
   expect(await page.evaluate(() => document.querySelector('phong-light')?.cutoff)).toBe(3);
 });
 
-test('the browser converts colours to sRGB; text too long or too deep never reaches it', async ({ page, mount }) => {
+test('the browser converts colours to sRGB; text too long or too deep never reaches it', async ({
+  page,
+  mount,
+}) => {
   await mount('<main></main>');
   for (const [text, wanted] of [
     ['oklch(1 0 0)', [255, 255, 255]],
@@ -176,7 +219,10 @@ test('the browser converts colours to sRGB; text too long or too deep never reac
     wanted.forEach((code, i) => expect(Math.abs(Number(color[i]) - code), text).toBeLessThan(0.1));
   }
   const outcome = await page.evaluate(() => {
-    const parser = Object.getOwnPropertyDescriptor(CanvasRenderingContext2D.prototype, 'fillStyle')!;
+    const parser = Object.getOwnPropertyDescriptor(
+      CanvasRenderingContext2D.prototype,
+      'fillStyle',
+    )!;
     let asked = 0;
     Object.defineProperty(CanvasRenderingContext2D.prototype, 'fillStyle', {
       ...parser,
@@ -214,7 +260,9 @@ test('the browser converts colours to sRGB; text too long or too deep never reac
 
 test('values that were refused are not kept', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/^warning: <phong-light> diffuse=/);
-  const light = (await mount('<phong-viewer><phong-light></phong-light></phong-viewer>')).locator('phong-light');
+  const light = (await mount('<phong-viewer><phong-light></phong-light></phong-viewer>')).locator(
+    'phong-light',
+  );
   const session = await page.context().newCDPSession(page);
   const heap = async (): Promise<number> => {
     await session.send('HeapProfiler.collectGarbage');

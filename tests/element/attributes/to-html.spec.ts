@@ -1,4 +1,5 @@
-// Does toHTML write the current scene, so that its markup gives the same picture and the same markup again?
+// Does toHTML write the current scene, so that its markup gives the same picture and the same
+// markup again?
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
@@ -15,7 +16,8 @@ const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" ter
     <phong-light position="0 3 3" axis="0 -1 -1" aperture="20" cutoff="12" attenuation="1 0.1 0.05" space="camera"></phong-light>
     <phong-light active="false" diffuse="#f00"></phong-light></phong-viewer>`;
 
-const html = (viewer: Locator): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
+const html = (viewer: Locator): Promise<string> =>
+  viewer.evaluate((element: PhongViewer) => element.toHTML());
 
 async function roundTrip(page: Page, viewer: Locator): Promise<void> {
   const before = await pixels(viewer, size);
@@ -36,12 +38,16 @@ test('toHTML gives the same picture, and the same markup again', async ({ page, 
   const viewer = await mount(rich, size);
   await roundTrip(page, viewer);
   const text = await html(viewer);
-  for (const part of ['name="sun"', 'active="false"', 'orbit="false"', 'antialias="full"'])
+  for (const part of ['name="sun"', 'active="false"', 'orbit="false"', 'antialias="full"']) {
     expect(text).toContain(part);
+  }
   expect(text).not.toContain('<more>');
 });
 
-test('toHTML keeps id, class, style, wrappers and the order of the children', async ({ page, mount }) => {
+test('toHTML keeps id, class, style, wrappers and the order of the children', async ({
+  page,
+  mount,
+}) => {
   const markup = `<phong-viewer id="scene" class="a b" style="color: red" alt="A ball" theta="20" phi="70" radius="auto" target="auto">
   <phong-light id="first" name="one"></phong-light>
   <div id="rig" class="rig" style="color: blue">
@@ -69,7 +75,10 @@ test('toHTML keeps id, class, style, wrappers and the order of the children', as
   await page.evaluate(() => document.querySelector('my-ball')!.remove());
 });
 
-test('toHTML writes auto until the camera moves, and as many digits as the picture needs', async ({ page, mount }) => {
+test('toHTML writes auto until the camera moves, and as many digits as the picture needs', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(box, size);
   expect(await html(viewer)).toContain('theta="30" phi="70" radius="auto" target="auto"');
   await assign(viewer, { target: [0, 0.5, 0] });

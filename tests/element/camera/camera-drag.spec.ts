@@ -1,12 +1,16 @@
-// Do drags with a real mouse and real fingers turn the scene by the specified angles, and nothing else? unit/ has the
-// rest of the gestures. One width is 360° of azimuth, one height 180° of polar angle.
+// Do drags with a real mouse and real fingers turn the scene by the specified angles, and nothing
+// else? unit/ has the rest of the gestures. One width is 360° of azimuth, one height 180° of polar
+// angle.
 
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { assign, cameraOf, drag, Fingers, type PhongViewer } from '../support/viewer.js';
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70"></phong-viewer>';
 
-test('a drag shows the picture of new angles, and leaves declared ones and markup alone', async ({ page, mount }) => {
+test('a drag shows the picture of new angles, and leaves declared ones and markup alone', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(box);
   await drag(page, [300, 200], [60, 40]);
   const dragged = await pixels(viewer);
@@ -21,7 +25,10 @@ test('a drag shows the picture of new angles, and leaves declared ones and marku
   expect(compare(dragged, await pixels(same)).max).toBe(0);
 });
 
-test('a drag continues outside the page and from a property, until the viewer is removed', async ({ page, mount }) => {
+test('a drag continues outside the page and from a property, until the viewer is removed', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(box, { width: 200, height: 200 });
   const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
   await drag(page, [100, 100], [300, 0], { release: false });
@@ -45,7 +52,10 @@ test('a drag continues outside the page and from a property, until the viewer is
   expect(await theta(), 'released').toBe(28);
 });
 
-test('in transformed parents a drag follows the element’s own axes, and back to its start', async ({ page, mount }) => {
+test('in transformed parents a drag follows the element’s own axes, and back to its start', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`<main><section>${box}</section></main>`, {
     css: `main { position: absolute; left: 200px; top: 150px; width: 600px; height: 400px }
       section { rotate: 10deg; zoom: 0.5 }`,
@@ -84,19 +94,30 @@ test('in transformed parents a drag follows the element’s own axes, and back t
   }
 });
 
-test('turns in a link, a draggable card, a label and a summary, which take clicks only', async ({ page, mount }) => {
+test('turns in a link, a draggable card, a label and a summary, which take clicks only', async ({
+  page,
+  mount,
+}) => {
   await mount(
     `<a href="#went">${box}</a><div draggable="true">${box}</div><label>${box}<input type="checkbox"></label>
     <details><summary>${box}</summary>text</details>`,
-    { width: 200, height: 130, css: 'summary { display: block } input { display: block; margin: 0 }' },
+    {
+      width: 200,
+      height: 130,
+      css: 'summary { display: block } input { display: block; margin: 0 }',
+    },
   );
   await page.evaluate(() => {
     const heard: string[] = [];
-    for (const type of ['dragstart', 'click'])
-      for (const around of document.querySelectorAll('a, [draggable], label, summary'))
+    for (const type of ['dragstart', 'click']) {
+      for (const around of document.querySelectorAll('a, [draggable], label, summary')) {
         around.addEventListener(type, ({ target }) => {
-          if (target !== document.querySelector('input')) heard.push(`${type} ${around.localName}`);
+          if (target !== document.querySelector('input')) {
+            heard.push(`${type} ${around.localName}`);
+          }
         });
+      }
+    }
     Object.assign(window, { heard });
   });
   const outcome = (): Promise<unknown> =>
@@ -113,7 +134,9 @@ test('turns in a link, a draggable card, a label and a summary, which take click
     expect(await cameraOf(viewer)).toMatchObject({ theta: -150, phi: 70 });
   }
   expect(await outcome()).toEqual({ heard: [], hash: '', checked: false, open: false });
-  for (const viewer of viewers) await viewer.click();
+  for (const viewer of viewers) {
+    await viewer.click();
+  }
   const heard = ['a', 'div', 'label', 'summary'].map((around) => `click ${around}`);
   expect(await outcome()).toEqual({ heard, hash: '#went', checked: true, open: true });
 });
@@ -121,8 +144,13 @@ test('turns in a link, a draggable card, a label and a summary, which take click
 test.describe('fingers', () => {
   test.use({ hasTouch: true });
 
-  test('one finger turns as the mouse does; a stroke down the picture scrolls the page', async ({ page, mount }) => {
-    const viewer = await mount(`${box}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
+  test('one finger turns as the mouse does; a stroke down the picture scrolls the page', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(`${box}<div class="tall"></div>`, {
+      css: '.tall { height: 3000px }',
+    });
     const fingers = await Fingers.on(page);
     await fingers.down([300, 200]);
     await fingers.move([330, 200]);
@@ -130,7 +158,9 @@ test.describe('fingers', () => {
     await fingers.up();
     expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 52 });
     await fingers.down([300, 350]);
-    for (let y = 345; y >= 150; y -= 5) await fingers.move([300, y]);
+    for (let y = 345; y >= 150; y -= 5) {
+      await fingers.move([300, y]);
+    }
     await fingers.up();
     await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(100);
     expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 52 });

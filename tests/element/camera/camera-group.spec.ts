@@ -1,21 +1,33 @@
-// Do viewers with the same `camera-group` always have exactly the same camera? Poses are compared bit by bit, and
-// events counted.
+// Do viewers with the same `camera-group` always have exactly the same camera? Poses are compared
+// bit by bit, and events counted.
 
 import type { Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
+import {
+  assign,
+  cameraOf,
+  drag,
+  nextFrame,
+  type PhongViewer,
+  record,
+  settled,
+} from '../support/viewer.js';
 
 /** Two viewers of 300 × 200 side by side. */
 const pair = (first: string, second: string): string =>
   [first, second]
-    .map((attributes) => `<phong-viewer geometry="box" camera-group="a" ${attributes}></phong-viewer>`)
+    .map(
+      (attributes) => `<phong-viewer geometry="box" camera-group="a" ${attributes}></phong-viewer>`,
+    )
     .join('');
 
 const css = 'phong-viewer { display: inline-block } [hidden] { display: none !important }';
 const size = { width: 300, height: 200, css } as const;
 
-/** Angles and radius of all viewers, which are equal, and the target. Shadow trees are not included. */
+/**
+ * Angles and radius of all viewers, which are equal, and the target. Shadow trees are not included.
+ */
 async function onePose(page: Page): Promise<{ theta: number; phi: number; radius: number }> {
   const poses = await page.evaluate(() =>
     Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => {
@@ -23,21 +35,33 @@ async function onePose(page: Page): Promise<{ theta: number; phi: number; radius
       return { theta, phi, radius, target };
     }),
   );
-  for (const pose of poses) expect(pose).toStrictEqual(poses[0]);
+  for (const pose of poses) {
+    expect(pose).toStrictEqual(poses[0]);
+  }
   return poses[0]!;
 }
 
-test('the first picture, drawn once, has the first viewer’s camera, however late the code', async ({ page, mount }) => {
+test('the first picture, drawn once, has the first viewer’s camera, however late the code', async ({
+  page,
+  mount,
+}) => {
   let send = (): void => undefined;
   const sent = new Promise<void>((resolve) => (send = resolve));
   await page.route(/\/camera-group-/, async (route) => {
     await sent;
     return route.continue();
   });
-  await mount(pair('theta="10" radius="5"', 'theta="80" phi="20"'), { ...size, waitForReady: false });
+  await mount(pair('theta="10" radius="5"', 'theta="80" phi="20"'), {
+    ...size,
+    waitForReady: false,
+  });
   const frames = (): Promise<number[]> =>
-    page.evaluate(() => [...document.querySelectorAll('phong-viewer')].map(({ stats }) => stats.frames));
-  for (let i = 0; i < 3; i++) await nextFrame(page);
+    page.evaluate(() =>
+      [...document.querySelectorAll('phong-viewer')].map(({ stats }) => stats.frames),
+    );
+  for (let i = 0; i < 3; i++) {
+    await nextFrame(page);
+  }
   expect(await frames()).toEqual([0, 0]);
   send();
   await allReady(page);
@@ -45,10 +69,16 @@ test('the first picture, drawn once, has the first viewer’s camera, however la
   expect(await onePose(page)).toMatchObject({ theta: 10, phi: 70, radius: 5 });
 });
 
-test('drag, wheel, keys and properties move all viewers, with one event and frame each', async ({ page, mount }) => {
+test('drag, wheel, keys and properties move all viewers, with one event and frame each', async ({
+  page,
+  mount,
+}) => {
   const first = await mount(pair('', ''), size);
   const second = page.locator('phong-viewer').nth(1);
-  const heard = [await record(first, 'camera-change'), await record(second, 'camera-change')] as const;
+  const heard = [
+    await record(first, 'camera-change'),
+    await record(second, 'camera-change'),
+  ] as const;
   const drawn = (): Promise<number> => first.evaluate(({ stats }: PhongViewer) => stats.frames);
   const deeds: readonly (readonly [source: string, deed: () => Promise<unknown>])[] = [
     ['pointer', () => drag(page, [450, 100], [33, 17], { steps: 1 })],
@@ -68,12 +98,17 @@ test('drag, wheel, keys and properties move all viewers, with one event and fram
     expect(after, source).not.toEqual(before);
     before = after;
     expect(await heard[1].take()).toEqual([{ type: 'camera-change', detail: { source } }]);
-    expect(await heard[0].take()).toEqual([{ type: 'camera-change', detail: { source, linked: true } }]);
+    expect(await heard[0].take()).toEqual([
+      { type: 'camera-change', detail: { source, linked: true } },
+    ]);
     expect(await drawn(), source).toBe(frames + 1);
   }
 });
 
-test('auto fits the largest scene of the group, also when members come, go and change', async ({ page, mount }) => {
+test('auto fits the largest scene of the group, also when members come, go and change', async ({
+  page,
+  mount,
+}) => {
   const small = await mount(
     `${pair('', '')}<phong-viewer camera-group="a"><phong-mesh geometry="box" scale="3" position="1 0 0"></phong-mesh></phong-viewer>`,
     size,
@@ -107,7 +142,10 @@ test('auto fits the largest scene of the group, also when members come, go and c
   expect((await onePose(page)).radius).toBe(narrow);
 });
 
-test('a viewer that leaves its group moves alone, and takes the camera of the next one', async ({ page, mount }) => {
+test('a viewer that leaves its group moves alone, and takes the camera of the next one', async ({
+  page,
+  mount,
+}) => {
   const first = await mount(pair('theta="10"', ''), size);
   const second = page.locator('phong-viewer').nth(1);
   await assign(second, { cameraGroup: null });
@@ -122,7 +160,11 @@ test('a viewer that leaves its group moves alone, and takes the camera of the ne
   expect((await onePose(page)).theta).toBe(10);
 });
 
-test('groups include viewers in shadow trees, but not in other documents', async ({ page, mount, site }) => {
+test('groups include viewers in shadow trees, but not in other documents', async ({
+  page,
+  mount,
+  site,
+}) => {
   const address = site.page(pair('theta="1"', 'theta="2"'), {
     csp: '',
     head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',
@@ -130,7 +172,12 @@ test('groups include viewers in shadow trees, but not in other documents', async
   const first = await mount(`${pair('theta="10"', '')}<main></main>`, { ...size, csp: '' });
   await page.evaluate(async (src) => {
     const viewer = document.createElement('phong-viewer');
-    Object.assign(viewer, { alt: 'In a shadow tree', geometry: 'box', cameraGroup: 'a', theta: 99 });
+    Object.assign(viewer, {
+      alt: 'In a shadow tree',
+      geometry: 'box',
+      cameraGroup: 'a',
+      theta: 99,
+    });
     document.querySelector('main')?.attachShadow({ mode: 'closed' }).append(viewer);
     Reflect.set(window, 'inner', viewer);
     await viewer.ready;
@@ -139,7 +186,8 @@ test('groups include viewers in shadow trees, but not in other documents', async
     document.body.append(frame);
     await new Promise((resolve) => frame.addEventListener('load', resolve));
   }, address);
-  const inner = () => page.evaluate(() => (Reflect.get(window, 'inner') as PhongViewer).camera.theta);
+  const inner = () =>
+    page.evaluate(() => (Reflect.get(window, 'inner') as PhongViewer).camera.theta);
   expect(await inner()).toBe(10);
   const other = page.frameLocator('iframe').locator('phong-viewer').nth(1);
   await settled(other);
@@ -148,7 +196,10 @@ test('groups include viewers in shadow trees, but not in other documents', async
   expect((await cameraOf(other)).theta).toBe(1);
 });
 
-test('auto-rotate turns the group, pauses during drags, and passes to the next in view', async ({ page, mount }) => {
+test('auto-rotate turns the group, pauses during drags, and passes to the next in view', async ({
+  page,
+  mount,
+}) => {
   await countEverything(page);
   const first = await mount(pair('auto-rotate="30"', 'auto-rotate="-700"'), size);
   const second = page.locator('phong-viewer').nth(1);
@@ -160,7 +211,9 @@ test('auto-rotate turns the group, pauses during drags, and passes to the next i
   // Half a second at most: 30°/s moves less than 90°, −700°/s moves far more, downwards.
   const turned = (((await cameraOf(first)).theta - from + 540) % 360) - 180;
   expect(turned).toBeGreaterThan(0);
-  for (const { detail } of await heard.take()) expect(detail).toEqual({ source: 'auto', linked: true });
+  for (const { detail } of await heard.take()) {
+    expect(detail).toEqual({ source: 'auto', linked: true });
+  }
   await drag(page, [450, 100], [20, 0], { release: false });
   const held = (await onePose(page)).theta;
   await nextFrame(page);
@@ -174,7 +227,9 @@ test('auto-rotate turns the group, pauses during drags, and passes to the next i
   await expect.poll(async () => (await heard.take()).at(-1)?.detail).toEqual({ source: 'auto' });
   await onePose(page);
   await assign(first, { hidden: false });
-  for (const viewer of [first, second]) await assign(viewer, { autoRotate: 0 });
+  for (const viewer of [first, second]) {
+    await assign(viewer, { autoRotate: 0 });
+  }
   await allReady(page);
   await nextFrame(page);
   // The description is written a second after the last frame.

@@ -1,14 +1,28 @@
-// Where is the camera, and what moves it besides drags: wheel, keys, properties, `auto`, time? Numbers are compared
-// with float64 formulas computed here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
+// Where is the camera, and what moves it besides drags: wheel, keys, properties, `auto`, time?
+// Numbers are compared with float64 formulas computed here. Viewers are 600 × 400 CSS pixels unless
+// a test says otherwise.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
+import {
+  assign,
+  cameraOf,
+  drag,
+  nextFrame,
+  type PhongViewer,
+  record,
+  settled,
+} from '../support/viewer.js';
 
 const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 
-test('the wheel scrolls the page until a press gives focus, and then zooms', async ({ page, mount }) => {
-  const viewer = await mount(`${near}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
+test('the wheel scrolls the page until a press gives focus, and then zooms', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(`${near}<div class="tall"></div>`, {
+    css: '.tall { height: 3000px }',
+  });
   await page.mouse.move(300, 200);
   await page.mouse.wheel(0, 50);
   await expect.poll(() => page.evaluate(() => scrollY)).toBe(50);
@@ -19,7 +33,9 @@ test('the wheel scrolls the page until a press gives focus, and then zooms', asy
   await page.mouse.wheel(0, 100);
   await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(0.1), 12);
   await page.mouse.wheel(0, -250);
-  await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
+  await expect
+    .poll(async () => (await cameraOf(viewer)).radius)
+    .toBeCloseTo(5 * Math.exp(-0.15), 12);
   expect(await page.evaluate(() => scrollY)).toBe(50);
 
   await assign(viewer, { zoom: false });
@@ -28,7 +44,10 @@ test('the wheel scrolls the page until a press gives focus, and then zooms', asy
   expect((await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
 });
 
-test('keys that a viewer uses do not reach the page (they may turn slides); others do', async ({ page, mount }) => {
+test('keys that a viewer uses do not reach the page (they may turn slides); others do', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(
     '<phong-viewer geometry="box" gui helpers="lights"><phong-light></phong-light></phong-viewer>' +
       '<phong-compare><phong-viewer></phong-viewer><phong-viewer></phong-viewer></phong-compare>',
@@ -41,7 +60,11 @@ test('keys that a viewer uses do not reach the page (they may turn slides); othe
     Object.assign(window, { keys });
   });
   const list = viewer.getByRole('listbox', { name: 'Lights in the picture' });
-  const rows: readonly (readonly [target: Locator, keys: readonly string[], reach: readonly string[]])[] = [
+  const rows: readonly (readonly [
+    target: Locator,
+    keys: readonly string[],
+    reach: readonly string[],
+  ])[] = [
     [viewer.locator('[part~=surface]').first(), ['ArrowLeft', '+', 'Home', 'n'], ['n']],
     [page.getByRole('separator'), ['ArrowRight', 'End', 'n'], ['n']],
     [viewer.getByRole('button', { name: 'add light' }), [' ', 'Enter', 'Escape'], ['Escape']],
@@ -49,13 +72,19 @@ test('keys that a viewer uses do not reach the page (they may turn slides); othe
   ];
   for (const [target, keys, reach] of rows) {
     await target.focus();
-    for (const key of keys) await page.keyboard.press(key);
-    const reached = await page.evaluate(() => (window as unknown as { keys: string[] }).keys.splice(0));
+    for (const key of keys) {
+      await page.keyboard.press(key);
+    }
+    const reached = await page.evaluate(() =>
+      (window as unknown as { keys: string[] }).keys.splice(0),
+    );
     expect(reached).toEqual(reach);
   }
 });
 
-test('`camera` is a frozen snapshot that follows properties at once, with θ in [-180, 180)', async ({ mount }) => {
+test('`camera` is a frozen snapshot that follows properties at once, with θ in [-180, 180)', async ({
+  mount,
+}) => {
   const viewer = await mount(near);
   const [frozen, first, moved, last] = await viewer.evaluate((element: PhongViewer) => {
     const { camera } = element;
@@ -68,11 +97,21 @@ test('`camera` is a frozen snapshot that follows properties at once, with θ in 
   });
   expect(frozen).toBe(true);
   expect(first).toMatchObject({ theta: 30, phi: 70, radius: 5 });
-  expect(moved).toEqual({ theta: -180, phi: 90, radius: 7, target: [1, 0, 0], eye: [1, 0, -7], up: [0, 1, 0] });
+  expect(moved).toEqual({
+    theta: -180,
+    phi: 90,
+    radius: 7,
+    target: [1, 0, 0],
+    eye: [1, 0, -7],
+    up: [0, 1, 0],
+  });
   expect(last).toMatchObject({ theta: -169, phi: 70, radius: 7 });
 });
 
-test('Home and resetCamera return to the last declared camera, not to the first', async ({ page, mount }) => {
+test('Home and resetCamera return to the last declared camera, not to the first', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer geometry="box" theta="30"></phong-viewer>');
   await assign(viewer, { theta: 45 });
   const declared = await cameraOf(viewer);
@@ -92,7 +131,10 @@ test('Home and resetCamera return to the last declared camera, not to the first'
   }
 });
 
-test('camera-change names its source once a task, never at the start, and does not bubble', async ({ page, mount }) => {
+test('camera-change names its source once a task, never at the start, and does not bubble', async ({
+  page,
+  mount,
+}) => {
   await mount('<main></main>');
   const early = await page.evaluate(async (html) => {
     let heard = 0;
@@ -138,7 +180,10 @@ const fitted = (reach: number, width: number, height: number, fov = 45): number 
   return (1.05 * reach) / Math.sin(Math.min(vertical, horizontal));
 };
 
-test('auto refits to new meshes, size and field of view until the user moves the camera', async ({ page, mount }) => {
+test('auto refits to new meshes, size and field of view until the user moves the camera', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>');
   const reach = Math.sqrt(0.75);
   const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
@@ -167,9 +212,14 @@ test('auto refits to new meshes, size and field of view until the user moves the
   expect(await radius()).toBe(5);
 });
 
-test('auto-rotate turns by elapsed time, except in drags and with reduced motion', async ({ page, mount }) => {
+test('auto-rotate turns by elapsed time, except in drags and with reduced motion', async ({
+  page,
+  mount,
+}) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
-  const viewer = await mount('<phong-viewer geometry="box" theta="0" auto-rotate="90"></phong-viewer>');
+  const viewer = await mount(
+    '<phong-viewer geometry="box" theta="0" auto-rotate="90"></phong-viewer>',
+  );
   const theta = async (): Promise<number> => (await cameraOf(viewer)).theta;
   await nextFrame(page);
   expect(await theta()).toBe(0);

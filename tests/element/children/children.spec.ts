@@ -1,6 +1,7 @@
-// Which lights and meshes belong to a viewer? Those whose nearest enclosing viewer it is, at any depth and across
-// shadow trees, in document order, however they come, move and go. histories/histories.spec.ts moves them at random.
-// Pictures are compared with those of the same markup, complete from the start.
+// Which lights and meshes belong to a viewer? Those whose nearest enclosing viewer it is, at any
+// depth and across shadow trees, in document order, however they come, move and go.
+// histories/histories.spec.ts moves them at random. Pictures are compared with those of the same
+// markup, complete from the start.
 
 import type { Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, test, type Picture } from '../../support/test.js';
@@ -9,28 +10,42 @@ import { logGl } from '../support/gl-log.js';
 import { type PhongViewer, record, shownBy } from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
-const red = '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
-const green = '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
+const red =
+  '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
+const green =
+  '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
 
 const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
-const scene = (...children: readonly string[]): string => `${open}${children.join('')}</phong-viewer>`;
+const scene = (...children: readonly string[]): string =>
+  `${open}${children.join('')}</phong-viewer>`;
 
 /** The picture of this markup in a second viewer. */
 const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
 const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 const box = '<phong-mesh name="box" geometry="box" scale="0.3"></phong-mesh>';
 
-test('children belong to the nearest viewer at any depth, except in slots', async ({ page, mount, consoleGuard }) => {
-  const ignored = consoleGuard.allow(/ is inside an element with a slot, so it has no effect\. Move it out/, 2);
+test('children belong to the nearest viewer at any depth, except in slots', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  const ignored = consoleGuard.allow(
+    / is inside an element with a slot, so it has no effect\. Move it out/,
+    2,
+  );
   const nested = consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
-  const tree = (mode: string, inner: string): string => `<div><template shadowrootmode="${mode}">${inner}</template>`;
+  const tree = (mode: string, inner: string): string =>
+    `<div><template shadowrootmode="${mode}">${inner}</template>`;
   const selfClosed = [red, box, green].map((tag) => tag.replace(/><\/[^>]*>$/, '/>')).join('');
   /** Each with the lights and meshes of its viewers, in document order. */
   const scenes: readonly (readonly [markup: string, ...names: string[]])[] = [
     [`<div><p>${red}</p><span>${box}</span></div>${green}`, 'red green box'],
     [selfClosed, 'red green box'],
     // A shadow tree comes before what its host contains.
-    [`${tree('open', `${tree('closed', green)}</div>`)}${box}${red}</div>${green}`, 'green red green box'],
+    [
+      `${tree('open', `${tree('closed', green)}</div>`)}${box}${red}</div>${green}`,
+      'green red green box',
+    ],
     [red + scene(green, box), 'red', 'green box'],
     [`<div slot="error"><p>${green}${box}</p>${scene(red)}</div>${red}`, 'red', 'red'],
   ];
@@ -47,7 +62,11 @@ test('children belong to the nearest viewer at any depth, except in slots', asyn
 test('children come and go while the viewer is outside the document', async ({ mount, page }) => {
   const viewer = await mount(scene(red, green, box), size);
   const counts = await viewer.evaluate(async (element: PhongViewer) => {
-    const count = () => [element.lights.length, element.meshes.length, element.stats.lightsDeclared];
+    const count = () => [
+      element.lights.length,
+      element.meshes.length,
+      element.stats.lightsDeclared,
+    ];
     const parent = element.parentElement;
     element.remove();
     element.lights[0]?.remove();
@@ -78,17 +97,26 @@ test('children come and go while the viewer is outside the document', async ({ m
   same(await pixels(viewer), await shown(page, scene(green)));
 });
 
-test('children are found by a viewer that is defined later than they are', async ({ page, site, mount }) => {
+test('children are found by a viewer that is defined later than they are', async ({
+  page,
+  site,
+  mount,
+}) => {
   const markup = scene(`<div>${red}</div>`, green, box);
   const wanted = await pixels(await mount(markup, size));
-  await page.goto(site.page(markup, { css: 'phong-viewer { display: block; width: 60px; height: 40px }' }));
+  await page.goto(
+    site.page(markup, { css: 'phong-viewer { display: block; width: 60px; height: 40px }' }),
+  );
   await page.evaluate(async () => {
     // A copy of the package whose viewer is not defined until everything else is.
     const define = customElements.define.bind(customElements);
     let last = (): void => undefined;
     customElements.define = (name, constructor) => {
-      if (name === 'phong-viewer') last = () => define(name, constructor);
-      else define(name, constructor);
+      if (name === 'phong-viewer') {
+        last = () => define(name, constructor);
+      } else {
+        define(name, constructor);
+      }
     };
     const address = '/dist/phong-viewer.standalone.js';
     await import(address);
@@ -99,7 +127,9 @@ test('children are found by a viewer that is defined later than they are', async
   same(await pixels(page.locator('phong-viewer')), wanted);
 });
 
-test('a viewer loses nothing in a detached tree, in another viewer or in a shadow tree', async ({ mount }) => {
+test('a viewer loses nothing in a detached tree, in another viewer or in a shadow tree', async ({
+  mount,
+}) => {
   const viewer = await mount(`${scene(red, green, box)}<aside></aside>`, size);
   const before = await pixels(viewer);
   for (const move of [
@@ -118,14 +148,18 @@ test('a viewer loses nothing in a detached tree, in another viewer or in a shado
       document.body.append(element);
       other.remove();
     },
-    (element: PhongViewer) => document.querySelector('aside')?.attachShadow({ mode: 'open' }).append(element),
+    (element: PhongViewer) =>
+      document.querySelector('aside')?.attachShadow({ mode: 'open' }).append(element),
   ]) {
     await viewer.evaluate(move);
     same(await pixels(viewer, size), before);
   }
 });
 
-test('moveBefore of wrapper or viewer keeps models, camera and panel; the order follows', async ({ page, mount }) => {
+test('moveBefore of wrapper or viewer keeps models, camera and panel; the order follows', async ({
+  page,
+  mount,
+}) => {
   const model = '<phong-mesh name="model" src="/fixtures/models/textured.glb"></phong-mesh>';
   const markup = `<main></main>${scene(`<p></p><div>${model}${red}</div>`, green).replace('geometry', 'gui geometry')}`;
   const viewer = await mount(markup, size);
@@ -153,7 +187,9 @@ test('moveBefore of wrapper or viewer keeps models, camera and panel; the order 
   expect([...requests, ...(await events.take())]).toEqual([]);
 });
 
-test('many lights connected one per microtask make one frame and one search, in document order', async ({ mount }) => {
+test('many lights connected one per microtask make one frame and one search, in document order', async ({
+  mount,
+}) => {
   const viewer = await mount(open + '</phong-viewer>', size);
   const facts = await viewer.evaluate(async (element: PhongViewer) => {
     const { frames } = element.stats;
@@ -163,9 +199,15 @@ test('many lights connected one per microtask make one frame and one search, in 
       return Document.prototype.createTreeWalker.apply(document, given);
     };
     for (let i = 0; i < 300; i++) {
-      const light = Object.assign(document.createElement('phong-light'), { diffuse: 0.5, name: String(i) });
-      if (i % 2 === 0) element.append(light);
-      else element.prepend(light);
+      const light = Object.assign(document.createElement('phong-light'), {
+        diffuse: 0.5,
+        name: String(i),
+      });
+      if (i % 2 === 0) {
+        element.append(light);
+      } else {
+        element.prepend(light);
+      }
       await Promise.resolve();
     }
     await element.ready;
@@ -177,14 +219,19 @@ test('many lights connected one per microtask make one frame and one search, in 
   expect(facts).toEqual([true, 300, 1, 1]);
 });
 
-test('the head-light shines only without any phong-light, and is not in lights or toHTML', async ({ page, mount }) => {
+test('the head-light shines only without any phong-light, and is not in lights or toHTML', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene(), size);
-  const wanted = await shown(page, scene('<phong-light space="camera" position="0 0 1 0"></phong-light>'));
+  const wanted = await shown(
+    page,
+    scene('<phong-light space="camera" position="0 0 1 0"></phong-light>'),
+  );
   same(await pixels(viewer), wanted);
-  expect(await viewer.evaluate((element: PhongViewer) => [element.lights.length, element.toHTML()])).toEqual([
-    0,
-    expect.not.stringContaining('phong-light'),
-  ]);
+  expect(
+    await viewer.evaluate((element: PhongViewer) => [element.lights.length, element.toHTML()]),
+  ).toEqual([0, expect.not.stringContaining('phong-light')]);
   await viewer.evaluate((element, html) => (element.innerHTML = html), red);
   same(await pixels(viewer), await shown(page, scene(red)));
   await viewer.evaluate((element) => element.replaceChildren());
@@ -203,7 +250,9 @@ test('the head-light shines only without any phong-light, and is not in lights o
   expect(sent).toEqual([0]);
 });
 
-test('lights are listed at once, frozen, and unnamed ones are named by their place', async ({ mount }) => {
+test('lights are listed at once, frozen, and unnamed ones are named by their place', async ({
+  mount,
+}) => {
   const plain = '<phong-light></phong-light>';
   const viewer = await mount(scene(plain, red, '<phong-mesh></phong-mesh>', plain), size);
   const facts = await viewer.evaluate((element: PhongViewer) => {
@@ -216,10 +265,20 @@ test('lights are listed at once, frozen, and unnamed ones are named by their pla
     element.prepend(document.createElement('phong-light'));
     return [...facts, names(), lights.length];
   });
-  expect(facts).toEqual([true, true, 'light 1,red,light 3', 'red,light 2', 'light 1,light 2,light 3', 3]);
+  expect(facts).toEqual([
+    true,
+    true,
+    'light 1,red,light 3',
+    'red,light 2',
+    'light 1,light 2,light 3',
+    3,
+  ]);
 });
 
-test('of meshes at one place the last one in document order is visible, with any program', async ({ page, mount }) => {
+test('of meshes at one place the last one in document order is visible, with any program', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
   const lit = (...meshes: readonly string[]): string =>
     `<phong-viewer theta="20" phi="60" radius="3" target="0 0 0">

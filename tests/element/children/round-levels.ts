@@ -1,5 +1,6 @@
 // Round shapes with automatic segments, watched: what a page shows of them at each load, and a film
-// of a zoom beside a viewer with a fine fixed number. The short and the long tests differ only in the numbers.
+// of a zoom beside a viewer with a fine fixed number. The short and the long tests differ only in
+// the numbers.
 
 import type { Page } from '@playwright/test';
 import { expect, type Mount } from '../../support/test.js';
@@ -16,7 +17,9 @@ export async function loadAgain(mount: Mount, times: number): Promise<void> {
       const counts: number[] = [];
       element.scene.traverse((object) => {
         const { geometry } = object as unknown as { geometry?: { index: { count: number } } };
-        if (geometry !== undefined) counts.push(geometry.index.count / 3);
+        if (geometry !== undefined) {
+          counts.push(geometry.index.count / 3);
+        }
       });
       return { picture: element.shadowRoot!.querySelector('canvas')!.toDataURL(), counts };
     });
@@ -29,13 +32,16 @@ export async function loadAgain(mount: Mount, times: number): Promise<void> {
 /** Of two viewers. Codes 0 to 255, of premultiplied colour. */
 type Film = Awaited<ReturnType<typeof filmZoom>>;
 
-/** Codes that frames may differ by, but for outlines and edges: what steps by more from pixel to pixel is an edge. */
+/**
+ * Codes that frames may differ by, but for outlines and edges: what steps by more from pixel to
+ * pixel is an edge.
+ */
 const MOST_INSIDE = 12;
 
 /**
- * The film shows no jump: with automatic segments it is that of 256 in every frame, but for the samples that an outline
- * passes and small codes inside. Measured: 128 on outlines, two of four samples; inside 4 for a cone, 2 for a
- * sphere.
+ * The film shows no jump: with automatic segments it is that of 256 in every frame, but for the
+ * samples that an outline passes and small codes inside. Measured: 128 on outlines, two of four
+ * samples; inside 4 for a cone, 2 for a sphere.
  */
 export function expectSmooth(film: Film, name: string): void {
   for (const frame of film) {
@@ -48,11 +54,15 @@ export function expectSmooth(film: Film, name: string): void {
     expect(frame.mean, `${at}, mean`).toBeLessThan(1.2);
     expect(frame.change, `${at}, change`).toBeLessThan(1.05 * frame.fineChange + 0.1);
   }
-  expect(new Set(film.map(({ triangles }) => triangles)).size, `levels of the ${name}`).toBeGreaterThan(2);
+  expect(
+    new Set(film.map(({ triangles }) => triangles)).size,
+    `levels of the ${name}`,
+  ).toBeGreaterThan(2);
 }
 
 /**
- * Moves two viewers, one with 256 segments, from afar to `near` in equal ratios, and reads each frame as it is shown.
+ * Moves two viewers, one with 256 segments, from afar to `near` in equal ratios, and reads each
+ * frame as it is shown.
  */
 export async function filmZoom(
   page: Page,
@@ -70,18 +80,23 @@ export async function filmZoom(
     const readers = viewers.map((viewer) => {
       const canvas = viewer.shadowRoot!.querySelector('canvas')!;
       const { width, height } = canvas;
-      const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!;
+      const context = new OffscreenCanvas(width, height).getContext('2d', {
+        willReadFrequently: true,
+      })!;
       return () => {
         context.clearRect(0, 0, width, height);
         context.drawImage(canvas, 0, 0);
         const { data } = context.getImageData(0, 0, width, height);
-        return Float32Array.from(data, (code, i) => (i % 4 === 3 ? code : (code * data[i | 3]!) / 255));
+        return Float32Array.from(data, (code, i) =>
+          i % 4 === 3 ? code : (code * data[i | 3]!) / 255,
+        );
       };
     });
     const meanOf = (a: Float32Array, b: Float32Array): number =>
       a.reduce((sum, code, i) => sum + Math.abs(code - b[i]!), 0) / a.length;
     const covered = (data: Float32Array): number =>
-      data.reduce((sum, code, i) => (i % 4 === 3 ? sum + code : sum), 0) / (255 * (data.length / 4));
+      data.reduce((sum, code, i) => (i % 4 === 3 ? sum + code : sum), 0) /
+      (255 * (data.length / 4));
     const row = 4 * viewers[0]!.shadowRoot!.querySelector('canvas')!.width;
     const around = [-row - 4, -row, 4 - row, -4, 0, 4, row - 4, row, row + 4];
     /** An outline, or an edge such as a cylinder's rim. */
@@ -89,13 +104,16 @@ export async function filmZoom(
       data[i | 3]! % 255 !== 0 ||
       around.some(
         (by) =>
-          (data[(i | 3) + by] ?? data[i | 3]) !== data[i | 3] || Math.abs((data[i + by] ?? data[i]!) - data[i]!) > most,
+          (data[(i | 3) + by] ?? data[i | 3]) !== data[i | 3] ||
+          Math.abs((data[i + by] ?? data[i]!) - data[i]!) > most,
       );
     const film = [];
     let before: Float32Array[] | null = null;
     for (let frame = 0; frame < count; frame++) {
       const radius = 30 * 0.01 ** (frame / (count - 1));
-      for (const viewer of viewers) viewer.radius = radius;
+      for (const viewer of viewers) {
+        viewer.radius = radius;
+      }
       await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
       const now = readers.map((read) => read());
       const [auto, fine] = now as [Float32Array, Float32Array];
@@ -103,13 +121,19 @@ export async function filmZoom(
       auto.forEach((code, i) => {
         const difference = Math.abs(code - fine[i]!);
         if (difference <= Math.min(inside, outline)) return;
-        if (isOutline(fine, i)) outline = Math.max(outline, difference);
-        else inside = Math.max(inside, difference);
+        if (isOutline(fine, i)) {
+          outline = Math.max(outline, difference);
+        } else {
+          inside = Math.max(inside, difference);
+        }
       });
-      const mesh = viewers[0]!.scene.children[0] as unknown as { geometry: { index: { count: number } } };
+      const mesh = viewers[0]!.scene.children[0] as unknown as {
+        geometry: { index: { count: number } };
+      };
       film.push({
         ...{ radius, triangles: mesh.geometry.index.count / 3 },
-        // Largest difference between the films, away from outlines and on them; and its mean over the picture.
+        // Largest difference between the films, away from outlines and on them; and its mean over
+        // the picture.
         ...{ inside, outline, mean: meanOf(auto, fine) },
         // Mean coverage, 0 to 1.
         ...{ covered: covered(auto), fineCovered: covered(fine) },

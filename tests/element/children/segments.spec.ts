@@ -1,5 +1,5 @@
-// Are round shapes as round as the screen shows, by default, in pictures, files and comparisons? Also: a viewer keeps to
-// its limit of triangles. The long form is release/long-forms.spec.ts.
+// Are round shapes as round as the screen shows, by default, in pictures, files and comparisons?
+// Also: a viewer keeps to its limit of triangles. The long form is release/long-forms.spec.ts.
 
 import type { Locator } from '@playwright/test';
 import { expect, pixels, test } from '../../support/test.js';
@@ -11,14 +11,18 @@ const SIZE = { width: 120, height: 120 };
 /** Triangles of the first mesh that is drawn. */
 const triangles = (viewer: Locator): Promise<number> =>
   viewer.evaluate((element: PhongViewer) => {
-    const mesh = element.scene.children[0] as unknown as { geometry: { index: { count: number } | null } };
+    const mesh = element.scene.children[0] as unknown as {
+      geometry: { index: { count: number } | null };
+    };
     return (mesh.geometry.index?.count ?? 0) / 3;
   });
 
 /** Of a sphere. */
 const sphereOf = (segments: number): number => 2 * segments * (segments / 2 - 1);
 
-test('a sphere has the segments that its size and the camera need, and the camera stays', async ({ mount }) => {
+test('a sphere has the segments that its size and the camera need, and the camera stays', async ({
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
   expect(await triangles(viewer)).toBe(sphereOf(64));
   const { radius } = await cameraOf(viewer);
@@ -40,13 +44,16 @@ test('a sphere has the segments that its size and the camera need, and the camer
   expect(await triangles(viewer)).toBe(sphereOf(64));
 });
 
-test('a file has the segments of its own size, and the picture keeps its own', async ({ mount }) => {
+test('a file has the segments of its own size, and the picture keeps its own', async ({
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
   const covered = async (side: number): Promise<number> => {
     const { data } = await pixels(viewer, { width: side, height: side });
     return data.reduce((sum, code, i) => (i % 4 === 3 ? sum + code : sum), 0) / (255 * side ** 2);
   };
-  // The share of a disc: the sphere's outline in the default view, sin of whose angle is sin(22.5°) / 1.05.
+  // The share of a disc: the sphere's outline in the default view, sin of whose angle is sin(22.5°)
+  // / 1.05.
   const sine = Math.sin(Math.PI / 8) / 1.05;
   const share = (Math.PI / 4) * (sine ** 2 / (1 - sine ** 2) / Math.tan(Math.PI / 8) ** 2);
   expect(Math.abs((await covered(1200)) / share - 1)).toBeLessThan(0.0005);
@@ -56,7 +63,10 @@ test('a file has the segments of its own size, and the picture keeps its own', a
   expect(await triangles(viewer)).toBe(sphereOf(64));
 });
 
-test('Gouraud and flat pictures keep the fixed number; so does a Phong one beside them', async ({ mount, page }) => {
+test('Gouraud and flat pictures keep the fixed number; so does a Phong one beside them', async ({
+  mount,
+  page,
+}) => {
   await mount(
     `<phong-compare layout="side" labels=""><phong-viewer geometry="sphere" radius="12" target="0 0 0"></phong-viewer><phong-viewer
       geometry="sphere" radius="12" target="0 0 0"></phong-viewer></phong-compare>`,
@@ -74,14 +84,24 @@ test('Gouraud and flat pictures keep the fixed number; so does a Phong one besid
   expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
 });
 
-test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({ page, mount }) => {
-  for (const geometry of ['sphere', 'cone'])
+test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({
+  page,
+  mount,
+}) => {
+  for (const geometry of ['sphere', 'cone']) {
     expectSmooth(await filmZoom(page, mount, geometry, 24, { width: 60, height: 60 }), geometry);
+  }
 });
 
-test('a mesh beyond the limit of triangles is reported, and shown on request', async ({ mount, consoleGuard }) => {
+test('a mesh beyond the limit of triangles is reported, and shown on request', async ({
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/Use fewer segments, fewer different shapes/, 1);
-  const viewer = await mount('<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>', SIZE);
+  const viewer = await mount(
+    '<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>',
+    SIZE,
+  );
   const shown = (): Promise<string[]> =>
     viewer.evaluate((element: PhongViewer) => element.scene.children.map(({ name }) => name));
   const heard = await record(viewer, 'error');
@@ -123,5 +143,8 @@ test('a mesh beyond the limit of triangles is reported, and shown on request', a
       return (error as Error).name;
     }
   });
-  expect([bad, await viewer.evaluate((element: PhongViewer) => element.maxTriangles)]).toEqual(['RangeError', 40_000]);
+  expect([bad, await viewer.evaluate((element: PhongViewer) => element.maxTriangles)]).toEqual([
+    'RangeError',
+    40_000,
+  ]);
 });

@@ -1,22 +1,34 @@
-// What happens when the graphics context fails: refused, lost while it is created, lost again, lost under toBlob, too
-// large?
+// What happens when the graphics context fails: refused, lost while it is created, lost again, lost
+// under toBlob, too large?
 
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { fullOr } from '../../support/repeats.js';
 import { installFaults, type Opening } from './faults.js';
-import { canvasSize, nextFrame, type PhongViewer, record, settled, statsOf } from '../support/viewer.js';
+import {
+  canvasSize,
+  nextFrame,
+  type PhongViewer,
+  record,
+  settled,
+  statsOf,
+} from '../support/viewer.js';
 
 const SIZE = { width: 120, height: 90 };
-const box = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
+const box =
+  '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
 
 test.beforeEach(({ page }) => installFaults(page));
 
 for (const count of [1, 2]) {
-  test(`a refused context is an error with a message, and tried again (${count} viewers)`, async ({ mount, page }) => {
+  test(`a refused context is an error with a message, and tried again (${count} viewers)`, async ({
+    mount,
+    page,
+  }) => {
     const expected = await pixels(await mount(box.repeat(count), SIZE));
     await page.addInitScript(() => {
       window.faults.opening = 'throws';
-      const note = ({ detail }: Event & { detail?: unknown }): unknown => Object.assign(window, { detail });
+      const note = ({ detail }: Event & { detail?: unknown }): unknown =>
+        Object.assign(window, { detail });
       addEventListener('error', note, true); // capturing, because the event does not bubble
     });
     const viewer = await mount(box.repeat(count), SIZE);
@@ -58,7 +70,10 @@ for (const count of [1, 2]) {
   });
 }
 
-test('a context lost at any call of the first picture is reported once and restored', async ({ mount, page }) => {
+test('a context lost at any call of the first picture is reported once and restored', async ({
+  mount,
+  page,
+}) => {
   test.slow();
   const expected = await pixels(await mount(box, SIZE));
   const calls = await page.evaluate(async (html) => {
@@ -92,7 +107,10 @@ test('a context lost at any call of the first picture is reported once and resto
   }
 });
 
-test('a context lost again while it is restored comes back later, for new viewers too', async ({ mount, page }) => {
+test('a context lost again while it is restored comes back later, for new viewers too', async ({
+  mount,
+  page,
+}) => {
   const viewer = await mount(box, SIZE);
   const expected = await pixels(viewer);
   const notices = page.locator('phong-viewer [part=notice]');
@@ -108,18 +126,24 @@ test('a context lost again while it is restored comes back later, for new viewer
     }, calls);
     await nextFrame(page);
     await nextFrame(page);
-    if (calls < 100) await expect(notices).toHaveCount(2);
+    if (calls < 100) {
+      await expect(notices).toHaveCount(2);
+    }
   }
   await page.evaluate(() => {
     window.faults.callsLeft = Infinity;
     window.faults.restore();
   });
   await expect(notices).toHaveCount(0);
-  for (const one of await page.locator('phong-viewer').all()) expect(compare(await pixels(one), expected).max).toBe(0);
+  for (const one of await page.locator('phong-viewer').all()) {
+    expect(compare(await pixels(one), expected).max).toBe(0);
+  }
   expect((await events.take()).length).toBeLessThanOrEqual(2);
 });
 
-test('toBlob rejects if the context is lost before its event arrives or between two tiles', async ({ mount }) => {
+test('toBlob rejects if the context is lost before its event arrives or between two tiles', async ({
+  mount,
+}) => {
   const viewer = await mount(box, SIZE);
   for (const width of [50, 5000]) {
     const outcomes = await viewer.evaluate(async (element: PhongViewer, side) => {
@@ -130,7 +154,9 @@ test('toBlob rejects if the context is lost before its event arrives or between 
         window.faults.callsLeft = 1e6;
         await picture();
         window.faults.callsLeft = Math.floor((1e6 - window.faults.callsLeft) * 0.6);
-      } else window.faults.lose();
+      } else {
+        window.faults.lose();
+      }
       const first = await picture();
       await wait();
       const second = await picture();
@@ -138,11 +164,15 @@ test('toBlob rejects if the context is lost before its event arrives or between 
       await wait();
       return [first, second, await picture()];
     }, width);
-    const message = 'Error: the graphics context is lost: there is no picture until the browser restores it';
+    const message =
+      'Error: the graphics context is lost: there is no picture until the browser restores it';
     expect(outcomes, String(width)).toEqual([message, message, 'a picture']);
   }
 });
-test('a picture larger than the GPU allows keeps its shape, with four screens of pixels', async ({ mount, page }) => {
+test('a picture larger than the GPU allows keeps its shape, with four screens of pixels', async ({
+  mount,
+  page,
+}) => {
   test.slow();
   const fourScreens = await page.evaluate(() => 4 * screen.width * screen.height);
   const first = await mount(box, { width: 8192, height: 8192 });

@@ -49,7 +49,8 @@ export function installFaultDeeds(): void {
     viewer.style.width = size === '' ? '' : `${width}px`;
     viewer.style.height = size === '' ? '' : `${height}px`;
   };
-  const numbers = (value: string): [number, number] => value.split(' ').map(Number) as [number, number];
+  const numbers = (value: string): [number, number] =>
+    value.split(' ').map(Number) as [number, number];
 
   const anywhere: Readonly<Record<string, (value: string) => void>> = {
     lose: () => faults.lose(),
@@ -64,10 +65,14 @@ export function installFaultDeeds(): void {
     },
     'bring back': () => {
       const viewer = away.shift();
-      if (viewer !== undefined) document.body.prepend(viewer);
+      if (viewer !== undefined) {
+        document.body.prepend(viewer);
+      }
     },
     'another viewer': (value) => {
-      if (viewers().length + away.length < MOST_VIEWERS) document.body.insertAdjacentHTML('beforeend', value);
+      if (viewers().length + away.length < MOST_VIEWERS) {
+        document.body.insertAdjacentHTML('beforeend', value);
+      }
     },
   };
   const toOne: Readonly<Record<string, (viewer: PhongViewer, step: Step) => void>> = {
@@ -92,18 +97,24 @@ export function installFaultDeeds(): void {
     anywhere[step.what]?.(step.value);
     const all = viewers();
     const viewer = all[step.viewer % Math.max(all.length, 1)];
-    if (viewer !== undefined) toOne[step.what]?.(viewer, step);
+    if (viewer !== undefined) {
+      toOne[step.what]?.(viewer, step);
+    }
   }
 
   async function heal(): Promise<string> {
     faults.callsLeft = Infinity;
     faults.opening = 'works';
-    for (const viewer of away.splice(0)) document.body.append(viewer);
+    for (const viewer of away.splice(0)) {
+      document.body.append(viewer);
+    }
     for (const viewer of viewers()) {
       resize(viewer, '');
       viewer.gui = false;
       viewer.autoRotate = 0;
-      if (viewer.src === '/nowhere.glb') viewer.src = '';
+      if (viewer.src === '/nowhere.glb') {
+        viewer.src = '';
+      }
     }
     setVisibility('visible');
     // The event of a context that was lost just now has to arrive first.
@@ -120,28 +131,40 @@ export function installFaultDeeds(): void {
         element.geometry = null;
         element.geometry = geometry;
       }
-      if (src !== '') viewer.src = src;
-      if (src === '' && geometry === null && viewer.meshes.length === 0) viewer.geometry = 'box';
+      if (src !== '') {
+        viewer.src = src;
+      }
+      if (src === '' && geometry === null && viewer.meshes.length === 0) {
+        viewer.geometry = 'box';
+      }
     }
-    for (const viewer of viewers()) keep(viewer.ready, 'ready at the end');
+    for (const viewer of viewers()) {
+      keep(viewer.ready, 'ready at the end');
+    }
     const settled = Promise.all(promises.keys()).then(() => '');
     const late = wait(LATE).then(() => `never settled: ${[...promises.values()].join()}`);
     const outcome = await Promise.race([settled, late]);
-    const notices = viewers().map(({ shadowRoot }) => shadowRoot?.querySelector('[part=notice]')?.textContent ?? '');
+    const notices = viewers().map(
+      ({ shadowRoot }) => shadowRoot?.querySelector('[part=notice]')?.textContent ?? '',
+    );
     return [outcome, ...notices].filter((text) => text !== '').join('; ');
   }
 
   async function leaks(): Promise<string> {
     const found: string[] = [];
     const expect = (what: string, actual: number, wanted: number): void => {
-      if (actual !== wanted) found.push(`${actual} ${what}, not ${wanted}`);
+      if (actual !== wanted) {
+        found.push(`${actual} ${what}, not ${wanted}`);
+      }
     };
     const all = viewers();
     const canvases = all.flatMap(({ shadowRoot }) => [...shadowRoot!.querySelectorAll('canvas')]);
     expect('contexts are open', faults.open, 1);
     expect('canvases', canvases.length, all.length);
     expect('programs on the GPU', faults.programs, all[0]?.stats.programs ?? 0);
-    for (const viewer of all) viewer.remove();
+    for (const viewer of all) {
+      viewer.remove();
+    }
     await wait(20);
     expect('contexts are open without viewers', faults.open, 0);
     expect('viewers hold a canvas outside the page', all.filter(({ shadowRoot }) => shadowRoot?.querySelector('canvas')).length, 0); // oxfmt-ignore

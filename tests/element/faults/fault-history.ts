@@ -1,5 +1,6 @@
-// Plays histories of faults. After the last fault every promise must settle, nothing may have thrown, nothing may leak,
-// and the page must show the same as a new page with the same scenes. A failing history is reduced.
+// Plays histories of faults. After the last fault every promise must settle, nothing may have
+// thrown, nothing may leak, and the page must show the same as a new page with the same scenes. A
+// failing history is reduced.
 
 import type { Page, Route } from '@playwright/test';
 import { compare, type Mount } from '../../support/test.js';
@@ -30,7 +31,9 @@ class FaultPlayer {
     page.on('pageerror', (error) => this.#heard.push(error.stack ?? String(error)));
     page.on('console', (message) => {
       const text = message.text();
-      if (!isRemark(`${message.type()}: ${text}`) && !EXPECTED.test(text)) this.#heard.push(text);
+      if (!isRemark(`${message.type()}: ${text}`) && !EXPECTED.test(text)) {
+        this.#heard.push(text);
+      }
     });
   }
 
@@ -51,12 +54,17 @@ class FaultPlayer {
     this.#heard.length = 0;
     for (const [i, { steps, then }] of tasks.entries()) {
       for (const step of steps) {
-        if (step.what === 'requests') this.#requests = step.value;
-        else await page.evaluate((one) => window.faultDeeds.take(one), step);
+        if (step.what === 'requests') {
+          this.#requests = step.value;
+        } else {
+          await page.evaluate((one) => window.faultDeeds.take(one), step);
+        }
       }
-      if (then === 'a frame') await page.evaluate(() => new Promise(requestAnimationFrame));
-      else if (then === 'rest') await nextFrame(page);
-      else if (then === 'look') {
+      if (then === 'a frame') {
+        await page.evaluate(() => new Promise(requestAnimationFrame));
+      } else if (then === 'rest') {
+        await nextFrame(page);
+      } else if (then === 'look') {
         const fault = await this.#look();
         if (fault !== '') return `after task ${i}: ${fault}`;
       }
@@ -65,10 +73,15 @@ class FaultPlayer {
   }
 
   async #answerModel(route: Route): Promise<void> {
-    if (this.#requests === 'models aborted') await route.abort();
-    else if (this.#requests === 'models missing') await route.fulfill({ status: 404, body: '' });
-    else if (this.#requests === 'models cut') await route.fulfill({ body: 'glTF' });
-    else await route.continue();
+    if (this.#requests === 'models aborted') {
+      await route.abort();
+    } else if (this.#requests === 'models missing') {
+      await route.fulfill({ status: 404, body: '' });
+    } else if (this.#requests === 'models cut') {
+      await route.fulfill({ body: 'glTF' });
+    } else {
+      await route.continue();
+    }
   }
 
   async #look(): Promise<string> {
@@ -87,7 +100,9 @@ class FaultPlayer {
     const fresh = await page.screenshot();
     const { max } = compare(decodePng(lived), decodePng(fresh));
     // General and specialised programs may differ by one code.
-    if (max > 1) faults.push(`the page differs from a new one by ${max} codes:\n${markup.join('\n')}`);
+    if (max > 1) {
+      faults.push(`the page differs from a new one by ${max} codes:\n${markup.join('\n')}`);
+    }
     return faults.filter((fault) => fault !== '').join('\n');
   }
 }
@@ -98,7 +113,10 @@ interface Fixtures {
   readonly consoleGuard: ConsoleGuard;
 }
 
-/** Plays the histories of these seeds. Throws the first fault, with the shortest history that still has one. */
+/**
+ * Plays the histories of these seeds. Throws the first fault, with the shortest history that still
+ * has one.
+ */
 export async function expectRecovery(
   { page, mount, consoleGuard }: Fixtures,
   seeds: readonly number[],
@@ -110,6 +128,8 @@ export async function expectRecovery(
   for (const seed of seeds) {
     const history = randomFaults(seed, tasks, withLargest);
     const fault = await player.play(history);
-    if (fault !== null) await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
+    if (fault !== null) {
+      await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
+    }
   }
 }

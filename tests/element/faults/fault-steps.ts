@@ -1,5 +1,6 @@
-// Random histories of faults: contexts that are refused or lost at any call, requests that fail, viewers that come and
-// go, sizes from zero to far too large, hidden documents, printing. The same seed gives the same history.
+// Random histories of faults: contexts that are refused or lost at any call, requests that fail,
+// viewers that come and go, sizes from zero to far too large, hidden documents, printing. The same
+// seed gives the same history.
 
 import { Dice } from '../../visual/random-scene.js';
 import type { Step } from '../histories/history-deeds.js';
@@ -7,7 +8,10 @@ import type { Scenario, Task } from '../histories/history-steps.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 
-/** `teapot` and `torus-knot` are chunks of their own; the models need the reader, the bunny its decoder as well. */
+/**
+ * `teapot` and `torus-knot` are chunks of their own; the models need the reader, the bunny its
+ * decoder as well.
+ */
 const VIEWERS = [
   `<phong-viewer geometry="box">${light}</phong-viewer>`,
   `<phong-viewer geometry="teapot" ks="0"></phong-viewer>`,

@@ -1,5 +1,6 @@
-// Faults of the graphics context: a `getContext` that fails, contexts that are lost at any call. Also counts open
-// contexts and programs. Wraps the browser's functions before any script runs. Knows no test.
+// Faults of the graphics context: a `getContext` that fails, contexts that are lost at any call.
+// Also counts open contexts and programs. Wraps the browser's functions before any script runs.
+// Knows no test.
 
 import type { Page } from '@playwright/test';
 
@@ -61,7 +62,9 @@ function wrapContexts(): void {
     },
     lose: () => contexts.findLast(({ context }) => !isLost.call(context))?.loss?.loseContext(),
     restore: () => {
-      for (const loss of restorable) loss.restoreContext();
+      for (const loss of restorable) {
+        loss.restoreContext();
+      }
       restorable.clear();
     },
   };
@@ -77,10 +80,16 @@ function wrapContexts(): void {
         faults.lose();
       }
       const result = Reflect.apply(real, this, given);
-      if (name === 'createProgram' && result !== null && !isLost.call(this))
+      if (name === 'createProgram' && result !== null && !isLost.call(this)) {
         programs.set(new WeakRef(result as object), new WeakRef(this));
-      if (name === 'deleteProgram')
-        for (const weak of programs.keys()) if (weak.deref() === given[0]) programs.delete(weak);
+      }
+      if (name === 'deleteProgram') {
+        for (const weak of programs.keys()) {
+          if (weak.deref() === given[0]) {
+            programs.delete(weak);
+          }
+        }
+      }
       return result;
     });
   }
@@ -96,14 +105,20 @@ function wrapContexts(): void {
     if (faults.opening === 'throws') throw new Error('getContext is not allowed here');
     const context = Reflect.apply(getContext, this, given) as WebGL2RenderingContext | null;
     if (context === null) return null;
-    const loss = Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null;
+    const loss = Reflect.apply(getExtension, context, [
+      'WEBGL_lose_context',
+    ]) as WEBGL_lose_context | null;
     contexts.push({ context, loss });
     this.addEventListener('webglcontextlost', (event) =>
       setTimeout(() => {
-        if (event.defaultPrevented && loss !== null) restorable.add(loss);
+        if (event.defaultPrevented && loss !== null) {
+          restorable.add(loss);
+        }
       }),
     );
-    if (faults.opening === 'lost') faults.lose();
+    if (faults.opening === 'lost') {
+      faults.lose();
+    }
     return context;
   } as typeof getContext;
 }

@@ -1,5 +1,5 @@
-// Draws frame after frame, as motion does, until viewers use specialised programs. Needs the page's log of WebGL
-// (gl-log.ts).
+// Draws frame after frame, as motion does, until viewers use specialised programs. Needs the page's
+// log of WebGL (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
 import { drawnWith, glSpent, isSpecialised, isLit } from '../support/gl-log.js';
@@ -12,7 +12,9 @@ const MOST_FRAMES = 400;
 export async function drawFrames(page: Page, frames: number): Promise<void> {
   await page.evaluate(async (count) => {
     for (let i = 0; i < count; i++) {
-      for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) viewer.requestRender();
+      for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) {
+        viewer.requestRender();
+      }
       await new Promise(requestAnimationFrame);
     }
     await new Promise(requestAnimationFrame);

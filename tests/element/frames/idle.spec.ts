@@ -1,4 +1,5 @@
-// Does the page rest while nothing changes? Counts frames, timers and WebGL calls from outside (counting.ts).
+// Does the page rest while nothing changes? Counts frames, timers and WebGL calls from outside
+// (counting.ts).
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
@@ -16,14 +17,19 @@ const framesOf = async (viewer: Locator): Promise<number> => (await statsOf(view
 /** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;
 
-test('no frame, timer or WebGL call happens while nothing changes, nor after a motion', async ({ page, mount }) => {
+test('no frame, timer or WebGL call happens while nothing changes, nor after a motion', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`${box}${box}`, size);
   expect((await countsOf(page)).layouts).toBeGreaterThan(0); // of the first look
   const turnAWhile = (): Promise<void> =>
     viewer.evaluate(async (element: PhongViewer) => {
       const end = element.stats.frames + 3;
       element.autoRotate = 45;
-      while (element.stats.frames < end) await new Promise(requestAnimationFrame);
+      while (element.stats.frames < end) {
+        await new Promise(requestAnimationFrame);
+      }
       element.autoRotate = 0;
     });
   const stills: (readonly [string, () => Promise<unknown>])[] = [
@@ -32,7 +38,10 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
     ['after the wheel', () => page.mouse.wheel(0, 50)],
     ['after a key', () => page.keyboard.press('ArrowLeft')],
     ['with the pointer away', () => page.mouse.move(500, 500)],
-    ['with a light less', () => viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove())],
+    [
+      'with a light less',
+      () => viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove()),
+    ],
     ['after turning by itself', turnAWhile],
     ['with reduced motion', () => page.emulateMedia({ reducedMotion: 'reduce' })],
     ['turning, with reduced motion', () => assign(viewer, { autoRotate: 45 })],
@@ -42,24 +51,33 @@ test('no frame, timer or WebGL call happens while nothing changes, nor after a m
     await act();
     await allReady(page);
     await nextFrame(page);
-    if (when.startsWith('after')) expect(await framesOf(viewer), when).toBeGreaterThan(before);
+    if (when.startsWith('after')) {
+      expect(await framesOf(viewer), when).toBeGreaterThan(before);
+    }
     expect(await spentIn(page, A_WHILE), when).toEqual(NOTHING);
   }
 });
 
 /** Ways to be on a page but out of sight. Each runs in the page. */
 const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => void>> = {
-  'off screen': ({ style }, hidden) => (style.cssText = hidden ? 'position: absolute; top: 9000px' : ''),
+  'off screen': ({ style }, hidden) =>
+    (style.cssText = hidden ? 'position: absolute; top: 9000px' : ''),
   'not displayed': ({ style }, hidden) => (style.display = hidden ? 'none' : ''),
-  'of no size': ({ style }, hidden) => (style.cssText = hidden ? 'width: 0; height: 0; overflow: hidden' : ''),
+  'of no size': ({ style }, hidden) =>
+    (style.cssText = hidden ? 'width: 0; height: 0; overflow: hidden' : ''),
   'under visibility: hidden': ({ style }, hidden) => (style.visibility = hidden ? 'hidden' : ''),
-  'under content-visibility: hidden': ({ style }, hidden) => (style.contentVisibility = hidden ? 'hidden' : ''),
+  'under content-visibility: hidden': ({ style }, hidden) =>
+    (style.contentVisibility = hidden ? 'hidden' : ''),
   'under the hidden attribute': (place, hidden) => (place.hidden = hidden),
   'hidden itself': (place, hidden) => {
-    for (const viewer of place.querySelectorAll('phong-viewer')) viewer.hidden = hidden;
+    for (const viewer of place.querySelectorAll('phong-viewer')) {
+      viewer.hidden = hidden;
+    }
   },
   'invisible itself': (place, hidden) => {
-    for (const { style } of place.querySelectorAll('phong-viewer')) style.visibility = hidden ? 'hidden' : '';
+    for (const { style } of place.querySelectorAll('phong-viewer')) {
+      style.visibility = hidden ? 'hidden' : '';
+    }
   },
   'in a closed <details>': (place, hidden) => (place.querySelector('details')!.open = !hidden),
   'in a background tab': (_, hidden) => {
@@ -72,11 +90,17 @@ const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => v
   },
 };
 
-test('nothing happens out of sight; changes are drawn once when the viewer is visible', async ({ page, mount }) => {
+test('nothing happens out of sight; changes are drawn once when the viewer is visible', async ({
+  page,
+  mount,
+}) => {
   const turning = box.replace('geometry', 'auto-rotate="45" geometry');
   await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, { ...size, css: '[hidden] { display: none !important }' }); // oxfmt-ignore
   const place = page.locator('section');
-  const [still, turned] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  const [still, turned] = [
+    page.locator('phong-viewer').first(),
+    page.locator('phong-viewer').last(),
+  ];
   for (const [how, hide] of Object.entries(UNSEEN)) {
     const turns = await framesOf(turned);
     await expect.poll(() => framesOf(turned), `turning before it is ${how}`).toBeGreaterThan(turns);
@@ -84,8 +108,14 @@ test('nothing happens out of sight; changes are drawn once when the viewer is vi
     await nextFrame(page);
     await nextFrame(page);
     const drawn = await framesOf(still);
-    for (const diffuse of [[1, 2, 3], [255, 255, 255], [200, 90, 0]]) // oxfmt-ignore
+    for (const diffuse of [
+      [1, 2, 3],
+      [255, 255, 255],
+      [200, 90, 0],
+    ]) // oxfmt-ignore
+    {
       await still.evaluate((element: PhongViewer, value) => (element.lights[0]!.diffuse = value as [number, number, number]), diffuse); // oxfmt-ignore
+    }
     expect(await spentIn(page, A_WHILE), how).toEqual(NOTHING);
     await place.evaluate(hide as (place: Element, hidden: boolean) => void, false);
     await expect.poll(() => framesOf(still), how).toBe(drawn + 1);
@@ -94,7 +124,10 @@ test('nothing happens out of sight; changes are drawn once when the viewer is vi
   }
 });
 
-test('many changes in one task make one frame, and those that change nothing make none', async ({ page, mount }) => {
+test('many changes in one task make one frame, and those that change nothing make none', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`${box}${box}`, size);
   const renders = await record(viewer, 'render');
   await nextFrame(page);
@@ -126,13 +159,19 @@ test('many changes in one task make one frame, and those that change nothing mak
   expect((await renders.take()).length).toBe(1);
 });
 
-test('a viewer alone on its page shows the WebGL canvas itself, after others went too', async ({ page, mount }) => {
+test('a viewer alone on its page shows the WebGL canvas itself, after others went too', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(box, size);
   const alone = await viewer.screenshot();
   const other = box.replace('box', 'torus');
   for (const count of [1, 2, 1]) {
-    if (count === 2) await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), other);
-    else await page.evaluate(() => document.querySelector('phong-viewer + phong-viewer')?.remove());
+    if (count === 2) {
+      await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), other);
+    } else {
+      await page.evaluate(() => document.querySelector('phong-viewer + phong-viewer')?.remove());
+    }
     await allReady(page);
     await nextFrame(page);
     const isDirect = await viewer.evaluate((element: PhongViewer) => element.shadowRoot?.querySelector('canvas')?.getContext('webgl2') instanceof WebGL2RenderingContext); // oxfmt-ignore

@@ -1,4 +1,5 @@
-// A walk through scenes, one random change after another, that counts from the markup alone what programs are needed.
+// A walk through scenes, one random change after another, that counts from the markup alone what
+// programs are needed.
 
 import type { Locator, Page } from '@playwright/test';
 import { Dice } from '../../visual/random-scene.js';
@@ -39,7 +40,12 @@ const STEPS: readonly (readonly [what: string, values: readonly string[]])[] = [
 const MOST_SPECIALISED = 32;
 
 /** Takes this many random steps and compares the programs made with those needed. */
-export async function expectFewPrograms(page: Page, viewer: Locator, seed: number, steps: number): Promise<void> {
+export async function expectFewPrograms(
+  page: Page,
+  viewer: Locator,
+  seed: number,
+  steps: number,
+): Promise<void> {
   const dice = new Dice(seed);
   await viewer.evaluate((element: PhongViewer) => {
     element.geometry = 'box';
@@ -52,14 +58,20 @@ export async function expectFewPrograms(page: Page, viewer: Locator, seed: numbe
   for (let i = 0; i < steps; i++) {
     const [what, values] = dice.pick(STEPS);
     const { style, facts } = await take(viewer, what, dice.pick(values), i);
-    for (const fact of facts) declared.add(fact);
+    for (const fact of facts) {
+      declared.add(fact);
+    }
     needs.add([style, ...[...declared].sort()].join());
-    const live = (await glPrograms(page)).filter((one) => one.live && isLit(one) && isSpecialised(one));
+    const live = (await glPrograms(page)).filter(
+      (one) => one.live && isLit(one) && isSpecialised(one),
+    );
     expect(live.length).toBeLessThanOrEqual(MOST_SPECIALISED);
   }
   const general = (await glPrograms(page)).filter((one) => isLit(one) && !isSpecialised(one));
   const texts = general.map(({ vertex, fragment }) => vertex + fragment);
-  console.log(`Seed ${seed}, ${steps} steps: ${general.length} general programs for ${needs.size} sets of needs`);
+  console.log(
+    `Seed ${seed}, ${steps} steps: ${general.length} general programs for ${needs.size} sets of needs`,
+  );
   expect(new Set(texts).size, 'no text twice').toBe(texts.length);
   expect(general.length).toBeLessThanOrEqual(needs.size);
 }
@@ -78,13 +90,19 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       const { lights } = element;
       const light = lights[number % lights.length]!;
       const [, y, , w] = light.position;
-      if (change === 'add light')
+      if (change === 'add light') {
         element.insertAdjacentHTML('beforeend', `<phong-light ${given}></phong-light>`); // oxfmt-ignore
-      else if (change === 'remove light' && lights.length > 1) light.remove();
-      else if (change === 'move') light.position = [Number(given), y, 1, w];
-      else if (change === 'toggle') light.active = !light.active;
-      else if (change === 'recolour') light.setAttribute('diffuse', given);
-      else if (!change.includes(' ')) element.setAttribute(change, given);
+      } else if (change === 'remove light' && lights.length > 1) {
+        light.remove();
+      } else if (change === 'move') {
+        light.position = [Number(given), y, 1, w];
+      } else if (change === 'toggle') {
+        light.active = !light.active;
+      } else if (change === 'recolour') {
+        light.setAttribute('diffuse', given);
+      } else if (!change.includes(' ')) {
+        element.setAttribute(change, given);
+      }
       // To draw on is long enough for a program of its own.
       for (let frame = 0; frame < (change === 'draw on' ? 40 : 1); frame++) {
         element.requestRender();
@@ -93,7 +111,8 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       await element.ready;
       await new Promise<void>((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
       const facts: string[] = [];
-      const declare = (fact: string, isDeclared: boolean): unknown => isDeclared && facts.push(fact);
+      const declare = (fact: string, isDeclared: boolean): unknown =>
+        isDeclared && facts.push(fact);
       const lit = (color: readonly number[]): boolean => color.some((x) => x !== 0);
       for (const one of element.lights) {
         const { aperture, cutoff, attenuation } = one;
@@ -103,9 +122,13 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
         declare(aperture > 90 ? 'wide' : 'narrow', spot && aperture < 180);
         declare('decay', spot && cutoff > 0);
         declare('attenuation', positional && (attenuation[0] > 1 || lit(attenuation.slice(1))));
-        for (const term of ['ambient', 'diffuse', 'specular'] as const) declare(term, lit(one[term]));
+        for (const term of ['ambient', 'diffuse', 'specular'] as const) {
+          declare(term, lit(one[term]));
+        }
       }
-      for (const term of element.terms) declare(`${term} term`, term !== 'specular' || lit(element.ks));
+      for (const term of element.terms) {
+        declare(`${term} term`, term !== 'specular' || lit(element.ks));
+      }
       // The power function is shorter for exponents up to 200.
       declare('steep', element.shininess > 200);
       // Flat shading differs in its triangles alone.

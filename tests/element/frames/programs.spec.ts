@@ -1,5 +1,6 @@
-// How many programs are there, and does each hold the code that its scene needs and no other? Programs are compared
-// with each other: how long the code is that the driver keeps, and whether two scenes have the same one.
+// How many programs are there, and does each hold the code that its scene needs and no other?
+// Programs are compared with each other: how long the code is that the driver keeps, and whether
+// two scenes have the same one.
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
@@ -13,7 +14,10 @@ async function litPrograms(page: Page): Promise<GlProgram[]> {
   return (await drawnWith(page)).filter(isLit);
 }
 
-/** Lengths of the programs' code after the preprocessor and without functions that `main` does not reach. */
+/**
+ * Lengths of the programs' code after the preprocessor and without functions that `main` does not
+ * reach.
+ */
 const codeLengths = (page: Page, programs: readonly GlProgram[]): Promise<number[]> =>
   page.evaluate((texts) => {
     const gl = new OffscreenCanvas(1, 1).getContext('webgl2')!;
@@ -24,7 +28,8 @@ const codeLengths = (page: Page, programs: readonly GlProgram[]): Promise<number
       return gl.getExtension('WEBGL_debug_shaders')!.getTranslatedShaderSource(shader).length;
     };
     return texts.map(
-      ({ vertex, fragment }) => lengthOf(gl.VERTEX_SHADER, vertex) + lengthOf(gl.FRAGMENT_SHADER, fragment),
+      ({ vertex, fragment }) =>
+        lengthOf(gl.VERTEX_SHADER, vertex) + lengthOf(gl.FRAGMENT_SHADER, fragment),
     );
   }, programs);
 
@@ -35,7 +40,10 @@ const VARIANTS = ['gouraud', 'blinn-phong'];
 
 const SUN = 'directional diffuse specular';
 
-/** Scenes, and the needs of their one program. The lights' own features: unit/light-features.test.ts. */
+/**
+ * Scenes, and the needs of their one program. The lights' own features:
+ * unit/light-features.test.ts.
+ */
 const SCENES: Readonly<Record<string, readonly [markup: string, needs: string]>> = {
   'a sun': ['geometry="box"><phong-light>', SUN],
   'a head-light': ['geometry="box">', SUN],
@@ -50,11 +58,17 @@ const SCENES: Readonly<Record<string, readonly [markup: string, needs: string]>>
   gouraud: ['geometry="box" shading="gouraud"><phong-light>', `${SUN} gouraud`],
   'blinn-phong': ['geometry="box" reflection="blinn-phong"><phong-light>', `${SUN} blinn-phong`],
   linear: ['geometry="box" color-interpolation="linear"><phong-light>', `${SUN} linear`],
-  'a textured model': ['src="/fixtures/models/textured.glb" ks="90"><phong-light>', `${SUN} texture`],
+  'a textured model': [
+    'src="/fixtures/models/textured.glb" ks="90"><phong-light>',
+    `${SUN} texture`,
+  ],
   'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', `${SUN} colours`], // oxfmt-ignore
 };
 
-/** Whether `more` declares everything that `less` declares, in the same variant, and something that adds code. */
+/**
+ * Whether `more` declares everything that `less` declares, in the same variant, and something that
+ * adds code.
+ */
 function declaresMore(more: string, less: string): boolean {
   const [all, some] = [more.split(' '), less.split(' ')];
   const added = all.filter((need) => !some.includes(need));
@@ -65,7 +79,10 @@ function declaresMore(more: string, less: string): boolean {
   );
 }
 
-test('scenes with the same needs have the same program, and only further needs add code', async ({ page, mount }) => {
+test('scenes with the same needs have the same program, and only further needs add code', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   const programs: GlProgram[] = [];
@@ -86,21 +103,30 @@ test('scenes with the same needs have the same program, and only further needs a
   });
   for (const a of drawn) {
     for (const b of drawn) {
-      expect.soft(a.text === b.text, `${a.which}, ${b.which}: one program`).toBe(a.needs === b.needs);
-      if (declaresMore(a.needs, b.needs))
+      expect
+        .soft(a.text === b.text, `${a.which}, ${b.which}: one program`)
+        .toBe(a.needs === b.needs);
+      if (declaresMore(a.needs, b.needs)) {
         expect.soft(a.length, `${a.which} has more code than ${b.which}`).toBeGreaterThan(b.length);
+      }
     }
   }
 });
 
-test('ten meshes reached by different lights get a specialised program each', async ({ page, mount }) => {
+test('ten meshes reached by different lights get a specialised program each', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
   // Each lit by one more light than the one before, so that no two share a program.
   const meshes = Array.from({ length: 10 }, (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`); // oxfmt-ignore
   const lights = Array.from({ length: 10 }, (_, i) =>
     `<phong-light position="${3 * i} 1 0" axis="0 -1 0" aperture="30"></phong-light>`.repeat(i + 1),
   );
-  const viewer = await mount(`<phong-viewer>${meshes.join('')}${lights.join('')}</phong-viewer>`, size);
+  const viewer = await mount(
+    `<phong-viewer>${meshes.join('')}${lights.join('')}</phong-viewer>`,
+    size,
+  );
   const before = await pixels(viewer);
   await drawUntilSpecialised(page);
   await glSpent(page);
@@ -110,7 +136,10 @@ test('ten meshes reached by different lights get a specialised program each', as
   expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
 });
 
-test('a picture without lights in the loop gets a specialised program that shows the same', async ({ page, mount }) => {
+test('a picture without lights in the loop gets a specialised program that shows the same', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
   const light = (more: string): string => `<phong-light ambient="90 60 30" ${more}></phong-light>`;
   for (const lights of [light('diffuse="0" specular="0"'), light('active="false"')]) {
@@ -121,17 +150,29 @@ test('a picture without lights in the loop gets a specialised program that shows
   }
 });
 
-test('if a specialised program does not link, the general one draws', async ({ page, mount, consoleGuard }) => {
+test('if a specialised program does not link, the general one draws', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/uncaught: .*a program does not link.*broken by hand/s, 1);
   await logGl(page);
   await page.addInitScript(() => {
     const gl = WebGL2RenderingContext.prototype;
-    const real = Object.getOwnPropertyDescriptor(gl, 'shaderSource')?.value as typeof gl.shaderSource;
+    const real = Object.getOwnPropertyDescriptor(gl, 'shaderSource')
+      ?.value as typeof gl.shaderSource;
     gl.shaderSource = function (this: WebGL2RenderingContext, shader, text) {
-      real.call(this, shader, text.replace('#define LIGHT_STATEMENTS', '#error broken by hand\n$&'));
+      real.call(
+        this,
+        shader,
+        text.replace('#define LIGHT_STATEMENTS', '#error broken by hand\n$&'),
+      );
     };
   });
-  const viewer = await mount('<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>', size);
+  const viewer = await mount(
+    '<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>',
+    size,
+  );
   const before = await pixels(viewer);
   await drawFrames(page, 80);
   expect((await drawnWith(page)).filter(isLit).some(isSpecialised)).toBe(false);

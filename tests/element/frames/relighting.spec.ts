@@ -1,5 +1,5 @@
-// Do frames in which only lights have changed cost little and still show the whole scene, whatever else changes before,
-// with or after them? The oracle is `toBlob`, which always draws everything.
+// Do frames in which only lights have changed cost little and still show the whole scene, whatever
+// else changes before, with or after them? The oracle is `toBlob`, which always draws everything.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
@@ -42,7 +42,11 @@ async function shownAfter(viewer: Locator, change: (element: PhongViewer) => voi
   });
   await viewer.evaluate(change);
   const { calls, drawn, width, height, data } = await waiting;
-  return { calls, programs: programsOf(drawn), picture: { width, height, data: new Uint8Array(data) } };
+  return {
+    calls,
+    programs: programsOf(drawn),
+    picture: { width, height, data: new Uint8Array(data) },
+  };
 }
 
 const moveLights = (element: PhongViewer): void => {
@@ -89,14 +93,21 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
   'the geometry': (element) => (element.geometry = 'box'),
 };
 
-async function expectWhole(viewer: Locator, which: string, { picture, programs }: Shown): Promise<void> {
+async function expectWhole(
+  viewer: Locator,
+  which: string,
+  { picture, programs }: Shown,
+): Promise<void> {
   const whole = await pixels(viewer);
   const same = programsOf(await drawnWith(viewer.page())) === programs;
   const isLit = picture.data.some((code) => code > 40 && code < 250);
   expect(isLit, which).toBe(true);
   // To the bit by the same programs; one that was compiled meanwhile may differ by a code.
-  if (same) expect(compare(picture, whole).max, which).toBe(0);
-  else expect(betweenPrograms(picture, whole).max, which).toBeLessThanOrEqual(1);
+  if (same) {
+    expect(compare(picture, whole).max, which).toBe(0);
+  } else {
+    expect(betweenPrograms(picture, whole).max, which).toBeLessThanOrEqual(1);
+  }
 }
 
 async function settle(page: Page, viewer: Locator): Promise<void> {
@@ -109,7 +120,10 @@ for (const [lights, which, tag] of [
   [6, 'few lights', ''],
   [30, 'many lights', '@release '],
 ] as const) {
-  test(`${which} that move cost three calls: one upload, one clear and one draw`, async ({ page, mount }) => {
+  test(`${which} that move cost three calls: one upload, one clear and one draw`, async ({
+    page,
+    mount,
+  }) => {
     await logGl(page);
     const viewer = await mount(markup(lights), size);
     await settle(page, viewer);
@@ -123,7 +137,10 @@ for (const [lights, which, tag] of [
     await expectWhole(viewer, which, await shownAfter(viewer, moveLights));
   });
 
-  test(`${tag}${which} that move show the whole scene, whatever else changes`, async ({ page, mount }) => {
+  test(`${tag}${which} that move show the whole scene, whatever else changes`, async ({
+    page,
+    mount,
+  }) => {
     await logGl(page);
     const viewer = await mount(markup(lights), size);
     await settle(page, viewer);
@@ -136,13 +153,22 @@ for (const [lights, which, tag] of [
   });
 }
 
-test('lights that move beside another viewer, or after a restored context, show the scene', async ({ page, mount }) => {
+test('lights that move beside another viewer, or after a restored context, show the scene', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
   await holdContext(page);
   const viewer = await mount(markup(6), size);
-  const expectWholeMoves = async (which: string, others: readonly Locator[] = []): Promise<void> => {
-    for (let frame = 0; frame < 3; frame++)
-      for (const one of [viewer, ...others]) await expectWhole(one, which, await shownAfter(one, moveLights));
+  const expectWholeMoves = async (
+    which: string,
+    others: readonly Locator[] = [],
+  ): Promise<void> => {
+    for (let frame = 0; frame < 3; frame++) {
+      for (const one of [viewer, ...others]) {
+        await expectWhole(one, which, await shownAfter(one, moveLights));
+      }
+    }
   };
   await settle(page, viewer);
   await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(3));

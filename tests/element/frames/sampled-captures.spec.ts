@@ -8,7 +8,9 @@ const light = '<phong-light position="1 2 3 0"></phong-light>';
 const size = { width: 24, height: 16 };
 const options = { ...size, samples: 32 };
 
-test('toBlob({ samples }) begins again when the scene changes, whatever changes', async ({ mount }) => {
+test('toBlob({ samples }) begins again when the scene changes, whatever changes', async ({
+  mount,
+}) => {
   const viewer = await mount(
     `<phong-viewer alt="">${light}<phong-mesh geometry="sphere"></phong-mesh>
       <phong-mesh geometry="box" position=".5 0 0"></phong-mesh></phong-viewer>`,
@@ -18,7 +20,10 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
     const address = '/node_modules/three/build/three.module.js';
     const three = (await import(address)) as typeof Three;
     const fragmentShader = 'void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 1.0); }';
-    const own = new three.Mesh(new three.SphereGeometry(0.3), new three.ShaderMaterial({ fragmentShader }));
+    const own = new three.Mesh(
+      new three.SphereGeometry(0.3),
+      new three.ShaderMaterial({ fragmentShader }),
+    );
     element.scene.add(own);
     element.refit();
     const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
@@ -55,15 +60,25 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
     for (const [name, change] of Object.entries({ ...changes, ...same })) {
       for (const wait of name === 'removal' ? [0, 5] : [5]) {
         const blob = element.toBlob(given);
-        if (wait > 0) await new Promise((resolve) => setTimeout(resolve, wait));
+        if (wait > 0) {
+          await new Promise((resolve) => setTimeout(resolve, wait));
+        }
         change();
-        if (name === 'another parent') parent.lastElementChild!.append(element);
+        if (name === 'another parent') {
+          parent.lastElementChild!.append(element);
+        }
         const got = await bytesOf(blob);
-        if (element.parentElement === null) parent.append(element);
+        if (element.parentElement === null) {
+          parent.append(element);
+        }
         await element.ready;
         const after = await bytesOf(element.toBlob(given));
-        if (got !== after) found.push(name);
-        if ((after === before) !== name in same) found.push(`${name}: changes`);
+        if (got !== after) {
+          found.push(name);
+        }
+        if ((after === before) !== name in same) {
+          found.push(`${name}: changes`);
+        }
         before = after;
       }
     }
@@ -72,7 +87,9 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
   expect(wrong).toEqual([]);
 });
 
-test('toBlob({ samples }) ends with the picture of one scene where each frame changes it', async ({ mount }) => {
+test('toBlob({ samples }) ends with the picture of one scene where each frame changes it', async ({
+  mount,
+}) => {
   const viewer = await mount(`<phong-viewer alt="" geometry="torus">${light}</phong-viewer>`, size);
   const result = await viewer.evaluate(async (element: PhongViewer, given) => {
     const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
@@ -88,7 +105,9 @@ test('toBlob({ samples }) ends with the picture of one scene where each frame ch
     let going = true;
     const turn = (): void => {
       element.theta = angles[(frame += 1) % 2]!;
-      if (going) requestAnimationFrame(turn);
+      if (going) {
+        requestAnimationFrame(turn);
+      }
     };
     turn();
     const got = await Promise.all([0, 1, 2].map(() => bytesOf(element.toBlob(given))));

@@ -1,5 +1,6 @@
-// Does unneeded work cost nothing, and does a change cost only itself? Counts WebGL calls beside the viewer's own
-// `stats`, and compares pictures with the float64 equation over all declared lights.
+// Does unneeded work cost nothing, and does a change cost only itself? Counts WebGL calls beside
+// the viewer's own `stats`, and compares pictures with the float64 equation over all declared
+// lights.
 
 import type { Locator } from '@playwright/test';
 import { HEADER, ROWS } from '../../../src/phong/light/light-layout.js';
@@ -14,7 +15,11 @@ import { nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer
 
 const size = { width: 60, height: 42 };
 
-const LAMP = lightWith({ diffuse: [150, 120, 90], specular: [60, 60, 60], position: [0.4, 1.5, 0.3, 1] });
+const LAMP = lightWith({
+  diffuse: [150, 120, 90],
+  specular: [60, 60, 60],
+  position: [0.4, 1.5, 0.3, 1],
+});
 const SUN: LightValues = { ...LAMP, position: [1, 2, 1, 0] };
 const SPOT: LightValues = { ...LAMP, axis: [0, -1, 0], aperture: 30 };
 
@@ -75,7 +80,9 @@ test('a light without effect is not sent, and the picture is the same', async ({
   }
 });
 
-test('a light that reaches only one of two meshes is left out of the other’s draw', async ({ mount }) => {
+test('a light that reaches only one of two meshes is left out of the other’s draw', async ({
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   const over = (x: number): LightValues => ({ ...SPOT, position: [x, 1, 0, 1], aperture: 40 });
   const meshes = [floorAt(-1.5), floorAt(1.5)];
@@ -83,12 +90,19 @@ test('a light that reaches only one of two meshes is left out of the other’s d
     [-1.5, [1, 1]],
     [1.5, [0, 2]],
   ] as const) {
-    const stats = await showsTheEquation(viewer, sceneOf([over(x), over(1.5)], meshes), `over ${x}`);
+    const stats = await showsTheEquation(
+      viewer,
+      sceneOf([over(x), over(1.5)], meshes),
+      `over ${x}`,
+    );
     expect(stats).toMatchObject({ lightsSent: 2, lightsSentByMesh: sent });
   }
 });
 
-/** Ten directional lights, fifteen points and fifteen spots, in this order; together they declare every feature. */
+/**
+ * Ten directional lights, fifteen points and fifteen spots, in this order; together they declare
+ * every feature.
+ */
 const CROWD: readonly LightValues[] = Array.from({ length: 40 }, (_, i): LightValues => {
   const dim: LightValues = { ...LAMP, ambient: [1, 1, 1], diffuse: [5, 4, 3], specular: [2, 2, 2] };
   const turn = (i / 40) * 2 * Math.PI;
@@ -116,12 +130,17 @@ interface Cost extends GlSpent {
   readonly viewerUploads: number;
 }
 
-/** Changes this many evenly spaced lights in one task, and returns the cost until the page is at rest. */
+/**
+ * Changes this many evenly spaced lights in one task, and returns the cost until the page is at
+ * rest.
+ */
 function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
   return viewer.evaluate(
     async (element: PhongViewer, [what, some]) => {
       const rest = () =>
-        new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))));
+        new Promise<void>((resolve) =>
+          requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),
+        );
       await rest();
       const before = element.stats;
       window.glLog.take();
@@ -129,12 +148,22 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
       for (let i = 0; i < some; i++) {
         const light = all[Math.floor((i * all.length) / some)]!;
         const [x, y, z, w] = light.position;
-        if (what === 'move') light.position = [x + 0.01, y + 0.01, z + 0.01, w];
-        if (what === 'recolour') light.diffuse = [light.diffuse[0] === 5 ? 6 : 5, 4, 3];
-        if (what === 'toggle') light.active = !light.active;
-        if (what === 'remove') light.remove();
+        if (what === 'move') {
+          light.position = [x + 0.01, y + 0.01, z + 0.01, w];
+        }
+        if (what === 'recolour') {
+          light.diffuse = [light.diffuse[0] === 5 ? 6 : 5, 4, 3];
+        }
+        if (what === 'toggle') {
+          light.active = !light.active;
+        }
+        if (what === 'remove') {
+          light.remove();
+        }
         // Clones declare no new features.
-        if (what === 'add') element.append(light.cloneNode());
+        if (what === 'add') {
+          element.append(light.cloneNode());
+        }
       }
       await rest();
       const { frames, uploads, lightsSent: sent } = element.stats;
@@ -148,7 +177,10 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 7, 40];
 
-test('one to forty lights that change together cost a frame, an upload and no program', async ({ page, mount }) => {
+test('one to forty lights that change together cost a frame, an upload and no program', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(300_000);
   await logGl(page);
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
@@ -176,9 +208,15 @@ test('one to forty lights that change together cost a frame, an upload and no pr
   }
 });
 
-test('the first light of a new kind or feature compiles one program at most, the next 0', async ({ page, mount }) => {
+test('the first light of a new kind or feature compiles one program at most, the next 0', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
-  const viewer = await mount('<phong-viewer geometry="plane"><phong-light></phong-light></phong-viewer>', size);
+  const viewer = await mount(
+    '<phong-viewer geometry="plane"><phong-light></phong-light></phong-viewer>',
+    size,
+  );
   const needs: Readonly<Record<string, string>> = {
     'attenuated point': 'position="0 1 0 1" attenuation="1 1 1"',
     'spot with decay': 'position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3"',
@@ -201,7 +239,10 @@ test('the first light of a new kind or feature compiles one program at most, the
   }
 });
 
-test('the first pictures of equal spheres send one level of them, once', async ({ page, mount }) => {
+test('the first pictures of equal spheres send one level of them, once', async ({
+  page,
+  mount,
+}) => {
   await logGl(page);
   const sphere = '<phong-viewer geometry="sphere"></phong-viewer>';
   await mount(sphere + sphere, { width: 120, height: 120 });

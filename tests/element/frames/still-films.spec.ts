@@ -1,5 +1,5 @@
-// `antialias="full"`: what does a page show, frame by frame, while pictures converge? Canvases keep their pixels here,
-// so that each frame can be read.
+// `antialias="full"`: what does a page show, frame by frame, while pictures converge? Canvases keep
+// their pixels here, so that each frame can be read.
 
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
@@ -8,7 +8,10 @@ import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../s
 
 const size = { width: 64, height: 48 };
 
-test('a converging picture keeps its brightness, changes in outlines only, never flashes', async ({ page, mount }) => {
+test('a converging picture keeps its brightness, changes in outlines only, never flashes', async ({
+  page,
+  mount,
+}) => {
   await keepPixels(page);
   for (const [what, other] of [
     ['alone', ''],
@@ -24,16 +27,24 @@ test('a converging picture keeps its brightness, changes in outlines only, never
     const [plain] = frames;
     expect(plain!.samples, what).toBe(0);
     expect(frames.at(-1)!.samples, what).toBe(64);
-    expect(new Set(frames.map(({ samples }) => samples)).size, `${what}: pictures shown`).toBeGreaterThan(2);
+    expect(
+      new Set(frames.map(({ samples }) => samples)).size,
+      `${what}: pictures shown`,
+    ).toBeGreaterThan(2);
     for (const [i, { samples, mean, inside }] of frames.entries()) {
       const which = `${what}, frame ${String(i)} with ${String(samples)} samples`;
-      mean.forEach((code, channel) => expect(Math.abs(code - plain!.mean[channel]!), which).toBeLessThan(0.5));
+      mean.forEach((code, channel) =>
+        expect(Math.abs(code - plain!.mean[channel]!), which).toBeLessThan(0.5),
+      );
       expect(inside, which).toBe(0);
     }
   }
 });
 
-test('whatever happens, each frame is a whole picture, and it converges afterwards', async ({ page, mount }) => {
+test('whatever happens, each frame is a whole picture, and it converges afterwards', async ({
+  page,
+  mount,
+}) => {
   await keepPixels(page);
   await countEverything(page);
   const viewer = await mount(viewerOf(512, 'geometry="sphere"'), { ...size, waitForReady: false });
@@ -58,14 +69,20 @@ test('whatever happens, each frame is a whole picture, and it converges afterwar
         section.append(element);
       }),
     'another viewer': () =>
-      page.evaluate((markup) => document.body.insertAdjacentHTML('beforeend', markup), viewerOf(16)),
-    'its removal': () => page.evaluate(() => document.querySelector('body > phong-viewer')!.remove()),
+      page.evaluate(
+        (markup) => document.body.insertAdjacentHTML('beforeend', markup),
+        viewerOf(16),
+      ),
+    'its removal': () =>
+      page.evaluate(() => document.querySelector('body > phong-viewer')!.remove()),
     'a hidden page': async () => {
       await hide(true);
       await nextFrame(page);
       await settled(viewer);
       const { frames, ...spent } = await spentIn(page, 200);
-      expect({ ...spent, frames: 0 }, `${String(frames)} frames are the film's own`).toEqual(NOTHING);
+      expect({ ...spent, frames: 0 }, `${String(frames)} frames are the film's own`).toEqual(
+        NOTHING,
+      );
       await hide(false);
     },
   };
@@ -77,8 +94,9 @@ test('whatever happens, each frame is a whole picture, and it converges afterwar
     const frames = await rolling.stop();
     const whole = frames[0]!.mean[3]!;
     // Another width shows another part of the background.
-    for (const [i, { mean }] of frames.entries())
+    for (const [i, { mean }] of frames.entries()) {
       expect(Math.abs(mean[3]! / whole - 1), `${what}, frame ${String(i)}`).toBeLessThan(0.05);
+    }
     // Each begins again.
     await assign(viewer, { samples: 1023 });
     await assign(viewer, { samples: 1024 });
@@ -89,11 +107,17 @@ test('whatever happens, each frame is a whole picture, and it converges afterwar
   expect(await spentIn(page, 200)).toEqual(NOTHING);
 });
 
-test('samples trigger nothing else: no frame, program, description, overlay or third `render`', async ({ mount }) => {
-  const viewer = await mount(viewerOf(64, 'geometry="box" helpers="lights axes" probe probe-at="0 0 0.5"'), size);
+test('samples trigger nothing else: no frame, program, description, overlay or third `render`', async ({
+  mount,
+}) => {
+  const viewer = await mount(
+    viewerOf(64, 'geometry="box" helpers="lights axes" probe probe-at="0 0 0.5"'),
+    size,
+  );
   const seen = (antialias: string) =>
     viewer.evaluate(async (element: PhongViewer, mode) => {
-      const wait = (ms: number): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, ms));
+      const wait = (ms: number): Promise<unknown> =>
+        new Promise((resolve) => setTimeout(resolve, ms));
       element.setAttribute('antialias', mode);
       element.theta = 30;
       await element.ready;
@@ -101,7 +125,9 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
       const before = element.stats;
       const changed: string[] = [];
       const watch = new MutationObserver((records) => {
-        for (const { target, attributeName } of records) changed.push(`${target.nodeName} ${String(attributeName)}`);
+        for (const { target, attributeName } of records) {
+          changed.push(`${target.nodeName} ${String(attributeName)}`);
+        }
       });
       let renders = 0;
       const count = (): unknown => (renders += 1);
@@ -123,7 +149,10 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
   expect(full).toEqual({ ...edges, samples: 64, renders: edges.renders + 1 });
 });
 
-test('on a slow machine inputs show the plain picture at once, and samples resume after', async ({ page, mount }) => {
+test('on a slow machine inputs show the plain picture at once, and samples resume after', async ({
+  page,
+  mount,
+}) => {
   await page.addInitScript(() => {
     const log: string[] = [];
     Object.assign(window, { log });
@@ -145,7 +174,9 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
     });
     wrap('deleteSync', () => log.push('ended'));
     addEventListener('pointermove', ({ buttons }) => buttons > 0 && log.push('input'), true);
-    for (const type of ['wheel', 'keydown']) addEventListener(type, () => log.push('input'), true);
+    for (const type of ['wheel', 'keydown']) {
+      addEventListener(type, () => log.push('input'), true);
+    }
     addEventListener('render', () => log.push('render'), true);
     const frame = (): void => {
       drawn = 0;
@@ -158,7 +189,8 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
   await session.send('Emulation.setCPUThrottlingRate', { rate: 6 });
   try {
     const log = await page.evaluateHandle(() => (window as unknown as { log: string[] }).log);
-    const batches = (): Promise<number> => log.evaluate((list) => list.filter((one) => one.startsWith('batch')).length);
+    const batches = (): Promise<number> =>
+      log.evaluate((list) => list.filter((one) => one.startsWith('batch')).length);
     await page.mouse.move(20, 20);
     await page.mouse.down();
     const inputs = [
@@ -171,15 +203,21 @@ test('on a slow machine inputs show the plain picture at once, and samples resum
       await expect.poll(batches, { timeout: 20_000 }).toBeGreaterThan(before + 1);
       await act();
     }
-    await expect.poll(() => log.evaluate((list) => list.filter((one) => one === 'input').length)).toBe(6);
+    await expect
+      .poll(() => log.evaluate((list) => list.filter((one) => one === 'input').length))
+      .toBe(6);
     await settled(viewer);
     const said = (await log.jsonValue()).join(' ');
     expect(said, 'between an input and its frame').not.toMatch(/input (ended )?(input )*batch/);
     expect(said, 'one batch at a time').not.toMatch(/batch of \d+ (render )?batch/);
-    for (const [first] of said.matchAll(/(?<=input[^b]*)batch of \d+/g))
+    for (const [first] of said.matchAll(/(?<=input[^b]*)batch of \d+/g)) {
       expect(first, 'after an input').toBe('batch of 1');
+    }
     const rest = said.slice(said.lastIndexOf('input'));
-    const samples = [...rest.matchAll(/batch of (\d+)/g)].reduce((sum, [, count]) => sum + Number(count), 0);
+    const samples = [...rest.matchAll(/batch of (\d+)/g)].reduce(
+      (sum, [, count]) => sum + Number(count),
+      0,
+    );
     expect(samples, 'after the last input').toBe(64);
     expect(rest.match(/render/g), 'plain and converged').toHaveLength(2);
   } finally {

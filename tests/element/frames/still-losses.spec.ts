@@ -1,5 +1,5 @@
-// `antialias="full"` where the GPU or the page gets in its way: a context that is lost in the middle, buffers that it lacks, what is out
-// of view, and a page's own materials.
+// `antialias="full"` where the GPU or the page gets in its way: a context that is lost in the
+// middle, buffers that it lacks, what is out of view, and a page's own materials.
 
 import type * as Three from 'three';
 import { usages } from '../../package/requests.js';
@@ -17,15 +17,23 @@ declare global {
   }
 }
 
-test('a context lost in the middle shows no part of a picture; samples begin again', async ({ page, mount }) => {
+test('a context lost in the middle shows no part of a picture; samples begin again', async ({
+  page,
+  mount,
+}) => {
   await keepPixels(page);
   await countEverything(page);
   await page.addInitScript(() => {
-    const real = HTMLCanvasElement.prototype.getContext as (this: unknown, ...given: unknown[]) => unknown;
+    const real = HTMLCanvasElement.prototype.getContext as (
+      this: unknown,
+      ...given: unknown[]
+    ) => unknown;
     HTMLCanvasElement.prototype.getContext = function (this: unknown, ...given: unknown[]) {
       const made = real.apply(this, given);
       // Null while it is lost.
-      if (made instanceof WebGL2RenderingContext) window.loss = made.getExtension('WEBGL_lose_context') ?? window.loss;
+      if (made instanceof WebGL2RenderingContext) {
+        window.loss = made.getExtension('WEBGL_lose_context') ?? window.loss;
+      }
       return made;
     } as typeof HTMLCanvasElement.prototype.getContext;
   });
@@ -48,7 +56,10 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
     expect(await samples(), `${what}, lost`).toBe(0);
     await allReady(page);
     const { frames: filmed, timers, ...spent } = await spentIn(page, 200);
-    expect({ ...spent, frames: 0, timers: 0 }, `${what}: ${String(filmed)} frames are the film's`).toEqual(NOTHING);
+    expect(
+      { ...spent, frames: 0, timers: 0 },
+      `${what}: ${String(filmed)} frames are the film's`,
+    ).toEqual(NOTHING);
     expect(timers, what).toBe(0);
     await restore();
     await expect(notice).toHaveCount(0);
@@ -60,12 +71,19 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
     let reported = false;
     for (const [i, { mean, samples: count }] of frames.entries()) {
       const which = `${what}, frame ${String(i)} of ${String(frames.length)} with ${String(count)} samples`;
-      // A lone picture is the context's own canvas, which the browser empties, or now and then makes white.
+      // A lone picture is the context's own canvas, which the browser empties, or now and then
+      // makes white.
       const isEmpty = what === 'alone' && mean.every((code) => code === 0 || code === 255);
-      if (!isEmpty) mean.forEach((code, k) => expect(Math.abs(code - first!.mean[k]!), which).toBeLessThan(0.5));
+      if (!isEmpty) {
+        mean.forEach((code, k) =>
+          expect(Math.abs(code - first!.mean[k]!), which).toBeLessThan(0.5),
+        );
+      }
       // The browser empties the canvas before it reports the loss.
       reported ||= isEmpty && count === 0;
-      if (isEmpty && reported) expect(count, which).toBe(0);
+      if (isEmpty && reported) {
+        expect(count, which).toBe(0);
+      }
     }
     expect(reported, what).toBe(what === 'alone');
     expect(compare(await pixels(viewer), before).max, what).toBe(0);
@@ -74,14 +92,18 @@ test('a context lost in the middle shows no part of a picture; samples begin aga
   }
 });
 
-test('blended surfaces, cut-outs and materials of the page keep their colours on the way', async ({ page, site }) => {
+test('blended surfaces, cut-outs and materials of the page keep their colours on the way', async ({
+  page,
+  site,
+}) => {
   await keepPixels(page);
   const markup = `<phong-viewer alt="" theta="0" phi="90" radius="2.4" target="0 0 0" samples="256">${LIGHT}</phong-viewer>`;
   await page.goto(site.page(markup, usages.modules));
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   const viewer = page.locator('phong-viewer');
   await viewer.evaluate(async (element: PhongViewer) => {
-    element.style.cssText = 'display: block; width: 64px; height: 48px; background: linear-gradient(red, blue)';
+    element.style.cssText =
+      'display: block; width: 64px; height: 48px; background: linear-gradient(red, blue)';
     const three = await import('three');
     const encodes = `void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 0.5);
       #include <tonemapping_fragment>
@@ -94,8 +116,17 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
       new three.MeshBasicMaterial(glass),
       new three.MeshBasicMaterial({ ...glass, color: 0xcc6633 }),
       new three.MeshBasicMaterial({ ...glass, blending: three.AdditiveBlending }),
-      new three.MeshBasicMaterial({ ...glass, blending: three.MultiplyBlending, premultipliedAlpha: true }),
-      new three.MeshStandardMaterial({ color: 0xffffff, emissive: 0x404040, transparent: true, opacity: 0.7 }),
+      new three.MeshBasicMaterial({
+        ...glass,
+        blending: three.MultiplyBlending,
+        premultipliedAlpha: true,
+      }),
+      new three.MeshStandardMaterial({
+        color: 0xffffff,
+        emissive: 0x404040,
+        transparent: true,
+        opacity: 0.7,
+      }),
       new three.MeshBasicMaterial({ color: 0x22aa44, alphaMap: checks, alphaTest: 0.5 }),
       new three.ShaderMaterial({ fragmentShader: encodes }),
       new three.ShaderMaterial({ fragmentShader: encodes, transparent: true, toneMapped: false }),
@@ -128,7 +159,9 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
     expect(frames.at(-1)!.samples).toBe(256);
     for (const [i, { samples, mean, inside }] of frames.entries()) {
       const which = `${opaque ? 'opaque' : 'transparent'}, frame ${String(i)} with ${String(samples)} samples`;
-      mean.forEach((code, k) => expect(Math.abs(code - frames[0]!.mean[k]!), which).toBeLessThan(0.7));
+      mean.forEach((code, k) =>
+        expect(Math.abs(code - frames[0]!.mean[k]!), which).toBeLessThan(0.7),
+      );
       // Edges of little contrast. What is seen of each surface is 70 pixels.
       expect(inside, which).toBeLessThan(40);
     }
@@ -136,7 +169,10 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
   expect((await statsOf(viewer)).programs - programs, 'sum, mean and copy').toBe(3);
 });
 
-test('pictures in view converge first, from the top, and those far from it wait', async ({ page, mount }) => {
+test('pictures in view converge first, from the top, and those far from it wait', async ({
+  page,
+  mount,
+}) => {
   await countEverything(page);
   const gap = '<div class="gap"></div>';
   const kinds = ['box', 'cone', 'torus', 'plane', 'cylinder', 'pyramid'];
@@ -158,7 +194,9 @@ test('pictures in view converge first, from the top, and those far from it wait'
     await Promise.all(viewers.map(({ ready }) => ready));
     // Once more, with all the code here.
     order.length = 0;
-    for (const viewer of viewers) viewer.theta = 44;
+    for (const viewer of viewers) {
+      viewer.theta = 44;
+    }
     await Promise.all(viewers.map(({ ready }) => ready));
     return order;
   });

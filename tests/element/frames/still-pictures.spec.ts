@@ -1,4 +1,5 @@
-// `antialias="full"`: when do samples come, what interrupts them, and what is shown meanwhile and afterwards?
+// `antialias="full"`: when do samples come, what interrupts them, and what is shown meanwhile and
+// afterwards?
 
 import type { Locator, Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
@@ -8,7 +9,8 @@ import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../s
 const size = { width: 60, height: 40 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const full = 'geometry="torus" antialias="full" samples="16"';
-const viewerOf = (attributes: string): string => `<phong-viewer alt="" ${attributes}>${light}</phong-viewer>`;
+const viewerOf = (attributes: string): string =>
+  `<phong-viewer alt="" ${attributes}>${light}</phong-viewer>`;
 
 interface Shown {
   readonly samples: number;
@@ -34,7 +36,10 @@ async function converged(viewer: Locator): Promise<void> {
   expect(await samplesOf(viewer)).toBe(16);
 }
 
-test('a still picture gets its samples, which are no frames; then nothing runs', async ({ page, mount }) => {
+test('a still picture gets its samples, which are no frames; then nothing runs', async ({
+  page,
+  mount,
+}) => {
   await countEverything(page);
   const viewer = await mount(viewerOf(full), size);
   await converged(viewer);
@@ -55,9 +60,14 @@ test('a still picture gets its samples, which are no frames; then nothing runs',
   expect(await samplesOf(viewer)).toBe(0);
 });
 
-test('samples begin three frames sooner after a lone change than after a drag', async ({ mount }) => {
+test('samples begin three frames sooner after a lone change than after a drag', async ({
+  mount,
+}) => {
   const viewer = await mount(viewerOf(full), size);
-  /** Frames from the last of so many changes, two frames apart, to its first batch of samples, which ends with a fence. */
+  /**
+   * Frames from the last of so many changes, two frames apart, to its first batch of samples, which
+   * ends with a fence.
+   */
   const waited = (changes: number): Promise<number> =>
     viewer.evaluate(async (element: PhongViewer, count) => {
       await new Promise((resolve) => setTimeout(resolve, 300));
@@ -69,11 +79,15 @@ test('samples begin three frames sooner after a lone change than after a drag', 
         return fenceSync.apply(this, args);
       };
       for (let i = 0; i < count; i++) {
-        for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+        for (let frame = 0; frame < 2; frame++) {
+          await new Promise(requestAnimationFrame);
+        }
         element.theta += 1;
         batches = 0;
       }
-      for (; batches === 0; frames++) await new Promise(requestAnimationFrame);
+      for (; batches === 0; frames++) {
+        await new Promise(requestAnimationFrame);
+      }
       prototype.fenceSync = fenceSync;
       await element.ready;
       return frames;
@@ -81,7 +95,10 @@ test('samples begin three frames sooner after a lone change than after a drag', 
   expect((await waited(5)) - (await waited(1))).toBe(3);
 });
 
-test('several viewers converge in turn, and keep their pictures when others come or go', async ({ page, mount }) => {
+test('several viewers converge in turn, and keep their pictures when others come or go', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(viewerOf(full), size);
   await converged(viewer);
   const before = await pixels(viewer);
@@ -93,9 +110,13 @@ test('several viewers converge in turn, and keep their pictures when others come
     viewerOf(full) + viewerOf(full),
   );
   await allReady(page);
-  for (const one of await page.locator('phong-viewer').all()) expect(await samplesOf(one)).toBe(16);
+  for (const one of await page.locator('phong-viewer').all()) {
+    expect(await samplesOf(one)).toBe(16);
+  }
   await page.evaluate(() => {
-    for (const one of [...document.querySelectorAll('phong-viewer')].slice(1)) one.remove();
+    for (const one of [...document.querySelectorAll('phong-viewer')].slice(1)) {
+      one.remove();
+    }
   });
   await nextFrame(page);
   await allReady(page);
@@ -104,8 +125,12 @@ test('several viewers converge in turn, and keep their pictures when others come
 });
 
 test('a picture that is taken away in the middle converges when it is back', async ({ mount }) => {
-  const viewer = await mount(viewerOf(full.replace('16', '1024')), { ...size, waitForReady: false });
-  const begins = (): Promise<void> => expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
+  const viewer = await mount(viewerOf(full.replace('16', '1024')), {
+    ...size,
+    waitForReady: false,
+  });
+  const begins = (): Promise<void> =>
+    expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
   await begins();
   const moved = await viewer.evaluate((element: PhongViewer) => {
     const parent = element.parentElement!;
@@ -144,10 +169,16 @@ const without = (page: Page, ...names: string[]): Promise<unknown> =>
     } as typeof prototype.getExtension;
   }, names);
 
-test('without float targets `full` is like `edges`, and `stats` says so', async ({ page, mount }) => {
+test('without float targets `full` is like `edges`, and `stats` says so', async ({
+  page,
+  mount,
+}) => {
   await without(page, 'EXT_color_buffer_float');
   await countEverything(page);
-  const viewer = await mount(viewerOf(`${full} segments="24"`) + viewerOf(full.replace('torus', 'box')), size);
+  const viewer = await mount(
+    viewerOf(`${full} segments="24"`) + viewerOf(full.replace('torus', 'box')),
+    size,
+  );
   const seen = await renders(viewer);
   await assign(viewer, { theta: 40 });
   await allReady(page);
@@ -164,28 +195,38 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   await allReady(page); // while it turns
   expect(await samplesOf(viewer)).toBe(0);
   await assign(viewer, { autoRotate: 0 });
-  for (let i = 0; i < 3; i++) await nextFrame(page); // it finds out once it has stood still for a few
+  for (let i = 0; i < 3; i++) {
+    await nextFrame(page); // it finds out once it has stood still for a few
+  }
   expect(await spentIn(page, 200)).toEqual(NOTHING);
 });
 
-test('toBlob({ samples }) is the picture that a viewer of that size converges to', async ({ mount }) => {
+test('toBlob({ samples }) is the picture that a viewer of that size converges to', async ({
+  mount,
+}) => {
   const viewer = await mount(viewerOf(full), { width: 90, height: 70 });
   await converged(viewer);
   const wanted = await pixels(viewer);
   await assign(viewer, { antialias: 'edges' });
   const options = { width: 90, height: 70, samples: 16 };
   expect(compare(await pixels(viewer, options), wanted).max).toBe(0);
-  for (const samples of [0, 1.5, 1025, 'many'])
-    await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(/RangeError.*samples/);
+  for (const samples of [0, 1.5, 1025, 'many']) {
+    await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(
+      /RangeError.*samples/,
+    );
+  }
 });
 
-test('samples of a round shape have more triangles than the plain picture, which comes back', async ({ mount }) => {
+test('samples of a round shape have more triangles than the plain picture, which comes back', async ({
+  mount,
+}) => {
   const viewer = await mount(viewerOf('geometry="sphere" samples="16"'), size);
   const triangles = (): Promise<number> =>
     viewer.evaluate((element: PhongViewer) => {
       let count = 0;
       element.scene.traverse((object) => {
-        count += ((object as { geometry?: { index: { count: number } } }).geometry?.index.count ?? 0) / 3;
+        count +=
+          ((object as { geometry?: { index: { count: number } } }).geometry?.index.count ?? 0) / 3;
       });
       return count;
     });

@@ -1,5 +1,6 @@
-// `antialias="full"`: does whatever a picture can show converge to its mean over each pixel? Against the mean of a
-// plain picture with four times as many pixels along each side, which the code of samples has no part in.
+// `antialias="full"`: does whatever a picture can show converge to its mean over each pixel?
+// Against the mean of a plain picture with four times as many pixels along each side, which the
+// code of samples has no part in.
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
@@ -10,7 +11,8 @@ import { assign, nextFrame, type PhongViewer, settled, statsOf } from '../suppor
 
 const SIZE = { width: 48, height: 36 };
 const TIMES = 4;
-const light = '<phong-light name="a" position="1 2 3 0" ambient="40" attenuation="1 0.2 0"></phong-light>';
+const light =
+  '<phong-light name="a" position="1 2 3 0" ambient="40" attenuation="1 0.2 0"></phong-light>';
 const spot =
   '<phong-light name="b" position="1 1 2 1" axis="-1 -1 -2" aperture="25" cutoff="4" diffuse="#f84" attenuation="1 0.2 0"></phong-light>';
 const full = 'alt="" antialias="full" samples="64"';
@@ -27,7 +29,9 @@ function meansOf({ width, height, data }: Picture, times: number): Means {
       const from = 4 * (y * width + x);
       const to = 4 * (Math.floor(y / times) * (width / times) + Math.floor(x / times));
       const alpha = data[from + 3]!;
-      for (const k of [0, 1, 2]) means[to + k]! += (data[from + k]! * alpha) / 255 / times ** 2;
+      for (const k of [0, 1, 2]) {
+        means[to + k]! += (data[from + k]! * alpha) / 255 / times ** 2;
+      }
       means[to + 3]! += alpha / times ** 2;
     }
   }
@@ -64,10 +68,15 @@ test('every view converges to its mean', async ({ mount }) => {
   }
 });
 
-test('linear, flat, textured, blended and cut-out surfaces converge to their means', async ({ page, mount }) => {
+test('linear, flat, textured, blended and cut-out surfaces converge to their means', async ({
+  page,
+  mount,
+}) => {
   const file = readFileSync(new URL('../../fixtures/models/mask.glb', import.meta.url), 'latin1');
   const blended = file.replace(/"MASK"(.*?) (?= *[^ ]{4}BIN)/s, '"BLEND"$1'); // a space less keeps its length
-  await page.route('**/blended.glb', (route) => route.fulfill({ body: Buffer.from(blended, 'latin1') }));
+  await page.route('**/blended.glb', (route) =>
+    route.fulfill({ body: Buffer.from(blended, 'latin1') }),
+  );
   const viewers: Readonly<Record<string, string>> = {
     linear: 'geometry="box" color-interpolation="linear" shininess="200"',
     flat: 'geometry="sphere" segments="12" shading="flat" reflection="blinn-phong"',
@@ -79,21 +88,31 @@ test('linear, flat, textured, blended and cut-out surfaces converge to their mea
   const markup = Object.values(viewers).map((attributes) => `<phong-viewer ${full} ${attributes}>${light}</phong-viewer>`); // oxfmt-ignore
   await mount(markup.join(''), { ...SIZE, css: 'phong-viewer { background: red }' });
   await allReady(page);
-  for (const [i, what] of Object.keys(viewers).entries()) await showsTheMean(page.locator('phong-viewer').nth(i), what);
+  for (const [i, what] of Object.keys(viewers).entries()) {
+    await showsTheMean(page.locator('phong-viewer').nth(i), what);
+  }
 });
 
-test('both sides of a comparison converge, and moving its divider samples nothing again', async ({ page, mount }) => {
+test('both sides of a comparison converge, and moving its divider samples nothing again', async ({
+  page,
+  mount,
+}) => {
   await countEverything(page);
   const side = (shading: string): string =>
     `<phong-viewer ${full} geometry="sphere" segments="12" shading="${shading}">${light}</phong-viewer>`;
   await mount(`<phong-compare>${side('phong')}${side('gouraud')}</phong-compare>`, {
     css: `phong-compare { display: block; width: ${String(SIZE.width)}px; height: ${String(SIZE.height)}px }`,
   });
-  const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  const [first, second] = [
+    page.locator('phong-viewer').first(),
+    page.locator('phong-viewer').last(),
+  ];
   await showsTheMean(first, 'left');
   await showsTheMean(second, 'right');
   const frames = (): Promise<readonly number[]> =>
-    page.evaluate(() => [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.frames));
+    page.evaluate(() =>
+      [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.frames),
+    );
   const before = await frames();
   for (const at of [20, 80]) {
     await page.evaluate((place) => (document.querySelector('phong-compare')!.at = [place]), at);

@@ -53,7 +53,8 @@ export function installDeeds(): void {
     const library = (three ??= (await import(address)) as typeof Three);
     const [x = 0, y = 0, z = 0] = place.split(' ').map(Number);
     const material = new library.ShaderMaterial({
-      vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+      vertexShader:
+        'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
       fragmentShader: 'void main() { gl_FragColor = vec4(0.25, 0.5, 0.75, 1.0); }',
     });
     const ball = new library.Mesh(new library.SphereGeometry(0.2, 8, 6), material);
@@ -71,7 +72,9 @@ export function installDeeds(): void {
   /** The last child used, by tag. */
   const latest = new Map<string, Element>();
   const touched = (element: Element | null | undefined): Element | undefined => {
-    if (element) latest.set(element.localName, element);
+    if (element) {
+      latest.set(element.localName, element);
+    }
     return element ?? undefined;
   };
   const childOf = (viewer: PhongViewer, { tag, child }: Step): Element | undefined =>
@@ -113,11 +116,15 @@ export function installDeeds(): void {
     'to another': (viewer, step) => {
       const [moved, parent] = [childOf(viewer, step), other(step)];
       // In unusual trees the other viewer may stand inside the child.
-      if (moved !== undefined && !moved.contains(parent)) parent.append(moved);
+      if (moved !== undefined && !moved.contains(parent)) {
+        parent.append(moved);
+      }
     },
     clone: (viewer, step) => {
       const copy = childOf(viewer, step)?.cloneNode();
-      if (copy !== undefined) other(step).append(copy);
+      if (copy !== undefined) {
+        other(step).append(copy);
+      }
       touched(copy as Element | undefined);
     },
     children: (viewer, { value }) => void (viewer.innerHTML = value),
@@ -129,16 +136,24 @@ export function installDeeds(): void {
       viewer.remove();
     },
     'bring back': (_, { child }) => {
-      if (viewers().length < MOST_VIEWERS) place(child).append(away.shift() ?? '');
+      if (viewers().length < MOST_VIEWERS) {
+        place(child).append(away.shift() ?? '');
+      }
     },
     'another viewer': (_, { child, value }) => {
-      if (viewers().length < MOST_VIEWERS) place(child).insertAdjacentHTML('beforeend', value);
+      if (viewers().length < MOST_VIEWERS) {
+        place(child).insertAdjacentHTML('beforeend', value);
+      }
     },
     'clone viewer': (viewer) => {
-      if (viewers().length < MOST_VIEWERS) viewer.after(viewer.cloneNode(true));
+      if (viewers().length < MOST_VIEWERS) {
+        viewer.after(viewer.cloneNode(true));
+      }
     },
     'no viewer': (viewer) => {
-      if (viewers().length > 1) viewer.remove();
+      if (viewers().length > 1) {
+        viewer.remove();
+      }
     },
     'reset camera': (viewer) => {
       viewer.resetCamera();
@@ -160,7 +175,9 @@ export function installDeeds(): void {
     'draw again': (viewer) => viewer.requestRender(),
     'an own object': (viewer, { value }) => addOwn(viewer, value),
     'own object away': (viewer) => {
-      for (const ball of ownOf(viewer).values()) viewer.scene.remove(ball);
+      for (const ball of ownOf(viewer).values()) {
+        viewer.scene.remove(ball);
+      }
       ownOf(viewer).clear();
       viewer.refit();
     },
@@ -177,10 +194,16 @@ export function installDeeds(): void {
     'move a mesh': (viewer, step) =>
       frames(Number(step.value), () => {
         const mesh = childOf(viewer, { ...step, tag: 'phong-mesh' }) as PhongMesh | undefined;
-        if (mesh !== undefined)
-          mesh.position = [inside(mesh.position[0] + 0.01), mesh.position[1], inside(mesh.position[2] - 0.02)];
+        if (mesh !== undefined) {
+          mesh.position = [
+            inside(mesh.position[0] + 0.01),
+            mesh.position[1],
+            inside(mesh.position[2] - 0.02),
+          ];
+        }
       }),
-    'draw on': (_, { value }) => frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
+    'draw on': (_, { value }) =>
+      frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
     'stand still': (_, { value }) => frames(Number(value), () => undefined),
     turn: async (viewer, { value }) => {
       viewer.autoRotate = Number(value);
@@ -195,16 +218,22 @@ export function installDeeds(): void {
       const anywhere = ['bring back', 'another viewer', 'scroll', 'restore'].includes(step.what);
       if (viewer === undefined && !anywhere) continue;
       const done = DEEDS[step.what]?.(viewer!, step);
-      if (done !== undefined) await done;
+      if (done !== undefined) {
+        await done;
+      }
     }
-    for (const fault of window.walkTrees.faults()) console.error(fault);
+    for (const fault of window.walkTrees.faults()) {
+      console.error(fault);
+    }
   }
 
   window.walkDeeds = {
     ...{ take, pending, addOwn },
     ownOf: (viewer) => [...ownOf(viewer).keys()],
     bringBack() {
-      if (viewers().length === 0) place(0).append(away.shift() ?? '');
+      if (viewers().length === 0) {
+        place(0).append(away.shift() ?? '');
+      }
     },
   };
 }

@@ -1,5 +1,5 @@
-// Reads the state of all viewers once the page of a history is at rest. In an iframe it starts new viewers with the
-// same scenes and reads theirs.
+// Reads the state of all viewers once the page of a history is at rest. In an iframe it starts new
+// viewers with the same scenes and reads theirs.
 
 import type { Page } from '@playwright/test';
 import { installDeeds } from './history-deeds.js';
@@ -13,7 +13,8 @@ export interface Rest {
   readonly seen: Drawn | null;
   readonly blob: Drawn;
   /**
-   * The result of `toHTML`. `asDeclared` has the declared radius and target instead; null if the user moved the camera.
+   * The result of `toHTML`. `asDeclared` has the declared radius and target instead; null if the
+   * user moved the camera.
    */
   readonly html: string;
   readonly asDeclared: string | null;
@@ -46,7 +47,9 @@ declare global {
 
 /** For all pages of this context that are opened later. */
 export async function walkOn(page: Page): Promise<void> {
-  for (const install of [installWatch, installTrees, installDeeds, installWalk]) await page.addInitScript(install);
+  for (const install of [installWatch, installTrees, installDeeds, installWalk]) {
+    await page.addInitScript(install);
+  }
 }
 
 /** Runs in the page, after the others. */
@@ -60,7 +63,9 @@ function installWalk(): void {
   /** Observers report after a frame, and may cause another one. */
   const FEW = 4;
   const fewFrames = async (count = FEW): Promise<void> => {
-    for (let i = 0; i < count; i++) await frame();
+    for (let i = 0; i < count; i++) {
+      await frame();
+    }
   };
   const loaded = (): number => performance.getEntriesByType('resource').length;
   async function rests(): Promise<string> {
@@ -78,7 +83,9 @@ function installWalk(): void {
     return `still busy: ${watch.happened.join()}`;
   }
   async function settle(): Promise<string> {
-    if (watch.lost) await watch.restore();
+    if (watch.lost) {
+      await watch.restore();
+    }
     deeds.bringBack();
     const late = new Promise<string>((resolve) => setTimeout(resolve, LATE, 'never ready'));
     const outcome = await Promise.race([late, rests()]);
@@ -96,10 +103,16 @@ function installWalk(): void {
     return [whole(clientWidth), whole(clientHeight)];
   };
   const declared = (viewer: PhongViewer, html: string): string => {
-    const { radius, target } = viewer as unknown as Record<string, string | number | readonly number[]>;
+    const { radius, target } = viewer as unknown as Record<
+      string,
+      string | number | readonly number[]
+    >;
     return html
       .replace(/ radius="[^"]*"/, ` radius="${String(radius)}"`)
-      .replace(/ target="[^"]*"/, ` target="${Array.isArray(target) ? target.join(' ') : String(target)}"`);
+      .replace(
+        / target="[^"]*"/,
+        ` target="${Array.isArray(target) ? target.join(' ') : String(target)}"`,
+      );
   };
   async function rest(): Promise<Rest[]> {
     const all = viewers().map((viewer) => ({ viewer, seen: seenOf(viewer) })); // before `toBlob` draws
@@ -133,7 +146,9 @@ function installWalk(): void {
     return rests;
   }
 
-  async function begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]): Promise<Began[]> {
+  async function begin(
+    rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[],
+  ): Promise<Began[]> {
     await customElements.whenDefined('phong-viewer');
     // Old viewers are removed at the end, so that the context and its programs stay.
     const before = viewers();
@@ -145,7 +160,11 @@ function installWalk(): void {
       viewer.style.width = `${css[0]}px`;
       viewer.style.height = `${css[1]}px`;
     }
-    for (const { viewer, own } of all) for (const where of own) await deeds.addOwn(viewer, where);
+    for (const { viewer, own } of all) {
+      for (const where of own) {
+        await deeds.addOwn(viewer, where);
+      }
+    }
     await Promise.all(all.map(({ viewer }) => viewer.ready));
     const began: Began[] = [];
     for (const { viewer, pixels } of all) {
@@ -153,7 +172,9 @@ function installWalk(): void {
       const blob = await blobOf(viewer, size);
       began.push({ blob, camera: numbers(viewer), stats: { ...viewer.stats } });
     }
-    for (const viewer of before) viewer.remove();
+    for (const viewer of before) {
+      viewer.remove();
+    }
     return began;
   }
 

@@ -1,5 +1,5 @@
-// Reduces a failing history: leaves out runs of tasks, then of steps, then viewers, long runs first, and plays the rest
-// again each time.
+// Reduces a failing history: leaves out runs of tasks, then of steps, then viewers, long runs
+// first, and plays the rest again each time.
 
 import type { Scenario, Task } from './history-steps.js';
 
@@ -16,9 +16,15 @@ type Play = (scenario: Scenario) => Promise<string | null>;
 const SHORTENING_MS = Number(process.env['PHONG_VIEWER_SHORTENING'] ?? 60_000);
 
 /** Throws an error with this message and the shortest part of `history` that still fails. */
-export async function failWithShortest(message: string, history: Scenario, play: Play): Promise<never> {
+export async function failWithShortest(
+  message: string,
+  history: Scenario,
+  play: Play,
+): Promise<never> {
   const { scenario, fault } = await shortest(history, play);
-  const lines = [...scenario.begins, ...scenario.tasks.map((task) => JSON.stringify(task))].join('\n');
+  const lines = [...scenario.begins, ...scenario.tasks.map((task) => JSON.stringify(task))].join(
+    '\n',
+  );
   throw new Error(`${message}\n\nshortest:\n${lines}\n${fault || 'did not fail again'}`);
 }
 
@@ -33,12 +39,16 @@ async function shortest(scenario: Scenario, play: Play): Promise<Readonly<Found>
     found.scenario = { ...candidate, tasks: candidate.tasks.slice(0, last + 1) };
     found.fault = fault;
   };
-  const thin = async <T>(list: () => readonly T[], withOnly: (left: readonly T[]) => Scenario): Promise<void> => {
+  const thin = async <T>(
+    list: () => readonly T[],
+    withOnly: (left: readonly T[]) => Scenario,
+  ): Promise<void> => {
     let size = list().length;
     while (size > 1) {
       size = Math.ceil(size / 2);
-      for (let at = list().length - size; at > -size && Date.now() < end; at -= size)
+      for (let at = list().length - size; at > -size && Date.now() < end; at -= size) {
         await attempt(withOnly(list().filter((_, i) => i < at || i >= at + size)));
+      }
     }
   };
   await attempt(scenario);

@@ -1,5 +1,5 @@
-// Random histories of a page, as data: the first viewers, and what happens to them, task by task. The same seed gives
-// the same history. Any part of a history is a history too.
+// Random histories of a page, as data: the first viewers, and what happens to them, task by task.
+// The same seed gives the same history. Any part of a history is a history too.
 
 import { Dice } from '../../visual/random-scene.js';
 import type { Step } from './history-deeds.js';
@@ -17,7 +17,15 @@ export interface Scenario {
   readonly tasks: readonly Task[];
 }
 
-export type Mix = 'all' | 'lights' | 'many lights' | 'meshes' | 'page' | 'motion' | 'trees' | 'still';
+export type Mix =
+  | 'all'
+  | 'lights'
+  | 'many lights'
+  | 'meshes'
+  | 'page'
+  | 'motion'
+  | 'trees'
+  | 'still';
 
 /** Random values of an attribute, covering every code path, and bad ones. */
 type Values = (dice: Dice) => string;
@@ -73,7 +81,11 @@ const MESH: Readonly<Record<string, Values>> = {
   ...SHADING,
   position: either(place, place, of('0 0 0')),
   rotation: either(numbers(3, -180, 180), of('0 0 0', '0 90 0')),
-  scale: either(numbers(3, 0.2, 2), numbers(1, 0.2, 2), of('1', '-1 1 1', '0', '1 0 1', '-2', '3 0.2 3')),
+  scale: either(
+    numbers(3, 0.2, 2),
+    numbers(1, 0.2, 2),
+    of('1', '-1 1 1', '0', '1 0 1', '-2', '3 0.2 3'),
+  ),
 };
 const VIEWER: Readonly<Record<string, Values>> = {
   ...SURFACE,
@@ -101,7 +113,10 @@ const property = (attribute: string): string =>
 
 function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number): string {
   const attributes = Object.entries(VALUES[tag])
-    .filter(([key]) => (tag === 'phong-mesh' && key === 'geometry') || dice.chance(key === 'src' ? 0.05 : share))
+    .filter(
+      ([key]) =>
+        (tag === 'phong-mesh' && key === 'geometry') || dice.chance(key === 'src' ? 0.05 : share),
+    )
     .map(([key, value]) => ` ${key}="${value(dice)}"`);
   return `<${tag}${attributes.join('')}></${tag}>`;
 }
@@ -133,7 +148,8 @@ const SCENES: readonly Values[] = [
 ];
 const MANY: readonly Values[] = [
   (dice) => `<phong-viewer phi="40">${FLOOR}${lights(dice, 150, smallSpot)}</phong-viewer>`,
-  (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 70, faint)}</phong-viewer>`,
+  (dice) =>
+    `<phong-viewer geometry="sphere" segments="24">${lights(dice, 70, faint)}</phong-viewer>`,
   (dice) => `<phong-viewer phi="50">${FLOOR}<phong-mesh geometry="box" scale="0.5"></phong-mesh>${lights(dice, 40, smallSpot)}</phong-viewer>`, // oxfmt-ignore
 ];
 
@@ -146,11 +162,14 @@ interface Maker {
 }
 
 /** Attributes that select other programs. */
-const STYLE = 'terms terms ks shininess shininess shading reflection color-interpolation'.split(' ');
+const STYLE = 'terms terms ks shininess shininess shading reflection color-interpolation'.split(
+  ' ',
+);
 
 function styled(dice: Dice): Partial<Step> {
   const key = dice.pick(STYLE);
-  const value = key === 'shininess' ? dice.pick(['1', '7', '32', '33.5', '1000']) : VIEWER[key]!(dice);
+  const value =
+    key === 'shininess' ? dice.pick(['1', '7', '32', '33.5', '1000']) : VIEWER[key]!(dice);
   return { what: 'set attribute', tag: 'phong-viewer', key, value };
 }
 
@@ -166,22 +185,40 @@ function written(dice: Dice, tag: Tag): Partial<Step> {
 const child = (dice: Dice): Tag => dice.pick(['phong-light', 'phong-light', 'phong-mesh'] as const);
 
 const MAKERS: readonly Maker[] = [
-  { weight: 14, more: { lights: 3, 'many lights': 3 }, make: (dice) => written(dice, 'phong-light') },
+  {
+    weight: 14,
+    more: { lights: 3, 'many lights': 3 },
+    make: (dice) => written(dice, 'phong-light'),
+  },
   { weight: 8, more: { meshes: 4, 'many lights': 2 }, make: (dice) => written(dice, 'phong-mesh') },
   { weight: 8, make: (dice) => written(dice, 'phong-viewer') },
   { weight: 1, more: { motion: 10 }, make: styled },
   { weight: 4, more: { lights: 2 }, make: (dice) => ({ what: 'add', value: light(dice) }) },
   { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // oxfmt-ignore
   { weight: 5, make: (dice) => ({ what: 'remove', tag: child(dice) }) },
-  { weight: 4, make: (dice) => ({ what: dice.pick(['to the end', 'to the front']), tag: child(dice) }) },
-  { weight: 4, more: { page: 2 }, make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }) },
-  { weight: 3, make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }) },
+  {
+    weight: 4,
+    make: (dice) => ({ what: dice.pick(['to the end', 'to the front']), tag: child(dice) }),
+  },
+  {
+    weight: 4,
+    more: { page: 2 },
+    make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }),
+  },
+  {
+    weight: 3,
+    make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }),
+  },
   { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // oxfmt-ignore
   { weight: 6, more: { 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // oxfmt-ignore
   { weight: 2, more: { motion: 3, 'many lights': 3 }, make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }) }, // oxfmt-ignore
   { weight: 4, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // oxfmt-ignore
   { weight: 1, make: (dice) => ({ what: 'turn', value: dice.pick(['50', '-300']) }) },
-  { weight: 3, more: { motion: 2 }, make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }) },
+  {
+    weight: 3,
+    more: { motion: 2 },
+    make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }),
+  },
   { weight: 2, make: (dice) => ({ what: 'wheel', value: String(dice.from(-300, 300)) }) },
   { weight: 1, make: () => ({ what: 'reset camera' }) },
   { weight: 3, more: { page: 4 }, make: (dice) => ({ what: 'style', key: dice.pick(['width', 'height']), value: `${Math.round(dice.from(20, 140))}px` }) }, // oxfmt-ignore
@@ -196,7 +233,10 @@ const MAKERS: readonly Maker[] = [
   { weight: 2, more: { page: 4 }, make: () => ({ what: 'no viewer' }) },
   { weight: 0.7, more: { page: 2, motion: 4 }, make: () => ({ what: 'lose' }) },
   { weight: 0.5, more: { page: 2 }, make: () => ({ what: 'restore' }) },
-  { weight: 2, make: (dice) => ({ what: 'picture', value: dice.pick(['30 40', '200 20', '300 300']) }) },
+  {
+    weight: 2,
+    make: (dice) => ({ what: 'picture', value: dice.pick(['30 40', '200 20', '300 300']) }),
+  },
   { weight: 2, make: (dice) => ({ what: 'explain', value: numbers(2, 0, 60)(dice) }) },
   { weight: 1, make: () => ({ what: 'draw again' }) },
   { weight: 0.7, make: (dice) => ({ what: 'an own object', value: place(dice) }) },
@@ -220,8 +260,9 @@ const ANY_VALUE = Object.values(VALUES)
 function step(dice: Dice, mix: Mix): Step {
   if (mix === 'trees' && dice.chance(0.75)) return { ...made(dice), ...treeStep(dice, ANY_VALUE) };
   // Long enough for some samples, or for all.
-  if (mix === 'still' && dice.chance(0.4))
+  if (mix === 'still' && dice.chance(0.4)) {
     return { ...made(dice), what: 'stand still', value: dice.pick(['5', '8', '20']) };
+  }
   const frequent = mix === 'still' ? 'page' : mix;
   const maker = dice.weighted(MAKERS, ({ weight, more }) => weight * (more?.[frequent] ?? 1));
   return { ...made(dice), ...maker.make(dice) };
@@ -236,7 +277,8 @@ const several = (dice: Dice, mix: Mix, counts: readonly number[]): Step[] =>
 function anything(dice: Dice, mix: Mix): Task[] {
   const count = Math.floor(dice.from(1, 6.999));
   return Array.from({ length: count }, (_, i): Task => {
-    const then = i === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);
+    const then =
+      i === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);
     return { steps: several(dice, mix, mix === 'trees' ? [10, 20, 50] : [1, 1, 1, 2, 3, 5]), then };
   });
 }
@@ -245,7 +287,9 @@ function anything(dice: Dice, mix: Mix): Task[] {
 function afterMotion(dice: Dice, mix: Mix): Task[] {
   const { viewer } = made(dice);
   const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // oxfmt-ignore
-  const changes = dice.chance(0.5) ? [{ ...made(dice), ...styled(dice), viewer }] : several(dice, mix, [1, 1, 2]);
+  const changes = dice.chance(0.5)
+    ? [{ ...made(dice), ...styled(dice), viewer }]
+    : several(dice, mix, [1, 1, 2]);
   return [
     { steps: [moving('45')], then: 'at once' },
     { steps: changes, then: dice.pick(['at once', 'a frame']) },
@@ -257,7 +301,11 @@ const converging = (markup: string): string =>
   markup.replace('<phong-viewer', '<phong-viewer antialias="full" samples="64"');
 
 /** A history of one to three viewers with this many looks. */
-export function randomHistory(seed: number, looks: number, mix: Mix = MIXES[seed % MIXES.length]!): Scenario {
+export function randomHistory(
+  seed: number,
+  looks: number,
+  mix: Mix = MIXES[seed % MIXES.length]!,
+): Scenario {
   const dice = new Dice(seed);
   const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? MOVING : SCENES;
   const viewers = dice.pick(mix === 'many lights' || mix === 'motion' ? [1, 1, 2] : [1, 1, 2, 3]);

@@ -1,5 +1,5 @@
-// Steps of histories with unusual trees: wrappers, shadow trees, slots, nested viewers, and malformed values. Also
-// checks, in the page, what must hold after any of these steps.
+// Steps of histories with unusual trees: wrappers, shadow trees, slots, nested viewers, and
+// malformed values. Also checks, in the page, what must hold after any of these steps.
 
 import { type Dice } from '../../visual/random-scene.js';
 import type { Step } from './history-deeds.js';
@@ -35,7 +35,9 @@ export function installTrees(): void {
     for (const child of parent.children) {
       yield child;
       const shadow = shadows.get(child);
-      if (shadow !== undefined) yield* under(shadow);
+      if (shadow !== undefined) {
+        yield* under(shadow);
+      }
       yield* under(child);
     }
   }
@@ -47,17 +49,30 @@ export function installTrees(): void {
     [...under(viewer)].filter(({ localName }) => !localName.startsWith('phong-'));
   const contains = (outer: Node, inner: Node | null): boolean =>
     inner !== null &&
-    (inner === outer || contains(outer, inner.parentNode ?? (inner as Partial<ShadowRoot>).host ?? null));
-  function insert(parent: Parent | undefined, element: Element | undefined, how: string | undefined): void {
+    (inner === outer ||
+      contains(outer, inner.parentNode ?? (inner as Partial<ShadowRoot>).host ?? null));
+  function insert(
+    parent: Parent | undefined,
+    element: Element | undefined,
+    how: string | undefined,
+  ): void {
     if (parent === undefined || element === undefined || contains(element, parent)) return;
-    const before = { prepend: parent.firstChild, between: parent.children[1] ?? null }[how ?? ''] ?? null;
-    if (how === 'moveBefore' && element.isConnected && parent.isConnected) parent.moveBefore(element, before);
-    else parent.insertBefore(element, before);
+    const before =
+      { prepend: parent.firstChild, between: parent.children[1] ?? null }[how ?? ''] ?? null;
+    if (how === 'moveBefore' && element.isConnected && parent.isConnected) {
+      parent.moveBefore(element, before);
+    } else {
+      parent.insertBefore(element, before);
+    }
   }
   function made(kind: string | undefined): Element {
     const element = document.createElement(kind?.startsWith('phong-') === true ? kind : 'div');
-    if (kind === 'slotted') element.slot = 'error';
-    if (kind === 'open' || kind === 'closed') shadows.set(element, element.attachShadow({ mode: kind }));
+    if (kind === 'slotted') {
+      element.slot = 'error';
+    }
+    if (kind === 'open' || kind === 'closed') {
+      shadows.set(element, element.attachShadow({ mode: kind }));
+    }
     return element;
   }
   /** Where and how a step inserts, by its value, and the kind of element that it makes. */
@@ -70,7 +85,9 @@ export function installTrees(): void {
   const deeds: Record<string, Deed> = {
     make: (_, step) => {
       const { how, kind, parent } = targetOf(step);
-      if (!isFull()) insert(parent, made(kind), how);
+      if (!isFull()) {
+        insert(parent, made(kind), how);
+      }
     },
     carry: (viewer, step) => {
       const { how, parent } = targetOf(step);
@@ -79,12 +96,16 @@ export function installTrees(): void {
     copy: (viewer, step) => {
       const { how, parent } = targetOf(step);
       const pattern = round([...under(viewer)], step.child);
-      if (!isFull()) insert(parent, pattern?.cloneNode(true) as Element | undefined, how);
+      if (!isFull()) {
+        insert(parent, pattern?.cloneNode(true) as Element | undefined, how);
+      }
     },
     nest: (viewer, step) => {
       const { how, parent } = targetOf(step);
       // Viewers inside shadow trees would not be found again.
-      if (parent !== undefined && document.contains(parent)) insert(parent, viewer, how);
+      if (parent !== undefined && document.contains(parent)) {
+        insert(parent, viewer, how);
+      }
     },
     adopt: (viewer, step) => {
       const element = round([...under(viewer)], step.child);
@@ -99,11 +120,15 @@ export function installTrees(): void {
     },
     'wrapper-away': (viewer, { child }) => {
       const wrapper = round(wrappersIn(viewer), child);
-      if (wrapper?.querySelector('phong-viewer') === null) wrapper.remove();
+      if (wrapper?.querySelector('phong-viewer') === null) {
+        wrapper.remove();
+      }
     },
     reverse: (viewer, { child }) => {
       const parent = round(parentsIn(viewer), child);
-      if (parent?.querySelector('phong-viewer') === null) parent.replaceChildren(...[...parent.children].reverse());
+      if (parent?.querySelector('phong-viewer') === null) {
+        parent.replaceChildren(...[...parent.children].reverse());
+      }
     },
     'junk property': (viewer, { child, key, value }) => {
       const element = round([viewer, ...viewer.lights, ...viewer.meshes], child)!;
@@ -111,22 +136,36 @@ export function installTrees(): void {
         Reflect.set(element, key, JSON.parse(value));
       } catch (error) {
         if (!(error instanceof TypeError || error instanceof RangeError)) throw error;
-        if (error.message.length > 600) throw new Error(`a message of ${error.message.length} characters`);
+        if (error.message.length > 600) {
+          throw new Error(`a message of ${error.message.length} characters`);
+        }
       }
     },
     'junk attribute': (viewer, { child, key, value }) =>
       round([viewer, ...viewer.lights, ...viewer.meshes], child)!.setAttribute(key, value),
   };
 
-  /** The children that belong to a viewer by the contract: all inside, except in its slots and in other viewers. */
+  /**
+   * The children that belong to a viewer by the contract: all inside, except in its slots and in
+   * other viewers.
+   */
   function belonging(viewer: PhongViewer): Element[] {
     const found: Element[] = [];
     const visit = (parent: Parent): void => {
       for (const child of parent.children) {
-        if (child.localName === 'phong-viewer' || (child.parentNode === viewer && child.slot !== '')) continue;
-        if (child.localName.startsWith('phong-')) found.push(child);
+        if (
+          child.localName === 'phong-viewer' ||
+          (child.parentNode === viewer && child.slot !== '')
+        ) {
+          continue;
+        }
+        if (child.localName.startsWith('phong-')) {
+          found.push(child);
+        }
         const shadow = shadows.get(child);
-        if (shadow !== undefined) visit(shadow);
+        if (shadow !== undefined) {
+          visit(shadow);
+        }
         visit(child);
       }
     };
@@ -152,14 +191,19 @@ export function installTrees(): void {
         ['mesh', viewer.meshes],
       ] as const) {
         const own = wanted.filter(({ localName }) => localName === `phong-${kind}`);
-        if (own.length !== listed.length || own.some((element, i) => element !== listed[i]))
+        if (own.length !== listed.length || own.some((element, i) => element !== listed[i])) {
           found.push(`${listed.length} of kind ${kind}, not ${own.length}, or another order`);
+        }
       }
-      for (const element of [viewer, ...wanted])
-        found.push(...notFinite(element).map((name) => `<${element.localName}> ${name} is not finite`));
+      for (const element of [viewer, ...wanted]) {
+        found.push(
+          ...notFinite(element).map((name) => `<${element.localName}> ${name} is not finite`),
+        );
+      }
       const { eye, target, up, theta, phi, radius } = viewer.camera;
-      if (![...eye, ...target, ...up, theta, phi, radius].every(Number.isFinite))
+      if (![...eye, ...target, ...up, theta, phi, radius].every(Number.isFinite)) {
         found.push('the camera is not finite');
+      }
     }
     return found;
   }
@@ -171,13 +215,50 @@ const HOW = ['append', 'append', 'prepend', 'between', 'moveBefore', 'moveBefore
 const KINDS = 'div div open closed slotted slotted phong-light phong-light phong-mesh'.split(' ');
 /** Malformed or barely valid values. */
 const JUNK = [
-  ...['x'.repeat(2000), '😀'.repeat(300), 'color-mix('.repeat(30), 'rgb('.repeat(5e4), '1 '.repeat(3000)],
-  ...['\0', ' ', '1e309', '-1e-320', '1,2,3', '1;2', 'NaN NaN NaN', 'calc(1)', 'rgb(1 2 3', '-0', '１２３'],
-  ...['constructor', '__proto__', 'auto', 'none', 'null', '[object Object]', '0x10', '1 2 3 0', '1e6', '0 0 0'],
+  ...[
+    'x'.repeat(2000),
+    '😀'.repeat(300),
+    'color-mix('.repeat(30),
+    'rgb('.repeat(5e4),
+    '1 '.repeat(3000),
+  ],
+  ...[
+    '\0',
+    ' ',
+    '1e309',
+    '-1e-320',
+    '1,2,3',
+    '1;2',
+    'NaN NaN NaN',
+    'calc(1)',
+    'rgb(1 2 3',
+    '-0',
+    '１２３',
+  ],
+  ...[
+    'constructor',
+    '__proto__',
+    'auto',
+    'none',
+    'null',
+    '[object Object]',
+    '0x10',
+    '1 2 3 0',
+    '1e6',
+    '0 0 0',
+  ],
   '1e15 -1e15 1e15',
 ];
 const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // oxfmt-ignore
-const STRAYS = ['difuse', 'shadng', 'color', 'constructor', '__proto__', 'autorotate', 'x'.repeat(300)];
+const STRAYS = [
+  'difuse',
+  'shadng',
+  'color',
+  'constructor',
+  '__proto__',
+  'autorotate',
+  'x'.repeat(300),
+];
 
 /** A random step. `keys`: attributes that may have any value. */
 export function treeStep(dice: Dice, keys: readonly string[]): Partial<Step> {
@@ -190,6 +271,12 @@ export function treeStep(dice: Dice, keys: readonly string[]): Partial<Step> {
   if (what !== 'junk') return { what, ...where };
   const key = dice.pick(keys);
   const property = key.replace(/-([a-z])/g, (_, letter: string) => letter.toUpperCase());
-  if (dice.chance(0.4)) return { what: 'junk property', key: property, value: dice.pick(JUNK_JSON) };
-  return { what: 'junk attribute', key: dice.chance(0.2) ? dice.pick(STRAYS) : key, value: dice.pick(JUNK) };
+  if (dice.chance(0.4)) {
+    return { what: 'junk property', key: property, value: dice.pick(JUNK_JSON) };
+  }
+  return {
+    what: 'junk attribute',
+    key: dice.chance(0.2) ? dice.pick(STRAYS) : key,
+    value: dice.pick(JUNK),
+  };
 }

@@ -1,5 +1,5 @@
-// Records what happens on the page of a history: each viewer's last picture, the programs that drew it, cameras moved
-// by the user, and whether anything happens at all.
+// Records what happens on the page of a history: each viewer's last picture, the programs that drew
+// it, cameras moved by the user, and whether anything happens at all.
 
 import type { PhongViewer } from '../support/viewer.js';
 
@@ -52,7 +52,11 @@ export function installWatch(): void {
   const current = new WeakMap<object, string>();
   let drawnBy = new Set<string>();
   let happened: string[] = [];
-  const wrap = (owner: object, name: string, before: (self: object, given: unknown[]) => void): void => {
+  const wrap = (
+    owner: object,
+    name: string,
+    before: (self: object, given: unknown[]) => void,
+  ): void => {
     const real = Object.getOwnPropertyDescriptor(owner, name)?.value as Call | undefined;
     if (typeof real !== 'function') return;
     Reflect.set(owner, name, function (this: object, ...given: unknown[]) {
@@ -63,7 +67,9 @@ export function installWatch(): void {
   /** A hash of the text, by which programs are compared. */
   const numbered = (text: string): string => {
     let sum = 0;
-    for (let i = 0; i < text.length; i++) sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
+    for (let i = 0; i < text.length; i++) {
+      sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
+    }
     return `${/#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text) ? 'specialised' : 'general'}${sum >>> 0}`;
   };
   const names = new WeakMap<object, string>();
@@ -72,21 +78,31 @@ export function installWatch(): void {
     names.set(program, name);
     return name;
   };
-  const add = (self: object, text: string): void => void texts.set(self, (texts.get(self) ?? '') + text);
+  const add = (self: object, text: string): void =>
+    void texts.set(self, (texts.get(self) ?? '') + text);
   wrap(gl, 'shaderSource', (_, [shader, text]) => add(shader as object, String(text)));
-  wrap(gl, 'attachShader', (_, [program, shader]) => add(program as object, texts.get(shader as object) ?? ''));
+  wrap(gl, 'attachShader', (_, [program, shader]) =>
+    add(program as object, texts.get(shader as object) ?? ''),
+  );
   wrap(gl, 'useProgram', (self, [program]) => {
-    if (program !== null) current.set(self, nameOf(program as object));
+    if (program !== null) {
+      current.set(self, nameOf(program as object));
+    }
   });
-  for (const name of ['drawElements', 'drawArrays'])
+  for (const name of ['drawElements', 'drawArrays']) {
     wrap(gl, name, (self) => {
       drawnBy.add(current.get(self) ?? '');
       queueMicrotask(copyLone);
     });
+  }
   const note = (what: string): void => {
-    if (happened.length < 8) happened.push(what);
+    if (happened.length < 8) {
+      happened.push(what);
+    }
   };
-  for (const name of Object.getOwnPropertyNames(gl)) wrap(gl, name, () => note(name));
+  for (const name of Object.getOwnPropertyNames(gl)) {
+    wrap(gl, name, () => note(name));
+  }
   wrap(window, 'requestAnimationFrame', () => note('requestAnimationFrame'));
   let place = '';
   wrap(gl, 'viewport', (_, [x, y]) => (place = `${String(x)}, ${String(y)}`));
@@ -102,7 +118,9 @@ export function installWatch(): void {
   const realContext = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
     const made = Reflect.apply(realContext, this, given) as unknown;
-    if (made instanceof WebGL2RenderingContext) context = made;
+    if (made instanceof WebGL2RenderingContext) {
+      context = made;
+    }
     return made;
   } as typeof realContext;
   /** Context events arrive in tasks of their own. */
@@ -119,7 +137,8 @@ export function installWatch(): void {
     await soon();
   }
 
-  // Copies of pictures drawn directly on the WebGL canvas, which is empty once the browser has shown it.
+  // Copies of pictures drawn directly on the WebGL canvas, which is empty once the browser has
+  // shown it.
   const copies = new WeakMap<object, OffscreenCanvas>();
   const seenBy = new WeakMap<object, DrawnBy>();
   /** Camera moved by the user. */
@@ -141,10 +160,15 @@ export function installWatch(): void {
     if (canvas === null || viewers().length > 1) return;
     copies.set(viewer, copied(canvas, canvas.width, canvas.height));
   };
-  /** A viewer that is alone from now on is drawn on another canvas, without an event: its picture is the same. */
+  /**
+   * A viewer that is alone from now on is drawn on another canvas, without an event: its picture is
+   * the same.
+   */
   function copyLone(): void {
     const [viewer] = viewers();
-    if (drawnBy.size > 0 && viewer !== undefined && viewers().length === 1) copy(viewer);
+    if (drawnBy.size > 0 && viewer !== undefined && viewers().length === 1) {
+      copy(viewer);
+    }
   }
   listen('render', (viewer) => {
     copy(viewer);
@@ -152,18 +176,28 @@ export function installWatch(): void {
   });
   listen('camera-change', (viewer, event) => {
     const { source } = (event as CustomEvent<{ source: string }>).detail;
-    if (['pointer', 'wheel', 'key'].includes(source)) handled.add(viewer);
+    if (['pointer', 'wheel', 'key'].includes(source)) {
+      handled.add(viewer);
+    }
   });
 
   function dataOf(canvas: OffscreenCanvas): string {
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
     let text = '';
-    for (let i = 0; i < data.length; i += 4096) text += String.fromCharCode(...data.subarray(i, i + 4096));
+    for (let i = 0; i < data.length; i += 4096) {
+      text += String.fromCharCode(...data.subarray(i, i + 4096));
+    }
     return btoa(text);
   }
   function seenOf(viewer: PhongViewer): Drawn | null {
     const { left, top, right, bottom } = viewer.getBoundingClientRect();
-    const inside = right > left && bottom > top && bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
+    const inside =
+      right > left &&
+      bottom > top &&
+      bottom > 0 &&
+      right > 0 &&
+      top < innerHeight &&
+      left < innerWidth;
     if (!inside || !viewer.checkVisibility({ visibilityProperty: true })) return null;
     const canvas = canvasOf(viewer);
     const by = seenBy.get(viewer) ?? { programs: '', place: '' };
@@ -172,7 +206,10 @@ export function installWatch(): void {
     const copy = flat ? copied(canvas, canvas.width, canvas.height) : copies.get(viewer)!;
     return { width: copy.width, height: copy.height, data: dataOf(copy), ...by };
   }
-  async function blobOf(viewer: PhongViewer, [width, height]: readonly [number, number]): Promise<Drawn> {
+  async function blobOf(
+    viewer: PhongViewer,
+    [width, height]: readonly [number, number],
+  ): Promise<Drawn> {
     takeDrawn();
     // One page shows the mean of the samples already, another one may not show the viewer at all.
     const { antialias, samples } = viewer;

@@ -1,5 +1,5 @@
-// Plays a random history on a page and compares the page, at each look, with a new page of the same scene. A failing
-// history is reduced: tasks and steps are left out as long as it still fails.
+// Plays a random history on a page and compares the page, at each look, with a new page of the same
+// scene. A failing history is reduced: tasks and steps are left out as long as it still fails.
 
 import { expect, type Frame, type Locator, type Page } from '@playwright/test';
 import { betweenPrograms, DifferenceSum } from '../../visual/between-programs.js';
@@ -49,9 +49,13 @@ class Player {
     page.on('console', (message) => {
       const text = message.text();
       const expected = EXPECTED.test(text) && text.length < LONGEST;
-      if (expected) this.#warnings += 1;
+      if (expected) {
+        this.#warnings += 1;
+      }
       const known = isRemark(`${message.type()}: ${text}`) || expected;
-      if (!known) this.#heard.push(text);
+      if (!known) {
+        this.#heard.push(text);
+      }
     });
     page.on('pageerror', (error) => this.#heard.push(String(error)));
   }
@@ -62,9 +66,11 @@ class Player {
     for (const [i, { steps, then }] of tasks.entries()) {
       await this.#take(steps);
       if (then === 'at once') continue;
-      if (then === 'a frame') await this.#page.evaluate(() => new Promise(requestAnimationFrame));
-      else if (then === 'rest') await this.#page.evaluate(() => window.walk.settle());
-      else {
+      if (then === 'a frame') {
+        await this.#page.evaluate(() => new Promise(requestAnimationFrame));
+      } else if (then === 'rest') {
+        await this.#page.evaluate(() => window.walk.settle());
+      } else {
         const fault = await this.#look();
         if (fault !== '') return `after task ${i}: ${fault}`;
       }
@@ -82,7 +88,14 @@ class Player {
     await this.#mount(body, { ...SIZE, csp: '', css: STYLE });
     this.#new = page.frames().find((frame) => frame.url() === begun) ?? null;
     // Every history starts with a bad value, so that what it loads does not depend on the seed.
-    const bad = { what: 'set attribute', viewer: 0, child: 0, tag: 'phong-viewer', key: 'fov', value: 'wide' } as const;
+    const bad = {
+      what: 'set attribute',
+      viewer: 0,
+      child: 0,
+      tag: 'phong-viewer',
+      key: 'fov',
+      value: 'wide',
+    } as const;
     await this.#take([bad, { ...bad, what: 'remove attribute' }]);
     this.#heard.length = 0;
     this.#warnings = 0;
@@ -95,7 +108,9 @@ class Player {
     while (rest.length > 0) {
       const at = rest.findIndex(({ what }) => what in OUTSIDE);
       const inPage = at < 0 ? rest : rest.slice(0, at);
-      if (inPage.length > 0) await this.#page.evaluate((list) => window.walkDeeds.take(list), inPage);
+      if (inPage.length > 0) {
+        await this.#page.evaluate((list) => window.walkDeeds.take(list), inPage);
+      }
       if (at < 0) return;
       await OUTSIDE[rest[at]!.what]!(this.#page, rest[at]!);
       rest = rest.slice(at + 1);
@@ -116,9 +131,12 @@ class Player {
     const faults = rests.flatMap((rest, i) =>
       this.#faults(rest, began[i]!).map((fault) => `viewer ${i}: ${fault}\n${asked[i]!.html}`),
     );
-    if (this.#warnings > WARNINGS_PER_STEP * this.#steps)
+    if (this.#warnings > WARNINGS_PER_STEP * this.#steps) {
       faults.push(`${this.#warnings} warnings of ${this.#steps} steps`);
-    return [...faults, ...this.#heard.splice(0).map((text) => `on the console: ${text}`)].join('\n');
+    }
+    return [...faults, ...this.#heard.splice(0).map((text) => `on the console: ${text}`)].join(
+      '\n',
+    );
   }
 
   #faults(rest: Rest, began: Began): string[] {
@@ -126,33 +144,48 @@ class Player {
     const faults: string[] = [];
     if (seen !== null) {
       const size = `${seen.width} × ${seen.height}`;
-      if (size !== pixels.join(' × ')) faults.push(`${size} pixels are seen, not ${pixels.join(' × ')}`);
-      else faults.push(...this.#difference('what is seen and toBlob', seen, blob));
+      if (size !== pixels.join(' × ')) {
+        faults.push(`${size} pixels are seen, not ${pixels.join(' × ')}`);
+      } else {
+        faults.push(...this.#difference('what is seen and toBlob', seen, blob));
+      }
     }
-    // toHTML writes eight digits: a camera that needs more is another one by less than a float's rounding.
+    // toHTML writes eight digits: a camera that needs more is another one by less than a float's
+    // rounding.
     const sameCamera = camera.every((x, i) => x === began.camera[i]);
     faults.push(...this.#difference('toBlob and that of a new page', blob, began.blob, sameCamera));
     camera.forEach((x, i) => {
-      if (!(Math.abs(x - began.camera[i]!) <= 1e-7 * Math.max(1, Math.abs(x))))
+      if (!(Math.abs(x - began.camera[i]!) <= 1e-7 * Math.max(1, Math.abs(x)))) {
         faults.push(`camera ${String(camera)}, not ${String(began.camera)}`);
+      }
     });
     const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
       JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // oxfmt-ignore
-    if (cost(stats) !== cost(began.stats)) faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
-    if (seen !== null && stats['samples'] !== samples)
+    if (cost(stats) !== cost(began.stats)) {
+      faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
+    }
+    if (seen !== null && stats['samples'] !== samples) {
       faults.push(`${String(stats['samples'])} samples, not ${String(samples)}`);
-    if (stats['lightsActive'] !== active)
+    }
+    if (stats['lightsActive'] !== active) {
       faults.push(`${String(stats['lightsActive'])} lights active, ${active} declared so`);
+    }
     return faults;
   }
 
   #difference(which: string, a: Drawn, b: Drawn, sameCamera = true): string[] {
     const difference = betweenPrograms(pictureOf(a), pictureOf(b));
     const { max, differing, channels } = difference;
-    const same = sameCamera && a.programs === b.programs && a.programs !== '' && a.place === b.place;
-    if (same) this.findings.same += 1;
-    else this.findings.between.add(difference);
-    if (a.programs.includes('specialised')) this.findings.specialised += 1;
+    const same =
+      sameCamera && a.programs === b.programs && a.programs !== '' && a.place === b.place;
+    if (same) {
+      this.findings.same += 1;
+    } else {
+      this.findings.between.add(difference);
+    }
+    if (a.programs.includes('specialised')) {
+      this.findings.specialised += 1;
+    }
     // In a small picture one channel is more than the promised share.
     if (max <= (same ? 0 : 1) && differing <= Math.max(2, 2e-3 * channels)) return [];
     return [`${which} differ by ${max} codes on ${differing} of ${channels} channels, drawn by ${a.programs || '?'} and ${b.programs || '?'}`]; // oxfmt-ignore
@@ -218,7 +251,8 @@ async function over(page: Page, step: Step): Promise<boolean> {
   return true;
 }
 
-export const seedsFrom = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
+export const seedsFrom = (first: number, count: number): number[] =>
+  Array.from({ length: count }, (_, i) => first + i);
 
 interface Fixtures {
   readonly page: Page;
@@ -228,8 +262,8 @@ interface Fixtures {
 }
 
 /**
- * Plays the histories of these seeds with `looks` looks each. Throws the first fault, with the shortest history that
- * still has one.
+ * Plays the histories of these seeds with `looks` looks each. Throws the first fault, with the
+ * shortest history that still has one.
  */
 export async function expectAsNew(
   { page, mount, site, consoleGuard }: Fixtures,
@@ -243,11 +277,15 @@ export async function expectAsNew(
   for (const seed of seeds) {
     const history = randomHistory(seed, looks, mix);
     const fault = await player.play(history);
-    if (fault !== null) await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
+    if (fault !== null) {
+      await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
+    }
   }
   const { looks: looked, same, specialised, between } = player.findings;
   console.log(`Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`); // oxfmt-ignore
   expect(same, 'pairs by the same programs').toBeGreaterThan(0);
   // Only over many channels: one channel of few would exceed the promised share.
-  if (between.channels > 5e4) between.expectPromise();
+  if (between.channels > 5e4) {
+    between.expectPromise();
+  }
 }

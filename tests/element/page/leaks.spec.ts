@@ -1,4 +1,5 @@
-// Does a removed viewer leave anything behind: in the heap, on the GPU, among the page's listeners and observers?
+// Does a removed viewer leave anything behind: in the heap, on the GPU, among the page's listeners
+// and observers?
 
 import type { Page } from '@playwright/test';
 import { findTestBrowser, softwareGl } from '../../../.ci/browser.mjs';
@@ -8,7 +9,8 @@ import { comeAndGo, Ledger } from './many-viewers.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
 
 const size = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
-const stays = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
+const stays =
+  '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
 const kinds = [
   '<phong-viewer src="/fixtures/models/textured.glb"></phong-viewer>',
   '<phong-viewer geometry="sphere" shading="flat" gui></phong-viewer>',
@@ -24,8 +26,8 @@ async function held(page: Page): Promise<object> {
   return { contexts, textures, buffers, programs, vertexArrays };
 }
 
-// On a page composed by WebGL: composed without, a specialised program may keep waiting for its next frame, with its
-// shaders.
+// On a page composed by WebGL: composed without, a specialised program may keep waiting for its
+// next frame, with its shaders.
 const executablePath = await findTestBrowser();
 test.use({
   launchOptions: { ...(executablePath === undefined ? {} : { executablePath }), args: softwareGl },
@@ -65,7 +67,10 @@ test('a picture that converges again and again leaves nothing behind', async ({ 
   expect((await ledger.read()).objects).toEqual(before.objects);
 });
 
-test('moving a viewer on its page opens no context and uploads nothing', async ({ page, mount }) => {
+test('moving a viewer on its page opens no context and uploads nothing', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`${kinds[0]}${stays}<section></section>`, size);
   const before = await held(page);
   const shot = await viewer.screenshot();

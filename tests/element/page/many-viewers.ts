@@ -1,5 +1,5 @@
-// Many viewers on one page: creates them, scrolls through them, adds and removes them. The short and the long tests
-// differ only in the number.
+// Many viewers on one page: creates them, scrolls through them, adds and removes them. The short
+// and the long tests differ only in the number.
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import { allReady, expect, type Mount } from '../../support/test.js';
@@ -12,10 +12,14 @@ const light = '<phong-light position="1 2 3 0"></phong-light>';
 export const reddening = (count: number): string =>
   Array.from(
     { length: count },
-    (_, i) => `<phong-viewer geometry="box" terms="diffuse" kd="${(255 * i) / count} 0 0">${light}</phong-viewer>`,
+    (_, i) =>
+      `<phong-viewer geometry="box" terms="diffuse" kd="${(255 * i) / count} 0 0">${light}</phong-viewer>`,
   ).join('');
 
-/** The red code (0 to 255) in the middle of each viewer's own canvas; -1 without a canvas. Copies each canvas once. */
+/**
+ * The red code (0 to 255) in the middle of each viewer's own canvas; -1 without a canvas. Copies
+ * each canvas once.
+ */
 export const redsShown = (page: Page): Promise<number[]> =>
   page.evaluate(() => {
     const pixel = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;
@@ -28,7 +32,10 @@ export const redsShown = (page: Page): Promise<number[]> =>
     });
   });
 
-/** Scrolls a column of `count` viewers to its end and back. Their canvases' pixels must stay bounded throughout. */
+/**
+ * Scrolls a column of `count` viewers to its end and back. Their canvases' pixels must stay bounded
+ * throughout.
+ */
 export async function scrollThrough(page: Page, mount: Mount, count: number): Promise<void> {
   const size = { width: 300, height: 200 };
   const view = { width: 1000, height: 700 };
@@ -38,8 +45,8 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
   const screenful = await page.evaluate(() => screen.width * screen.height * devicePixelRatio ** 2);
   const onScreen = (Math.ceil(view.height / size.height) + 1) * pixelsOfOne;
   const near = (Math.ceil((3 * view.height) / size.height) + 1) * pixelsOfOne;
-  // Viewers on screen or near it, two screens of earlier ones, those not yet reported by the observer, and the shared
-  // canvas.
+  // Viewers on screen or near it, two screens of earlier ones, those not yet reported by the
+  // observer, and the shared canvas.
   const bound = near + 2 * screenful + onScreen + screenful;
   expect(count * pixelsOfOne, 'more than may be kept').toBeGreaterThan(bound);
   const end = count * size.height - view.height;
@@ -73,13 +80,19 @@ export class Ledger {
     return new Ledger(page, await page.context().newCDPSession(page));
   }
 
-  /** `objects`: of each class in the page's heap after a garbage collection. `heap`: bytes in use. */
+  /**
+   * `objects`: of each class in the page's heap after a garbage collection. `heap`: bytes in use.
+   */
   async read() {
     await nextFrame(this.#page);
     // Twice: finalizers of the first collection free more objects.
-    for (let time = 0; time < 2; time++) await this.#session.send('HeapProfiler.collectGarbage');
+    for (let time = 0; time < 2; time++) {
+      await this.#session.send('HeapProfiler.collectGarbage');
+    }
     const objects: Record<string, number> = {};
-    for (const [name, prototype] of Object.entries(PROTOTYPES)) objects[name] = await this.#instances(prototype);
+    for (const [name, prototype] of Object.entries(PROTOTYPES)) {
+      objects[name] = await this.#instances(prototype);
+    }
     const all = await countsOf(this.#page);
     const counts = Object.fromEntries(GIVEN_BACK.map((key) => [key, all[key]]));
     const { usedSize } = await this.#session.send('Runtime.getHeapUsage');
@@ -88,7 +101,10 @@ export class Ledger {
 
   async #instances(prototype: string): Promise<number> {
     const objectGroup = 'ledger';
-    const { result } = await this.#session.send('Runtime.evaluate', { expression: prototype, objectGroup });
+    const { result } = await this.#session.send('Runtime.evaluate', {
+      expression: prototype,
+      objectGroup,
+    });
     if (result.objectId === undefined) throw new Error(`no object: ${prototype}`);
     const { objects } = await this.#session.send('Runtime.queryObjects', { prototypeObjectId: result.objectId, objectGroup }); // oxfmt-ignore
     const { result: length } = await this.#session.send('Runtime.callFunctionOn', {
@@ -117,13 +133,19 @@ const PROTOTYPES = {
 } as const;
 
 /**
- * Adds `count` viewers of these kinds after the first, lets them draw, uses them and removes them. One is asked for a
- * picture afterwards too.
+ * Adds `count` viewers of these kinds after the first, lets them draw, uses them and removes them.
+ * One is asked for a picture afterwards too.
  */
-export async function comeAndGo(page: Page, kinds: readonly string[], count: number): Promise<void> {
+export async function comeAndGo(
+  page: Page,
+  kinds: readonly string[],
+  count: number,
+): Promise<void> {
   await page.evaluate(
     ({ kinds, count }) => {
-      for (let i = 0; i < count; i++) document.body.insertAdjacentHTML('beforeend', kinds[i % kinds.length]!);
+      for (let i = 0; i < count; i++) {
+        document.body.insertAdjacentHTML('beforeend', kinds[i % kinds.length]!);
+      }
     },
     { kinds, count },
   );
@@ -137,28 +159,43 @@ export async function comeAndGo(page: Page, kinds: readonly string[], count: num
     }
     await Promise.all(come.map((viewer) => viewer.ready));
     await come[0]?.toBlob();
-    for (const viewer of come) viewer.remove();
+    for (const viewer of come) {
+      viewer.remove();
+    }
     await new Promise((resolve) => setTimeout(resolve));
     await come[0]?.toBlob({ width: 40, height: 30 });
   });
   await nextFrame(page);
 }
 
-/** The page's WebGL context can be lost and restored from outside; call before the page is opened. */
+/**
+ * The page's WebGL context can be lost and restored from outside; call before the page is opened.
+ */
 export async function holdContext(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const real = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      ...given: unknown[]
+    ) {
       const context = Reflect.apply(real, this, given) as unknown;
-      if (context instanceof WebGL2RenderingContext)
+      if (context instanceof WebGL2RenderingContext) {
         Object.assign(window, { loss: context.getExtension('WEBGL_lose_context') });
+      }
       return context;
     } as typeof real;
   });
 }
 
-/** Loses and restores the context. Waits until all viewers show each change; `meanwhile` runs in between. */
-export async function loseAndRestore(page: Page, viewers: Locator, meanwhile?: () => Promise<unknown>): Promise<void> {
+/**
+ * Loses and restores the context. Waits until all viewers show each change; `meanwhile` runs in
+ * between.
+ */
+export async function loseAndRestore(
+  page: Page,
+  viewers: Locator,
+  meanwhile?: () => Promise<unknown>,
+): Promise<void> {
   const count = await viewers.count();
   const notices = page.locator('phong-viewer [part=notice]');
   await page.evaluate('window.loss.loseContext()');

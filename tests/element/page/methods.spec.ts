@@ -1,5 +1,5 @@
-// Do toBlob and toHTML give the picture and the scene as they are now? Sizes in pixels; pictures are decoded PNGs or,
-// for JPEG, what the browser reads back.
+// Do toBlob and toHTML give the picture and the scene as they are now? Sizes in pixels; pictures
+// are decoded PNGs or, for JPEG, what the browser reads back.
 
 import type { Mesh } from 'three';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../../support/test.js';
@@ -10,7 +10,9 @@ const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
 const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>`;
 
 test.describe('toBlob', () => {
-  test('gives the requested pixels, or those of the canvas; JPEG over white; RangeErrors', async ({ mount }) => {
+  test('gives the requested pixels, or those of the canvas; JPEG over white; RangeErrors', async ({
+    mount,
+  }) => {
     const viewer = await mount(box, { ...size, deviceScaleFactor: 2 });
     const before = await pixels(viewer);
     const of = (options: object): Promise<unknown> =>
@@ -29,10 +31,12 @@ test.describe('toBlob', () => {
       [{ width: 50 }, 'image/png', 50, 160],
       [{ width: 1, height: 1 }, 'image/png', 1, 1],
       [{ width: 8, height: 8, type: 'image/webp' }, 'image/webp', 8, 8],
-    ] as const)
+    ] as const) {
       expect(await of(options), JSON.stringify(options)).toEqual(expected);
-    for (const bad of [0, -1, 1.5, NaN, Infinity, 1e9])
+    }
+    for (const bad of [0, -1, 1.5, NaN, Infinity, 1e9]) {
       expect(await of({ width: bad, height: 10 }), `width ${bad}`).toBe('RangeError');
+    }
     expect(await of({ width: 100_000, height: 100_000 })).toBe('RangeError');
     expect(await of({ width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
     expect(await of({ quality: 7 })).toBe('RangeError');
@@ -46,7 +50,10 @@ test.describe('toBlob', () => {
     expect(corner).toEqual(['image/jpeg', 255, 255, 255, 255]);
   });
 
-  test('keeps the camera at any aspect, without seams where the GPU needs tiles', async ({ page, mount }) => {
+  test('keeps the camera at any aspect, without seams where the GPU needs tiles', async ({
+    page,
+    mount,
+  }) => {
     test.slow();
     const viewer = await mount(box.replace('geometry', 'radius="2" geometry'), size);
     await drag(page, [60, 40], [20, 9]);
@@ -63,29 +70,46 @@ test.describe('toBlob', () => {
     }
   });
 
-  test('has straight alpha: an edge half covered keeps the colour of the inside', async ({ mount }) => {
+  test('has straight alpha: an edge half covered keeps the colour of the inside', async ({
+    mount,
+  }) => {
     const flat = `<phong-viewer geometry="plane" ka="255" theta="20" phi="50" terms="ambient"><phong-light ambient="200 100 50"></phong-light></phong-viewer>`;
     const viewer = await mount(flat, size);
     const picture = await pixels(viewer);
     let edges = 0;
     const wrong: number[][] = [];
     for (let i = 0; i < picture.data.length; i += 4) {
-      const [r, g, b, alpha] = picture.data.subarray(i, i + 4) as unknown as [number, number, number, number];
-      if (alpha > 60 && alpha < 255) edges += 1;
+      const [r, g, b, alpha] = picture.data.subarray(i, i + 4) as unknown as [
+        number,
+        number,
+        number,
+        number,
+      ];
+      if (alpha > 60 && alpha < 255) {
+        edges += 1;
+      }
       // Eight bits that were multiplied by alpha and divided again leave this much.
       const slack = Math.ceil(255 / alpha) + 1;
       const off = Math.max(Math.abs(r - 200), Math.abs(g - 100), Math.abs(b - 50));
-      if (alpha === 0 ? r + g + b > 0 : off > slack) wrong.push([r, g, b, alpha]);
+      if (alpha === 0 ? r + g + b > 0 : off > slack) {
+        wrong.push([r, g, b, alpha]);
+      }
     }
     expect(wrong).toEqual([]);
     expect(edges).toBeGreaterThan(20);
   });
 
-  test('shows changes of the same task, off screen, hidden and outside the document too', async ({ page, mount }) => {
+  test('shows changes of the same task, off screen, hidden and outside the document too', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(box, size);
     const red = await pixels(viewer, size);
     const outside = [
-      ['off screen', (element: HTMLElement) => (element.style.cssText = 'position: absolute; top: 9000px')],
+      [
+        'off screen',
+        (element: HTMLElement) => (element.style.cssText = 'position: absolute; top: 9000px'),
+      ],
       ['not displayed', (element: HTMLElement) => (element.style.cssText = 'display: none')],
       ['out of the document', (element: HTMLElement) => (element.remove(), '')],
     ] as const;
@@ -116,7 +140,9 @@ test.describe('toBlob', () => {
   });
 });
 
-test('requestRender shows changes of own objects, with the same camera until refit', async ({ mount }) => {
+test('requestRender shows changes of own objects, with the same camera until refit', async ({
+  mount,
+}) => {
   const viewer = await mount(box, size);
   const before = await cameraOf(viewer);
   const picture = await pixels(viewer);
@@ -137,8 +163,14 @@ test('requestRender shows changes of own objects, with the same camera until ref
   await settled(viewer);
   const { target, radius } = await cameraOf(viewer);
   expect(target).toEqual([0.5, 0, 0]);
-  expect(radius / before.radius).toBeCloseTo(Math.hypot(1, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
-  expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
+  expect(radius / before.radius).toBeCloseTo(
+    Math.hypot(1, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5),
+    5,
+  );
+  expect(await changes.take()).toContainEqual({
+    type: 'camera-change',
+    detail: { source: 'auto' },
+  });
   // Vertices that were written in place.
   await viewer.evaluate((element: PhongViewer) => {
     (element.scene.getObjectByProperty('isMesh', true) as Mesh).geometry.scale(2, 2, 2);
@@ -150,8 +182,11 @@ test('requestRender shows changes of own objects, with the same camera until ref
   );
 });
 
-test('an own object that moves far behind the scene or close to the eye is not clipped', async ({ mount }) => {
-  const dark = '<phong-viewer geometry="box" theta="0" phi="90" ka="0" kd="0" ks="0"></phong-viewer>';
+test('an own object that moves far behind the scene or close to the eye is not clipped', async ({
+  mount,
+}) => {
+  const dark =
+    '<phong-viewer geometry="box" theta="0" phi="90" ka="0" kd="0" ks="0"></phong-viewer>';
   for (const [z, scale] of [
     [-300, 150],
     [2.1, 0.2],

@@ -1,4 +1,5 @@
-// What does a viewer do while it is out of view, for each value of `loading`? Screen and window are 700 px high.
+// What does a viewer do while it is out of view, for each value of `loading`? Screen and window are
+// 700 px high.
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
@@ -9,12 +10,16 @@ const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
 const viewer = (attributes = ''): string =>
   `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
-const frames = (element: Locator): Promise<number> => element.evaluate(({ stats }: PhongViewer) => stats.frames);
+const frames = (element: Locator): Promise<number> =>
+  element.evaluate(({ stats }: PhongViewer) => stats.frames);
 const above = (height: number): string => `main { padding: ${height}px 0 5000px }`;
 
 test.beforeEach(({ page }) => countEverything(page));
 
-test('auto fetches at once, lazy less than a screen height away; both draw there, once', async ({ page, mount }) => {
+test('auto fetches at once, lazy less than a screen height away; both draw there, once', async ({
+  page,
+  mount,
+}) => {
   const near = await mount(`<main>${viewer()}</main>`, { ...size, css: above(700 + 650) });
   expect(await frames(near)).toBe(1);
   const requests: string[] = [];
@@ -26,7 +31,9 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
   );
   const lazy = page.locator('phong-viewer').last();
   expect(await auto.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
-  for (let theta = 1; theta < 5; theta++) await assign(auto, { theta });
+  for (let theta = 1; theta < 5; theta++) {
+    await assign(auto, { theta });
+  }
   await nextFrame(page);
   expect([await frames(auto), await frames(lazy), requests.includes(later)]).toEqual([0, 0, false]);
   for (const top of [100, 0, 100]) {
@@ -58,7 +65,10 @@ test('eager draws off screen, and is ready when it is drawn', async ({ page, mou
   expect(await frames(eager)).toBe(2);
 });
 
-test('what scrolling cannot show is not drawn, eager or in a closed accordion nearby', async ({ page, mount }) => {
+test('what scrolling cannot show is not drawn, eager or in a closed accordion nearby', async ({
+  page,
+  mount,
+}) => {
   for (const [attributes, css] of [
     ['loading="eager"', 'main { display: none }'],
     ['loading="eager"', 'main { visibility: hidden }'],
@@ -77,18 +87,29 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
   const turning = 'auto-rotate="90"';
   const first = await mount(`<main>${viewer(turning)}${viewer(`${turning} loading="eager"`)}</main>`, { ...size, css: above(1000) }); // oxfmt-ignore
   const both = [first, page.locator('phong-viewer').last()];
-  for (const one of both) expect(await frames(one)).toBe(1);
+  for (const one of both) {
+    expect(await frames(one)).toBe(1);
+  }
   await nextFrame(page);
   expect(await spentIn(page, 300)).toEqual(NOTHING);
-  for (const one of both) await assign(one, { kd: [9, 9, 9] });
+  for (const one of both) {
+    await assign(one, { kd: [9, 9, 9] });
+  }
   await nextFrame(page);
-  for (const one of both) expect(await frames(one)).toBe(2);
+  for (const one of both) {
+    expect(await frames(one)).toBe(2);
+  }
   expect(await spentIn(page, 300)).toEqual(NOTHING);
   await page.evaluate(() => scrollTo(0, 1000));
-  for (const one of both) await expect.poll(() => frames(one)).toBeGreaterThan(4);
+  for (const one of both) {
+    await expect.poll(() => frames(one)).toBeGreaterThan(4);
+  }
 });
 
-test('the next pictures of a carousel are drawn before they come into view', async ({ page, mount }) => {
+test('the next pictures of a carousel are drawn before they come into view', async ({
+  page,
+  mount,
+}) => {
   const slides = `<div>${viewer('auto-rotate="45"')}</div>`.repeat(5);
   for (const overflow of ['auto', 'hidden']) {
     await mount(`<main>${slides}</main>`, {
@@ -110,7 +131,10 @@ test('the next pictures of a carousel are drawn before they come into view', asy
   }
 });
 
-test('in an iframe the same holds; nothing moves while the iframe itself is out of view', async ({ page, mount }) => {
+test('in an iframe the same holds; nothing moves while the iframe itself is out of view', async ({
+  page,
+  mount,
+}) => {
   await mount(`<main><iframe></iframe></main>${viewer(`auto-rotate="45"`)}${viewer()}`, {
     ...size,
     css: 'iframe { width: 300px; height: 200px } main { height: 5000px }',
@@ -118,7 +142,9 @@ test('in an iframe the same holds; nothing moves while the iframe itself is out 
   await page.evaluate(async () => {
     const inner = document.querySelector('iframe')!.contentDocument!;
     const [turning, below] = document.querySelectorAll('phong-viewer');
-    for (const one of [turning!, below!]) one.style.cssText = 'display: block; width: 90px; height: 60px';
+    for (const one of [turning!, below!]) {
+      one.style.cssText = 'display: block; width: 90px; height: 60px';
+    }
     below!.style.marginTop = '500px';
     inner.body.append(turning!, below!);
     await Promise.all([turning!.ready, below!.ready]);
@@ -137,7 +163,10 @@ test('in an iframe the same holds; nothing moves while the iframe itself is out 
   expect(await frames(inside.first())).toBe(rest);
 });
 
-test('during scrolling no viewer in view is blank for more than a frame', async ({ page, mount }) => {
+test('during scrolling no viewer in view is blank for more than a frame', async ({
+  page,
+  mount,
+}) => {
   const count = 60;
   await mount(`<main>${viewer().repeat(count)}</main>`, { width: 60, height: 200 });
   const blank = await page.evaluate(async () => {
@@ -149,22 +178,29 @@ test('during scrolling no viewer in view is blank for more than a frame', async 
     for (let top = 0, frame = 0; top < end; frame += 1) {
       scrollTo(0, top);
       await new Promise(requestAnimationFrame);
-      // What came into view is reported by a task after the frame, which the next frame may overtake on a busy machine.
+      // What came into view is reported by a task after the frame, which the next frame may
+      // overtake on a busy machine.
       await new Promise((resolve) => setTimeout(resolve));
       for (const one of viewers) {
         const { top: upper, bottom } = one.getBoundingClientRect();
-        const isBlank = bottom > 0 && upper < innerHeight && !one.shadowRoot!.querySelector('canvas');
+        const isBlank =
+          bottom > 0 && upper < innerHeight && !one.shadowRoot!.querySelector('canvas');
         since.set(one, isBlank ? (since.get(one) ?? 0) + 1 : 0);
         longest = Math.max(longest, since.get(one)!);
       }
-      if (frame % 2 === 1) top += frame % 10 === 9 ? 2500 : 120;
+      if (frame % 2 === 1) {
+        top += frame % 10 === 9 ? 2500 : 120;
+      }
     }
     return longest;
   });
   expect(blank).toBeLessThanOrEqual(1);
 });
 
-test('eager viewers off screen keep only their pixels; the shared canvas fits a screen', async ({ page, mount }) => {
+test('eager viewers off screen keep only their pixels; the shared canvas fits a screen', async ({
+  page,
+  mount,
+}) => {
   const count = 48;
   await mount(`<main>${viewer('loading="eager"').repeat(count)}</main>`, { width: 100, height: 200, css: above(5000) }); // oxfmt-ignore
   await allReady(page);

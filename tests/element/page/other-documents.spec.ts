@@ -1,5 +1,5 @@
-// Does a viewer work in the document of an iframe or a popup, and again when it returns? Every page is under a strict
-// Content-Security-Policy, which new documents inherit.
+// Does a viewer work in the document of an iframe or a popup, and again when it returns? Every page
+// is under a strict Content-Security-Policy, which new documents inherit.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, strictPolicy, test } from '../../support/test.js';
@@ -28,11 +28,18 @@ const intoFrame = (page: Page): Promise<void> =>
 async function inkOn(page: Page, viewer: Locator): Promise<number> {
   const { data } = decodePng(await page.screenshot({ clip: (await viewer.boundingBox())! }));
   let ink = 0;
-  for (let i = 0; i < data.length; i += 4) if (data[i]! + data[i + 1]! + data[i + 2]! < 600) ink += 1;
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i]! + data[i + 1]! + data[i + 2]! < 600) {
+      ink += 1;
+    }
+  }
   return ink;
 }
 
-test('a viewer among others shows its picture in an iframe, and again when it returns', async ({ page, mount }) => {
+test('a viewer among others shows its picture in an iframe, and again when it returns', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`${scene}<iframe></iframe>${scene}`, { ...SIZE, css });
   await nextFrame(page);
   const before = await pixels(viewer);
@@ -44,7 +51,9 @@ test('a viewer among others shows its picture in an iframe, and again when it re
     expect(compare(await pixels(inside), before).max).toBe(0);
     await expect.poll(() => inkOn(page, inside)).toBe(ink);
     await page.evaluate(async () => {
-      const moved = document.querySelector('iframe')!.contentDocument!.querySelector('phong-viewer')!;
+      const moved = document
+        .querySelector('iframe')!
+        .contentDocument!.querySelector('phong-viewer')!;
       document.body.prepend(moved);
       await moved.ready;
     });
@@ -52,7 +61,10 @@ test('a viewer among others shows its picture in an iframe, and again when it re
     await expect.poll(() => inkOn(page, viewer)).toBe(ink);
   }
 });
-test('lights and meshes move with the viewer into an iframe, whose media queries hold', async ({ page, mount }) => {
+test('lights and meshes move with the viewer into an iframe, whose media queries hold', async ({
+  page,
+  mount,
+}) => {
   await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
   await intoFrame(page);
   const inside = page.frameLocator('iframe').locator('phong-viewer');
@@ -112,7 +124,9 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
   expect(await cameraOf(inside)).toMatchObject({ theta: -6, phi: 52 });
   const { radius } = await cameraOf(inside);
   await page.mouse.wheel(0, 100);
-  await expect.poll(async () => (await cameraOf(inside)).radius).toBeCloseTo(radius * Math.exp(0.1), 12);
+  await expect
+    .poll(async () => (await cameraOf(inside)).radius)
+    .toBeCloseTo(radius * Math.exp(0.1), 12);
   await page.keyboard.press('ArrowRight');
   expect((await cameraOf(inside)).theta).toBe(-11);
   await inside.evaluate((element: PhongViewer) => (element.style.width = '300px'));
@@ -127,7 +141,11 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
   expect(await look(inside)).toEqual(styled);
 });
 
-test('a viewer first connected in an iframe with a strict policy of its own works', async ({ page, mount, site }) => {
+test('a viewer first connected in an iframe with a strict policy of its own works', async ({
+  page,
+  mount,
+  site,
+}) => {
   await mount(`<phong-viewer></phong-viewer><iframe src="${site.page('')}"></iframe>`, framing);
   await expect(page.frameLocator('iframe').locator('body')).toHaveCount(1);
   const facts = await page.evaluate(async () => {
@@ -144,7 +162,11 @@ test('a viewer first connected in an iframe with a strict policy of its own work
 });
 
 for (const how of ['removed', 'navigated'] as const) {
-  test(`an iframe that is ${how} while a frame is pending breaks nothing`, async ({ page, mount, site }) => {
+  test(`an iframe that is ${how} while a frame is pending breaks nothing`, async ({
+    page,
+    mount,
+    site,
+  }) => {
     const viewer = await mount(`${scene}<iframe></iframe>${scene}`, framing);
     const before = await pixels(viewer);
     await intoFrame(page);
@@ -155,8 +177,9 @@ for (const how of ['removed', 'navigated'] as const) {
         const other = document.querySelector('phong-viewer')!;
         moved.kd = [1, 2, 3];
         const { ready } = moved;
-        if (how === 'removed') frame.remove();
-        else {
+        if (how === 'removed') {
+          frame.remove();
+        } else {
           frame.src = address;
           await new Promise((resolve) => (frame.onload = resolve));
         }
@@ -202,7 +225,10 @@ test('a document without a window counts as outside the page', async ({ page, mo
   expect(compare(await pixels(page.locator('phong-viewer').first(), SIZE), before).max).toBe(0);
 });
 
-test('a viewer in a popup draws by the popup’s frames, drags, prints and returns', async ({ page, mount }) => {
+test('a viewer in a popup draws by the popup’s frames, drags, prints and returns', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`${scene}<p></p>`, SIZE);
   const before = await pixels(viewer);
   const opened = page.waitForEvent('popup');
@@ -239,7 +265,9 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
   await expect
     .poll(() => popup.mouse.move((x += 3), box.y + 75).then(() => inside.getAttribute('title')))
     .toMatch(/^\.{3}/);
-  await inside.evaluate((element: PhongViewer) => Object.assign(element, { title: '', probe: false }));
+  await inside.evaluate((element: PhongViewer) =>
+    Object.assign(element, { title: '', probe: false }),
+  );
   // Below the fold it is drawn for print.
   const frames = (): Promise<number> => inside.evaluate(({ stats }: PhongViewer) => stats.frames);
   await inside.evaluate((element: PhongViewer) => {
@@ -261,7 +289,9 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
     window.requestAnimationFrame = realFrame;
     Reflect.deleteProperty(document, 'visibilityState');
     // As picture-in-picture is ended.
-    open('', 'popup')!.addEventListener('pagehide', () => document.querySelector('p')!.append(viewer));
+    open('', 'popup')!.addEventListener('pagehide', () =>
+      document.querySelector('p')!.append(viewer),
+    );
   });
   await page.evaluate(() => open('', 'popup')!.close());
   await expect(viewer).toBeAttached();

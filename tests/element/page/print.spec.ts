@@ -10,7 +10,11 @@ let launched: Browser | null = null;
 
 test.afterAll(async () => launched?.close());
 
-test('prints the mean of all samples, also after an exception', async ({ mount, page, consoleGuard }) => {
+test('prints the mean of all samples, also after an exception', async ({
+  mount,
+  page,
+  consoleGuard,
+}) => {
   const ball = '<phong-viewer geometry="sphere" antialias="full" samples="64"></phong-viewer>';
   const first = await mount(`${ball.replace('full', 'edges')}${ball}<div></div>${ball}`, {
     width: 60,
@@ -29,7 +33,9 @@ test('prints the mean of all samples, also after an exception', async ({ mount, 
     const samples: number[] = [];
     // After the viewers' own listeners.
     window.addEventListener('beforeprint', () => {
-      for (const { stats } of document.querySelectorAll('phong-viewer')) samples.push(stats.samples);
+      for (const { stats } of document.querySelectorAll('phong-viewer')) {
+        samples.push(stats.samples);
+      }
     });
     return samples;
   });
@@ -38,14 +44,19 @@ test('prints the mean of all samples, also after an exception', async ({ mount, 
   expect((await printed.jsonValue()).slice(1)).toEqual([64, 64]);
 });
 
-test('prints CSS backgrounds on every page, and round shapes round on narrow paper', async ({ mount, page }) => {
+test('prints CSS backgrounds on every page, and round shapes round on narrow paper', async ({
+  mount,
+  page,
+}) => {
   const viewer = '<phong-viewer geometry="box"></phong-viewer>';
   await mount(viewer.repeat(4), {
     width: 200,
     height: 180,
     css: 'phong-viewer { background: #f00; margin-bottom: 4px } @page { size: 300px 400px; margin: 0 }',
   });
-  for (const shape of await redShapesOnPaper(page, 4)) expect(shape).toBeCloseTo(200 / 180, 1);
+  for (const shape of await redShapesOnPaper(page, 4)) {
+    expect(shape).toBeCloseTo(200 / 180, 1);
+  }
   const ball = (attributes: string): string =>
     `<phong-viewer geometry="sphere" ka="255 0 0" kd="0" ks="0" ${attributes}><phong-light ambient="255"></phong-light></phong-viewer>`;
   await mount(ball('gui') + ball(''), {
@@ -54,12 +65,15 @@ test('prints CSS backgrounds on every page, and round shapes round on narrow pap
   });
   await expect(page.locator('.lil-root')).toBeVisible();
   await nextFrame(page);
-  for (const shape of await redShapesOnPaper(page, 2)) expect(Math.abs(shape - 1)).toBeLessThan(0.05);
+  for (const shape of await redShapesOnPaper(page, 2)) {
+    expect(Math.abs(shape - 1)).toBeLessThan(0.05);
+  }
 });
 
 /**
- * Runs in the page: where the marks over the pictures are, in shares of the pictures as they are shown, and the colours
- * of the texts. `classNames`: of the body, one after the other in one task. No script of the page runs, as when paper is laid out.
+ * Runs in the page: where the marks over the pictures are, in shares of the pictures as they are
+ * shown, and the colours of the texts. `classNames`: of the body, one after the other in one task.
+ * No script of the page runs, as when paper is laid out.
  */
 function marksOverPictures(classNames: readonly string[]): { places: number[]; inks: string[] }[] {
   return classNames.map((className) => {
@@ -70,7 +84,9 @@ function marksOverPictures(classNames: readonly string[]): { places: number[]; i
       const canvas = shadowRoot!.querySelector('canvas')!;
       const box = canvas.getBoundingClientRect();
       const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
-      for (const mark of shadowRoot!.querySelectorAll(':is(.helpers, .probe) > svg :is(circle, text)')) {
+      for (const mark of shadowRoot!.querySelectorAll(
+        ':is(.helpers, .probe) > svg :is(circle, text)',
+      )) {
         const place = mark.getBoundingClientRect();
         const [x, y] = [place.x + place.width / 2, place.y + place.height / 2];
         places.push((x - box.x - box.width / 2) / (canvas.width * scale));
@@ -87,7 +103,10 @@ function marksOverPictures(classNames: readonly string[]): { places: number[]; i
   });
 }
 
-test('paper of another width keeps N at its foot, and lights and axes at their places', async ({ mount, page }) => {
+test('paper of another width keeps N at its foot, and lights and axes at their places', async ({
+  mount,
+  page,
+}) => {
   const light = '<phong-light name="lamp" position="1 2 1 1"></phong-light>';
   const viewer = (attributes: string): string =>
     `<phong-viewer geometry="sphere" helpers="lights axes" probe probe-at="0 0 0.5" ${attributes}>${light}</phong-viewer>`;
@@ -104,10 +123,16 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
   expect(places.length).toBeGreaterThan(16);
   expect(paper!.places.length).toBe(places.length);
   paper!.places.forEach((place, i) => expect(place).toBeCloseTo(places[i]!, 2));
-  expect(paper!.inks).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
+  expect(paper!.inks).toEqual([
+    'rgb(0, 0, 0) on rgb(255, 255, 255)',
+    'rgb(0, 0, 0) on rgba(0, 0, 0, 0)',
+  ]);
 });
 
-/** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
+/**
+ * Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser
+ * has one.
+ */
 async function readPdf(pdf: Buffer): Promise<Page> {
   const executablePath = await findBrowser();
   const own = executablePath === undefined ? {} : { executablePath };
@@ -115,7 +140,9 @@ async function readPdf(pdf: Buffer): Promise<Page> {
   const reader = await launched.newPage({ viewport: { width: 500, height: 1700 } });
   const showsPdf = await reader.evaluate(() => navigator.pdfViewerEnabled);
   test.skip(!showsPdf, 'no browser on this machine shows a PDF');
-  await reader.setContent('<style>body { margin: 0 } embed { width: 500px; height: 1700px }</style>');
+  await reader.setContent(
+    '<style>body { margin: 0 } embed { width: 500px; height: 1700px }</style>',
+  );
   await reader.evaluate((base64) => {
     const embed = document.createElement('embed');
     embed.type = 'application/pdf';
@@ -125,7 +152,10 @@ async function readPdf(pdf: Buffer): Promise<Page> {
   return reader;
 }
 
-/** Prints the page. Returns width over height of each of the `count` red shapes on paper, from the top. */
+/**
+ * Prints the page. Returns width over height of each of the `count` red shapes on paper, from the
+ * top.
+ */
 async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
   const reader = await readPdf(await page.pdf({ printBackground: true, preferCSSPageSize: true }));
   let shapes: number[] = [];
@@ -139,17 +169,26 @@ async function redShapesOnPaper(page: Page, count: number): Promise<number[]> {
 }
 
 function redShapes({ width, height, data }: Picture): number[] {
-  const isRed = (at: number): boolean => data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
+  const isRed = (at: number): boolean =>
+    data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
   const widths = Array.from({ length: height }, (_, y) => {
     let count = 0;
-    for (let x = 0; x < width; x++) if (isRed(4 * (y * width + x))) count += 1;
+    for (let x = 0; x < width; x++) {
+      if (isRed(4 * (y * width + x))) {
+        count += 1;
+      }
+    }
     return count;
   });
   const shapes: number[] = [];
   for (let y = 0; y < height; y++) {
     const from = y;
-    while (widths[y]! > 0) y += 1;
-    if (y - from > 20) shapes.push(Math.max(...widths.slice(from, y)) / (y - from));
+    while (widths[y]! > 0) {
+      y += 1;
+    }
+    if (y - from > 20) {
+      shapes.push(Math.max(...widths.slice(from, y)) / (y - from));
+    }
   }
   return shapes;
 }

@@ -1,4 +1,5 @@
-// Does `ready` settle in every situation, and only when it may? Every wait here is raced against ten seconds.
+// Does `ready` settle in every situation, and only when it may? Every wait here is raced against
+// ten seconds.
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
@@ -16,15 +17,24 @@ const readiness = (page: Page, attributes: Record<string, string>, deed: Deed): 
   page.evaluate(
     async ({ attributes, deed }) => {
       const viewer: PhongViewer = document.createElement('phong-viewer');
-      for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);
+      for (const [name, value] of Object.entries(attributes)) {
+        viewer.setAttribute(name, value);
+      }
       document.querySelector('main')?.append(viewer);
-      if (deed === 'remove at once') viewer.remove();
+      if (deed === 'remove at once') {
+        viewer.remove();
+      }
       const { ready } = viewer;
       await Promise.resolve();
-      if (deed === 'hide') viewer.className = 'gone';
-      else if (deed === 'remove') viewer.remove();
-      else if (deed === 'move') document.body.append(viewer);
-      else if (deed === 'clear') viewer.src = '';
+      if (deed === 'hide') {
+        viewer.className = 'gone';
+      } else if (deed === 'remove') {
+        viewer.remove();
+      } else if (deed === 'move') {
+        document.body.append(viewer);
+      } else if (deed === 'clear') {
+        viewer.src = '';
+      }
       const late = new Promise((resolve) => setTimeout(() => resolve('pending'), 10_000));
       const outcome = await Promise.race([ready.then(() => 'ready'), late]);
       const again = await Promise.race([viewer.ready.then(() => 'ready'), late]);
@@ -64,7 +74,10 @@ test('resolves in every situation', async ({ page, mount, consoleGuard }) => {
   }
 });
 
-test('is a new promise for a newer src, which resolves the old one, and for later changes', async ({ page, mount }) => {
+test('is a new promise for a newer src, which resolves the old one, and for later changes', async ({
+  page,
+  mount,
+}) => {
   await mount('<main></main>', { css });
   const facts = await page.evaluate(async (address) => {
     const viewer = document.createElement('phong-viewer');
@@ -84,13 +97,30 @@ test('is a new promise for a newer src, which resolves the old one, and for late
     const before = viewer.stats.frames;
     viewer.theta = 77;
     await viewer.ready;
-    return { same, renewed: first !== second, firstOutcome, loaded, shown, drawn: viewer.stats.frames - before };
+    return {
+      same,
+      renewed: first !== second,
+      firstOutcome,
+      loaded,
+      shown,
+      drawn: viewer.stats.frames - before,
+    };
   }, bunny);
   const shown = ['/fixtures/models/no-normals.glb'];
-  expect(facts).toEqual({ same: true, renewed: true, firstOutcome: undefined, loaded: true, shown, drawn: 1 });
+  expect(facts).toEqual({
+    same: true,
+    renewed: true,
+    firstOutcome: undefined,
+    loaded: true,
+    shown,
+    drawn: 1,
+  });
 });
 
-test('waits for a comparison to place its viewers, and for one that was just shown', async ({ mount, page }) => {
+test('waits for a comparison to place its viewers, and for one that was just shown', async ({
+  mount,
+  page,
+}) => {
   await mount('<main></main>', { css: `${css} phong-compare { width: 200px; height: 100px }` });
   const found = await page.evaluate(async () => {
     const drawn: boolean[] = [];
@@ -108,7 +138,8 @@ test('waits for a comparison to place its viewers, and for one that was just sho
       await each.ready;
       drawn.push(each.stats.frames > 0);
     }
-    const last = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('.gone > phong-viewer')!;
+    const last =
+      document.querySelector<HTMLElementTagNameMap['phong-viewer']>('.gone > phong-viewer')!;
     last.parentElement!.className = '';
     await last.ready;
     return { drawn, shown: last.stats.frames };
@@ -116,7 +147,10 @@ test('waits for a comparison to place its viewers, and for one that was just sho
   expect(found).toEqual({ drawn: [true, true, true, true, false, false], shown: 1 });
 });
 
-test('waits for a viewer that is shown between a frame and the reports of its observers', async ({ mount, page }) => {
+test('waits for a viewer that is shown between a frame and the reports of its observers', async ({
+  mount,
+  page,
+}) => {
   await mount('<main></main>', { css });
   const frames = await page.evaluate(async () => {
     const counts: number[] = [];

@@ -1,5 +1,5 @@
-// Does the canvas follow the element's size and the screen's pixels exactly, also while they change? Canvas sizes are
-// in device pixels, everything else in CSS pixels.
+// Does the canvas follow the element's size and the screen's pixels exactly, also while they
+// change? Canvas sizes are in device pixels, everything else in CSS pixels.
 
 import type { Locator } from '@playwright/test';
 import { compare, expect, pixels, setPixelRatio, test } from '../../support/test.js';
@@ -12,8 +12,12 @@ const style = (viewer: Locator, css: string): Promise<string> =>
   viewer.evaluate((element, text) => (element.style.cssText = text), css);
 
 test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ page, mount }) => {
-  const viewer = await mount(box, { css: 'phong-viewer { width: revert-layer; height: revert-layer }' });
-  await page.evaluate(() => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true));
+  const viewer = await mount(box, {
+    css: 'phong-viewer { width: revert-layer; height: revert-layer }',
+  });
+  await page.evaluate(
+    () => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true),
+  );
   await expect.poll(() => canvasSize(viewer)).toEqual([300, 150]);
   for (const [css, width, height] of [
     ['width: 211px; height: 97px', 211, 97],
@@ -27,7 +31,10 @@ test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ p
 });
 
 for (const count of [1, 2]) {
-  test(`has the screen's pixels, or as pixel-ratio allows, live (${count} on the page)`, async ({ page, mount }) => {
+  test(`has the screen's pixels, or as pixel-ratio allows, live (${count} on the page)`, async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(box.repeat(count), { width: 121, height: 77 });
     for (const ratio of [1, 1.5, 2, 1, 3]) {
       await setPixelRatio(page, ratio);
@@ -50,23 +57,38 @@ for (const count of [1, 2]) {
       await set(viewer, { pixelRatio: ratio });
       expect(await canvasSize(viewer), String(ratio)).toEqual([width, height]);
     }
-    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).not.toContain('pixel-ratio');
+    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).not.toContain(
+      'pixel-ratio',
+    );
   });
 }
 
-test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixels', async ({ page, mount }) => {
+test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixels', async ({
+  page,
+  mount,
+}) => {
   const size = { width: 90, height: 60 };
   const plain = await mount(box, size);
   const expected = await pixels(plain);
-  const place = await plain.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p);
-  const limited = await mount(box.replace(' ', ' pixel-ratio="1" '), { ...size, deviceScaleFactor: 2 });
+  const place = await plain.evaluate(
+    async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p,
+  );
+  const limited = await mount(box.replace(' ', ' pixel-ratio="1" '), {
+    ...size,
+    deviceScaleFactor: 2,
+  });
   expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
   expect(compare(await pixels(limited), expected).max).toBe(0);
   expect(await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p)).toEqual(place); // oxfmt-ignore
-  expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain('pixel-ratio="1"');
+  expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain(
+    'pixel-ratio="1"',
+  );
 });
 
-test('is right when shown after it was 0 × 0 or not displayed, at the start or later', async ({ page, mount }) => {
+test('is right when shown after it was 0 × 0 or not displayed, at the start or later', async ({
+  page,
+  mount,
+}) => {
   const size = { width: 90, height: 60 };
   const expected = await (await mount(box, size)).screenshot();
   for (const hidden of ['width: 0; height: 0', 'height: 0', 'display: none']) {
@@ -82,14 +104,19 @@ test('is right when shown after it was 0 × 0 or not displayed, at the start or 
     const renders = await record(viewer, 'render');
     await viewer.evaluate((element) => element.setAttribute('class', 'gone'));
     await nextFrame(page);
-    for (const theta of [99, 30]) await assign(viewer, { theta });
+    for (const theta of [99, 30]) {
+      await assign(viewer, { theta });
+    }
     await nextFrame(page);
     expect(await renders.take(), hidden).toEqual([]);
     await shown();
   }
 });
 for (const viewers of [1, 3]) {
-  test(`draws a resized picture before the browser paints, once (${viewers} on the page)`, async ({ page, mount }) => {
+  test(`draws a resized picture before the browser paints, once (${viewers} on the page)`, async ({
+    page,
+    mount,
+  }) => {
     await mount(`<main>${box.repeat(viewers)}</main>`, {
       ...{ width: 0, height: 60 },
       css: 'main { display: flex; width: 300px } phong-viewer { flex: 1 1 0 } .tall { height: 90px !important }',
@@ -100,20 +127,27 @@ for (const viewers of [1, 3]) {
       const errors: string[] = [];
       addEventListener('error', ({ message }) => errors.push(message));
       let renders = 0;
-      for (const viewer of viewers) viewer.addEventListener('render', () => (renders += 1));
+      for (const viewer of viewers) {
+        viewer.addEventListener('render', () => (renders += 1));
+      }
       const wrong: number[][] = [];
       const frames = viewers.map(({ stats }) => stats.frames);
       const nextFrame = (): Promise<number> => new Promise(requestAnimationFrame);
       await nextFrame();
       for (let step = 1; step <= 12; step++) {
         main.style.width = `${300 - 12 * step}px`;
-        if (step === 6) for (const viewer of viewers) viewer.classList.add('tall');
+        if (step === 6) {
+          for (const viewer of viewers) {
+            viewer.classList.add('tall');
+          }
+        }
         // The browser has painted when the next frame begins.
         await nextFrame();
         for (const viewer of viewers) {
           const { width, height } = viewer.shadowRoot!.querySelector('canvas')!;
-          if (width !== viewer.clientWidth || height !== viewer.clientHeight)
+          if (width !== viewer.clientWidth || height !== viewer.clientHeight) {
             wrong.push([width, height, viewer.clientWidth, viewer.clientHeight]);
+          }
         }
       }
       await nextFrame();
@@ -121,6 +155,11 @@ for (const viewers of [1, 3]) {
       const drawn = viewers.map(({ stats }, i) => stats.frames - frames[i]!);
       return { wrong, drawn, renders, errors };
     });
-    expect(filmed).toEqual({ wrong: [], drawn: Array(viewers).fill(12), renders: 12 * viewers, errors: [] });
+    expect(filmed).toEqual({
+      wrong: [],
+      drawn: Array(viewers).fill(12),
+      renders: 12 * viewers,
+      errors: [],
+    });
   });
 }

@@ -1,5 +1,6 @@
-// Pages under a strict Content-Security-Policy, which every test's page has, and under Trusted Types: everything works
-// where Lit's policy is allowed, and one sentence says so where it is not. The page's own script avoids the sinks too.
+// Pages under a strict Content-Security-Policy, which every test's page has, and under Trusted
+// Types: everything works where Lit's policy is allowed, and one sentence says so where it is not.
+// The page's own script avoids the sinks too.
 
 import type { Page } from '@playwright/test';
 import { usages } from '../../package/requests.js';
@@ -7,17 +8,23 @@ import { expect, type Site, strictPolicy, test } from '../../support/test.js';
 import { button, panelOf } from '../../extras/panel/panel-rows.js';
 import type { PhongViewer } from '../support/viewer.js';
 
-const trusted = (policies: string): string => `require-trusted-types-for 'script'; trusted-types ${policies}`;
+const trusted = (policies: string): string =>
+  `require-trusted-types-for 'script'; trusted-types ${policies}`;
 
-test('a viewer works under a strict policy and trusted-types lit-html', async ({ page, site, mount, consoleGuard }) => {
+test('a viewer works under a strict policy and trusted-types lit-html', async ({
+  page,
+  site,
+  mount,
+  consoleGuard,
+}) => {
   expect(strictPolicy).toBe(
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'",
   );
   const requests: string[] = [];
   page.on('request', (request) => requests.push(request.url()));
   consoleGuard.allow(/404/, 1);
-  // No worker starts without a policy of its own, and the browser reports the attempt. Draco is then decoded on the
-  // main thread.
+  // No worker starts without a policy of its own, and the browser reports the attempt. Draco is
+  // then decoded on the main thread.
   consoleGuard.allow(/requires 'TrustedScriptURL'/, 1);
   consoleGuard.allow(/requires 'TrustedHTML'/, 1);
   consoleGuard.allow(/refused trusted-types-sink/, 2);
@@ -53,7 +60,9 @@ test('a viewer works under a strict policy and trusted-types lit-html', async ({
   expect(await viewer.evaluate((element: PhongViewer) => element.lights.length)).toBe(2);
   await viewer.evaluate((element: PhongViewer) => (element.src = '/fixtures/models/not-there.glb'));
   await expect(viewer.locator('[part=notice]')).toBeVisible();
-  expect(requests.filter((url) => !url.startsWith(site.origin) && !url.startsWith('data:'))).toEqual([]);
+  expect(
+    requests.filter((url) => !url.startsWith(site.origin) && !url.startsWith('data:')),
+  ).toEqual([]);
 });
 
 const box = '<phong-viewer geometry="box" alt="A box"></phong-viewer>';
@@ -85,9 +94,14 @@ const scripts = {
 } as const;
 
 /** What the browser and the package say where a policy is refused. */
-const REFUSED = /TrustedTypePolicy|createPolicy|refused trusted-types|Allow it by trusted-types lit-html/;
+const REFUSED =
+  /TrustedTypePolicy|createPolicy|refused trusted-types|Allow it by trusted-types lit-html/;
 
-test("where Lit's policy is refused, one sentence says what to allow", async ({ page, site, consoleGuard }) => {
+test("where Lit's policy is refused, one sentence says what to allow", async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
   consoleGuard.allow(REFUSED);
   for (const usage of ['standalone', 'modules', 'classic'] as const) {
     const { said, defined } = await loaded({ page, site }, "'none'", scripts[usage]);
@@ -99,7 +113,11 @@ test("where Lit's policy is refused, one sentence says what to allow", async ({ 
   }
 });
 
-test("two copies of Lit need 'allow-duplicates', in either order", async ({ page, site, consoleGuard }) => {
+test("two copies of Lit need 'allow-duplicates', in either order", async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
   consoleGuard.allow(REFUSED);
   const copies = [
     ['standalone', 'classic'],
@@ -110,7 +128,8 @@ test("two copies of Lit need 'allow-duplicates', in either order", async ({ page
     const head = scripts[first] + scripts[second];
     const both = await loaded({ page, site }, "lit-html 'allow-duplicates'", head);
     expect(both, `${first}, ${second}`).toEqual({ said: [], defined: true });
-    // The first copy has the policy; the elements are missing only where that copy is not one of this package.
+    // The first copy has the policy; the elements are missing only where that copy is not one of
+    // this package.
     const one = await loaded({ page, site }, 'lit-html', head);
     expect(one.defined, `${first}, ${second}`).toBe(first !== 'ownLit');
     expect(one.said, `${first}, ${second}`).toHaveLength(first === 'ownLit' ? 1 : 0);

@@ -1,5 +1,5 @@
-// Does a page with many viewers cost no more than its visible part? One context, one frame, copies of changed pictures,
-// bounded pixels.
+// Does a page with many viewers cost no more than its visible part? One context, one frame, copies
+// of changed pictures, bounded pixels.
 
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';
@@ -10,7 +10,10 @@ const small = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
 
 test.beforeEach(({ page }) => countEverything(page));
 
-test('viewers share one context and one frame; only those that changed draw', async ({ page, mount }) => {
+test('viewers share one context and one frame; only those that changed draw', async ({
+  page,
+  mount,
+}) => {
   const count = 64;
   const viewer = await mount(reddening(count), small);
   const drawn = async (): Promise<number> => (await statsOf(viewer)).viewersDrawn;
@@ -34,14 +37,19 @@ test('viewers share one context and one frame; only those that changed draw', as
   expect(await drawn()).toBe(changed);
   expect((await redsShown(page)).slice(0, -changed)).toEqual(reds.slice(0, -changed));
   await page.evaluate(() => {
-    for (const element of document.querySelectorAll('phong-viewer')) element.remove();
+    for (const element of document.querySelectorAll('phong-viewer')) {
+      element.remove();
+    }
   });
   await nextFrame(page);
   expect(await spentIn(page, 300)).toEqual(NOTHING);
   expect(await countsOf(page)).toMatchObject({ contexts: 1, listeners: 0, observers: 0 });
 });
 
-test('render comes once a frame, when a listener can read the new picture from the canvas', async ({ page, mount }) => {
+test('render comes once a frame, when a listener can read the new picture from the canvas', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(reddening(2), small);
   const turn = (theta: number): Promise<boolean[]> =>
     page.evaluate(async (angle) => {
@@ -53,14 +61,22 @@ test('render comes once a frame, when a listener can read the new picture from t
       const viewers = [...document.querySelectorAll('phong-viewer')];
       const seen = viewers.map((element) => {
         const pictures: string[] = [];
-        element.addEventListener('render', () => pictures.push(read(element.shadowRoot!.querySelector('canvas')!)));
+        element.addEventListener('render', () =>
+          pictures.push(read(element.shadowRoot!.querySelector('canvas')!)),
+        );
         return pictures;
       });
-      for (const element of viewers) element.theta = angle;
+      for (const element of viewers) {
+        element.theta = angle;
+      }
       await Promise.all(viewers.map(({ ready }) => ready));
       // The picture of toBlob is drawn apart from what the page shows.
-      const shown = viewers.map(async (element) => read(await createImageBitmap(await element.toBlob())));
-      return (await Promise.all(shown)).map((own, i) => seen[i]!.length === 1 && seen[i]![0] === own);
+      const shown = viewers.map(async (element) =>
+        read(await createImageBitmap(await element.toBlob())),
+      );
+      return (await Promise.all(shown)).map(
+        (own, i) => seen[i]!.length === 1 && seen[i]![0] === own,
+      );
     }, theta);
   expect(await turn(60)).toEqual([true, true]);
   await viewer.evaluate((element) => element.remove());
@@ -74,15 +90,22 @@ test('the context opens with the first visible picture, at its size', async ({ p
   await page.addInitScript(() => {
     const opened = new Set<HTMLCanvasElement>();
     const { getContext } = HTMLCanvasElement.prototype;
-    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...call: unknown[]) {
-      if (call[0] === 'webgl2') opened.add(this);
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      ...call: unknown[]
+    ) {
+      if (call[0] === 'webgl2') {
+        opened.add(this);
+      }
       return Reflect.apply(getContext, this, call) as null;
     } as typeof getContext;
     Object.assign(window, { resized: 0 });
     for (const side of ['width', 'height'] as const) {
       const { get, set } = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, side)!;
       const counted = function (this: HTMLCanvasElement, value: number): void {
-        if (opened.has(this)) window.resized += 1;
+        if (opened.has(this)) {
+          window.resized += 1;
+        }
         set!.call(this, value);
       };
       Object.defineProperty(HTMLCanvasElement.prototype, side, { get: get!, set: counted });
@@ -99,9 +122,12 @@ test('the context opens with the first visible picture, at its size', async ({ p
 
 test('pictures of any sizes side by side look the same as alone', async ({ page, mount }) => {
   const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // oxfmt-ignore
-  const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
+  const css = sizes
+    .map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`)
+    .join('\n');
   const markup = sizes.map(
-    ([w], i) => `<phong-viewer id="v${i}" geometry="sphere" segments="16" theta="${w}"></phong-viewer>`,
+    ([w], i) =>
+      `<phong-viewer id="v${i}" geometry="sphere" segments="16" theta="${w}"></phong-viewer>`,
   );
   await mount(markup.join(''), { ...small, css });
   for (const [i, [width, height]] of sizes.entries()) {
@@ -109,15 +135,25 @@ test('pictures of any sizes side by side look the same as alone', async ({ page,
     const shown = await viewer.evaluate(({ shadowRoot }) => {
       const canvas = shadowRoot!.querySelector('canvas')!;
       const { width, height } = canvas;
-      return { width, height, data: canvas.getContext('2d')!.getImageData(0, 0, width, height).data };
+      return {
+        width,
+        height,
+        data: canvas.getContext('2d')!.getImageData(0, 0, width, height).data,
+      };
     });
     const picture = await pixels(viewer, { width, height });
     // To the bit on software GL, wherever on the sheet it lies.
-    expect(compare({ ...shown, data: new Uint8Array(shown.data) }, picture).max, `${width} × ${height}`).toBe(0);
+    expect(
+      compare({ ...shown, data: new Uint8Array(shown.data) }, picture).max,
+      `${width} × ${height}`,
+    ).toBe(0);
   }
 });
 
-test('viewers scrolled past free their pixels, and get them back; all are printed', async ({ page, mount }) => {
+test('viewers scrolled past free their pixels, and get them back; all are printed', async ({
+  page,
+  mount,
+}) => {
   test.slow();
   const count = 56;
   await scrollThrough(page, mount, count);
@@ -138,7 +174,10 @@ test('viewers scrolled past free their pixels, and get them back; all are printe
   expect((await countsOf(page)).canvasPixels).toBeLessThan(printed / 1.2);
 });
 
-test('the shared canvas shrinks when a large viewer is removed or out of view', async ({ page, mount }) => {
+test('the shared canvas shrinks when a large viewer is removed or out of view', async ({
+  page,
+  mount,
+}) => {
   const css = '#large { width: 900px; height: 600px } #low { margin-top: 2000px }';
   const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // oxfmt-ignore
   const ofOne = small.width * small.height;

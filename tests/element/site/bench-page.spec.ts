@@ -1,13 +1,18 @@
-// The demo's bench page: it shows the recorded figures of whole pictures, measures in the visitor's browser, shows its
-// progress, and copies the result.
+// The demo's bench page: it shows the recorded figures of whole pictures, measures in the visitor's
+// browser, shows its progress, and copies the result.
 import { expect, test } from '../../support/test.js';
 
 interface Copied {
   readonly renderer: string;
-  readonly tables: readonly { readonly rows: readonly { readonly label: string; readonly ms: number }[] }[];
+  readonly tables: readonly {
+    readonly rows: readonly { readonly label: string; readonly ms: number }[];
+  }[];
 }
 
-test('measures every front, shows a table for each and copies the result as JSON', async ({ page, context }) => {
+test('measures every front, shows a table for each and copies the result as JSON', async ({
+  page,
+  context,
+}) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await page.goto('/demo/bench/?seconds=0.1');
   await expect(page.locator('#renderer')).toContainText(/SwiftShader|llvmpipe|ANGLE/);
@@ -32,12 +37,16 @@ test('measures every front, shows a table for each and copies the result as JSON
   expect(result.renderer).toBe(await page.locator('#renderer').textContent());
   await expect(page.locator('#fronts .front')).toHaveCount(result.tables.length);
   for (const { rows } of result.tables) {
-    for (const { label, ms } of rows) expect(ms, label).toBeGreaterThan(0);
+    for (const { label, ms } of rows) {
+      expect(ms, label).toBeGreaterThan(0);
+    }
     expect(new Set(rows.map(({ label }) => label)).size).toBe(rows.length);
   }
 });
 
-test('keeps its canvas on screen while the reader scrolls, and stops on request', async ({ page }) => {
+test('keeps its canvas on screen while the reader scrolls, and stops on request', async ({
+  page,
+}) => {
   await page.goto('/demo/bench/?seconds=100');
   await page.getByRole('button', { name: 'Measure' }).click();
   await expect(page.locator('#fronts').getByRole('table')).toBeVisible({ timeout: 50_000 });

@@ -1,11 +1,13 @@
-// Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse, finger or keyboard
-// point? Served under the strict policy. Places are CSS pixels in the picture.
+// Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse,
+// finger or keyboard point? Served under the strict policy. Places are CSS pixels in the picture.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixelAt, pixels, test } from '../../support/test.js';
 import { nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 
-/** Shares of the width and height: on the body in the spot, on the body outside it, and on the lid. */
+/**
+ * Shares of the width and height: on the body in the spot, on the body outside it, and on the lid.
+ */
 const PLACES = [
   [0.45, 0.56],
   [0.62, 0.6],
@@ -29,7 +31,9 @@ const read = (page: Page) =>
         title: row.querySelector('th')?.firstChild?.textContent ?? '',
         cells: Array.from(row.querySelectorAll('td'), (cell) => cell.textContent.trim()),
       }));
-    const numbers = rows('directions').map(({ cells }) => cells.map((text) => Number(text.replace('−', '-'))));
+    const numbers = rows('directions').map(({ cells }) =>
+      cells.map((text) => Number(text.replace('−', '-'))),
+    );
     const NoL = rows('of-lights').find(({ title }) => title === 'N·L')!.cells;
     return { p: numbers[0]!, N: numbers[1]!, V: numbers[2]!, NoL };
   });
@@ -40,9 +44,15 @@ interface Place {
 }
 
 /** Shares of the picture as whole CSS pixels in it, and on the page. */
-async function place(page: Page, [across, down]: readonly [number, number]): Promise<[Place, Place]> {
+async function place(
+  page: Page,
+  [across, down]: readonly [number, number],
+): Promise<[Place, Place]> {
   const box = (await page.locator('phong-viewer').boundingBox())!;
-  const onPage = { x: Math.round(box.x + across * box.width), y: Math.round(box.y + down * box.height) };
+  const onPage = {
+    x: Math.round(box.x + across * box.width),
+    y: Math.round(box.y + down * box.height),
+  };
   return [{ x: onPage.x - box.x, y: onPage.y - box.y }, onPage];
 }
 
@@ -72,11 +82,12 @@ async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
   const codes = fragment.color.map((c) => (255 * c).toFixed(2)).join(' ');
   await expect(result(page)).toContainText(`The equation gives ${codes}; the pixel is `);
   const said = await read(page);
-  for (const name of ['p', 'N', 'V'] as const)
+  for (const name of ['p', 'N', 'V'] as const) {
     fragment[name].forEach((value, i) =>
       // Printed with three decimals.
       expect(Math.abs(said[name][i]! - value), name).toBeLessThan(0.5001e-3),
     );
+  }
   expect(said.NoL).toEqual(fragment.NoL.map((NoL) => NoL?.toFixed(3).replace('-', '−') ?? ''));
   const picture = await pixels(viewer);
   const { width, height } = (await viewer.boundingBox())!;
@@ -88,7 +99,9 @@ async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
 }
 
 test.describe('the page of one fragment', () => {
-  test('shows the values of shadeAt and of the picture at the mark, under the mouse, at a click', async ({ page }) => {
+  test('shows the values of shadeAt and of the picture at the mark, under the mouse, at a click', async ({
+    page,
+  }) => {
     await open(page);
     const start = await markAt(page);
     await expectFragment(page, start);
@@ -99,7 +112,9 @@ test.describe('the page of one fragment', () => {
       await expectFragment(page, inPicture);
     }
     await page.mouse.move(1, 1);
-    await expect.poll(() => isAt(page, start), 'a mouse that only looked leaves the mark alone').toBeLessThan(1);
+    await expect
+      .poll(() => isAt(page, start), 'a mouse that only looked leaves the mark alone')
+      .toBeLessThan(1);
     const [inPicture, onPage] = await place(page, PLACES[0]);
     await page.mouse.click(onPage.x, onPage.y);
     await page.mouse.move(1, 1);
@@ -109,7 +124,9 @@ test.describe('the page of one fragment', () => {
     await expectFragment(page, await markAt(page));
   });
 
-  test('follows the camera with the mark on its point, and a light that goes out', async ({ page }) => {
+  test('follows the camera with the mark on its point, and a light that goes out', async ({
+    page,
+  }) => {
     await open(page);
     const start = await markAt(page);
     const before = await read(page);
@@ -134,7 +151,9 @@ test.describe('the page of one fragment', () => {
     await expect(page.locator('#directions')).toBeHidden();
   });
 
-  test('reads the picture once per change, and does nothing while nothing happens', async ({ page }) => {
+  test('reads the picture once per change, and does nothing while nothing happens', async ({
+    page,
+  }) => {
     await open(page);
     const counts = await page.locator('phong-viewer').evaluateHandle((viewer: PhongViewer) => {
       const seen = { read: 0, shown: 0 };
@@ -147,7 +166,9 @@ test.describe('the page of one fragment', () => {
       return seen;
     });
     const [, from] = await place(page, PLACES[0]);
-    for (let i = 0; i <= 20; i++) await page.mouse.move(from.x + 3 * i, from.y);
+    for (let i = 0; i <= 20; i++) {
+      await page.mouse.move(from.x + 3 * i, from.y);
+    }
     await expect.poll(async () => (await counts.jsonValue()).shown).toBeGreaterThan(0);
     await page.getByRole('slider', { name: 'shininess' }).fill('80');
     await expect.poll(async () => (await counts.jsonValue()).read).toBe(1);

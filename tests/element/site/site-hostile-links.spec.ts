@@ -1,5 +1,5 @@
-// Can a link to the playground do more than show a scene? Links made by someone who wants to run script, restyle the
-// page, reach another host or freeze the tab.
+// Can a link to the playground do more than show a scene? Links made by someone who wants to run
+// script, restyle the page, reach another host or freeze the tab.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -35,7 +35,8 @@ const HOSTILE: Readonly<Record<string, (alt: string) => string>> = {
     `<phong-viewer ${alt} src="${HOST}/a.glb" poster="//models.example/b.png"><phong-mesh src="https:\\\\models.example/c.glb"></phong-mesh><phong-mesh src="\\\\models.example\\d.glb"></phong-mesh><phong-mesh src="https://localhost@models.example/e.glb"></phong-mesh><phong-mesh src="\thtt\nps://models.example/f.glb"></phong-mesh></phong-viewer>`,
   'a base for relative sources': (alt) =>
     `<base href="${HOST}/"><phong-viewer ${alt}><phong-mesh src="../assets/models/bunny.glb"></phong-mesh></phong-viewer>`,
-  'a refresh': (alt) => `<meta http-equiv="refresh" content="0;url=${HOST}"><phong-viewer ${alt}></phong-viewer>`,
+  'a refresh': (alt) =>
+    `<meta http-equiv="refresh" content="0;url=${HOST}"><phong-viewer ${alt}></phong-viewer>`,
   'frames, forms and objects': (alt) =>
     `<phong-viewer ${alt}><iframe src="${HOST}" srcdoc="<script>parent.hacked=1</script>"></iframe><object data="${HOST}"></object><embed src="${HOST}"><form action="${HOST}"><button id="share">x</button></form></phong-viewer>`,
   svg: (alt) =>
@@ -55,35 +56,50 @@ const HOSTILE: Readonly<Record<string, (alt: string) => string>> = {
 };
 
 /**
- * Chromium applies the page's policy to documents that DOMParser makes, though nothing in them can run, and reports
- * what it refuses there.
+ * Chromium applies the page's policy to documents that DOMParser makes, though nothing in them can
+ * run, and reports what it refuses there.
  */
 const REPORTED = /\son\w+="|<style|\sstyle=|<base/;
-const REPORTS = /violates the following Content Security Policy directive|CSP report: (script|style|base)-/;
+const REPORTS =
+  /violates the following Content Security Policy directive|CSP report: (script|style|base)-/;
 
 /** Descriptions of everything that must not happen. */
 async function harm(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const found: string[] = [];
-    if ('hacked' in window) found.push('a script ran');
+    if ('hacked' in window) {
+      found.push('a script ran');
+    }
     const allowed = new Set(['phong-light', 'phong-mesh']);
     const viewer = document.querySelector('phong-viewer')!;
     for (const element of viewer.querySelectorAll('*')) {
-      if (!allowed.has(element.localName)) found.push(`a <${element.localName}> was copied`);
+      if (!allowed.has(element.localName)) {
+        found.push(`a <${element.localName}> was copied`);
+      }
     }
     for (const element of [viewer, ...viewer.children]) {
       for (const name of element.getAttributeNames()) {
         // The viewer sets tabindex, role and aria-label itself.
-        if (/^on|^style$|^class$|^is$|^slot$|^part$|^hidden$|^autofocus$|proto|constructor/.test(name)) {
+        if (
+          /^on|^style$|^class$|^is$|^slot$|^part$|^hidden$|^autofocus$|proto|constructor/.test(name)
+        ) {
           found.push(`${name} was copied to <${element.localName}>`);
         }
       }
     }
-    if (document.querySelectorAll('phong-viewer').length !== 1) found.push('a viewer was copied');
-    if (document.querySelectorAll('style, iframe, object, embed, base').length > 0) found.push('markup leaked');
-    if (getComputedStyle(document.body).display === 'none') found.push('the page was restyled');
+    if (document.querySelectorAll('phong-viewer').length !== 1) {
+      found.push('a viewer was copied');
+    }
+    if (document.querySelectorAll('style, iframe, object, embed, base').length > 0) {
+      found.push('markup leaked');
+    }
+    if (getComputedStyle(document.body).display === 'none') {
+      found.push('the page was restyled');
+    }
     const [place, own] = [viewer.parentElement!.clientWidth, viewer.clientWidth];
-    if (place !== own || getComputedStyle(viewer).position === 'fixed') found.push('the picture was restyled');
+    if (place !== own || getComputedStyle(viewer).position === 'fixed') {
+      found.push('the picture was restyled');
+    }
     return found;
   });
 }
@@ -91,11 +107,13 @@ async function harm(page: Page): Promise<string[]> {
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 
 /**
- * On a new page in a release run; otherwise the open playground follows the changed address, as it does for a link in a
- * message.
+ * On a new page in a release run; otherwise the open playground follows the changed address, as it
+ * does for a link in a message.
  */
 async function openLink(page: Page, link: string): Promise<void> {
-  if (release) await page.goto('about:blank');
+  if (release) {
+    await page.goto('about:blank');
+  }
   await page.goto(`/demo/${link}`);
 }
 
@@ -103,12 +121,18 @@ for (const [where, count] of [
   ['playground/', Infinity],
   ['embed.html', 6], // the page for frames, which reads links alike
 ] as const) {
-  test(`links to ${where} only show a scene, whatever they contain`, async ({ page, site, consoleGuard }) => {
+  test(`links to ${where} only show a scene, whatever they contain`, async ({
+    page,
+    site,
+    consoleGuard,
+  }) => {
     test.setTimeout(120_000);
     const reports = consoleGuard.allow(REPORTS);
     const elsewhere: string[] = [];
     page.on('request', (request) => {
-      if (!request.url().startsWith(site.origin)) elsewhere.push(request.url());
+      if (!request.url().startsWith(site.origin)) {
+        elsewhere.push(request.url());
+      }
     });
     page.on('dialog', (dialog) => elsewhere.push(dialog.message()));
     for (const [i, [name, text]] of firstOf(Object.entries(HOSTILE), count).entries()) {
@@ -117,7 +141,9 @@ for (const [where, count] of [
       await openLink(page, linkTo(text(`alt="${alt}"`)).replace('playground/', where));
       await expect(page.locator(`phong-viewer[alt=${alt}]`), name).toBeVisible();
       await allReady(page);
-      if (where === 'playground/') await expect(page.locator('.cm-content'), name).toBeVisible();
+      if (where === 'playground/') {
+        await expect(page.locator('.cm-content'), name).toBeVisible();
+      }
       expect.soft(await harm(page), name).toEqual([]);
       expect.soft(elsewhere.splice(0), name).toEqual([]);
       await expect.soft(page, name).toHaveURL(/#scene=/);
@@ -126,8 +152,13 @@ for (const [where, count] of [
   });
 }
 
-test('the page for frames says that it loads nothing from other sites, and that a link is broken', async ({ page }) => {
-  await openLink(page, linkTo(HOSTILE['other hosts, spelled oddly']!('')).replace('playground/', 'embed.html'));
+test('the page for frames says that it loads nothing from other sites, and that a link is broken', async ({
+  page,
+}) => {
+  await openLink(
+    page,
+    linkTo(HOSTILE['other hosts, spelled oddly']!('')).replace('playground/', 'embed.html'),
+  );
   await expect(page.getByRole('status')).toContainText('Files of other sites are not loaded here');
   await openLink(page, 'embed.html#scene=AAAAAAAA____');
   await expect(page.getByRole('status')).toContainText('This link is broken');
@@ -135,45 +166,63 @@ test('the page for frames says that it loads nothing from other sites, and that 
 test('the removed parts are named, briefly', async ({ page, consoleGuard }) => {
   consoleGuard.allow(REPORTS);
   const many = Array.from({ length: 30 }, (_, i) => `<x-${i}-${'long'.repeat(50)}></x->`).join('');
-  await page.goto(`/demo/${linkTo(`<phong-viewer style="x"><script></script>${many}</phong-viewer>`)}`);
+  await page.goto(
+    `/demo/${linkTo(`<phong-viewer style="x"><script></script>${many}</phong-viewer>`)}`,
+  );
   const messages = page.locator('#messages li');
   await expect(messages).toHaveCount(6);
   await expect(messages.nth(0)).toHaveText('Left out: style of <phong-viewer>.');
   await expect(messages.nth(1)).toHaveText('Left out: <script>.');
-  for (const message of await messages.allTextContents()) expect(message.length).toBeLessThan(80);
+  for (const message of await messages.allTextContents()) {
+    expect(message.length).toBeLessThan(80);
+  }
 });
 
 const deflated = (bytes: Buffer): string => deflateRawSync(bytes).toString('base64url');
 const broken = /This link is broken|no example of this name|Write a <phong-viewer>/;
 
-/** Fragments, and what the page says of them. unit/site-address.test.ts has more that are broken. */
+/**
+ * Fragments, and what the page says of them. unit/site-address.test.ts has more that are broken.
+ */
 const REFUSED: Readonly<Record<string, readonly [fragment: string, message: RegExp]>> = {
   'bytes that are not compressed': ['scene=AAAAAAAA____', broken],
   'markup in the address': ['scene=<img src=x onerror=alert(1)>', broken],
   'an unknown example': ['example=__proto__', broken],
   'text that is no UTF-8': [`scene=${deflated(Buffer.from([0xff, 0xfe, 0xfd]))}`, broken],
-  'a cut-off stream': [`scene=${deflated(Buffer.from('<phong-viewer>'.repeat(9))).slice(0, 9)}`, broken],
+  'a cut-off stream': [
+    `scene=${deflated(Buffer.from('<phong-viewer>'.repeat(9))).slice(0, 9)}`,
+    broken,
+  ],
   'a huge text, short in the link': [
     linkTo(`<phong-viewer>${' '.repeat(200_000_000)}</phong-viewer>`).replace('playground/#', ''),
     /too long to show/,
   ],
   'too many elements': [
-    linkTo(`<phong-viewer alt="hostile">${'<phong-mesh>'.repeat(3000)}`).replace('playground/#', ''),
+    linkTo(`<phong-viewer alt="hostile">${'<phong-mesh>'.repeat(3000)}`).replace(
+      'playground/#',
+      '',
+    ),
     /too many elements/,
   ],
 };
 test('links that are broken or too large show an example and an error', async ({ page }) => {
   test.setTimeout(120_000);
   for (const [name, [fragment, message]] of Object.entries(REFUSED)) {
-    await page.locator('#messages li').evaluateAll((items) => items.forEach((item) => item.remove()));
+    await page
+      .locator('#messages li')
+      .evaluateAll((items) => items.forEach((item) => item.remove()));
     await openLink(page, `playground/#${fragment}`);
     await expect(page.locator('#messages'), name).toHaveText(message);
     await expect(page.locator('#scene:not([alt=hostile])'), name).toBeVisible();
   }
 });
 
-test('files of another host are fetched after a click, and only from the host that was named', async ({ page }) => {
-  const bunny = readFileSync(join(fileURLToPath(new URL('../../..', import.meta.url)), 'demo/assets/models/bunny.glb'));
+test('files of another host are fetched after a click, and only from the host that was named', async ({
+  page,
+}) => {
+  const bunny = readFileSync(
+    join(fileURLToPath(new URL('../../..', import.meta.url)), 'demo/assets/models/bunny.glb'),
+  );
   const fetched: string[] = [];
   await page.route(/\.example\//, async (route) => {
     fetched.push(route.request().url());
@@ -187,8 +236,12 @@ test('files of another host are fetched after a click, and only from the host th
     await expect(page.locator('.cm-content')).toBeVisible();
     await expect(page.locator('#gate')).toContainText(`files from ${HOST}.`);
     await page.locator('phong-viewer').press('ArrowLeft');
-    await expect.poll(() => page.locator('phong-viewer').evaluate((v: PhongViewer) => v.camera.theta)).not.toBe(5);
-    expect(await page.locator('.cm-content').textContent(), 'the source is not lost').toContain(HOST);
+    await expect
+      .poll(() => page.locator('phong-viewer').evaluate((v: PhongViewer) => v.camera.theta))
+      .not.toBe(5);
+    expect(await page.locator('.cm-content').textContent(), 'the source is not lost').toContain(
+      HOST,
+    );
     expect(fetched).toEqual([]);
     await page.getByRole('button', { name: 'Load them' }).click();
     await expect(page.locator('#gate')).toBeHidden();

@@ -1,5 +1,5 @@
-// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons, behave as their
-// captions say?
+// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons,
+// behave as their captions say?
 
 import type { Locator, Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';
@@ -23,7 +23,9 @@ async function figure(page: Page, id: string): Promise<Locator> {
 
 /** Turns the first picture of a figure and expects the others to follow. */
 async function expectTurnedTogether(page: Page, id: string): Promise<void> {
-  const viewers = (await figure(page, id)).locator('phong-viewer[camera-group], phong-compare phong-viewer');
+  const viewers = (await figure(page, id)).locator(
+    'phong-viewer[camera-group], phong-compare phong-viewer',
+  );
   const angles = (): Promise<string[]> =>
     viewers.evaluateAll((all) =>
       all.map((viewer) => {
@@ -61,7 +63,9 @@ test('the figures of the article behave as their captions say', async ({ page })
   test.setTimeout(120_000);
   await open(page, 'article/');
   await test.step('a screen reader finds every picture, divider and light by name', async () => {
-    for (const id of ['fig-near-far', 'fig-blinn', 'fig-point']) await figure(page, id);
+    for (const id of ['fig-near-far', 'fig-blinn', 'fig-point']) {
+      await figure(page, id);
+    }
     await expect(page.getByRole('option', { name: /^lamp/ }).first()).toBeAttached();
     const nodes = await accessibleNodes(page);
     const named = (role: RegExp): readonly string[] =>
@@ -80,7 +84,9 @@ test('the figures of the article behave as their captions say', async ({ page })
     const rows = page.getByRole('table', { name: /Table 1/ }).locator('tbody tr td:last-child');
     const written = await rows.allTextContents();
     expect(written).toEqual(['15.7', '99.8', '8.4', '123.9']);
-    for (const number of written) await expect(box).toContainText(`${number} ${number} ${number}`);
+    for (const number of written) {
+      await expect(box).toContainText(`${number} ${number} ${number}`);
+    }
   });
   await test.step('dragging the rim of the cone opens it, and the markup under the figure follows', async () => {
     const cone = await figure(page, 'fig-cone');
@@ -107,7 +113,9 @@ test('the figures of the article behave as their captions say', async ({ page })
     const plates = (): Promise<{ samples: number; alphas: number[] }[]> =>
       rim.locator('.pixels canvas').evaluateAll((all) =>
         all.map((canvas) => {
-          const context = new OffscreenCanvas(16, 10).getContext('2d', { willReadFrequently: true })!;
+          const context = new OffscreenCanvas(16, 10).getContext('2d', {
+            willReadFrequently: true,
+          })!;
           context.drawImage(canvas as HTMLCanvasElement, 0, 0);
           const { data } = context.getImageData(0, 0, 16, 10);
           const samples = parseInt(canvas.parentElement!.textContent);
@@ -116,23 +124,32 @@ test('the figures of the article behave as their captions say', async ({ page })
       );
     // A sample is on the sphere or beside it.
     const isMeanOf = (alphas: readonly number[], samples: number): boolean =>
-      alphas.every((alpha) => Math.round((255 * Math.round((alpha * samples) / 255)) / samples) === alpha);
+      alphas.every(
+        (alpha) => Math.round((255 * Math.round((alpha * samples) / 255)) / samples) === alpha,
+      );
     await expect.poll(async () => (await plates())[3]!.alphas.length).toBeGreaterThan(10);
     for (const { samples, alphas } of await plates()) {
       expect(isMeanOf(alphas, samples), `${String(samples)} samples`).toBe(true);
-      if (samples === 1) expect(alphas.sort()).toEqual([0, 255]);
-      else expect(isMeanOf(alphas, samples / 2), `not ${String(samples / 2)}`).toBe(false);
+      if (samples === 1) {
+        expect(alphas.sort()).toEqual([0, 255]);
+      } else {
+        expect(isMeanOf(alphas, samples / 2), `not ${String(samples / 2)}`).toBe(false);
+      }
     }
     expect((await plates()).map(({ samples }) => samples)).toEqual([1, 4, 16, 64]);
     await rim.locator('phong-viewer').evaluate((viewer) => viewer.setAttribute('target', '5 5 5'));
-    await expect.poll(async () => (await plates()).map(({ alphas }) => alphas)).toEqual([[0], [0], [0], [0]]);
+    await expect
+      .poll(async () => (await plates()).map(({ alphas }) => alphas))
+      .toEqual([[0], [0], [0], [0]]);
   });
   await test.step('a slider under a divider changes the light on both sides', async () => {
     const decay = await figure(page, 'fig-decay');
     await decay.getByRole('spinbutton', { name: 'cutoff' }).fill('2');
     const cutoffs = await decay
       .locator('phong-viewer')
-      .evaluateAll((all) => all.map((viewer) => (viewer as unknown as PhongViewer).lights[0]!.cutoff));
+      .evaluateAll((all) =>
+        all.map((viewer) => (viewer as unknown as PhongViewer).lights[0]!.cutoff),
+      );
     expect(cutoffs).toEqual([2, 2]);
   });
   await test.step('the listing of a comparison holds all of its viewers', async () => {
@@ -144,12 +161,16 @@ test('the figures of the article behave as their captions say', async ({ page })
     expect(text.trim()).toMatch(/<\/phong-viewer>\n<\/phong-compare>$/);
   });
   await test.step('turning one picture of a figure turns the others', async () => {
-    for (const id of ['fig-exponents', 'fig-near-far']) await expectTurnedTogether(page, id);
+    for (const id of ['fig-exponents', 'fig-near-far']) {
+      await expectTurnedTogether(page, id);
+    }
   });
   await test.step('every figure is on paper', () => expectPrinted(page));
 });
 
-test('turning one picture of a figure turns the others too; the guide prints its figures', async ({ page }) => {
+test('turning one picture of a figure turns the others too; the guide prints its figures', async ({
+  page,
+}) => {
   const figures = [['guide/spots/', 'main'], ['shapes/', 'geometries']] as const; // oxfmt-ignore
   for (const [path, id] of firstOf(figures, 1)) {
     await open(page, path);
@@ -161,7 +182,9 @@ test('turning one picture of a figure turns the others too; the guide prints its
   await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
 });
 
-test('the lights page draws its lights on request, and drags of them are in its listing', async ({ page }) => {
+test('the lights page draws its lights on request, and drags of them are in its listing', async ({
+  page,
+}) => {
   await open(page, 'lights/');
   const show = page.getByRole('button', { name: 'Show them' });
   const handles = page.getByRole('option');
@@ -170,7 +193,9 @@ test('the lights page draws its lights on request, and drags of them are in its 
   await expect(show).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('option', { name: /^light 3: spot/ })).toBeVisible();
   const position = (): Promise<string> =>
-    page.locator('#garden').evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
+    page
+      .locator('#garden')
+      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
   const before = await position();
   await page.getByRole('option', { name: /^light 3: spot/ }).focus();
   await page.keyboard.press('Enter');

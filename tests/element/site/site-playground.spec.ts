@@ -11,7 +11,8 @@ const SCENE = `<phong-viewer theta="10" phi="70" radius="4" target="0 0 0" gui>
 </phong-viewer>
 `;
 
-const editorOf = (page: Page): Locator => page.getByRole('textbox', { name: 'Markup of the scene' });
+const editorOf = (page: Page): Locator =>
+  page.getByRole('textbox', { name: 'Markup of the scene' });
 
 const textOf = async (page: Page): Promise<string> =>
   (await editorOf(page).locator('.cm-line').allTextContents()).join('\n');
@@ -40,7 +41,10 @@ async function htmlAt(page: Page, address: string): Promise<string> {
   return html;
 }
 
-test('a link shows its scene, typed markup is shown too, and a button copies its link', async ({ page, context }) => {
+test('a link shows its scene, typed markup is shown too, and a button copies its link', async ({
+  page,
+  context,
+}) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const first = SCENE.replace('geometry="sphere"', 'geometry="sphere" kd="9"');
   const viewer = await open(page, first);
@@ -61,7 +65,9 @@ test('a link shows its scene, typed markup is shown too, and a button copies its
   expect(await htmlAt(page, link)).toContain('torus');
 });
 
-test('a drag is written into the markup, and undoing it there turns the picture back', async ({ page }) => {
+test('a drag is written into the markup, and undoing it there turns the picture back', async ({
+  page,
+}) => {
   const viewer = await open(page);
   const box = (await viewer.boundingBox())!;
   await drag(page, [box.x + 40, box.y + 200], [60, 0]);
@@ -75,7 +81,9 @@ test('a drag is written into the markup, and undoing it there turns the picture 
   await expect.poll(() => viewer.evaluate((v: PhongViewer) => v.camera.theta)).toBeCloseTo(10, 9);
 });
 
-test('changes by the panel are written into the markup, and can be changed there', async ({ page }) => {
+test('changes by the panel are written into the markup, and can be changed there', async ({
+  page,
+}) => {
   const viewer = await open(page);
   await viewer.getByRole('checkbox').first().click();
   await expect.poll(() => textOf(page)).toContain('active="false"');
@@ -86,14 +94,21 @@ test('changes by the panel are written into the markup, and can be changed there
   await expect.poll(() => viewer.evaluate((v: PhongViewer) => v.lights[0]!.active)).toBe(true);
   await viewer.getByRole('button', { name: 'add light' }).click();
   await expect.poll(async () => (await textOf(page)).match(/<phong-light/g)?.length).toBe(2);
-  await rewrite(page, (await textOf(page)).replaceAll('<phong-light ', '<phong-light diffuse="7" '));
+  await rewrite(
+    page,
+    (await textOf(page)).replaceAll('<phong-light ', '<phong-light diffuse="7" '),
+  );
   await expect(viewer.locator('phong-light[diffuse="7"]')).toHaveCount(2);
 });
 
-test('typing keeps the unchanged parts: the model is fetched once, the camera stays', async ({ page }) => {
+test('typing keeps the unchanged parts: the model is fetched once, the camera stays', async ({
+  page,
+}) => {
   let fetched = 0;
   page.on('request', (request) => {
-    if (request.url().endsWith('.glb')) fetched += 1;
+    if (request.url().endsWith('.glb')) {
+      fetched += 1;
+    }
   });
   const scene = SCENE.replace('geometry="sphere"', 'src="../assets/models/bunny.glb"');
   const viewer = await open(page, scene);
@@ -103,7 +118,9 @@ test('typing keeps the unchanged parts: the model is fetched once, the camera st
   expect(fetched).toBe(1);
 });
 
-test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({ page }) => {
+test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
+  page,
+}) => {
   await page.goto('/demo/playground/#example=compare');
   await allReady(page);
   await expect(page.locator('.cm-content')).toBeVisible();
@@ -116,12 +133,16 @@ test('a comparison is shown, a drag of its divider is written, and one viewer ca
   await expect(page.locator('phong-viewer')).toHaveCount(1);
 });
 
-test('the picture waits for complete markup; words are completed; lines break between attributes', async ({ page }) => {
+test('the picture waits for complete markup; words are completed; lines break between attributes', async ({
+  page,
+}) => {
   const values = Array.from({ length: 12 }, (_, i) => `data${String(i)}="${'1 2 3 '.repeat(4)}"`);
   const viewer = await open(page, `<phong-viewer ${values.join(' ')}></phong-viewer>`);
   const heights = await page
     .locator('.cm-attribute')
-    .evaluateAll((all) => all.map((one) => one.getClientRects().length * one.getBoundingClientRect().height));
+    .evaluateAll((all) =>
+      all.map((one) => one.getClientRects().length * one.getBoundingClientRect().height),
+    );
   expect(heights.length).toBe(12);
   expect(Math.max(...heights)).toBeLessThan(30);
   await rewrite(page, '<phong-viewer geometry="box"><phong-light position="1 1 ');
@@ -153,9 +174,15 @@ test('examples are opened by the list and by their address', async ({ page }) =>
   await expect(page.locator('phong-viewer')).toHaveAttribute('view', 'n-dot-l');
 });
 
-test('a frame and one HTML file show the scene with its model, also from disk', async ({ page, context }, info) => {
+test('a frame and one HTML file show the scene with its model, also from disk', async ({
+  page,
+  context,
+}, info) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  const scene = SCENE.replace('geometry="sphere"', 'src="../assets/models/bunny.glb" name="a &lt;b&gt;"');
+  const scene = SCENE.replace(
+    'geometry="sphere"',
+    'src="../assets/models/bunny.glb" name="a &lt;b&gt;"',
+  );
   await open(page, scene);
   await page.getByRole('button', { name: 'Copy a frame' }).click();
   await expect(page.locator('#shared')).toHaveText('Copied.');
@@ -177,8 +204,12 @@ test('a frame and one HTML file show the scene with its model, also from disk', 
   }
 });
 
-test('the editor is there with the first picture, long before all samples of a still one', async ({ page }) => {
+test('the editor is there with the first picture, long before all samples of a still one', async ({
+  page,
+}) => {
   await page.goto(`/demo/${linkTo(SCENE.replace('gui', 'gui antialias="full" samples="1024"'))}`);
   await expect(page.locator('.cm-content')).toBeVisible();
-  expect(await page.evaluate(() => document.querySelector('phong-viewer')!.stats.samples)).toBeLessThan(1024);
+  expect(
+    await page.evaluate(() => document.querySelector('phong-viewer')!.stats.samples),
+  ).toBeLessThan(1024);
 });

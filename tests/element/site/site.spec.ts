@@ -1,6 +1,6 @@
-// Is every page of the site fit for publication? An empty console, a policy, a link to the package, a layout for
-// phones, no problem found by axe, pictures as before, and data for search engines and link previews. One load of each
-// page serves all of these.
+// Is every page of the site fit for publication? An empty console, a policy, a link to the package,
+// a layout for phones, no problem found by axe, pictures as before, and data for search engines and
+// link previews. One load of each page serves all of these.
 
 import { axeOn } from '../../support/axe.js';
 import type { APIRequestContext, Page } from '@playwright/test';
@@ -24,8 +24,18 @@ const OFTEN: ReadonlySet<string> = new Set([
   ...['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'playground/'],
 ]);
 
-/** Pages that are looked at in dark colours too in every run: together they have all that is coloured. */
-const DARK: ReadonlySet<string> = new Set(['', 'article/', 'explain/', 'guide/see/', 'lesson/', 'playground/']);
+/**
+ * Pages that are looked at in dark colours too in every run: together they have all that is
+ * coloured.
+ */
+const DARK: ReadonlySet<string> = new Set([
+  '',
+  'article/',
+  'explain/',
+  'guide/see/',
+  'lesson/',
+  'playground/',
+]);
 
 test.beforeEach(({ page }) => takeNoSamples(page));
 
@@ -46,15 +56,21 @@ async function expectFitAndAccessible(page: Page, dark: boolean): Promise<void> 
     await page.emulateMedia({ colorScheme });
     const axe = axeOn(page);
     // The dark page is the light one in other colours.
-    if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
+    if (colorScheme === 'dark') {
+      axe.withRules(['color-contrast', 'link-in-text-block']);
+    }
     const { violations } = await axe.analyze();
-    expect.soft(violations.map(({ id, nodes }) => [colorScheme, id, nodes.map(({ html }) => html)])).toEqual([]);
+    expect
+      .soft(violations.map(({ id, nodes }) => [colorScheme, id, nodes.map(({ html }) => html)]))
+      .toEqual([]);
   }
 }
 
 async function expectHead(page: Page, request: APIRequestContext): Promise<void> {
   const policy = await contentOf(page, 'meta[http-equiv="Content-Security-Policy"]');
-  for (const rule of strictPolicy.split('; ')) expect.soft(policy).toContain(rule);
+  for (const rule of strictPolicy.split('; ')) {
+    expect.soft(policy).toContain(rule);
+  }
   expect.soft(policy).not.toContain('unsafe');
   expect.soft(await page.title()).toContain('phong-viewer');
   expect.soft(await contentOf(page, 'meta[name=description]')).toMatch(/^.{40,170}$/);
@@ -64,18 +80,25 @@ async function expectHead(page: Page, request: APIRequestContext): Promise<void>
   const picture = await contentOf(page, 'meta[property="og:image"]');
   // Absolute, once the site has an address.
   const [, asset] = /^https:.*\/(assets\/.*)/.exec(picture ?? '') ?? [];
-  const response = await request.get(asset === undefined ? new URL(picture ?? '', page.url()).href : `/demo/${asset}`);
+  const response = await request.get(
+    asset === undefined ? new URL(picture ?? '', page.url()).href : `/demo/${asset}`,
+  );
   expect.soft(response.headers()['content-type']).toBe('image/png');
 }
 
-/** Addresses that were fetched, with their text; empty where there is none. One fetch serves all pages of a worker. */
+/**
+ * Addresses that were fetched, with their text; empty where there is none. One fetch serves all
+ * pages of a worker.
+ */
 const fetched = new Map<string, string>();
 
 async function brokenLinks(page: Page, request: APIRequestContext): Promise<string[]> {
   const links = await page
     .locator('a[href]')
     .evaluateAll((all) =>
-      all.map((a) => (a as HTMLAnchorElement).href).filter((href) => new URL(href).origin === location.origin),
+      all
+        .map((a) => (a as HTMLAnchorElement).href)
+        .filter((href) => new URL(href).origin === location.origin),
     );
   const broken: string[] = [];
   for (const link of new Set(links)) {
@@ -86,7 +109,9 @@ async function brokenLinks(page: Page, request: APIRequestContext): Promise<stri
     }
     const text = fetched.get(address)!;
     const found = id === '' || id.includes('=') ? text !== '' : text.includes(`id="${id}"`);
-    if (!found) broken.push(link);
+    if (!found) {
+      broken.push(link);
+    }
   }
   return broken;
 }
@@ -98,25 +123,38 @@ for (const path of sitePages) {
   const looks = pictured ? ', looks as before' : '';
   const often = OFTEN.has(path);
 
-  test(`${often ? '' : '@release '}the ${name} fits a phone and passes axe${looks}`, async ({ page, request }) => {
+  test(`${often ? '' : '@release '}the ${name} fits a phone and passes axe${looks}`, async ({
+    page,
+    request,
+  }) => {
     test.setTimeout(120_000);
     await page.setViewportSize(PHONE);
     await page.emulateMedia({ colorScheme: 'light' });
     await open(page, path);
     await expectFitAndAccessible(page, DARK.has(path));
     await expectHead(page, request);
-    if (pictured) await expectPictures(page, `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`);
+    if (pictured) {
+      await expectPictures(
+        page,
+        `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`,
+      );
+    }
     await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
     const nav = page.getByRole('navigation', { name: 'Pages', exact: true });
     const pages = ['Lesson', 'Guide', 'Examples', 'Playground', 'API', 'Install'];
     await expect.soft(nav.getByRole('link')).toHaveText(pages);
-    await expect.soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Bench|Releases)$/ })).toHaveCount(2);
+    await expect
+      .soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Bench|Releases)$/ }))
+      .toHaveCount(2);
     await expect.soft(page.getByRole('heading', { level: 1 })).toHaveCount(1);
     expect.soft(await brokenLinks(page, request), 'links that lead nowhere').toEqual([]);
   });
 }
 
-test('the API page lists every attribute, property, method and event of the manifest', async ({ page, request }) => {
+test('the API page lists every attribute, property, method and event of the manifest', async ({
+  page,
+  request,
+}) => {
   interface Named {
     readonly name: string;
   }
@@ -130,17 +168,24 @@ test('the API page lists every attribute, property, method and event of the mani
     readonly modules: readonly { readonly declarations: readonly Declaration[] }[];
   };
   await page.goto('/demo/api/');
-  const ids = new Set(await page.locator('.api a[id]').evaluateAll((all) => all.map(({ id }) => id)));
-  const wanted = manifest.modules[0]!.declarations.flatMap(({ tagName, attributes, members, events }) => [
-    ...attributes.map(({ name }) => `${tagName}-${name}`),
-    ...members.filter((m) => m.attribute === undefined).map(({ name }) => `${tagName}-${name}`),
-    ...events.map(({ name }) => `${tagName}-${name}-event`),
-  ]);
+  const ids = new Set(
+    await page.locator('.api a[id]').evaluateAll((all) => all.map(({ id }) => id)),
+  );
+  const wanted = manifest.modules[0]!.declarations.flatMap(
+    ({ tagName, attributes, members, events }) => [
+      ...attributes.map(({ name }) => `${tagName}-${name}`),
+      ...members.filter((m) => m.attribute === undefined).map(({ name }) => `${tagName}-${name}`),
+      ...events.map(({ name }) => `${tagName}-${name}-event`),
+    ],
+  );
   expect(wanted.filter((id) => !ids.has(id))).toEqual([]);
   expect(ids.size).toBe(wanted.length);
 });
 
-test('start page and install page give the size of the standalone file, as in dist/', async ({ page, request }) => {
+test('start page and install page give the size of the standalone file, as in dist/', async ({
+  page,
+  request,
+}) => {
   const { brotliCompressSync } = await import('node:zlib');
   const file = await (await request.get('/dist/phong-viewer.standalone.js')).body();
   const kilobytes = Math.round(brotliCompressSync(file).length / 1000);
@@ -156,7 +201,10 @@ test('a listing opens in the playground with its model', async ({ page }) => {
   await page.locator('.source summary').first().click();
   await page.getByRole('button', { name: /Edit in the playground/ }).click();
   await page.waitForURL(/playground\/#scene=/);
-  await expect(page.locator('phong-mesh[src]')).toHaveAttribute('src', '../assets/models/bunny.glb');
+  await expect(page.locator('phong-mesh[src]')).toHaveAttribute(
+    'src',
+    '../assets/models/bunny.glb',
+  );
   await allReady(page);
   await expect(page.locator('#messages')).toBeEmpty();
 });

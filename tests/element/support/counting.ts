@@ -1,5 +1,5 @@
-// Counts what a page does and holds: frames, timers, WebGL calls, listeners, GPU objects. Wraps the browser's functions
-// before any script runs. Playwright's own waiting happens outside the page.
+// Counts what a page does and holds: frames, timers, WebGL calls, listeners, GPU objects. Wraps the
+// browser's functions before any script runs. Playwright's own waiting happens outside the page.
 
 import type { Page } from '@playwright/test';
 
@@ -8,7 +8,10 @@ interface Counts {
   readonly frames: number;
   readonly timers: number;
   readonly idleCallbacks: number;
-  /** Calls of WebGL 2 functions other than `delete…`: levels and float buffers are freed a while after their last use. */
+  /**
+   * Calls of WebGL 2 functions other than `delete…`: levels and float buffers are freed a while
+   * after their last use.
+   */
   readonly gl: number;
   /** `drawImage` calls on 2D canvases. */
   readonly copies: number;
@@ -44,11 +47,20 @@ export const countsOf = (page: Page): Promise<Counts> =>
 
 type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 'copies' | 'layouts'>;
 
-export const NOTHING: Spent = { frames: 0, timers: 0, idleCallbacks: 0, gl: 0, copies: 0, layouts: 0 };
+export const NOTHING: Spent = {
+  frames: 0,
+  timers: 0,
+  idleCallbacks: 0,
+  gl: 0,
+  copies: 0,
+  layouts: 0,
+};
 
 export function spentBetween(before: Counts, after: Counts): Spent {
   const spent: Record<keyof Spent, number> = { ...NOTHING };
-  for (const key of Object.keys(spent) as (keyof Spent)[]) spent[key] = after[key] - before[key];
+  for (const key of Object.keys(spent) as (keyof Spent)[]) {
+    spent[key] = after[key] - before[key];
+  }
   return spent;
 }
 
@@ -64,7 +76,11 @@ function wrapEverything(): void {
   type Call = (this: unknown, ...given: unknown[]) => unknown;
   const counts: Record<string, number> = {};
   const count = (key: string, by = 1): void => void (counts[key] = (counts[key] ?? 0) + by);
-  const wrap = (owner: object, name: string, before: (given: unknown[], self: unknown) => void): void => {
+  const wrap = (
+    owner: object,
+    name: string,
+    before: (given: unknown[], self: unknown) => void,
+  ): void => {
     const real = Object.getOwnPropertyDescriptor(owner, name)?.value as Call | undefined;
     if (typeof real !== 'function') return;
     Reflect.set(owner, name, function (this: unknown, ...given: unknown[]) {
@@ -79,8 +95,14 @@ function wrapEverything(): void {
   wrap(window, 'requestIdleCallback', () => count('idleCallbacks'));
 
   const gl = WebGL2RenderingContext.prototype;
-  for (const name of Object.getOwnPropertyNames(gl)) if (!name.startsWith('delete')) wrap(gl, name, () => count('gl'));
-  for (const kind of 'Texture Buffer Program Shader Framebuffer Renderbuffer VertexArray'.split(' ')) {
+  for (const name of Object.getOwnPropertyNames(gl)) {
+    if (!name.startsWith('delete')) {
+      wrap(gl, name, () => count('gl'));
+    }
+  }
+  for (const kind of 'Texture Buffer Program Shader Framebuffer Renderbuffer VertexArray'.split(
+    ' ',
+  )) {
     const key = `${kind[0]!.toLowerCase()}${kind.slice(1)}s`;
     const gone = new WeakSet();
     wrap(gl, `create${kind}`, () => count(key));
@@ -94,7 +116,9 @@ function wrapEverything(): void {
 
   const isOurs = (): boolean => new Error().stack?.includes('/dist/') === true;
   const countLayout = (): void => {
-    if (isOurs()) count('layouts');
+    if (isOurs()) {
+      count('layouts');
+    }
   };
   wrap(window, 'getComputedStyle', countLayout);
   wrap(Element.prototype, 'getBoundingClientRect', countLayout);
@@ -135,8 +159,12 @@ function wrapEverything(): void {
       by(targets);
       count('observers', (targets.size > 0 ? 1 : 0) - before);
     };
-    wrap(Observer.prototype, 'observe', ([target], self) => change(self, (targets) => targets.add(target)));
-    wrap(Observer.prototype, 'unobserve', ([target], self) => change(self, (targets) => targets.delete(target)));
+    wrap(Observer.prototype, 'observe', ([target], self) =>
+      change(self, (targets) => targets.add(target)),
+    );
+    wrap(Observer.prototype, 'unobserve', ([target], self) =>
+      change(self, (targets) => targets.delete(target)),
+    );
     wrap(Observer.prototype, 'disconnect', (_, self) => change(self, (targets) => targets.clear()));
   }
 
@@ -156,8 +184,11 @@ function wrapEverything(): void {
     heard.set(target, present);
     const key = `${String(type)} ${identityOf(listener as object)}`;
     const before = present.size;
-    if (on) present.add(key);
-    else present.delete(key);
+    if (on) {
+      present.add(key);
+    } else {
+      present.delete(key);
+    }
     listeners += present.size - before;
   };
   wrap(EventTarget.prototype, 'addEventListener', ([type, listener, options], self) => {
@@ -170,7 +201,9 @@ function wrapEverything(): void {
   });
   wrap(EventTarget.prototype, 'removeEventListener', ([type, listener], self) => {
     const target = self ?? window;
-    if (isGlobal(target)) listen(target, type, listener, false);
+    if (isGlobal(target)) {
+      listen(target, type, listener, false);
+    }
   });
 
   const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // oxfmt-ignore
@@ -185,7 +218,9 @@ function wrapEverything(): void {
       }
       const pixels = canvas.width * canvas.height;
       canvasPixels += pixels;
-      if (sheets.has(canvas)) sheetPixels = Math.max(sheetPixels, pixels);
+      if (sheets.has(canvas)) {
+        sheetPixels = Math.max(sheetPixels, pixels);
+      }
     }
     const present = Object.fromEntries(names.map((name) => [name, counts[name] ?? 0]));
     return { ...present, listeners, canvasPixels, sheetPixels } as unknown as Counts;

@@ -14,13 +14,16 @@ interface Frame {
   readonly samples: number;
   /** Of each channel over the picture. */
   readonly mean: readonly number[];
-  /** Pixels inside surfaces, not in outlines, that differ by more than three codes from the first frame. */
+  /**
+   * Pixels inside surfaces, not in outlines, that differ by more than three codes from the first
+   * frame.
+   */
   readonly inside: number;
 }
 
 /**
- * Reads the viewer's canvas after each animation frame, until `stop`. The first frame is the one that is shown now, or
- * the one that shows a turn to `theta`.
+ * Reads the viewer's canvas after each animation frame, until `stop`. The first frame is the one
+ * that is shown now, or the one that shows a turn to `theta`.
  */
 export async function film(
   viewer: Locator,
@@ -49,14 +52,24 @@ export async function film(
       Object.assign(copy.canvas, { width, height });
       copy.drawImage(canvas, 0, 0);
       const { data } = copy.getImageData(0, 0, width, height);
-      for (let i = 0; i < data.length; i++) if (i % 4 !== 3) data[i]! *= data[i - (i % 4) + 3]! / 255;
-      if (first?.length !== data.length) first = data;
+      for (let i = 0; i < data.length; i++) {
+        if (i % 4 !== 3) {
+          data[i]! *= data[i - (i % 4) + 3]! / 255;
+        }
+      }
+      if (first?.length !== data.length) {
+        first = data;
+      }
       const mean = [0, 0, 0, 0];
       data.forEach((code, i) => (mean[i % 4]! += (4 * code) / data.length));
       let inside = 0;
       for (let pixel = 0; pixel < width * height; pixel++) {
-        const differs = [0, 1, 2, 3].some((k) => Math.abs(data[4 * pixel + k]! - first![4 * pixel + k]!) > 3);
-        if (differs && !outline(first, width, pixel)) inside += 1;
+        const differs = [0, 1, 2, 3].some(
+          (k) => Math.abs(data[4 * pixel + k]! - first![4 * pixel + k]!) > 3,
+        );
+        if (differs && !outline(first, width, pixel)) {
+          inside += 1;
+        }
       }
       frames.push({ samples: element.stats.samples, mean, inside });
     };
@@ -84,8 +97,19 @@ export async function film(
 /** WebGL canvases keep their pixels after a frame. */
 export const keepPixels = (page: Page): Promise<unknown> =>
   page.addInitScript(() => {
-    const real = HTMLCanvasElement.prototype.getContext as (this: unknown, ...given: unknown[]) => unknown;
-    HTMLCanvasElement.prototype.getContext = function (this: unknown, kind: string, options?: object) {
-      return real.call(this, kind, kind === 'webgl2' ? { ...options, preserveDrawingBuffer: true } : options);
+    const real = HTMLCanvasElement.prototype.getContext as (
+      this: unknown,
+      ...given: unknown[]
+    ) => unknown;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: unknown,
+      kind: string,
+      options?: object,
+    ) {
+      return real.call(
+        this,
+        kind,
+        kind === 'webgl2' ? { ...options, preserveDrawingBuffer: true } : options,
+      );
     } as typeof HTMLCanvasElement.prototype.getContext;
   });

@@ -1,5 +1,5 @@
-// Counts what a page sends to WebGL: draws, uploads and their bytes, programs and their text. Wraps all functions
-// before any script runs, and can impose limits that this machine does not have.
+// Counts what a page sends to WebGL: draws, uploads and their bytes, programs and their text. Wraps
+// all functions before any script runs, and can impose limits that this machine does not have.
 
 import type { Page } from '@playwright/test';
 
@@ -57,17 +57,20 @@ export async function logGl(page: Page, limits: Limits = {}): Promise<void> {
 export const glSpent = (page: Page): Promise<GlSpent> => page.evaluate(() => window.glLog.take());
 
 /** All programs that were ever linked, in order. */
-export const glPrograms = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.programs());
+export const glPrograms = (page: Page): Promise<GlProgram[]> =>
+  page.evaluate(() => window.glLog.programs());
 
 /** The programs used since the last call of {@link glSpent}. */
-export const drawnWith = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.drawnWith());
+export const drawnWith = (page: Page): Promise<GlProgram[]> =>
+  page.evaluate(() => window.glLog.drawnWith());
 
 /** A specialised program. */
 export const isSpecialised = ({ fragment, vertex }: GlProgram): boolean =>
   /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(fragment + vertex);
 
 /** A program that runs the light loop; not one of the page's own objects. */
-export const isLit = ({ fragment, vertex }: GlProgram): boolean => /LightSums/.test(fragment + vertex);
+export const isLit = ({ fragment, vertex }: GlProgram): boolean =>
+  /LightSums/.test(fragment + vertex);
 
 /** Runs in the page. */
 function wrapGl(limits: Limits): void {
@@ -79,7 +82,10 @@ function wrapGl(limits: Limits): void {
   const gl = WebGL2RenderingContext.prototype;
   const none = () => ({ calls: 0, draws: 0, links: 0, compiles: 0, uploads: 0, bytes: 0, allocations: 0, bufferBytes: 0 }); // oxfmt-ignore
   let spent = none();
-  const wrap = (name: string, before: (given: unknown[], self: WebGL2RenderingContext) => void): void => {
+  const wrap = (
+    name: string,
+    before: (given: unknown[], self: WebGL2RenderingContext) => void,
+  ): void => {
     const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call | undefined;
     if (typeof real !== 'function') return;
     Reflect.set(gl, name, function (this: WebGL2RenderingContext, ...given: unknown[]) {
@@ -87,7 +93,9 @@ function wrapGl(limits: Limits): void {
       return Reflect.apply(real, this, given);
     });
   };
-  const named = new Map(Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]));
+  const named = new Map(
+    Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]),
+  );
   const realParameter = Object.getOwnPropertyDescriptor(gl, 'getParameter')?.value as Call;
   gl.getParameter = function (this: unknown, name: number): unknown {
     return named.get(name) ?? Reflect.apply(realParameter, this, [name]);
@@ -95,15 +103,24 @@ function wrapGl(limits: Limits): void {
 
   for (const name of Object.getOwnPropertyNames(gl)) {
     wrap(name, () => (spent.calls += 1));
-    if (/^draw(?!ingBuffer|Buffers)/.test(name)) wrap(name, (_, self) => draw(self));
-    if (/^tex(Image|Storage)/.test(name)) wrap(name, () => (spent.allocations += 1));
+    if (/^draw(?!ingBuffer|Buffers)/.test(name)) {
+      wrap(name, (_, self) => draw(self));
+    }
+    if (/^tex(Image|Storage)/.test(name)) {
+      wrap(name, () => (spent.allocations += 1));
+    }
   }
   wrap('bufferData', ([, data]) => {
     spent.allocations += 1;
     spent.bufferBytes += typeof data === 'number' ? data : (data as ArrayBufferView).byteLength;
   });
 
-  const CHANNELS: Readonly<Record<number, number>> = { [gl.RED]: 1, [gl.RG]: 2, [gl.RGB]: 3, [gl.RGBA]: 4 };
+  const CHANNELS: Readonly<Record<number, number>> = {
+    [gl.RED]: 1,
+    [gl.RG]: 2,
+    [gl.RGB]: 3,
+    [gl.RGBA]: 4,
+  };
   wrap('texSubImage2D', ([, , , , width, height, format, type]) => {
     spent.uploads += 1;
     if (typeof type !== 'number') return; // the form that uploads an image
@@ -113,7 +130,10 @@ function wrapGl(limits: Limits): void {
   wrap('bufferSubData', ([, , data, , length]) => {
     spent.uploads += 1;
     const view = data as ArrayBufferView & { readonly BYTES_PER_ELEMENT?: number };
-    spent.bytes += typeof length === 'number' && length > 0 ? length * (view.BYTES_PER_ELEMENT ?? 1) : view.byteLength;
+    spent.bytes +=
+      typeof length === 'number' && length > 0
+        ? length * (view.BYTES_PER_ELEMENT ?? 1)
+        : view.byteLength;
   });
 
   const texts = new WeakMap<object, string>();
@@ -126,10 +146,16 @@ function wrapGl(limits: Limits): void {
     const present = stages.get(program as object) ?? [];
     stages.set(program as object, [...present, shader as WebGLShader]);
   });
-  wrap('compileShader', ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1));
+  wrap(
+    'compileShader',
+    ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1),
+  );
   wrap('useProgram', ([program], self) => {
-    if (program === null) current.delete(self);
-    else current.set(self, program as WebGLProgram);
+    if (program === null) {
+      current.delete(self);
+    } else {
+      current.set(self, program as WebGLProgram);
+    }
   });
   const { linkProgram } = gl;
   gl.linkProgram = function (program) {
@@ -140,12 +166,16 @@ function wrapGl(limits: Limits): void {
         .map((shader) => texts.get(shader) ?? '')
         .join('');
     const text = { vertex: of(gl.VERTEX_SHADER), fragment: of(gl.FRAGMENT_SHADER) };
-    if (!isSpecialisedText(text.fragment)) spent.links += 1;
+    if (!isSpecialisedText(text.fragment)) {
+      spent.links += 1;
+    }
     linked.set(program, { ...text, ...sizes(program, this), live: true, draws: 0 });
   };
   wrap('deleteProgram', ([program]) => {
     const one = linked.get(program as WebGLProgram);
-    if (one !== undefined) one.live = false;
+    if (one !== undefined) {
+      one.live = false;
+    }
   });
 
   function isSpecialisedText(text = ''): boolean {
@@ -174,11 +204,17 @@ function wrapGl(limits: Limits): void {
     for (let i = 0; i < count(gl.ACTIVE_UNIFORMS); i++) {
       const [block] = self.getActiveUniforms(program, [i], gl.UNIFORM_BLOCK_INDEX) as number[];
       const info = self.getActiveUniform(program, i);
-      if (block === -1 && info !== null) uniformVectors += info.size * vectors(info.type);
+      if (block === -1 && info !== null) {
+        uniformVectors += info.size * vectors(info.type);
+      }
     }
     let blockBytes = 0;
     for (let i = 0; i < count(gl.ACTIVE_UNIFORM_BLOCKS); i++) {
-      const bytes = self.getActiveUniformBlockParameter(program, i, gl.UNIFORM_BLOCK_DATA_SIZE) as number;
+      const bytes = self.getActiveUniformBlockParameter(
+        program,
+        i,
+        gl.UNIFORM_BLOCK_DATA_SIZE,
+      ) as number;
       blockBytes = Math.max(blockBytes, bytes);
     }
     spent.calls = before; // without the calls made here

@@ -1,5 +1,5 @@
-// What the element's browser tests share: the viewer as it is typed inside the page, its camera and events read from
-// outside, and input by mouse and fingers. Positions are CSS pixels of the page.
+// What the element's browser tests share: the viewer as it is typed inside the page, its camera and
+// events read from outside, and input by mouse and fingers. Positions are CSS pixels of the page.
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../../src/viewer/index.js';
@@ -22,13 +22,21 @@ export const canvasSize = (viewer: Locator): Promise<readonly [width: number, he
   });
 
 /** Assigns properties of any type in one task, in the given order. */
-export async function assign(element: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
+export async function assign(
+  element: Locator,
+  values: Readonly<Record<string, unknown>>,
+): Promise<void> {
   await element.evaluate((target, given) => {
-    for (const [key, value] of Object.entries(given)) Reflect.set(target, key, value);
+    for (const [key, value] of Object.entries(given)) {
+      Reflect.set(target, key, value);
+    }
   }, values);
 }
 
-/** The picture of this viewer's markup, drawn by a second viewer on the same page, which is removed again. */
+/**
+ * The picture of this viewer's markup, drawn by a second viewer on the same page, which is removed
+ * again.
+ */
 export async function shownBy(
   page: Page,
   markup: string,
@@ -55,7 +63,10 @@ interface Recording {
   take(): Promise<Heard[]>;
 }
 
-/** Records the element's events of these types. Elements and other objects in a detail become their tag or type. */
+/**
+ * Records the element's events of these types. Elements and other objects in a detail become their
+ * tag or type.
+ */
 export async function record(element: Locator, ...types: string[]): Promise<Recording> {
   const heard = await element.evaluateHandle((target, names) => {
     const list: Heard[] = [];
@@ -78,15 +89,22 @@ export async function record(element: Locator, ...types: string[]): Promise<Reco
 /** Waits until the page has shown all changes so far. */
 export async function nextFrame(page: Page): Promise<void> {
   await page.evaluate(
-    () => new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve)))),
+    () =>
+      new Promise<void>((resolve) =>
+        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),
+      ),
   );
 }
 
 /** Waits for the viewer's `ready`. */
-export const settled = (viewer: Locator): Promise<void> => viewer.evaluate((element: PhongViewer) => element.ready);
+export const settled = (viewer: Locator): Promise<void> =>
+  viewer.evaluate((element: PhongViewer) => element.ready);
 
 /** Assigns the viewer's properties in one task, and waits for its `ready`. */
-export async function set(viewer: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
+export async function set(
+  viewer: Locator,
+  values: Readonly<Record<string, unknown>>,
+): Promise<void> {
   await assign(viewer, values);
   await settled(viewer);
 }
@@ -102,7 +120,10 @@ export async function loseContext(viewer: Locator): Promise<() => Promise<void>>
   return () => loss.evaluate((extension) => extension.restoreContext());
 }
 
-/** Moves the pointer off the viewers. A headless shell moves it to the corner of each page that has loaded. */
+/**
+ * Moves the pointer off the viewers. A headless shell moves it to the corner of each page that has
+ * loaded.
+ */
 export const pointerAway = (page: Page): Promise<void> => page.mouse.move(900, 650);
 
 interface DragOptions {
@@ -122,7 +143,9 @@ export async function drag(
   await page.mouse.move(...from);
   await page.mouse.down({ button });
   await page.mouse.move(from[0] + by[0], from[1] + by[1], { steps });
-  if (release) await page.mouse.up({ button });
+  if (release) {
+    await page.mouse.up({ button });
+  }
 }
 
 type Place = readonly [x: number, y: number];
@@ -146,7 +169,11 @@ export class Fingers {
   /** Lifts one finger, counted from 0, from where it is; the others stay. */
   lift = (id: number, place: Place): Promise<void> => this.#send('touchEnd', [place], id);
 
-  async #send(type: 'touchStart' | 'touchMove' | 'touchEnd', places: readonly Place[], firstId = 0): Promise<void> {
+  async #send(
+    type: 'touchStart' | 'touchMove' | 'touchEnd',
+    places: readonly Place[],
+    firstId = 0,
+  ): Promise<void> {
     const touchPoints = places.map(([x, y], i) => ({ x, y, id: firstId + i }));
     await this.#session.send('Input.dispatchTouchEvent', { type, touchPoints });
   }

@@ -1,4 +1,5 @@
-// Do texts hold for a whole page, by markup and by `PhongViewer.texts`, and do numbers follow its language?
+// Do texts hold for a whole page, by markup and by `PhongViewer.texts`, and do numbers follow its
+// language?
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
@@ -9,7 +10,8 @@ const de = readyTexts('de');
 
 type ViewerClass = { texts: Readonly<Record<string, string>> | null };
 
-const script = (texts: string): string => `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
+const script = (texts: string): string =>
+  `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
 const viewer = '<phong-viewer geometry="box" view="normals"></phong-viewer>';
 const size = { width: 200, height: 120 };
 
@@ -20,30 +22,54 @@ const assignToPage = (page: Page, texts: Readonly<Record<string, string>> | null
     (customElements.get('phong-viewer') as unknown as ViewerClass).texts = value;
   }, texts);
 
-test('a script of texts holds for all viewers, later ones too, under a strict policy', async ({ mount, page }) => {
+test('a script of texts holds for all viewers, later ones too, under a strict policy', async ({
+  mount,
+  page,
+}) => {
   const compared = `<phong-compare>${viewer}${viewer}</phong-compare>`;
   // Of two scripts the later one has the last word.
-  const first = await mount(`${viewer}${compared}${script(JSON.stringify(de))}${script('{"Legend": "Farben"}')}`, size);
+  const first = await mount(
+    `${viewer}${compared}${script(JSON.stringify(de))}${script('{"Legend": "Farben"}')}`,
+    size,
+  );
   for (const each of [first, page.locator('phong-compare phong-viewer').last()]) {
     await expect(legend(each)).toHaveAttribute('aria-label', 'Farben');
     await expect(legend(each)).toContainText('Normalen');
-    await expect(each.locator('[part=surface]')).toHaveAttribute('aria-description', /Pfeiltasten drehen/);
+    await expect(each.locator('[part=surface]')).toHaveAttribute(
+      'aria-description',
+      /Pfeiltasten drehen/,
+    );
   }
-  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute('aria-label', /^Trennlinie zwischen/);
+  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute(
+    'aria-label',
+    /^Trennlinie zwischen/,
+  );
   await first.evaluate((element) => element.before(element.cloneNode()));
   await expect(legend(page.locator('phong-viewer').first())).toContainText('Normalen');
   // Changed by a script of the page: read with the next viewer.
   await page.evaluate(
-    () => (document.querySelector('[data-phong-viewer-texts]')!.textContent = '{"Normals": "normals!"}'),
+    () =>
+      (document.querySelector('[data-phong-viewer-texts]')!.textContent =
+        '{"Normals": "normals!"}'),
   );
   await first.evaluate((element) => element.before(element.cloneNode()));
-  for (const each of [first, page.locator('phong-compare phong-viewer').first()])
+  for (const each of [first, page.locator('phong-compare phong-viewer').first()]) {
     await expect(legend(each)).toContainText('normals!');
-  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute('aria-label', /^Divider between/);
+  }
+  await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute(
+    'aria-label',
+    /^Divider between/,
+  );
 });
 
-test('PhongViewer.texts goes before the script, and a viewer’s own texts before both', async ({ mount, page }) => {
-  const first = await mount(`${script('{"Legend": "S", "Normals": "S", "Probe": "S"}')}${viewer}${viewer}`, size);
+test('PhongViewer.texts goes before the script, and a viewer’s own texts before both', async ({
+  mount,
+  page,
+}) => {
+  const first = await mount(
+    `${script('{"Legend": "S", "Normals": "S", "Probe": "S"}')}${viewer}${viewer}`,
+    size,
+  );
   const second = page.locator('phong-viewer').last();
   await assign(first, { texts: { Normals: 'V' } });
   await assignToPage(page, { Normals: 'P', Legend: 'P' });
@@ -53,7 +79,9 @@ test('PhongViewer.texts goes before the script, and a viewer’s own texts befor
   await expect(legend(first)).toContainText('V');
   await expect(legend(second)).toContainText('P');
   // Read again, it is the same object until something changes.
-  expect(await first.evaluate((element: PhongViewer) => element.texts === element.texts)).toBe(true);
+  expect(await first.evaluate((element: PhongViewer) => element.texts === element.texts)).toBe(
+    true,
+  );
   const refused = () => assignToPage(page, ['no'] as unknown as Record<string, string>);
   await expect(refused()).rejects.toThrow('expected an object of texts');
   await assignToPage(page, null);
@@ -62,15 +90,23 @@ test('PhongViewer.texts goes before the script, and a viewer’s own texts befor
   await expect(legend(first)).toContainText('S');
 });
 
-test('each mistake in the scripts gives one warning; other texts are used', async ({ mount, page, consoleGuard }) => {
+test('each mistake in the scripts gives one warning; other texts are used', async ({
+  mount,
+  page,
+  consoleGuard,
+}) => {
   const warnings = consoleGuard.allow(/^warning: <script data-phong-viewer-texts>/, 3);
-  const scripts = ['{"Legend": "A",}', '["Legend"]', '{"Legende": "B", "Normals": "C"}'].map(script).join('');
+  const scripts = ['{"Legend": "A",}', '["Legend"]', '{"Legende": "B", "Normals": "C"}']
+    .map(script)
+    .join('');
   const first = await mount(scripts + viewer + viewer, size);
   await expect(legend(first)).toContainText('C');
   await expect(legend(first)).toHaveAttribute('aria-label', 'Legend');
   await first.evaluate((element) => element.before(element.cloneNode()));
   await expect(legend(page.locator('phong-viewer').first())).toContainText('C');
-  expect(warnings.map((text) => text.replace('warning: <script data-phong-viewer-texts> ', ''))).toEqual([
+  expect(
+    warnings.map((text) => text.replace('warning: <script data-phong-viewer-texts> ', '')),
+  ).toEqual([
     expect.stringMatching(/^is not JSON, so it is not used: .*JSON/),
     'must be an object of texts by English text, so it is not used. Write {"Try again": "…"}.',
     'has texts that no viewer shows: "Legende" (did you mean "Legend"?). TEXTS.md in the package lists the keys.',

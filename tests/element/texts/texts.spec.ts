@@ -1,5 +1,5 @@
-// Does `texts` replace every text that a viewer shows or announces? The test puts all texts in brackets and looks for
-// text without brackets.
+// Does `texts` replace every text that a viewer shows or announces? The test puts all texts in
+// brackets and looks for text without brackets.
 
 import type { Locator } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../support/texts.js';
@@ -24,16 +24,23 @@ const scene = `<phong-viewer alt="Szene" geometry="box" gui><phong-light name="S
   <phong-light space="camera" active="false"></phong-light>
   <phong-mesh geometry="sphere"></phong-mesh><phong-mesh src=""></phong-mesh></phong-viewer>`;
 
-/** All texts that users see, hear or get as a tooltip: text nodes, and attributes that contain text. */
+/**
+ * All texts that users see, hear or get as a tooltip: text nodes, and attributes that contain text.
+ */
 const textsIn = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate(({ shadowRoot }) => {
     const found: string[] = [];
     for (const element of shadowRoot!.querySelectorAll('*')) {
       // lil-gui's copy of a choice, which is never shown.
       if (element.matches('style, .lil-display')) continue;
-      for (const node of element.childNodes) if (node instanceof Text) found.push(node.data);
-      for (const name of ['aria-label', 'aria-description', 'title', 'placeholder', 'alt'])
+      for (const node of element.childNodes) {
+        if (node instanceof Text) {
+          found.push(node.data);
+        }
+      }
+      for (const name of ['aria-label', 'aria-description', 'title', 'placeholder', 'alt']) {
         found.push(element.getAttribute(name) ?? '');
+      }
     }
     return [...new Set(found.filter((text) => text.trim() !== ''))];
   });
@@ -47,10 +54,14 @@ const described = (viewer: Locator): Promise<void> =>
 
 async function openAll(viewer: Locator): Promise<void> {
   const closed = viewer.locator('.lil-title[aria-expanded=false]');
-  while ((await closed.filter({ visible: true }).count()) > 0) await closed.filter({ visible: true }).first().click();
+  while ((await closed.filter({ visible: true }).count()) > 0) {
+    await closed.filter({ visible: true }).first().click();
+  }
 }
 
-test('texts replaces every text of the panel, of the picture and of its description', async ({ mount }) => {
+test('texts replaces every text of the panel, of the picture and of its description', async ({
+  mount,
+}) => {
   const viewer = await mount(scene);
   await expect(panelOf(viewer)).toBeVisible();
   await assign(viewer, { texts: bracketed });
@@ -61,7 +72,12 @@ test('texts replaces every text of the panel, of the picture and of its descript
   const attribute = /^[a-z]+(-[a-z]+)*(: \[.*\])?$/s;
   const left = (await textsIn(viewer)).filter((text) => !isReplaced(text) && !attribute.test(text));
   // The page's own names, numbers and symbols.
-  expect(left.filter((text) => !/^[-\d., e]+$/.test(text)).sort()).toEqual(['Sonne', 'Szene', '↑', '↓']);
+  expect(left.filter((text) => !/^[-\d., e]+$/.test(text)).sort()).toEqual([
+    'Sonne',
+    'Szene',
+    '↑',
+    '↓',
+  ]);
 });
 
 test('texts replaces every text of helpers, legend and probe', async ({ page, mount }) => {
@@ -76,7 +92,10 @@ test('texts replaces every text of helpers, legend and probe', async ({ page, mo
   await described(viewer);
   const left = (await textsIn(viewer)).filter((text) => !isReplaced(text));
   // Without numbers, the names of vectors, and the cross of the button "Unpin".
-  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual(['Sonne', 'Szene']);
+  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual([
+    'Sonne',
+    'Szene',
+  ]);
 });
 
 test('texts relabels an open panel without changing its state', async ({ page, mount }) => {
@@ -114,12 +133,15 @@ test('texts relabels an open panel without changing its state', async ({ page, m
   await expect(field(sun, 'position y')).toBeVisible();
   await expect(second).toHaveCount(1);
   // The description follows a second later.
-  const left = async () => (await textsIn(viewer)).filter((text) => /Licht|Lage|Welt|Raum/.test(text));
+  const left = async () =>
+    (await textsIn(viewer)).filter((text) => /Licht|Lage|Welt|Raum/.test(text));
   await expect.poll(left).toEqual([]);
 });
 
 test('texts replaces temporary labels of the panel’s buttons', async ({ page, mount }) => {
-  await page.addInitScript(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+  await page.addInitScript(() =>
+    Object.defineProperty(navigator, 'clipboard', { value: undefined }),
+  );
   const viewer = await mount(scene);
   await assign(viewer, { texts: bracketed });
   await button(viewer, '[copy HTML]').click();
@@ -130,9 +152,13 @@ test('texts replaces temporary labels of the panel’s buttons', async ({ page, 
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
-test('a panel that is removed while the clipboard is written leaves nothing behind', async ({ page, mount }) => {
+test('a panel that is removed while the clipboard is written leaves nothing behind', async ({
+  page,
+  mount,
+}) => {
   await page.addInitScript(() => {
-    const writeText = () => new Promise<void>((resolve) => Object.assign(window, { allow: resolve }));
+    const writeText = () =>
+      new Promise<void>((resolve) => Object.assign(window, { allow: resolve }));
     Object.defineProperty(navigator, 'clipboard', { value: { writeText } });
   });
   const viewer = await mount(scene);
@@ -144,13 +170,19 @@ test('a panel that is removed while the clipboard is written leaves nothing behi
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
-test('texts replaces announcements and messages; null restores them', async ({ page, mount, consoleGuard }) => {
+test('texts replaces announcements and messages; null restores them', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
   const viewer = await mount('<phong-viewer alt="Nichts" src="/none.glb"></phong-viewer>');
   const alert = viewer.getByRole('alert');
   const message = (await alert.locator('[part=notice]').textContent())!;
   await assign(viewer, { texts: { ...bracketed, 'load-failed': 'Nicht da: {url} ({message})' } });
-  await expect(alert).toContainText(`Nicht da: ${new URL('/none.glb', page.url()).href} (${message})`);
+  await expect(alert).toContainText(
+    `Nicht da: ${new URL('/none.glb', page.url()).href} (${message})`,
+  );
   await expect(alert.getByRole('button', { name: '[Try again]' })).toBeVisible();
   await viewer.focus();
   await page.keyboard.press('ArrowLeft');

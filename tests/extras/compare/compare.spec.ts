@@ -1,5 +1,6 @@
-// Does <phong-compare> show its viewers split or side by side, and can its dividers be moved by mouse, finger and keys?
-// A comparison is 400 × 200 CSS pixels at the page's top left, unless a test says otherwise.
+// Does <phong-compare> show its viewers split or side by side, and can its dividers be moved by
+// mouse, finger and keys? A comparison is 400 × 200 CSS pixels at the page's top left, unless a
+// test says otherwise.
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongCompare } from '../../../src/viewer/index.js';
@@ -22,7 +23,8 @@ const light = '<phong-light position="1 2 3 0" ambient="40" diffuse="180"></phon
 const sphere = (attributes: string): string =>
   `<phong-viewer geometry="sphere" segments="12" ${attributes}>${light}</phong-viewer>`;
 const two = sphere('shading="gouraud" alt="Gouraud"') + sphere('alt="Phong"');
-const comparison = (attributes = '', inner = two): string => `<phong-compare ${attributes}>${inner}</phong-compare>`;
+const comparison = (attributes = '', inner = two): string =>
+  `<phong-compare ${attributes}>${inner}</phong-compare>`;
 
 const css = 'phong-compare { display: block; width: 400px; height: 200px } main { display: block }';
 
@@ -36,28 +38,44 @@ async function compared(page: Page, mount: Mount, markup: string, more = ''): Pr
   return compare;
 }
 
-const dividers = (compare: Locator): Locator => compare.getByRole('separator', { includeHidden: true });
+const dividers = (compare: Locator): Locator =>
+  compare.getByRole('separator', { includeHidden: true });
 
 const placeOf = (divider: Locator): Promise<number> =>
   divider.evaluate((element) => Number(element.getAttribute('aria-valuenow')));
 
-const at = (compare: Locator): Promise<unknown> => compare.evaluate((element: PhongCompare) => element.at);
+const at = (compare: Locator): Promise<unknown> =>
+  compare.evaluate((element: PhongCompare) => element.at);
 
-test('two viewers fill the comparison, and a divider stands in the middle between them', async ({ page, mount }) => {
+test('two viewers fill the comparison, and a divider stands in the middle between them', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, comparison());
   await expect(dividers(compare)).toHaveCount(1);
   expect(await placeOf(dividers(compare))).toBe(50);
   const whole = { x: 0, y: 0, width: 400, height: 200 };
-  for (const viewer of await page.locator('phong-viewer').all()) expect(await viewer.boundingBox()).toEqual(whole);
+  for (const viewer of await page.locator('phong-viewer').all()) {
+    expect(await viewer.boundingBox()).toEqual(whole);
+  }
   const { x, width } = (await dividers(compare).boundingBox())!;
   expect(x + width / 2).toBe(200);
   expect(width).toBeGreaterThanOrEqual(24);
 });
 
-test('a divider stays while the comparison is hidden, and is let go when the window blurs', async ({ page, mount }) => {
+test('a divider stays while the comparison is hidden, and is let go when the window blurs', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   const pull = (type: string, clientX: number): Promise<void> =>
-    dividers(compare).dispatchEvent(type, { pointerId: 7, clientX, clientY: 20, buttons: 1, isPrimary: true });
+    dividers(compare).dispatchEvent(type, {
+      pointerId: 7,
+      clientX,
+      clientY: 20,
+      buttons: 1,
+      isPrimary: true,
+    });
   const show = (display: string): Promise<void> =>
     compare.evaluate((element, value) => void (element.style.display = value), display);
   await pull('pointerdown', 160);
@@ -72,7 +90,10 @@ test('a divider stays while the comparison is hidden, and is let go when the win
   expect(await at(compare)).toEqual([50]);
 });
 
-test('a divider follows pointer and finger from the press, and updates its value', async ({ page, mount }) => {
+test('a divider follows pointer and finger from the press, and updates its value', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   const heard = await record(compare, 'divider-change');
   await drag(page, [165, 20], [-60, 30], { steps: 2 });
@@ -97,7 +118,10 @@ test('a divider follows pointer and finger from the press, and updates its value
   expect(x + width).toBe(400);
 });
 
-test('a divider returns by Escape during a drag, and by a double click to its start', async ({ page, mount }) => {
+test('a divider returns by Escape during a drag, and by a double click to its start', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, comparison('at="40"'));
   await drag(page, [160, 20], [100, 0], { release: false });
   expect(await at(compare)).toEqual([65]);
@@ -113,7 +137,10 @@ test('a divider returns by Escape during a drag, and by a double click to its st
   expect(await heard.take()).toEqual([{ type: 'divider-change', detail: { at: [40] } }]);
 });
 
-test('a divider moves up and down if vertical, and with mirrored arrow keys in rtl', async ({ page, mount }) => {
+test('a divider moves up and down if vertical, and with mirrored arrow keys in rtl', async ({
+  page,
+  mount,
+}) => {
   const vertical = await compared(page, mount, comparison('direction="vertical"'));
   await expect(dividers(vertical)).toHaveAttribute('aria-orientation', 'horizontal');
   await drag(page, [300, 100], [50, 40]);
@@ -131,12 +158,16 @@ test('a divider moves up and down if vertical, and with mirrored arrow keys in r
   expect(await at(compare)).toEqual([49]);
 });
 
-test('both halves of a split show exactly what each viewer alone shows there', async ({ page, mount }) => {
+test('both halves of a split show exactly what each viewer alone shows there', async ({
+  page,
+  mount,
+}) => {
   const views = [
     sphere('shading="gouraud" alt="Gouraud" theta="20"'),
     sphere('reflection="blinn-phong" alt="Blinn-Phong" theta="20"'),
   ];
-  const bare = 'phong-compare::part(line), phong-compare::part(divider), phong-compare::part(label) { display: none }';
+  const bare =
+    'phong-compare::part(line), phong-compare::part(divider), phong-compare::part(label) { display: none }';
   const shot = async (): Promise<Picture> =>
     decodePng(await page.screenshot({ clip: { x: 0, y: 0, width: 400, height: 200 } }));
   await compared(page, mount, comparison('at="45"', views.join('')), bare);
@@ -148,16 +179,24 @@ test('both halves of a split show exactly what each viewer alone shows there', a
     alone.push(await shot());
   }
   const different: string[] = [];
-  for (let y = 0; y < 200; y++)
+  for (let y = 0; y < 200; y++) {
     for (let x = 0; x < 400; x++) {
-      const [a, b] = [split, alone[x < 180 ? 0 : 1]!].map((picture) => pixelAt(picture, x, y).join(' '));
-      if (a !== b) different.push(`${String(x)}, ${String(y)}: ${a}, not ${b}`);
+      const [a, b] = [split, alone[x < 180 ? 0 : 1]!].map((picture) =>
+        pixelAt(picture, x, y).join(' '),
+      );
+      if (a !== b) {
+        different.push(`${String(x)}, ${String(y)}: ${a}, not ${b}`);
+      }
     }
+  }
   expect(different.slice(0, 5)).toEqual([]);
   expect(pixelAt(alone[0]!, 180, 90)).not.toEqual(pixelAt(alone[1]!, 180, 90));
 });
 
-test('a drag on either picture turns both, unless a viewer has a camera group of its own', async ({ page, mount }) => {
+test('a drag on either picture turns both, unless a viewer has a camera group of its own', async ({
+  page,
+  mount,
+}) => {
   await compared(page, mount, comparison('', two + sphere('alt="Other" camera-group="other"')));
   const viewers = [0, 1, 2].map((i) => page.locator('phong-viewer').nth(i));
   const before = await cameraOf(viewers[2]!);
@@ -192,11 +231,16 @@ test('two fingers on both sides of a divider are one pinch', async ({ page, moun
   expect((await cameraOf(viewers[0]!)).theta).toBeLessThan(before.theta);
 });
 
-test('a move draws each viewer once, except those that the divider hides', async ({ page, mount }) => {
+test('a move draws each viewer once, except those that the divider hides', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();
   const frames = (): Promise<number[]> =>
-    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames));
+    page.evaluate(() =>
+      Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames),
+    );
   const moved = async (): Promise<number[]> => {
     const before = await frames();
     for (let i = 0; i < 5; i++) {
@@ -215,10 +259,14 @@ test('a move draws each viewer once, except those that the divider hides', async
   expect(await cameraOf(first)).toEqual(await cameraOf(page.locator('phong-viewer').nth(1)));
 });
 
-test('side by side, each viewer has a share of the width, and rows where that is narrow', async ({ page, mount }) => {
+test('side by side, each viewer has a share of the width, and rows where that is narrow', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, comparison('layout="side"', two + two));
   await expect(dividers(compare)).toHaveCount(0);
-  const boxes = async () => Promise.all([0, 1, 2, 3].map((i) => page.locator('phong-viewer').nth(i).boundingBox()));
+  const boxes = async () =>
+    Promise.all([0, 1, 2, 3].map((i) => page.locator('phong-viewer').nth(i).boundingBox()));
   expect(new Set((await boxes()).map((box) => box!.y)).size).toBe(2);
   await page.setViewportSize({ width: 1000, height: 700 });
   await compare.evaluate((element) => (element.style.width = '800px'));
@@ -246,12 +294,18 @@ test('labels come from `labels`, or from the names of the viewers', async ({ pag
   expect(await texts()).toEqual([]);
 });
 
-test('viewers can be added and removed, and the comparison can move on its page', async ({ page, mount }) => {
+test('viewers can be added and removed, and the comparison can move on its page', async ({
+  page,
+  mount,
+}) => {
   const compare = await compared(page, mount, `<main></main>${comparison('at="30"', '')}`);
   await expect(dividers(compare)).toHaveCount(0);
   const add = (): Promise<void> =>
     compare.evaluate((element) => {
-      const viewer = Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt: 'A box' });
+      const viewer = Object.assign(document.createElement('phong-viewer'), {
+        geometry: 'box',
+        alt: 'A box',
+      });
       element.append('text', viewer, document.createElement('p'));
       return viewer.ready;
     });
@@ -275,18 +329,29 @@ test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   await drag(page, [200, 100], [40, 0]);
   await drag(page, [60, 100], [20, 10]);
   const html = await compare.evaluate((element: PhongCompare) => element.toHTML());
-  expect(html).toMatch(/^<phong-compare id="pair" at="60" labels="A &#34;, B">\n {2}<phong-viewer /);
+  expect(html).toMatch(
+    /^<phong-compare id="pair" at="60" labels="A &#34;, B">\n {2}<phong-viewer /,
+  );
   await page.evaluate((text) => (document.body.innerHTML = text), html);
   await expect(page.getByRole('separator')).toHaveAttribute('aria-valuenow', '60');
   await allReady(page);
   expect(await compare.evaluate((element: PhongCompare) => element.toHTML())).toBe(html);
 });
 
-test('without its code, the viewers are shown in a row, with a warning', async ({ page, mount, consoleGuard }) => {
+test('without its code, the viewers are shown in a row, with a warning', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource/);
-  consoleGuard.allow(/warning: <phong-viewer>: The code of <phong-compare> could not be fetched/, 1);
+  consoleGuard.allow(
+    /warning: <phong-viewer>: The code of <phong-compare> could not be fetched/,
+    1,
+  );
   await page.route(/\/comparison-/, (route) => route.abort());
-  const failed = page.waitForEvent('console', (message) => message.text().includes('<phong-compare>'));
+  const failed = page.waitForEvent('console', (message) =>
+    message.text().includes('<phong-compare>'),
+  );
   await mount(comparison(), { width: 150, height: 100, css, waitForReady: false });
   await failed;
   const second = page.locator('phong-viewer').nth(1);
@@ -296,13 +361,19 @@ test('without its code, the viewers are shown in a row, with a warning', async (
   await expect(page.getByRole('separator')).toBeAttached();
 });
 
-test("works where the page allows only Lit's Trusted Types policy, and in a shadow tree", async ({ page, mount }) => {
+test("works where the page allows only Lit's Trusted Types policy, and in a shadow tree", async ({
+  page,
+  mount,
+}) => {
   const csp = `${strictPolicy}; require-trusted-types-for 'script'; trusted-types lit-html`;
   await mount('<main></main>', { csp });
   await page.evaluate(() => {
     const compare = Object.assign(document.createElement('phong-compare'), { at: 25 });
-    for (const alt of ['A', 'B'])
-      compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt }));
+    for (const alt of ['A', 'B']) {
+      compare.append(
+        Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt }),
+      );
+    }
     document.querySelector('main')?.attachShadow({ mode: 'open' }).append(compare);
   });
   const divider = page.getByRole('separator');
@@ -312,7 +383,10 @@ test("works where the page allows only Lit's Trusted Types policy, and in a shad
   expect(await placeOf(divider)).toBe(50);
 });
 
-test('a viewer takes the camera of the comparison that it joins, however it is moved', async ({ page, mount }) => {
+test('a viewer takes the camera of the comparison that it joins, however it is moved', async ({
+  page,
+  mount,
+}) => {
   await compared(
     page,
     mount,
@@ -321,7 +395,9 @@ test('a viewer takes the camera of the comparison that it joins, however it is m
       `<main>${sphere('alt="D" theta="90"')}</main>`,
   );
   const thetas = () =>
-    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => camera.theta));
+    page.evaluate(() =>
+      Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => camera.theta),
+    );
   expect(await thetas()).toEqual([10, 10, 50, 90]);
   await page.evaluate(() => {
     const [first, second] = document.querySelectorAll('phong-compare');
@@ -333,11 +409,17 @@ test('a viewer takes the camera of the comparison that it joins, however it is m
   await expect.poll(thetas).toEqual([10, 50, 50, 50]);
 });
 
-test('open panels of a split comparison stand beside all pictures, below on a phone', async ({ page, mount }) => {
+test('open panels of a split comparison stand beside all pictures, below on a phone', async ({
+  page,
+  mount,
+}) => {
   const wide = 'phong-compare { width: 900px; height: 500px }';
   const markup = comparison('at="60" labels="A, B"', sphere('alt="A" gui') + sphere('alt="B"'));
   const compare = await compared(page, mount, markup, wide);
-  const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  const [first, second] = [
+    page.locator('phong-viewer').first(),
+    page.locator('phong-viewer').last(),
+  ];
   const boxOf = async (target: Locator) => (await target.boundingBox())!;
   const surfaceOf = (viewer: Locator) => boxOf(viewer.locator('[part=surface]'));
   /** What the user would press in the middle of a part belongs to it. */
@@ -381,7 +463,9 @@ test('open panels of a split comparison stand beside all pictures, below on a ph
   await nextFrame(page);
   await page.mouse.move(1, 1);
   await page.locator('phong-compare').hover(); // it reads the direction when a pointer enters
-  await expect.poll(async () => (await surfaceOf(first)).x - (await boxOf(compare)).x).toBeGreaterThan(250);
+  await expect
+    .poll(async () => (await surfaceOf(first)).x - (await boxOf(compare)).x)
+    .toBeGreaterThan(250);
   await expect.poll(() => isOnTop(first)).toBe(true);
   await page.evaluate(() => (document.documentElement.dir = 'ltr'));
   await page.locator('phong-compare').evaluate((element) => (element.style.width = '390px'));
@@ -398,8 +482,11 @@ test('comparisons that come and go leave nothing behind', async ({ page, mount }
   for (let time = 0; time < 3; time++) {
     await page.evaluate(async () => {
       const compare = document.createElement('phong-compare');
-      for (let i = 0; i < 3; i++)
-        compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt: '' }));
+      for (let i = 0; i < 3; i++) {
+        compare.append(
+          Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt: '' }),
+        );
+      }
       document.body.append(compare);
       await Promise.all(compare.viewers.map((viewer) => viewer.ready));
       await new Promise((resolve) => setTimeout(resolve, 50));

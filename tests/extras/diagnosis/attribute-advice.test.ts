@@ -45,19 +45,24 @@ describe.each([...known.keys()])('<%s>', (tag) => {
 
   it('has no advice for attributes of HTML and for words unlike any attribute', () => {
     const unlike = ['datetime', 'xyz', 'q', 'constructor', 'tostring', 'x'.repeat(1e5)];
-    for (const word of [...global, ...unlike]) expect(attributeAdvice(tag, word, known), word).toBeUndefined();
+    for (const word of [...global, ...unlike]) {
+      expect(attributeAdvice(tag, word, known), word).toBeUndefined();
+    }
   });
 
   it('has advice for usual guesses', () => {
     const guesses = { 'phong-light': 'color colour intensity pos rotate distance', 'phong-mesh': 'color colour pos width height rotate', 'phong-viewer': 'color colour intensity pos width height rotate distance', 'phong-compare': 'width position value vertical label mode' }[tag]; // oxfmt-ignore
-    for (const word of guesses?.split(' ') ?? [])
+    for (const word of guesses?.split(' ') ?? []) {
       expect(attributeAdvice(tag, word, known), word).toMatch(/^(Write|CSS) .*\.$/);
+    }
   });
 });
 
 it('advice for an attribute of another element names that element; `name` needs none', () => {
   expect(attributeAdvice('phong-mesh', 'cutoff', known)).toBe('It belongs to <phong-light>.');
-  expect(attributeAdvice('phong-light', 'ka', known)).toBe('It belongs to <phong-mesh> and <phong-viewer>.');
+  expect(attributeAdvice('phong-light', 'ka', known)).toBe(
+    'It belongs to <phong-mesh> and <phong-viewer>.',
+  );
   expect(attributeAdvice('phong-viewer', 'name', known)).toBeUndefined();
   expect([...real].filter((word) => global.includes(word))).toEqual([]);
 });

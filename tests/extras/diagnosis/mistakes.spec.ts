@@ -25,13 +25,18 @@ const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
 
 const LITE = '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?'; // oxfmt-ignore
 const ALONE = 'is not inside a <phong-viewer>, so it has no effect.';
-const NO_END = 'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
-const MARKDOWN = 'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+const NO_END =
+  'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
+const MARKDOWN =
+  'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
 
 /** Pages, each with all of its warnings in alphabetical order. */
 const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
   // Unknown attributes, one of each kind of advice; unit/attribute-advice.test.ts has the others.
-  [scene(light('difuse="red"').repeat(50)), '<phong-light> has no attribute difuse. Did you mean diffuse?'],
+  [
+    scene(light('difuse="red"').repeat(50)),
+    '<phong-light> has no attribute difuse. Did you mean diffuse?',
+  ],
   [scene(light('pos="1 2 3"')), '<phong-light> has no attribute pos. Write position="x y z w": w = 1 for a place, w = 0 for a direction to the light.'], // oxfmt-ignore
   [scene(mesh('diffuse="red"')), '<phong-mesh> has no attribute diffuse. Write kd="…".'],
   [scene('', ' width="300"'), '<phong-viewer> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // oxfmt-ignore
@@ -66,7 +71,11 @@ const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
   ],
 ];
 
-test('each mistake in the markup is named once a page, with its cure', async ({ page, mount, consoleGuard }) => {
+test('each mistake in the markup is named once a page, with its cure', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   const warnings = claim(consoleGuard, pages.flatMap(([, ...texts]) => texts).length);
   for (const [markup, ...wanted] of pages) {
     const before = warnings.length;
@@ -77,10 +86,16 @@ test('each mistake in the markup is named once a page, with its cure', async ({ 
   }
 });
 
-test('later mistakes are named too, at any depth, but no attribute twice', async ({ page, mount, consoleGuard }) => {
+test('later mistakes are named too, at any depth, but no attribute twice', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   const warnings = claim(consoleGuard, 4);
   const viewer = await mount(
-    scene(`<phong-lite></phong-lite><x-foo></x-foo><div><phong-mehs></phong-mehs></div>${light('difuse="1"')}`),
+    scene(
+      `<phong-lite></phong-lite><x-foo></x-foo><div><phong-mehs></phong-mehs></div>${light('difuse="1"')}`,
+    ),
     size,
   );
   expect(await reported(page, warnings, 3)).toEqual([
@@ -89,14 +104,19 @@ test('later mistakes are named too, at any depth, but no attribute twice', async
     '<phong-mehs> inside a <phong-viewer>: there is no such element. Did you mean <phong-mesh>?',
   ]);
   await viewer.evaluate((element) => {
-    const inner = '<p><phong-lite></phong-lite><phong-group></phong-group></p><phong-light difuse="1"></phong-light>';
+    const inner =
+      '<p><phong-lite></phong-lite><phong-group></phong-group></p><phong-light difuse="1"></phong-light>';
     element.insertAdjacentHTML('beforeend', inner);
     document.body.append(element);
   });
   expect(await reported(page, warnings, 4)).toContain(LITE.replace('lite', 'group'));
 });
 
-test('correct markup gives no warning, and does not fetch the code for mistakes', async ({ page, site, mount }) => {
+test('correct markup gives no warning, and does not fetch the code for mistakes', async ({
+  page,
+  site,
+  mount,
+}) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
   const own = 'class="a" id="b" data-c aria-hidden="true" title="A box" role="img" tabindex="0"';
@@ -135,7 +155,12 @@ test('correct markup gives no warning, and does not fetch the code for mistakes'
 
 const chunkOf = (site: Site): RegExp => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);
 
-test('the code that knows mistakes may fail without consequences', async ({ page, site, mount, consoleGuard }) => {
+test('the code that knows mistakes may fail without consequences', async ({
+  page,
+  site,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource/, 1);
   await page.route(chunkOf(site), (route) => route.abort());
   const failed = page.waitForEvent('requestfailed');
@@ -152,14 +177,28 @@ test('an unknown word is named with the nearest one', async ({ mount, consoleGua
     size,
   );
   const [first, ...others] = [...warnings].sort();
-  expect(first).toMatch(/<phong-mesh> geometry="house": expected one of box, .* using none instead\.$/);
-  expect(others.map((text) => /Did you mean "(.*)"\?$/.exec(text)?.[1])).toEqual(['torus-knot', 'sphere', 'gouraud']);
+  expect(first).toMatch(
+    /<phong-mesh> geometry="house": expected one of box, .* using none instead\.$/,
+  );
+  expect(others.map((text) => /Did you mean "(.*)"\?$/.exec(text)?.[1])).toEqual([
+    'torus-knot',
+    'sphere',
+    'gouraud',
+  ]);
 });
 
-test('a viewer that swallowed another one is named, also during parsing', async ({ page, site, consoleGuard }) => {
+test('a viewer that swallowed another one is named, also during parsing', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
   const warnings = claim(consoleGuard, 1);
   const head = '<script type="module" async src="/dist/phong-viewer.standalone.js"></script>';
-  await page.goto(site.page('<phong-viewer geometry="box" /><p>Text</p><phong-viewer geometry="box" />', { head }));
+  await page.goto(
+    site.page('<phong-viewer geometry="box" /><p>Text</p><phong-viewer geometry="box" />', {
+      head,
+    }),
+  );
   expect(await reported(page, warnings, 1)).toEqual([
     `<phong-viewer> contains another <phong-viewer>, which is not shown. ${NO_END}`,
   ]);

@@ -1,5 +1,5 @@
-// Which surface is seen at a pixel? The nearest of what three.js draws, or null if that is not one of the viewer's
-// meshes.
+// Which surface is seen at a pixel? The nearest of what three.js draws, or null if that is not one
+// of the viewer's meshes.
 
 import {
   BackSide,
@@ -18,7 +18,11 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
 import { PhongLighting } from '../../../src/phong/material/lighting.js';
 import { PhongMaterial } from '../../../src/phong/material/phong-material.js';
-import { copyFrame, drawnObjects, type SceneSnapshot } from '../../../src/viewer/scene/scene-snapshot.js';
+import {
+  copyFrame,
+  drawnObjects,
+  type SceneSnapshot,
+} from '../../../src/viewer/scene/scene-snapshot.js';
 import { cornersOf, distanceAlong, type Hit, pick } from '../../../src/extras/explain/pick.js';
 import { Frame } from '../../../src/viewer/scene/frame.js';
 
@@ -28,7 +32,10 @@ const SIZE = 100;
 let scene: Scene;
 let own: Mesh[];
 
-/** A wall of ours at a distance of 3 from the eye, which looks along −z; nearer where `z` is above 0. */
+/**
+ * A wall of ours at a distance of 3 from the eye, which looks along −z; nearer where `z` is above
+ * 0.
+ */
 function wall(z = 0, parent: Object3D = scene): Mesh {
   const mesh = new Mesh(new PlaneGeometry(1, 1), new PhongMaterial(lighting));
   mesh.position.z = z;
@@ -47,7 +54,9 @@ function aimed(orbit = new Orbit({ theta: 0, phi: 90, radius: 3 })): Frame {
 
 function snapshotThrough({ camera, shading } = aimed()): SceneSnapshot {
   scene.updateMatrixWorld();
-  const objects = drawnObjects(scene, camera, (object) => (own.includes(object as Mesh) ? 'ours' : undefined));
+  const objects = drawnObjects(scene, camera, (object) =>
+    own.includes(object as Mesh) ? 'ours' : undefined,
+  );
   return { width: SIZE, height: SIZE, frame: copyFrame(shading), camera: camera.clone(), objects };
 }
 
@@ -93,7 +102,10 @@ describe('the pick', () => {
 
   it('is null where a foreign mesh or sprite is nearer, and only there', () => {
     wall();
-    for (const foreign of [new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial()), new Sprite()]) {
+    for (const foreign of [
+      new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial()),
+      new Sprite(),
+    ]) {
       scene.add(foreign);
       const isNull = ([x, z]: readonly [number, number]): boolean => {
         foreign.position.set(x, 0, z);
@@ -182,7 +194,9 @@ describe('the corners of what was picked', () => {
     }
     mesh.scale.set(1, 1, 1);
     mesh.rotation.y = Math.PI;
-    for (const N of normalsOf()) expect(N[2]).toBeCloseTo(1, 12);
+    for (const N of normalsOf()) {
+      expect(N[2]).toBeCloseTo(1, 12);
+    }
   });
 
   it('have no normals if the geometry has none', () => {

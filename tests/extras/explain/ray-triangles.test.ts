@@ -1,14 +1,23 @@
-// Where does a pixel's ray meet triangles? Places, sides and limits, for every matrix that a mesh may have.
+// Where does a pixel's ray meet triangles? Places, sides and limits, for every matrix that a mesh
+// may have.
 
 import fc from 'fast-check';
 import { BoxGeometry, BufferAttribute, BufferGeometry, Matrix4, PlaneGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
 import { add, dot, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
-import { forEachHit, type TriangleHit, type ViewRay } from '../../../src/extras/explain/ray-triangles.js';
+import {
+  forEachHit,
+  type TriangleHit,
+  type ViewRay,
+} from '../../../src/extras/explain/ray-triangles.js';
 
 /** The ray at these slopes of a camera 3 from `target`; by default it looks along −z. */
-function rayAt(slopeX: number, slopeY: number, { theta = 0, phi = 90, target = [0, 0, 0] as Vec3 } = {}): ViewRay {
+function rayAt(
+  slopeX: number,
+  slopeY: number,
+  { theta = 0, phi = 90, target = [0, 0, 0] as Vec3 } = {},
+): ViewRay {
   const orbit = new Orbit({ theta, phi, radius: 3, target });
   const frame = { origin: orbit.target, eye: orbit.offset(), ...orbit.basis() };
   return { frame, slopeX, slopeY, near: 0.1, far: 100 };
@@ -16,9 +25,17 @@ function rayAt(slopeX: number, slopeY: number, { theta = 0, phi = 90, target = [
 
 /** Where the ray is at a depth, relative to the target. */
 const placeOf = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
-  add(frame.eye, scale(subtract(add(scale(frame.right, slopeX), scale(frame.up, slopeY)), frame.back), depth));
+  add(
+    frame.eye,
+    scale(subtract(add(scale(frame.right, slopeX), scale(frame.up, slopeY)), frame.back), depth),
+  );
 
-function hitsOf(ray: ViewRay, geometry: BufferGeometry, matrix = new Matrix4(), range?: [number, number]) {
+function hitsOf(
+  ray: ViewRay,
+  geometry: BufferGeometry,
+  matrix = new Matrix4(),
+  range?: [number, number],
+) {
   const hits: TriangleHit[] = [];
   const corners = (geometry.index ?? geometry.getAttribute('position')).count;
   forEachHit(ray, geometry, matrix, range ?? [0, corners], (hit) => hits.push(hit));
@@ -29,8 +46,8 @@ const triangles = (values: readonly number[]): BufferGeometry =>
   new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(values), 3));
 
 /**
- * Up to this size, 0 included. Numbers below roundings, but not 0, make triangles of lines: these have no side or
- * weights.
+ * Up to this size, 0 included. Numbers below roundings, but not 0, make triangles of lines: these
+ * have no side or weights.
  */
 const upTo = (most: number) =>
   fc.double({ min: -most, max: most, noNaN: true }).map((x) => (Math.abs(x) < 1e-12 ? 0 : x));
@@ -53,7 +70,9 @@ describe('a ray through triangles', () => {
           corners: [a, b, c],
         } of hitsOf(ray, geometry)) {
           expect(weights[0] + weights[1] + weights[2]).toBeCloseTo(1, 12);
-          for (const weight of weights) expect(weight).toBeGreaterThanOrEqual(0);
+          for (const weight of weights) {
+            expect(weight).toBeGreaterThanOrEqual(0);
+          }
           const position = geometry.getAttribute('position');
           placeOf(ray, depth).forEach((wanted, axis) => {
             const read = (corner: number): number => position.getComponent(corner, axis);
@@ -68,7 +87,9 @@ describe('a ray through triangles', () => {
     const weight = fc.double({ min: 0.01, max: 1, noNaN: true });
     fc.assert(
       fc.property(weight, weight, weight, fc.boolean(), (a, b, c, turned) => {
-        const geometry = triangles(turned ? [0, 0, 0, 0, 1, 0, 1, 0, 0] : [0, 0, 0, 1, 0, 0, 0, 1, 0]);
+        const geometry = triangles(
+          turned ? [0, 0, 0, 0, 1, 0, 1, 0, 0] : [0, 0, 0, 1, 0, 0, 0, 1, 0],
+        );
         const [, u, v] = [a, b, c].map((x) => x / (a + b + c)) as [number, number, number];
         const [x, y] = turned ? [v, u] : [u, v];
         const [hit, ...others] = hitsOf(rayAt(x / 3, y / 3), geometry);
@@ -98,7 +119,10 @@ describe('a ray through triangles', () => {
       for (const t of [0, 0.1, 1 / 3, 0.5, 0.777]) {
         const [x, y, z] = add(scale(a, 1 - t), scale(b, t));
         if (Math.abs(x) === 1 || Math.abs(y) === 1) continue; // the rim
-        expect(hitsOf(rayAt(x / (3 - z), y / (3 - z)), grid).length, `corner ${i}, ${t}`).toBeGreaterThan(0);
+        expect(
+          hitsOf(rayAt(x / (3 - z), y / (3 - z)), grid).length,
+          `corner ${i}, ${t}`,
+        ).toBeGreaterThan(0);
       }
     }
   });
@@ -112,20 +136,26 @@ describe('a ray through triangles', () => {
     [1e12, 1e12, 1e12, 1e12],
     [1e-12, 1e-12, 1e-12, 1e-12],
     [1, 1, 0, 1],
-  ])('hits a box scaled by %d %d %d twice, front and back, from a distance of 3 times %d', (x, y, z, size) => {
-    const { frame, ...rest } = rayAt(0.01, 0.02);
-    const eye: Vec3 = [0, 0, 3 * size];
-    const ray = { ...rest, frame: { ...frame, eye }, near: 0.1 * size, far: 100 * size };
-    const hits = hitsOf(ray, new BoxGeometry(), new Matrix4().makeScale(x, y, z));
-    const depths = z === 0 ? [3, 3] : [2.5, 3.5];
-    expect(hits.map(({ depth }) => depth / size)).toEqual(depths.map((d) => expect.closeTo(d, 12) as unknown));
-    const fronts = hits.map(({ front }) => front);
-    expect(z === 0 ? fronts.sort().reverse() : fronts).toEqual([true, false]);
-  });
+  ])(
+    'hits a box scaled by %d %d %d twice, front and back, from a distance of 3 times %d',
+    (x, y, z, size) => {
+      const { frame, ...rest } = rayAt(0.01, 0.02);
+      const eye: Vec3 = [0, 0, 3 * size];
+      const ray = { ...rest, frame: { ...frame, eye }, near: 0.1 * size, far: 100 * size };
+      const hits = hitsOf(ray, new BoxGeometry(), new Matrix4().makeScale(x, y, z));
+      const depths = z === 0 ? [3, 3] : [2.5, 3.5];
+      expect(hits.map(({ depth }) => depth / size)).toEqual(
+        depths.map((d) => expect.closeTo(d, 12) as unknown),
+      );
+      const fronts = hits.map(({ front }) => front);
+      expect(z === 0 ? fronts.sort().reverse() : fronts).toEqual([true, false]);
+    },
+  );
 
   it('misses a mesh that is flattened and seen edge-on, or has no size', () => {
-    for (const z of [1, 0])
+    for (const z of [1, 0]) {
       expect(hitsOf(rayAt(0, 0), new BoxGeometry(), new Matrix4().makeScale(z, 0, z))).toEqual([]);
+    }
   });
 
   it('misses an edge-on triangle that lies below by the smallest of numbers, in any range', () => {
@@ -137,7 +167,8 @@ describe('a ray through triangles', () => {
 
   it('hits only what lies between near and far, measured as depth and not along the ray, and before the eye', () => {
     const wall = new PlaneGeometry(100, 100);
-    const at = (near: number, far: number): number => hitsOf({ ...rayAt(3, 2), near, far }, wall).length;
+    const at = (near: number, far: number): number =>
+      hitsOf({ ...rayAt(3, 2), near, far }, wall).length;
     expect([at(2.9, 3.1), at(3.1, 100), at(0.1, 2.9)]).toEqual([1, 0, 0]);
     expect(hitsOf(rayAt(0, 0), wall, new Matrix4().makeTranslation(0, 0, 4))).toEqual([]);
   });
@@ -146,7 +177,12 @@ describe('a ray through triangles', () => {
     const square = new PlaneGeometry(2, 2); // two triangles, the second right below
     const numbers = (...range: [number, number]): number[] =>
       hitsOf(rayAt(0.2, -0.2), square, undefined, range).map(({ triangle }) => triangle);
-    expect([numbers(0, 6), numbers(0, 3), numbers(3, 5), numbers(3, 6)]).toEqual([[1], [], [], [1]]);
+    expect([numbers(0, 6), numbers(0, 3), numbers(3, 5), numbers(3, 6)]).toEqual([
+      [1],
+      [],
+      [],
+      [1],
+    ]);
   });
 
   it('loses nothing far from the world’s origin', () => {
@@ -171,7 +207,9 @@ describe('a ray through triangles', () => {
           const found: number[] = [];
           for (let corner = start; corner + 2 < range[1]; corner += 3) {
             const alone = triangles(Array.from({ length: 9 }, (_, i) => values[3 * corner + i]!));
-            if (hitsOf(ray, alone).length > 0) found.push(corner / 3);
+            if (hitsOf(ray, alone).length > 0) {
+              found.push(corner / 3);
+            }
           }
           return found;
         };
@@ -182,7 +220,9 @@ describe('a ray through triangles', () => {
         };
         const position = geometry.getAttribute('position') as BufferAttribute;
         expect(met()).toEqual(oneByOne(position.array));
-        for (let i = 0; i < position.count; i++) position.setX(i, position.getX(i) - 1.5 * x);
+        for (let i = 0; i < position.count; i++) {
+          position.setX(i, position.getX(i) - 1.5 * x);
+        }
         position.needsUpdate = true;
         expect(met()).toEqual(oneByOne(position.array));
       }),

@@ -1,4 +1,5 @@
-// What is the value of a magnified texture at texture coordinates, by OpenGL ES 3.0's rules for filters and wrapping?
+// What is the value of a magnified texture at texture coordinates, by OpenGL ES 3.0's rules for
+// filters and wrapping?
 
 import {
   ClampToEdgeWrapping,
@@ -15,10 +16,16 @@ import { sampleTexture, type Sampler } from '../../../src/extras/explain/sample.
 const texels = {
   width: 4,
   height: 2,
-  data: Uint8Array.from([0, 1].flatMap((row) => [0, 1, 2, 3].flatMap((column) => [column, row, 0, 255]))),
+  data: Uint8Array.from(
+    [0, 1].flatMap((row) => [0, 1, 2, 3].flatMap((column) => [column, row, 0, 255])),
+  ),
 };
 
-const sampler = (wrap: Wrapping, magFilter: Sampler['magFilter'] = NearestFilter, flipY = false): Sampler => ({
+const sampler = (
+  wrap: Wrapping,
+  magFilter: Sampler['magFilter'] = NearestFilter,
+  flipY = false,
+): Sampler => ({
   ...{ magFilter, wrapS: wrap, wrapT: wrap, flipY },
 });
 
@@ -40,11 +47,15 @@ describe('a texture', () => {
     ['is mirrored', MirroredRepeatWrapping, [0, 0, 1, 2, 3, 3, 2]],
     ['ends with its edge', ClampToEdgeWrapping, [0, 0, 1, 2, 3, 3, 3]],
   ] as const)('%s beyond its sides', (_, wrap, columns) => {
-    const read = [-1, 0, 1, 2, 3, 4, 5].map((column) => at(sampler(wrap), (column + 0.5) / 4, 0.25)[0]);
+    const read = [-1, 0, 1, 2, 3, 4, 5].map(
+      (column) => at(sampler(wrap), (column + 0.5) / 4, 0.25)[0],
+    );
     expect(read).toEqual(columns);
     // Far away, and by whole periods.
     const period = wrap === ClampToEdgeWrapping ? 0 : 2;
-    for (const far of [-7, 5]) expect(at(sampler(wrap), 0.375 + far * period, 0.25)[0]).toBe(1);
+    for (const far of [-7, 5]) {
+      expect(at(sampler(wrap), 0.375 + far * period, 0.25)[0]).toBe(1);
+    }
   });
 
   it('is interpolated between the centres of texels, also across its borders', () => {

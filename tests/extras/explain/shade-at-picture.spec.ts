@@ -1,5 +1,5 @@
-// Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of toBlob, in 8-bit
-// codes.
+// Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of
+// toBlob, in 8-bit codes.
 
 import { readFileSync } from 'node:fs';
 import { expect as equationExpect } from '../../support/built-playwright.js';
@@ -29,14 +29,18 @@ class Tally {
       this.exact += explained.filter((x, channel) => Math.round(x) === drawn[channel]).length;
       const error = errorOf(fragment);
       const max = Math.max(this.max, error); // keeps NaN
-      if (!Object.is(max, this.max)) this.worst = `${what}: ${JSON.stringify(fragment)}`;
+      if (!Object.is(max, this.max)) {
+        this.worst = `${what}: ${JSON.stringify(fragment)}`;
+      }
       this.max = max;
     }
   }
 }
 
 test.describe('shadeAt explains the picture', () => {
-  test('within one code on random scenes of every shape and shading, at the origin and far away', async ({ mount }) => {
+  test('within one code on random scenes of every shape and shading, at the origin and far away', async ({
+    mount,
+  }) => {
     test.setTimeout(1_800_000);
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const tally = new Tally();
@@ -53,7 +57,8 @@ test.describe('shadeAt explains the picture', () => {
       }
     }
     expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
-    // The rest lies next to a half, within what float32 rounds: 0.15 % of the channels of 360 scenes.
+    // The rest lies next to a half, within what float32 rounds: 0.15 % of the channels of 360
+    // scenes.
     expect(tally.exact / tally.channels).toBeGreaterThan(0.995);
     expect(tally.channels).toBeGreaterThan(3 * fullOr(500, 300));
   });
@@ -61,44 +66,66 @@ test.describe('shadeAt explains the picture', () => {
   test('within one code on a model', async ({ mount }) => {
     const lights = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
       <phong-light position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>`;
-    const viewer = await mount(`<phong-viewer src="/assets/models/bunny.glb" shininess="60">${lights}</phong-viewer>`, {
-      width: 100,
-      height: 70,
-    });
+    const viewer = await mount(
+      `<phong-viewer src="/assets/models/bunny.glb" shininess="60">${lights}</phong-viewer>`,
+      {
+        width: 100,
+        height: 70,
+      },
+    );
     // Close by, so that triangles are larger than a few pixels.
     await assign(viewer, { radius: (await cameraOf(viewer)).radius / 4 });
     await equationExpect(viewer).toShowTheEquation({ share: 0.1, pixels: fullOr(1e4, 300) });
   });
 
-  test('within one code on stretched shapes, inside, behind others, on dense screens', async ({ mount }) => {
+  test('within one code on stretched shapes, inside, behind others, on dense screens', async ({
+    mount,
+  }) => {
     const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
       <phong-light space="camera" position="0.5 0.5 0 1" axis="0 0 -1" cutoff="3" diffuse="60 90 40" specular="0"></phong-light>`;
-    const viewer = await mount('<phong-viewer></phong-viewer>', { width: 40, height: 30, deviceScaleFactor: 2 });
+    const viewer = await mount('<phong-viewer></phong-viewer>', {
+      width: 40,
+      height: 30,
+      deviceScaleFactor: 2,
+    });
     for (const meshes of [
       '<phong-mesh geometry="box" scale="2 0 2"></phong-mesh>',
       '<phong-mesh geometry="plane" scale="2 1e12 -2"></phong-mesh>',
       '<phong-mesh geometry="sphere" segments="9" scale="9 9 -9"></phong-mesh>',
       '<phong-mesh geometry="box"></phong-mesh><phong-mesh geometry="cone" segments="7" position="0 0.6 0.9"></phong-mesh>',
     ]) {
-      await show(viewer, `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`);
-      await equationExpect(viewer, meshes).toShowTheEquation({ share: 0.2, pixels: fullOr(1e4, 300) });
+      await show(
+        viewer,
+        `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`,
+      );
+      await equationExpect(viewer, meshes).toShowTheEquation({
+        share: 0.2,
+        pixels: fullOr(1e4, 300),
+      });
     }
   });
 
-  test('within one code on textures, filtered, wrapped and moved, and on vertex colours', async ({ mount }) => {
+  test('within one code on textures, filtered, wrapped and moved, and on vertex colours', async ({
+    mount,
+  }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const tally = new Tally();
     const blended: number[] = [];
-    for (const magFilter of [NEAREST, LINEAR])
-      for (const wrap of [MIRRORED, CLAMPED])
+    for (const magFilter of [NEAREST, LINEAR]) {
+      for (const wrap of [MIRRORED, CLAMPED]) {
         for (const alphaMode of ['OPAQUE', 'BLEND']) {
           const interpolation = alphaMode === 'OPAQUE' ? 'linear' : 'srgb';
           const markup = model(texturedModel(magFilter, wrap, alphaMode), interpolation);
           await show(viewer, markup);
           const compared = await comparedWithPicture(viewer, 10);
-          if (alphaMode === 'OPAQUE') tally.add(compared, markup);
-          else blended.push(...compared.map(blendedError));
+          if (alphaMode === 'OPAQUE') {
+            tally.add(compared, markup);
+          } else {
+            blended.push(...compared.map(blendedError));
+          }
         }
+      }
+    }
     await show(viewer, model('/fixtures/models/vertex-colours.glb'));
     tally.add(await comparedWithPicture(viewer, 10), 'vertex colours');
     expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
@@ -107,23 +134,34 @@ test.describe('shadeAt explains the picture', () => {
     expect(Math.max(...blended)).toBeLessThan(1);
   });
 
-  test('within one code, or says that the picture averages a texture, at every size of it', async ({ mount }) => {
+  test('within one code, or says that the picture averages a texture, at every size of it', async ({
+    mount,
+  }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const columns = (size: number): Texel[] =>
       Array.from({ length: size * size }, (_, i) => (i % 2 === 0 ? [255, 255, 255] : [0, 0, 0]));
     const noise = (size: number): Texel[] =>
-      Array.from({ length: size * size }, (_, i) => [(i * 37) % 256, (i * 91) % 256, (i * 53) % 256]);
+      Array.from({ length: size * size }, (_, i) => [
+        (i * 37) % 256,
+        (i * 91) % 256,
+        (i * 53) % 256,
+      ]);
     const pbrMetallicRoughness = { metallicFactor: 0, baseColorTexture: { index: 0 } };
     /** The square's edge is 64 pixels wide at this distance. */
     const radius = 120 / 64 / Math.tan(Math.PI / 8);
     const shown = async (texels: Texel[], attributes: string) => {
       const src = patch({ material: { pbrMetallicRoughness }, textures: [texels], mipmaps: true });
-      await show(viewer, `<phong-viewer src="${src}" target="0 0 0.27" ${attributes}>${AMBIENT}</phong-viewer>`);
+      await show(
+        viewer,
+        `<phong-viewer src="${src}" target="0 0 0.27" ${attributes}>${AMBIENT}</phong-viewer>`,
+      );
       const all = await comparedWithPicture(viewer, 3);
       // A sixteenth of a pixel changes a steep texture by more than a code.
       const excess = ({ drawn, explained, steepness }: Compared): number =>
         Math.max(...explained.map((x, i) => Math.abs(Math.round(x) - drawn[i]!))) - steepness / 16;
-      const [filtered, others] = [true, false].map((is) => all.filter((here) => here.filtered === is).map(excess));
+      const [filtered, others] = [true, false].map((is) =>
+        all.filter((here) => here.filtered === is).map(excess),
+      );
       return { filtered: filtered!, others: others! };
     };
     const half = await shown(columns(64), `theta="0" phi="90" radius="${2 * radius}"`);
@@ -132,7 +170,10 @@ test.describe('shadeAt explains the picture', () => {
     const near = await shown(noise(16), `theta="0" phi="90" radius="${radius}"`);
     expect(near.filtered, 'four pixels a texel').toEqual([]);
     const slanted = await shown(noise(64), `theta="62" phi="70" radius="${radius / 2.5}"`);
-    expect(Math.min(slanted.filtered.length, slanted.others.length), 'both in one picture').toBeGreaterThan(30);
+    expect(
+      Math.min(slanted.filtered.length, slanted.others.length),
+      'both in one picture',
+    ).toBeGreaterThan(30);
     expect(Math.max(...near.others, ...slanted.others)).toBeLessThanOrEqual(1);
     // The picture may keep what a mask cuts out of its largest level, and the other way round.
     const holes = columns(64).map(([c]): Texel => [c, c, c, c]);
@@ -169,7 +210,9 @@ test.describe('shadeAt explains the picture', () => {
           const alpha = data[4 * (160 * y + x) + 3];
           const hit = (await element.shadeAt(x, y)) !== null;
           found[hit ? 'hit' : 'missed'] += 1;
-          if (hit ? alpha === 0 : alpha === 255) found.wrong += 1;
+          if (hit ? alpha === 0 : alpha === 255) {
+            found.wrong += 1;
+          }
         }
       }
       return found;
@@ -179,7 +222,8 @@ test.describe('shadeAt explains the picture', () => {
   });
 });
 
-const AMBIENT = '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
+const AMBIENT =
+  '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
 
 // glTF's numbers, which are OpenGL's.
 const [NEAREST, LINEAR] = [9728, 9729];
@@ -213,12 +257,14 @@ const model = (src: string, interpolation = 'srgb'): string =>
    </phong-viewer>`;
 
 /**
- * How far a blended pixel is off, in units of what it can say: 8 bits are multiplied by alpha, rounded, divided and
- * rounded again. Alpha itself is off by no more than a code.
+ * How far a blended pixel is off, in units of what it can say: 8 bits are multiplied by alpha,
+ * rounded, divided and rounded again. Alpha itself is off by no more than a code.
  */
 function blendedError({ drawn, explained, opacity }: Compared): number {
   const alpha = drawn[3]!;
-  const off = Math.max(...[0, 1, 2].map((channel) => Math.abs(explained[channel]! - drawn[channel]!)));
+  const off = Math.max(
+    ...[0, 1, 2].map((channel) => Math.abs(explained[channel]! - drawn[channel]!)),
+  );
   return Math.max(off / (1 + 255 / alpha), Math.abs(alpha - opacity * 255));
 }
 

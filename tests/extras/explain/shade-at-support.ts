@@ -1,5 +1,5 @@
-// Fragments that shadeAt explains, held against the pixels that toBlob draws: both asked for inside the page. Positions
-// are device pixels, colours 8-bit codes.
+// Fragments that shadeAt explains, held against the pixels that toBlob draws: both asked for inside
+// the page. Positions are device pixels, colours 8-bit codes.
 
 import type { Locator } from '@playwright/test';
 import type { PhongViewer } from '../../element/support/viewer.js';
@@ -28,19 +28,22 @@ export const show = (viewer: Locator, markup: string): Promise<void> =>
   }, markup);
 
 /**
- * Whether the pixel can be compared. The rasteriser snaps vertices to sixteenths of a pixel: so near a cone's edge or a
- * light's horizon the pixel may be on either side, and where colours change faster it may be another one's. NaN is
- * judged, and fails.
+ * Whether the pixel can be compared. The rasteriser snaps vertices to sixteenths of a pixel: so
+ * near a cone's edge or a light's horizon the pixel may be on either side, and where colours change
+ * faster it may be another one's. NaN is judged, and fails.
  */
-export const isClear = ({ edgeMargin, steepness }: Compared): boolean => !(edgeMargin < 3e-3) && !(steepness > 8);
+export const isClear = ({ edgeMargin, steepness }: Compared): boolean =>
+  !(edgeMargin < 3e-3) && !(steepness > 8);
 
 /** Largest difference of a channel, in codes. */
 export const errorOf = ({ drawn, explained }: Compared): number =>
-  Math.max(...[0, 1, 2].map((channel) => Math.abs(Math.round(explained[channel]!) - drawn[channel]!)));
+  Math.max(
+    ...[0, 1, 2].map((channel) => Math.abs(Math.round(explained[channel]!) - drawn[channel]!)),
+  );
 
 /**
- * Every `step`-th pixel across and down whose eight neighbours show the same triangle: there the pixel is one fragment,
- * and no mixture of several at an edge.
+ * Every `step`-th pixel across and down whose eight neighbours show the same triangle: there the
+ * pixel is one fragment, and no mixture of several at an edge.
  */
 export const comparedWithPicture = (viewer: Locator, step: number): Promise<Compared[]> =>
   viewer.evaluate(async (element: PhongViewer, stride) => {
@@ -63,8 +66,12 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
           if (neighbour === 4) continue; // itself
           const there = await at(column + (neighbour % 3) - 1, row + Math.floor(neighbour / 3) - 1);
           inside &&= there?.object === here.object && there.triangle === here.triangle;
-          for (const channel of [0, 1, 2] as const)
-            steepness = Math.max(steepness, 255 * Math.abs((there?.color[channel] ?? 0) - here.color[channel]));
+          for (const channel of [0, 1, 2] as const) {
+            steepness = Math.max(
+              steepness,
+              255 * Math.abs((there?.color[channel] ?? 0) - here.color[channel]),
+            );
+          }
         }
         if (!inside) continue;
         let edgeMargin = Infinity;
@@ -73,7 +80,10 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
           edgeMargin = Math.min(edgeMargin, Math.abs(share.NoL));
           if (share.light.aperture >= 180) continue;
           const angle = Math.acos(Math.min(Math.max(share.c, -1), 1));
-          edgeMargin = Math.min(edgeMargin, Math.abs(angle - (share.light.aperture * Math.PI) / 180));
+          edgeMargin = Math.min(
+            edgeMargin,
+            Math.abs(angle - (share.light.aperture * Math.PI) / 180),
+          );
         }
         const pixel = 4 * (row * width + column);
         compared.push({

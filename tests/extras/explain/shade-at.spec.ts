@@ -1,10 +1,17 @@
-// What does shadeAt return for a fragment, and for which moment? Positions are CSS pixels of the viewer, colours 0–1.
+// What does shadeAt return for a fragment, and for which moment? Positions are CSS pixels of the
+// viewer, colours 0–1.
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { decodePng } from '../../support/picture.js';
 import { expect, pixelAt, test } from '../../support/test.js';
-import { nextFrame, type PhongMesh, type PhongViewer, set, settled } from '../../element/support/viewer.js';
+import {
+  nextFrame,
+  type PhongMesh,
+  type PhongViewer,
+  set,
+  settled,
+} from '../../element/support/viewer.js';
 
 /** Odd, so that one pixel's centre is the picture's. */
 const FLOOR = { width: 101, height: 101 };
@@ -12,7 +19,9 @@ const MIDDLE = 50.5;
 const HALF = Math.SQRT1_2;
 /** Of the spot, which is 45° off its axis. */
 const DECAY = ((HALF + 1) / 2) ** 2;
-/** Of the sun, the spot and the lamp at the eye: Kd · Id · NoL · att · decay, and the same of Ks. */
+/**
+ * Of the sun, the spot and the lamp at the eye: Kd · Id · NoL · att · decay, and the same of Ks.
+ */
 const DIFFUSE = 0.2 * (0.4 * HALF + DECAY / 3 + 0.4);
 const OTHER_TERMS = DIFFUSE + 0.4 * (0.5 + DECAY / 3 + 0.2);
 
@@ -45,7 +54,9 @@ const explained = (viewer: Locator, x: number, y: number) =>
         ...rest,
         object: object.name,
         mesh: mesh === element ? 'viewer' : (mesh as PhongMesh).name,
-        shares: shares.map((share) => share && { ...share, light: element.lights.indexOf(share.light!) }),
+        shares: shares.map(
+          (share) => share && { ...share, light: element.lights.indexOf(share.light!) },
+        ),
       };
     },
     [x, y] as const,
@@ -109,33 +120,52 @@ test.describe('shadeAt returns', () => {
         diffuse: grey((0.2 * DECAY) / 3),
         specular: grey((0.4 * DECAY) / 3),
       },
-      expect.objectContaining({ light: 3, insideCone: false, ambient: black, diffuse: black, specular: black }),
-      expect.objectContaining({ light: 4, d: close(3), diffuse: grey(0.2 * 0.4), specular: grey(0.4 * 0.2) }),
+      expect.objectContaining({
+        light: 3,
+        insideCone: false,
+        ambient: black,
+        diffuse: black,
+        specular: black,
+      }),
+      expect.objectContaining({
+        light: 4,
+        d: close(3),
+        diffuse: grey(0.2 * 0.4),
+        specular: grey(0.4 * 0.2),
+      }),
     ]);
   });
 
   test('the head-light’s share if a viewer has no light', async ({ mount }) => {
     const viewer = await mount(floor(), FLOOR);
     const { shares, color } = (await explained(viewer, MIDDLE, MIDDLE))!;
-    expect(shares).toEqual([expect.objectContaining({ light: -1, name: 'head-light', d: Infinity, NoL: close(1) })]);
+    expect(shares).toEqual([
+      expect.objectContaining({ light: -1, name: 'head-light', d: Infinity, NoL: close(1) }),
+    ]);
     expect(color).toEqual(grey(0.6));
   });
 
-  test('terms that add up to the sum, encoded in linear light, under every shading', async ({ mount }) => {
+  test('terms that add up to the sum, encoded in linear light, under every shading', async ({
+    mount,
+  }) => {
     const viewer = await mount(floor(LIGHTS, 'color-interpolation="linear"'), FLOOR);
     for (const shading of ['phong', 'flat', 'gouraud']) {
       await set(viewer, { shading });
       const { shares, sum, ka } = (await explained(viewer, 20, 70))!;
       expect(ka).toEqual([1, close(decoded(0.8)), 0]);
       for (const channel of [0, 1, 2]) {
-        const terms = shares.flatMap((share) => (share ? [share.ambient, share.diffuse, share.specular] : []));
+        const terms = shares.flatMap((share) =>
+          share ? [share.ambient, share.diffuse, share.specular] : [],
+        );
         const total = terms.reduce((all, term) => all + term[channel]!, 0);
         expect(decoded(sum[channel]!), shading).toBeCloseTo(total, 12);
       }
     }
   });
 
-  test('under Gouraud shading the corners’ terms, and everything else for the fragment itself', async ({ mount }) => {
+  test('under Gouraud shading the corners’ terms, and everything else for the fragment itself', async ({
+    mount,
+  }) => {
     // The corners are √2 from the middle, the lamp 1 above it.
     const lamp = '<phong-light position="0 1 0 1" specular="0"></phong-light>';
     const viewer = await mount(floor(lamp, 'shading="gouraud"'), FLOOR);
@@ -144,10 +174,16 @@ test.describe('shadeAt returns', () => {
     expect(share!.diffuse).toEqual(grey(0.2 / Math.sqrt(3)));
   });
 
-  test('the mesh whose surface it is: the nearest child, or the viewer’s own', async ({ mount }) => {
-    const stone = '<phong-mesh name="stone" geometry="sphere" scale="0.5" position="0 0.5 0"></phong-mesh>';
+  test('the mesh whose surface it is: the nearest child, or the viewer’s own', async ({
+    mount,
+  }) => {
+    const stone =
+      '<phong-mesh name="stone" geometry="sphere" scale="0.5" position="0 0.5 0"></phong-mesh>';
     const viewer = await mount(floor(stone, 'geometry="box"'), FLOOR);
-    expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({ mesh: 'stone', object: 'stone' });
+    expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({
+      mesh: 'stone',
+      object: 'stone',
+    });
     expect(await explained(viewer, 40, 40)).toMatchObject({ mesh: 'viewer', object: 'box' });
     expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'floor' });
     const found = await viewer.evaluate(async (element: PhongViewer) => {
@@ -161,11 +197,15 @@ test.describe('shadeAt returns', () => {
     const viewer = await mount(floor(LIGHTS), FLOOR);
     const place = (x: number, options = {}): Promise<number> =>
       viewer.evaluate(
-        async (element: PhongViewer, given) => (await element.shadeAt(given.x, 50.5, given.options))!.p[0],
+        async (element: PhongViewer, given) =>
+          (await element.shadeAt(given.x, 50.5, given.options))!.p[0],
         { x, options },
       );
     const [centre, next] = [await place(40.9), await place(41.5)];
-    const [exact, beside] = [await place(40.5, { exact: true }), await place(40.9, { exact: true })];
+    const [exact, beside] = [
+      await place(40.5, { exact: true }),
+      await place(40.9, { exact: true }),
+    ];
     expect(exact).toBe(centre);
     expect((beside - centre) / (next - centre)).toBeCloseTo(0.4, 10);
   });
@@ -184,8 +224,9 @@ test.describe('shadeAt is null', () => {
       [101, 50],
       [50, 101],
       [1e300, 0],
-    ] as const)
+    ] as const) {
       expect(await explained(viewer, x, y), `${x}, ${y}`).toBeNull();
+    }
     expect(await explained(await mount('<phong-viewer></phong-viewer>', FLOOR), 50, 50)).toBeNull();
   });
 
@@ -207,7 +248,9 @@ test.describe('shadeAt is null', () => {
   });
 });
 
-test('explains the scene at the time of the call, including earlier writes and no later ones', async ({ mount }) => {
+test('explains the scene at the time of the call, including earlier writes and no later ones', async ({
+  mount,
+}) => {
   const viewer = await mount(floor(LIGHTS), FLOOR);
   const [pending, earlier, appended] = await viewer.evaluate(async (element: PhongViewer) => {
     const mesh = element.meshes[0]!;
@@ -219,14 +262,21 @@ test('explains the scene at the time of the call, including earlier writes and n
     element.append(document.createElement('phong-light'));
     const third = (await element.shadeAt(50, 50))!;
     const before = (await first)!;
-    return [[second.shininess, second.N[1]], [before.shininess, before.N[1]], third.shares.length] as const;
+    return [
+      [second.shininess, second.N[1]],
+      [before.shininess, before.N[1]],
+      third.shares.length,
+    ] as const;
   });
   expect(pending).toEqual([8, -1]);
   expect(earlier).toEqual([7, 1]);
   expect(appended).toBe(6);
 });
 
-test('works before the first frame and off screen, and is null outside the page', async ({ page, mount }) => {
+test('works before the first frame and off screen, and is null outside the page', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(floor(LIGHTS), FLOOR);
   const before = await explained(viewer, 30, 40);
   const early = await viewer.evaluate(async (element: PhongViewer) => {
@@ -256,10 +306,16 @@ test('works before the first frame and off screen, and is null outside the page'
   expect(await explained(viewer, 30, 40)).toEqual(before);
 });
 
-test('prints the output that the page about the API shows for its example', async ({ page, mount }) => {
+test('prints the output that the page about the API shows for its example', async ({
+  page,
+  mount,
+}) => {
   const document = readFileSync(new URL('../../../src/API.md', import.meta.url), 'utf8');
   const section = /## Ask why a pixel has its colour\n([^]*?)\n## /.exec(document)?.[1] ?? '';
-  const [markup, script, output] = Array.from(section.matchAll(/```\w*\n([^]*?)```/g), (block) => block[1]!);
+  const [markup, script, output] = Array.from(
+    section.matchAll(/```\w*\n([^]*?)```/g),
+    (block) => block[1]!,
+  );
   // Its style attribute is refused by the strict policy.
   await mount(markup!, { csp: '', width: 400, height: 300 });
   const printed = await page.evaluate<string[]>(`(async () => {
@@ -297,11 +353,18 @@ test('rejects invalid positions with TypeError or RangeError', async ({ mount })
 test.describe('shadeAt accepts the position of a pointer event', () => {
   test.use({ deviceScaleFactor: 2 });
 
-  test('on viewers that are padded, scrolled, zoomed, transformed or of fractional size', async ({ page, mount }) => {
+  test('on viewers that are padded, scrolled, zoomed, transformed or of fractional size', async ({
+    page,
+    mount,
+  }) => {
     const lamps = `<phong-light position="-0.8 0.4 0 1" diffuse="255 0 0" specular="0"></phong-light>
       <phong-light position="0 0.4 0.8 1" diffuse="0 255 0" specular="0"></phong-light>`;
     const css = 'body { min-height: 3000px }';
-    const viewer = await mount(floor(lamps).replace('kd="51"', 'kd="255"'), { width: 200, height: 150, css });
+    const viewer = await mount(floor(lamps).replace('kd="51"', 'kd="255"'), {
+      width: 200,
+      height: 150,
+      css,
+    });
     await viewer.evaluate((element: PhongViewer) =>
       element.addEventListener('pointermove', ({ offsetX, offsetY }) => {
         void element.shadeAt(offsetX, offsetY).then((fragment) => {
@@ -330,17 +393,23 @@ test.describe('shadeAt accepts the position of a pointer event', () => {
         [0.62, 0.35],
         [0.45, 0.7],
       ] as const) {
-        const [x, y] = [Math.round(box.x + across * box.width), Math.round(box.y + down * box.height)];
+        const [x, y] = [
+          Math.round(box.x + across * box.width),
+          Math.round(box.y + down * box.height),
+        ];
         await viewer.evaluate((element) => delete element.dataset['color']);
         await page.mouse.move(x, y);
         await expect.poll(() => viewer.getAttribute('data-color')).not.toBeNull();
         const color = JSON.parse((await viewer.getAttribute('data-color'))!) as number[];
         const drawn = pixelAt(screen, 2 * x, 2 * y);
-        // Stretched pixels are off by 1.53 codes (1.1 on pages composed by WebGL), others by half of one; a CSS pixel
-        // farther it is 1.5.
+        // Stretched pixels are off by 1.53 codes (1.1 on pages composed by WebGL), others by half
+        // of one; a CSS pixel farther it is 1.5.
         const most = style.includes('transform') ? 1.6 : 1.5;
-        for (const channel of [0, 1, 2])
-          expect(Math.abs(color[channel]! - drawn[channel]!), `${style}: ${x}, ${y}`).toBeLessThan(most);
+        for (const channel of [0, 1, 2]) {
+          expect(Math.abs(color[channel]! - drawn[channel]!), `${style}: ${x}, ${y}`).toBeLessThan(
+            most,
+          );
+        }
       }
     }
   });

@@ -1,5 +1,6 @@
-// Do the components of `phong-viewer/react` render the same on the server and in the browser? dist/ renders a page in
-// Node, and React's development build hydrates it in the browser and reports differences on the console.
+// Do the components of `phong-viewer/react` render the same on the server and in the browser? dist/
+// renders a page in Node, and React's development build hydrates it in the browser and reports
+// differences on the console.
 
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -77,7 +78,12 @@ const renderedByClient = (): Promise<string> =>
     { whole: true, define: { 'process.env.NODE_ENV': '"development"' } },
   ));
 
-async function show(page: Page, site: Site, consoleGuard: ConsoleGuard, markup: string): Promise<void> {
+async function show(
+  page: Page,
+  site: Site,
+  consoleGuard: ConsoleGuard,
+  markup: string,
+): Promise<void> {
   consoleGuard.allow(/^info: .*React DevTools/);
   const body = await renderedByClient();
   await page.route('**/app.js', (route) => route.fulfill({ contentType: 'text/javascript', body }));
@@ -114,8 +120,9 @@ test('arrays, false, numbers and text are attributes of the markup that a server
     'class="picture"',
     'data-kind="test"',
     'style="display:block;width:300px;height:200px"',
-  ])
+  ]) {
     expect(markup).toContain(` ${attribute}`);
+  }
   expect(markup).not.toMatch(/ name=| texts=|undefined|on[A-Z]/);
 });
 
@@ -127,20 +134,34 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
 
     test('has the values of its props, and an empty console', async ({ page }) => {
       expect(await values(page)).toEqual({
-        ...{ theta: 20, phi: 90, terms: ['ambient'], orbit: false, gui: false, alt: 'A "quoted" sphere' },
+        ...{
+          theta: 20,
+          phi: 90,
+          terms: ['ambient'],
+          orbit: false,
+          gui: false,
+          alt: 'A "quoted" sphere',
+        },
         texts: { Loading: 'Lädt' },
         light: { active: false, ambient: [200, 100, 50], name: 'light 1' },
         mesh: { scale: [0.5, 0.5, 0.5], shininess: 1e-7 },
       });
       const viewer = page.locator('phong-viewer#scene.picture[data-kind=test]');
-      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 0, 0, 255]);
+      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([
+        0, 0, 0, 255,
+      ]);
     });
 
-    test('draws changed props, restores defaults, warns of refused ones', async ({ page, consoleGuard }) => {
+    test('draws changed props, restores defaults, warns of refused ones', async ({
+      page,
+      consoleGuard,
+    }) => {
       await page.getByText('light up').click();
       await allReady(page);
       const viewer = page.locator('phong-viewer');
-      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 100, 200, 255]);
+      expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([
+        0, 100, 200, 255,
+      ]);
       await page.getByText('turn').click();
       expect(await values(page)).toMatchObject({
         ...{ theta: 90, phi: 90, terms: [], orbit: true, gui: false, texts: null },
@@ -156,9 +177,12 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       expect(await values(page)).toMatchObject({ light: { active: true, ambient: [0, 0, 0] } });
     });
 
-    test("receives the element's events once each and React's events, and sets the ref", async ({ page }) => {
+    test("receives the element's events once each and React's events, and sets the ref", async ({
+      page,
+    }) => {
       const viewer = page.locator('phong-viewer');
-      const turn = (to: number) => viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
+      const turn = (to: number) =>
+        viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
       await turn(30);
       await expect(page.locator('output')).toHaveText('nothing, script');
       // The handler of the first render would say the same again.

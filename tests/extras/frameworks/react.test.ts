@@ -22,29 +22,51 @@ describe('the React components on a server', () => {
   it.each([
     [
       'lists, numbers, booleans and words as text',
-      createElement(PhongLight, { position: [1, 2.5, -3, 1], diffuse: '#fc8', cutoff: 0, active: true }),
+      createElement(PhongLight, {
+        position: [1, 2.5, -3, 1],
+        diffuse: '#fc8',
+        cutoff: 0,
+        active: true,
+      }),
       '<phong-light position="1 2.5 -3 1" diffuse="#fc8" cutoff="0" active="true"></phong-light>',
     ],
     [
       'typed arrays like arrays',
-      createElement(PhongMesh, { position: Float32Array.of(0.5, 1, 2), ka: Uint8ClampedArray.of(1, 2, 3) }),
+      createElement(PhongMesh, {
+        position: Float32Array.of(0.5, 1, 2),
+        ka: Uint8ClampedArray.of(1, 2, 3),
+      }),
       '<phong-mesh position="0.5 1 2" ka="1 2 3"></phong-mesh>',
     ],
     [
       'nothing for null, undefined and a value without a text form, which the client sets',
-      createElement(PhongMesh, { geometry: null, segments: undefined, src: new Blob(['solid']) } as object),
+      createElement(PhongMesh, {
+        geometry: null,
+        segments: undefined,
+        src: new Blob(['solid']),
+      } as object),
       '<phong-mesh></phong-mesh>',
     ],
     [
       'attributes by their HTML names, whatever the spelling of the prop',
-      createElement(PhongViewer, { autoRotate: 5, 'color-interpolation': 'linear', crossOrigin: 'anonymous' }),
+      createElement(PhongViewer, {
+        autoRotate: 5,
+        'color-interpolation': 'linear',
+        crossOrigin: 'anonymous',
+      }),
       '<phong-viewer auto-rotate="5" color-interpolation="linear" crossorigin="anonymous"></phong-viewer>',
     ],
     [
       'other props and children as React does, and no handler',
       createElement(PhongViewer, {
         ...{ id: 'scene', className: 'wide', style: { width: 10 }, hidden: true, tabIndex: 0 },
-        ...{ 'aria-label': 'A box', onClick: quiet, onLoad: quiet, onCameraChange: quiet, children: light },
+        ...{
+          'aria-label': 'A box',
+          onClick: quiet,
+          onLoad: quiet,
+          onCameraChange: quiet,
+          children: light,
+        },
       }),
       '<phong-viewer id="scene" class="wide" style="width:10px" hidden="" tabIndex="0" aria-label="A box">' +
         '<phong-light name="sun"></phong-light></phong-viewer>',
@@ -60,7 +82,12 @@ describe('the React components on a server', () => {
     ],
     [
       'a control with its label',
-      createElement(PhongControl, { for: 'a b', attribute: 'cutoff', max: 60, children: 'softness' }),
+      createElement(PhongControl, {
+        for: 'a b',
+        attribute: 'cutoff',
+        max: 60,
+        children: 'softness',
+      }),
       '<phong-control for="a b" attribute="cutoff" max="60">softness</phong-control>',
     ],
   ])('write %s', (_, element, html) => {

@@ -1,5 +1,5 @@
-// Do models move when `autoplay` says so, and only then? What is drawn, culled and explained is the pose of the last
-// frame.
+// Do models move when `autoplay` says so, and only then? What is drawn, culled and explained is the
+// pose of the last frame.
 
 import type { Locator } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
@@ -18,13 +18,18 @@ const viewerOf = (attributes: string, children = LIGHT): string =>
 const played = (viewer: Locator, count = 3): Promise<void> =>
   viewer.evaluate(async (element: PhongViewer, more) => {
     const end = element.stats.frames + more;
-    while (element.stats.frames < end) await new Promise(requestAnimationFrame);
+    while (element.stats.frames < end) {
+      await new Promise(requestAnimationFrame);
+    }
   }, count);
 
 test.describe('nothing runs', () => {
   test.beforeEach(({ page }) => countEverything(page));
 
-  test('without autoplay, at the rest pose, and with reduced motion, at the current one', async ({ page, mount }) => {
+  test('without autoplay, at the rest pose, and with reduced motion, at the current one', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(viewerOf(''), SIZE);
     await nextFrame(page);
     expect(await spentIn(page, 300)).toEqual(NOTHING);
@@ -48,7 +53,9 @@ test.describe('nothing runs', () => {
   test('out of view, and that time does not count', async ({ page, mount }) => {
     const viewer = await mount(viewerOf('autoplay'), SIZE);
     await played(viewer);
-    await viewer.evaluate(({ style }: PhongViewer) => (style.cssText += '; position: absolute; top: 9000px'));
+    await viewer.evaluate(
+      ({ style }: PhongViewer) => (style.cssText += '; position: absolute; top: 9000px'),
+    );
     await nextFrame(page);
     await nextFrame(page);
     const before = await pixels(viewer, SIZE);
@@ -60,7 +67,11 @@ test.describe('nothing runs', () => {
   });
 });
 
-test('target and radius stay while a model moves; bad names give warnings', async ({ page, mount, consoleGuard }) => {
+test('target and radius stay while a model moves; bad names give warnings', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/has no animation "dance".* It has: "bend", "slide", "swell"/, 1);
   const viewer = await mount(viewerOf('autoplay animation-name="slide"'), SIZE);
   const { target, radius } = await cameraOf(viewer);
@@ -71,11 +82,18 @@ test('target and radius stay while a model moves; bad names give warnings', asyn
   await page.emulateMedia({ reducedMotion: 'reduce' });
 });
 
-test('shadeAt explains an animated picture of joints, morphs, flat copies and nodes', async ({ page, mount }) => {
+test('shadeAt explains an animated picture of joints, morphs, flat copies and nodes', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', { width: 200, height: 150 });
   const plain = viewerOf('autoplay phi="80" radius="3"');
   const nodes = plain.replace(BAR, addressOf(bar({ skinned: false })));
-  for (const [i, markup] of [plain, plain.replace('autoplay', 'autoplay shading="flat"'), nodes].entries()) {
+  for (const [i, markup] of [
+    plain,
+    plain.replace('autoplay', 'autoplay shading="flat"'),
+    nodes,
+  ].entries()) {
     await show(viewer, markup);
     await played(viewer, 5);
     await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -90,12 +108,15 @@ test('shadeAt explains an animated picture of joints, morphs, flat copies and no
   }
 });
 test('lights are culled by the pose of the last frame', async ({ page, mount }) => {
-  // The spot lights a place that the bar reaches only during `slide`, which moves it by 3 along x within a second.
+  // The spot lights a place that the bar reaches only during `slide`, which moves it by 3 along x
+  // within a second.
   const spot = '<phong-light position="3 1 5 1" axis="0 0 -1" aperture="4"></phong-light>';
   const viewer = await mount(viewerOf('autoplay animation-name="slide"', LIGHT + spot), SIZE);
   const reached = (count: number): Promise<void> =>
     viewer.evaluate(async (element: PhongViewer, wanted) => {
-      while (element.stats.lightsSent !== wanted) await new Promise(requestAnimationFrame);
+      while (element.stats.lightsSent !== wanted) {
+        await new Promise(requestAnimationFrame);
+      }
     }, count);
   await reached(1);
   await reached(2);

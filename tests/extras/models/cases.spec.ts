@@ -1,5 +1,6 @@
-// Small files after public bug reports of viewers and loaders: does each show what its format says? A check is a point
-// of the plane z = 0, seen from +z at a distance of 4. The first file of each kind, all of them in a release run.
+// Small files after public bug reports of viewers and loaders: does each show what its format says?
+// A check is a point of the plane z = 0, seen from +z at a distance of 4. The first file of each
+// kind, all of them in a release run.
 
 import { readFileSync } from 'node:fs';
 import { expect, test } from '../../support/test.js';
@@ -44,18 +45,30 @@ async function differences({ file, event, attributes = {}, checks }: Case): Prom
   Object.assign(viewer, { alt: 'A case', loading: 'eager', theta: 0, phi: 90 });
   viewer.style.width = viewer.style.height = `${String(size)}px`;
   if (attributes.nolight === undefined) {
-    if (attributes.ka !== undefined) viewer.setAttribute('ka', attributes.ka);
+    if (attributes.ka !== undefined) {
+      viewer.setAttribute('ka', attributes.ka);
+    }
     const light = document.createElement('phong-light');
-    Object.assign(light, { space: 'camera', position: [0, 0, 1, 0], ambient: 255, diffuse: 0, specular: 0 });
+    Object.assign(light, {
+      space: 'camera',
+      position: [0, 0, 1, 0],
+      ambient: 255,
+      diffuse: 0,
+      specular: 0,
+    });
     viewer.append(light);
   }
   const outcome = new Promise<CustomEvent<{ readonly message?: string }>>((resolve) => {
-    for (const type of ['load', 'error'] as const) viewer.addEventListener(type, resolve as () => void);
+    for (const type of ['load', 'error'] as const) {
+      viewer.addEventListener(type, resolve as () => void);
+    }
   });
   viewer.src = `/fixtures/cases/${file.split('/').map(encodeURIComponent).join('/')}`;
   document.body.replaceChildren(viewer);
   const { type, detail } = await outcome;
-  if (type !== event) found.push(`${type}: ${detail.message ?? ''}`);
+  if (type !== event) {
+    found.push(`${type}: ${detail.message ?? ''}`);
+  }
   if (type !== 'load') return found;
   await viewer.ready;
   viewer.target = [0, 0, 0];
@@ -71,23 +84,30 @@ async function differences({ file, event, attributes = {}, checks }: Case): Prom
     context.drawImage(bitmap, 0, 0);
     const [...pixel] = context.getImageData(Math.floor(left), Math.floor(top), 1, 1).data;
     const at = `(${String(x)}, ${String(y)})`;
-    if (pixel[3]! > 0 !== hit) found.push(`${at}: ${pixel.join(' ')}, expected ${hit ? 'a hit' : 'nothing'}`);
-    else if (hit && rgb?.some((code, i) => Math.abs(code - pixel[i]!) > tol) === true)
+    if (pixel[3]! > 0 !== hit) {
+      found.push(`${at}: ${pixel.join(' ')}, expected ${hit ? 'a hit' : 'nothing'}`);
+    } else if (hit && rgb?.some((code, i) => Math.abs(code - pixel[i]!) > tol) === true) {
       found.push(`${at}: colour ${pixel.join(' ')}, expected ${rgb.join(' ')}`);
+    }
     const N = hit && n !== undefined ? (await viewer.shadeAt(left, top))?.N : n;
-    if (n?.some((component, i) => !(Math.abs(component - (N?.[i] ?? NaN)) <= 0.02)) === true)
+    if (n?.some((component, i) => !(Math.abs(component - (N?.[i] ?? NaN)) <= 0.02)) === true) {
       found.push(`${at}: N ${String(N)}, expected ${n.join()}`);
+    }
   }
   return found;
 }
 
-for (const format of ['gltf', 'obj', 'ply', 'stl'])
+for (const format of ['gltf', 'obj', 'ply', 'stl']) {
   test(`${format}: each file shows what its format says`, async ({ page, mount, consoleGuard }) => {
     test.setTimeout(120_000);
     // Each file that is left out is named; a missing one is the browser's error too.
     // Those of STL are shown without a word.
-    if (format !== 'stl') consoleGuard.allow(/^warning: |Failed to load resource/);
+    if (format !== 'stl') {
+      consoleGuard.allow(/^warning: |Failed to load resource/);
+    }
     await mount('');
-    for (const one of firstOf(cases, FIRST).filter(({ file }) => file.startsWith(`${format}/`)))
+    for (const one of firstOf(cases, FIRST).filter(({ file }) => file.startsWith(`${format}/`))) {
       expect.soft(await page.evaluate(differences, one), `${one.id} (${one.why})`).toEqual([]);
+    }
   });
+}

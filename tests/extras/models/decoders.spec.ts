@@ -1,6 +1,7 @@
-// Where are compressed models and KTX2 textures unpacked? In one worker for any number of models, by WebAssembly, or on
-// the main thread if it cannot start or may not compile, with the same bits. The worker ends after an abort or an idle
-// time. The tests' server allows its files no WebAssembly; `shown` mounts from one that does.
+// Where are compressed models and KTX2 textures unpacked? In one worker for any number of models,
+// by WebAssembly, or on the main thread if it cannot start or may not compile, with the same bits.
+// The worker ends after an abort or an idle time. The tests' server allows its files no
+// WebAssembly; `shown` mounts from one that does.
 
 import type { Locator, Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';
@@ -31,7 +32,9 @@ const outcomeOf = (viewer: Locator, src: string): Promise<string> =>
   viewer.evaluate(
     (element: PhongViewer, address) =>
       new Promise<string>((resolve) => {
-        element.addEventListener('error', ({ detail }) => resolve(`${detail.code}: ${detail.message}`));
+        element.addEventListener('error', ({ detail }) =>
+          resolve(`${detail.code}: ${detail.message}`),
+        );
         element.addEventListener('load', () => resolve('load'));
         element.src = address;
       }),
@@ -45,16 +48,22 @@ const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
     element.scene.traverse((object) => {
       const { geometry } = object as { geometry?: BufferGeometry };
       if (geometry === undefined) return;
-      for (const [name, { array }] of Object.entries({ ...geometry.attributes, index: geometry.index! })) {
+      for (const [name, { array }] of Object.entries({
+        ...geometry.attributes,
+        index: geometry.index!,
+      })) {
         let hash = 0;
-        for (const byte of new Uint8Array(array.buffer)) hash = (Math.imul(hash, 31) + byte) | 0;
+        for (const byte of new Uint8Array(array.buffer)) {
+          hash = (Math.imul(hash, 31) + byte) | 0;
+        }
         found.push(`${name} ${array.constructor.name} ${array.length} ${hash}`);
       }
     });
     return found;
   });
 
-const loaded = (viewer: Locator): Promise<boolean> => viewer.evaluate((element: PhongViewer) => element.loaded);
+const loaded = (viewer: Locator): Promise<boolean> =>
+  viewer.evaluate((element: PhongViewer) => element.loaded);
 
 /** Every worker that has started on the page. */
 function workersOf(page: Page): readonly string[] {
@@ -70,7 +79,10 @@ function requestsOf(page: Page): readonly string[] {
   return requested;
 }
 
-test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({ page, mount }) => {
+test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({
+  page,
+  mount,
+}) => {
   const started = workersOf(page);
   const meshes = `<phong-viewer src="${bunny}"><phong-mesh src="${engine}"></phong-mesh></phong-viewer>`;
   const first = await shown(page, meshes);
@@ -90,7 +102,11 @@ test('a model is the same from WebAssembly in a worker and without it on the mai
   expect(compiled.slice(0, alone.length)).toEqual(alone);
 });
 
-test('the main thread stands in for missing WebAssembly and refused workers', async ({ page, mount, consoleGuard }) => {
+test('the main thread stands in for missing WebAssembly and refused workers', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/worker-src/);
   await page.route(/draco_decoder\.wasm$/, (route) => route.fulfill({ status: 404 }));
   const viewer = await shown(page, scene);
@@ -108,7 +124,9 @@ test('damaged data give the same error from both', async ({ page, site, mount })
   const empty = await mount('<phong-viewer></phong-viewer>', size);
   // Each address is named in the message.
   const name = /\([^()]*\)\.?$/;
-  expect((await outcomeOf(empty, site.file(damaged))).replace(name, '')).toBe(threaded.replace(name, ''));
+  expect((await outcomeOf(empty, site.file(damaged))).replace(name, '')).toBe(
+    threaded.replace(name, ''),
+  );
 });
 
 test('the worker starts while the meshes are still being downloaded', async ({ page }) => {
@@ -122,7 +140,9 @@ test('the worker starts while the meshes are still being downloaded', async ({ p
   expect(await loaded(viewer)).toBe(true);
 });
 
-test('removing the viewer terminates a busy worker, and the next model gets a new one', async ({ page }) => {
+test('removing the viewer terminates a busy worker, and the next model gets a new one', async ({
+  page,
+}) => {
   const started = workersOf(page);
   const starting = page.waitForEvent('worker', (worker) => workerFile.test(worker.url()));
   await shown(page, scene);
@@ -178,28 +198,45 @@ test.describe('a KTX2 texture', () => {
     expect(compare(await pictureOf('ktx2-etc1s.glb'), png).max).toBeLessThan(12);
   });
 
-  test('is the same from the main thread if workers lack WebAssembly; shadeAt reads it', async ({ page, mount }) => {
+  test('is the same from the main thread if workers lack WebAssembly; shadeAt reads it', async ({
+    page,
+    mount,
+  }) => {
     const png = await pixels(await mount(sceneOf('textured.glb'), ktx2));
     const code = page.waitForRequest(/\/ktx2-(?!worker)[^/]*\.js$/);
     const viewer = await mount(sceneOf('ktx2.glb'), ktx2);
     await code;
     expect(compare(await pixels(viewer), png).max).toBe(0);
-    const color = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(50, 40))?.color);
+    const color = await viewer.evaluate(
+      async (element: PhongViewer) => (await element.shadeAt(50, 40))?.color,
+    );
     expect(color?.map((channel) => Math.round(channel * 1e9) / 1e9)).toEqual([1, 0, 0]);
   });
 
-  test('under a policy without WebAssembly gives an error that says what to allow', async ({ mount, consoleGuard }) => {
+  test('under a policy without WebAssembly gives an error that says what to allow', async ({
+    mount,
+    consoleGuard,
+  }) => {
     consoleGuard.allow(/wasm|WebAssembly/);
     const viewer = await mount('<phong-viewer></phong-viewer>', size);
     expect(await outcomeOf(viewer, model('ktx2.glb'))).toMatch(/^csp: .*KTX2.*'wasm-unsafe-eval'/);
   });
 
-  test('that is damaged is left out; a missing transcoder is fetched again', async ({ page, mount, consoleGuard }) => {
-    consoleGuard.allow(/ktx2-damaged\.glb is shown without 1 .* images\[0\] is a damaged KTX2 file/, 1);
+  test('that is damaged is left out; a missing transcoder is fetched again', async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(
+      /ktx2-damaged\.glb is shown without 1 .* images\[0\] is a damaged KTX2 file/,
+      1,
+    );
     consoleGuard.allow(/error: Failed to load resource/);
     const viewer = await mount('<phong-viewer></phong-viewer>', ktx2);
     await page.route(/\.wasm$/, (route) => route.abort());
-    expect(await outcomeOf(viewer, model('ktx2.glb'))).toMatch(/^load-failed: The decoder of KTX2 textures/);
+    expect(await outcomeOf(viewer, model('ktx2.glb'))).toMatch(
+      /^load-failed: The decoder of KTX2 textures/,
+    );
     await page.unroute(/\.wasm$/);
     expect(await outcomeOf(viewer, model('ktx2-damaged.glb'))).toBe('load');
     expect(await outcomeOf(viewer, model('ktx2.glb'))).toBe('load');

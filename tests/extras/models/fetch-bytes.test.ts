@@ -1,4 +1,5 @@
-// When does a download end? At the limit for unpacked bytes, when the load is aborted, and after a minute without data.
+// When does a download end? At the limit for unpacked bytes, when the load is aborted, and after a
+// minute without data.
 import { once } from 'node:events';
 import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -27,7 +28,9 @@ async function bomb(response: ServerResponse): Promise<void> {
   const zeros = Buffer.alloc(2 ** 18);
   while (!response.destroyed && unpacked < 100 * LIMIT) {
     unpacked += zeros.length;
-    if (!gzip.write(zeros)) await Promise.race([once(gzip, 'drain'), closed]);
+    if (!gzip.write(zeros)) {
+      await Promise.race([once(gzip, 'drain'), closed]);
+    }
   }
   gzip.destroy();
 }
@@ -35,11 +38,14 @@ async function bomb(response: ServerResponse): Promise<void> {
 beforeAll(async () => {
   server = createServer((request, response) => {
     responses.push(response);
-    if (request.url === '/bomb') void bomb(response);
-    else if (request.url === '/cut-off') {
+    if (request.url === '/bomb') {
+      void bomb(response);
+    } else if (request.url === '/cut-off') {
       response.writeHead(404, { 'content-length': 1000 }).write('<p>');
       setTimeout(() => response.destroy(), 10);
-    } else if (request.url === '/slow') response.writeHead(200).write('glTF');
+    } else if (request.url === '/slow') {
+      response.writeHead(200).write('glTF');
+    }
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   origin = `http://127.0.0.1:${String((server.address() as AddressInfo).port)}`;
@@ -94,13 +100,22 @@ describe('a download', () => {
     for (const announced of ['', '3', '7', '9']) {
       const body = new ReadableStream<Uint8Array>({
         start: (controller) => {
-          for (const piece of [[1, 2], [3, 4, 5], [6, 7]]) controller.enqueue(new Uint8Array(piece)); // oxfmt-ignore
+          for (const piece of [
+            [1, 2],
+            [3, 4, 5],
+            [6, 7],
+          ]) {
+            controller.enqueue(new Uint8Array(piece)); // oxfmt-ignore
+          }
           controller.close();
         },
       });
       const headers = announced === '' ? {} : { 'content-length': announced };
       vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { headers }));
-      expect(await download('/x').ended).toEqual({ bytes: new Uint8Array([1, 2, 3, 4, 5, 6, 7]), type: '' });
+      expect(await download('/x').ended).toEqual({
+        bytes: new Uint8Array([1, 2, 3, 4, 5, 6, 7]),
+        type: '',
+      });
     }
   });
 
@@ -135,11 +150,15 @@ describe('a download', () => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
     const { ended, loaded } = download(path);
     const { setImmediate: tick } = await import('node:timers/promises');
-    while (responses.length === 0 || loaded() < bytes) await tick();
+    while (responses.length === 0 || loaded() < bytes) {
+      await tick();
+    }
     vi.advanceTimersByTime(SILENCE_LIMIT_MS - 1);
     if (bytes > 0) {
       responses[0]?.write('more');
-      while (loaded() < 2 * bytes) await tick();
+      while (loaded() < 2 * bytes) {
+        await tick();
+      }
       vi.advanceTimersByTime(SILENCE_LIMIT_MS - 1);
     }
     expect(await Promise.race([ended, tick('still waiting')])).toBe('still waiting');

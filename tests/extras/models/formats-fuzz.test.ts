@@ -1,5 +1,6 @@
-// Do the readers of OBJ, MTL, STL and PLY return a model or throw a ModelError for every file, however broken? The
-// files are damaged valid ones and random sequences of the formats' words. The time of each is bounded by its size.
+// Do the readers of OBJ, MTL, STL and PLY return a model or throw a ModelError for every file,
+// however broken? The files are damaged valid ones and random sequences of the formats' words. The
+// time of each is bounded by its size.
 import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { ModelError, type Content } from '../../../src/viewer/model/model.js';
@@ -14,10 +15,19 @@ const RUNS = fullOr(20_000, 200);
 const encoder = new TextEncoder();
 
 /** A sphere-like grid of quads with everything that a text format can have. */
-function grid(vertex: (i: number, x: number, y: number) => string, face: (a: number, b: number) => string): string {
+function grid(
+  vertex: (i: number, x: number, y: number) => string,
+  face: (a: number, b: number) => string,
+): string {
   let text = '';
-  for (let i = 0; i < 16; i += 1) text += vertex(i, i % 4, Math.floor(i / 4));
-  for (let i = 0; i < 11; i += 1) if (i % 4 < 3) text += face(i, i + 4);
+  for (let i = 0; i < 16; i += 1) {
+    text += vertex(i, i % 4, Math.floor(i / 4));
+  }
+  for (let i = 0; i < 11; i += 1) {
+    if (i % 4 < 3) {
+      text += face(i, i + 4);
+    }
+  }
   return text;
 }
 
@@ -37,14 +47,18 @@ const plyText =
   );
 const stlText =
   'solid x\n' +
-  'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n'.repeat(4) +
+  'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n'.repeat(
+    4,
+  ) +
   'endsolid x\n';
 
 function stlBinary(): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(84 + 50 * 6);
   bytes.set(encoder.encode('COLOR=abcd'));
   bytes[80] = 6;
-  for (let i = 84; i < bytes.length; i += 1) bytes[i] = (i * 37) % 63;
+  for (let i = 84; i < bytes.length; i += 1) {
+    bytes[i] = (i * 37) % 63;
+  }
   return bytes;
 }
 
@@ -55,7 +69,9 @@ function plyBinary(big: boolean): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(head.length + 8 * 24 + 36);
   bytes.set(head);
   const view = new DataView(bytes.buffer, head.length);
-  for (let i = 0; i < 48; i += 1) view.setFloat32(4 * i, Math.sin(i), !big);
+  for (let i = 0; i < 48; i += 1) {
+    view.setFloat32(4 * i, Math.sin(i), !big);
+  }
   [8, 0, 1, 2, 3, -1, 4, 5, 6].forEach((value, i) => view.setInt32(192 + 4 * i, value, !big));
   return bytes;
 }
@@ -106,14 +122,22 @@ const change: fc.Arbitrary<Change> = fc.tuple(
   fc.oneof(fc.constantFrom(0, 10, 13, 32, 45, 46, 47, 48, 57, 92, 101, 127, 128, 255), fc.nat(255)),
 );
 
-function changed(bytes: Uint8Array<ArrayBuffer>, changes: readonly Change[]): Uint8Array<ArrayBuffer> {
+function changed(
+  bytes: Uint8Array<ArrayBuffer>,
+  changes: readonly Change[],
+): Uint8Array<ArrayBuffer> {
   let list = Array.from(bytes);
   for (const [kind, share, value] of changes) {
     const at = Math.min(Math.floor(share * list.length), list.length - 1);
-    if (kind === 'set') list[at] = value;
-    else if (kind === 'cut') list.splice(at, value);
-    else if (kind === 'double') list.splice(at, 0, ...list.slice(at, at + value));
-    else list = [...list.slice(at), ...list.slice(0, at)];
+    if (kind === 'set') {
+      list[at] = value;
+    } else if (kind === 'cut') {
+      list.splice(at, value);
+    } else if (kind === 'double') {
+      list.splice(at, 0, ...list.slice(at, at + value));
+    } else {
+      list = [...list.slice(at), ...list.slice(0, at)];
+    }
   }
   return Uint8Array.from(list);
 }
@@ -136,7 +160,9 @@ describe('every file is a model or a ModelError', () => {
   it(`where a text is made of the words of OBJ (seed ${seed})`, async () => {
     await fc.assert(
       fc.asyncProperty(fc.array(fc.constantFrom(...words), { maxLength: 80 }), async (list) => {
-        await requireOutcome({ 'a.obj': encoder.encode(`v 0 0 0\nv 1 0 0\nv 0 1 0\n${list.join(' ')}`) });
+        await requireOutcome({
+          'a.obj': encoder.encode(`v 0 0 0\nv 1 0 0\nv 0 1 0\n${list.join(' ')}`),
+        });
       }),
       { seed, numRuns: RUNS },
     );

@@ -1,6 +1,6 @@
-// Does reading a text format let other tasks run after a bounded amount of work, whatever the file is made of: one line,
-// one list, one polygon, one vertex, one word? Every look at the clock says that the task has taken long enough, so
-// that the pauses count the slices.
+// Does reading a text format let other tasks run after a bounded amount of work, whatever the file
+// is made of: one line, one list, one polygon, one vertex, one word? Every look at the clock says
+// that the task has taken long enough, so that the pauses count the slices.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { heardWarnings, loadFiles, type FileContent } from './model-files.js';
 
@@ -40,14 +40,29 @@ const ply = (body: string, lines: readonly string[] = [...VERTICES, ...FACES]): 
 });
 
 /** Comments of `#` without an end. */
-const utf16 = Uint8Array.from({ length: 8 * MANY }, (_, i) => [0xff, 0xfe][i] ?? (i % 2 === 0 ? 35 : 0));
+const utf16 = Uint8Array.from(
+  { length: 8 * MANY },
+  (_, i) => [0xff, 0xfe][i] ?? (i % 2 === 0 ? 35 : 0),
+);
 
 /** 255 triangles at each of 64 vertices. */
-const FANS = Array.from({ length: 85 * 64 }, (_, i) => `3 ${i % 64} ${(i + 1 + (i % 7)) % 64} ${(i + 9) % 64}\n`);
-const POINTS = Array.from({ length: 64 }, (_, i) => `${Math.sin(i)} ${Math.cos(3 * i)} ${Math.sin(5 * i)}\n`);
-const HEAD_OF_FANS = [`element vertex 64`, ...VERTICES.slice(1), `element face ${FANS.length}`, FACES[1]!];
+const FANS = Array.from(
+  { length: 85 * 64 },
+  (_, i) => `3 ${i % 64} ${(i + 1 + (i % 7)) % 64} ${(i + 9) % 64}\n`,
+);
+const POINTS = Array.from(
+  { length: 64 },
+  (_, i) => `${Math.sin(i)} ${Math.cos(3 * i)} ${Math.sin(5 * i)}\n`,
+);
+const HEAD_OF_FANS = [
+  `element vertex 64`,
+  ...VERTICES.slice(1),
+  `element face ${FANS.length}`,
+  FACES[1]!,
+];
 
-const FACET = 'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
+const FACET =
+  'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
 const NAMES = `solid ${'facet normal '.repeat(100)}\nendsolid\n`.repeat(MANY / 1300);
 
 describe('other tasks can run while a file is read', () => {
@@ -63,9 +78,16 @@ describe('other tasks can run while a file is read', () => {
     ['a polygon of PLY', ply(`${SQUARE}${MANY / 2} ${'0 1 2 3 '.repeat(MANY / 8)}`)],
     [
       'a list that is skipped',
-      ply(`${MANY / 2} ${'1 '.repeat(MANY / 2)}\n${SQUARE}4 0 1 2 3`, [...SKIPPED, ...VERTICES, ...FACES]),
+      ply(`${MANY / 2} ${'1 '.repeat(MANY / 2)}\n${SQUARE}4 0 1 2 3`, [
+        ...SKIPPED,
+        ...VERTICES,
+        ...FACES,
+      ]),
     ],
-    ['a header of PLY', ply(`${SQUARE}4 0 1 2 3`, [...Array<string>(MANY / 8).fill('x'), ...VERTICES, ...FACES])],
+    [
+      'a header of PLY',
+      ply(`${SQUARE}4 0 1 2 3`, [...Array<string>(MANY / 8).fill('x'), ...VERTICES, ...FACES]),
+    ],
     ['comments of PLY', ply(`${'comment\n'.repeat(MANY / 8)}${SQUARE}4 0 1 2 3`)],
     ['corners around a vertex', ply(POINTS.join('') + FANS.join(''), HEAD_OF_FANS)],
     ['names of STL', { 'a.stl': `${NAMES}solid a\n${FACET}endsolid` }],

@@ -1,25 +1,35 @@
-// Are models of every format shown as written, from addresses, files and drops, under a strict policy? Do unknown
-// formats, missing files and several models at once give an error with the cure?
+// Are models of every format shown as written, from addresses, files and drops, under a strict
+// policy? Do unknown formats, missing files and several models at once give an error with the cure?
 
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { wasmPolicy } from '../../support/site.js';
 import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
-import { assign, type PhongMesh, type PhongViewer, record, set, settled } from '../../element/support/viewer.js';
+import {
+  assign,
+  type PhongMesh,
+  type PhongViewer,
+  record,
+  set,
+  settled,
+} from '../../element/support/viewer.js';
 
 const size = { width: 400, height: 200 };
 const folder = fileURLToPath(new URL('../../fixtures/models', import.meta.url));
 const model = (name: string): string => `/fixtures/models/${name}`;
 /** The eye sees 2.31 × 4.62 units of the plane z = 0; one light of full strength along the view. */
 const straight = 'theta="0" phi="90" radius="2" target="0 0 0" fov="60"';
-const light = '<phong-light position="0 0 1 0" ambient="255 255 255" diffuse="255 255 255"></phong-light>';
+const light =
+  '<phong-light position="0 0 1 0" ambient="255 255 255" diffuse="255 255 255"></phong-light>';
 const viewerOf = (attributes: string, inner = ''): string =>
   `<phong-viewer ${straight} ${attributes}>${light}${inner}</phong-viewer>`;
 
 /** The colour at a point of the plane z = 0. */
 async function colorAt(viewer: Locator, x: number, y: number): Promise<readonly number[]> {
   const perUnit = 100 / (2 * Math.tan(Math.PI / 6));
-  return [...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit))].slice(0, 3);
+  return [
+    ...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit)),
+  ].slice(0, 3);
 }
 
 function expectNear(color: readonly number[], wanted: readonly number[], tolerance = 1): void {
@@ -28,7 +38,11 @@ function expectNear(color: readonly number[], wanted: readonly number[], toleran
 }
 
 /** The contents of fixtures as files, in the page. */
-async function filesIn(page: Page, names: readonly string[], as: readonly string[] = names): Promise<void> {
+async function filesIn(
+  page: Page,
+  names: readonly string[],
+  as: readonly string[] = names,
+): Promise<void> {
   await page.evaluate(
     async ([paths, given]) => {
       const files = paths.map(async (path, i) => {
@@ -52,7 +66,9 @@ const setFile = (element: Locator, blob = false): Promise<void> =>
 const dropFiles = (viewer: Locator): Promise<{ taken: boolean }> =>
   viewer.evaluate((element: PhongViewer) => {
     const dataTransfer = new DataTransfer();
-    for (const file of Reflect.get(window, 'files') as File[]) dataTransfer.items.add(file);
+    for (const file of Reflect.get(window, 'files') as File[]) {
+      dataTransfer.items.add(file);
+    }
     const over = new DragEvent('dragover', { dataTransfer, bubbles: true, cancelable: true });
     const drop = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
     return { taken: !element.dispatchEvent(over) && !element.dispatchEvent(drop) };
@@ -62,8 +78,9 @@ const dropFiles = (viewer: Locator): Promise<{ taken: boolean }> =>
 async function dropPaths(page: Page, paths: readonly string[]): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const data = { items: [], files: [...paths], dragOperationsMask: 1 };
-  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
     await session.send('Input.dispatchDragEvent', { type, x: 200, y: 100, data });
+  }
 }
 
 interface Outcome {
@@ -89,7 +106,9 @@ async function outcomeOf(viewer: Locator, act: () => Promise<unknown>): Promise<
 
 const drop = (viewer: Locator): Promise<Outcome> => outcomeOf(viewer, () => dropFiles(viewer));
 
-test('an OBJ file shows the coefficients of its MTL file, and its texture the right way up', async ({ mount }) => {
+test('an OBJ file shows the coefficients of its MTL file, and its texture the right way up', async ({
+  mount,
+}) => {
   const viewer = await mount(viewerOf(`src="${model('quads.obj')}" terms="ambient"`), size);
   expectNear(await colorAt(viewer, -0.5, 0), [25.5, 51, 76.5]);
   expectNear(await colorAt(viewer, 0.25, 0.25), [255, 0, 0], 8);
@@ -111,12 +130,18 @@ test('`type` names the format if nothing else does', async ({ mount, consoleGuar
   const text = 'unknown words\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3';
   const src = `data:text/plain,${encodeURIComponent(text)}`;
   const viewer = await mount(viewerOf(`src="${src}"`), size);
-  await expect(viewer.locator('[part=notice]')).toHaveText('The format is not supported: the data: URI.');
+  await expect(viewer.locator('[part=notice]')).toHaveText(
+    'The format is not supported: the data: URI.',
+  );
   expect((await outcomeOf(viewer, () => assign(viewer, { type: 'model/obj' }))).type).toBe('load');
   await expect(viewer.locator('[part=notice]')).toHaveCount(0);
 });
 
-test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({ page, mount, consoleGuard }) => {
+test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/warning: <phong-viewer src="my quad.glb"> is a file on this device/, 1);
   const viewer = await mount(viewerOf('terms="diffuse"', '<phong-mesh></phong-mesh>'), size);
   await filesIn(page, ['textured.glb'], ['my quad.glb']);
@@ -126,7 +151,13 @@ test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
   const same = await viewer.evaluate((element: PhongViewer) => {
     const [file] = Reflect.get(window, 'files') as File[];
     const html = element.toHTML();
-    return [element.src === file, Object.isFrozen(file), element.loaded, html === element.toHTML(), html];
+    return [
+      element.src === file,
+      Object.isFrozen(file),
+      element.loaded,
+      html === element.toHTML(),
+      html,
+    ];
   });
   expect(same).toEqual([true, false, true, true, expect.stringContaining('src="my%20quad.glb"')]);
   await assign(viewer, { src: '' });
@@ -135,7 +166,10 @@ test('`src` can be a File or a Blob, which toHTML says must be hosted', async ({
   expect(compare(await pixels(viewer), shown).max).toBe(0);
 });
 
-test('a model compressed by meshopt without WebAssembly is an error with its cure', async ({ mount, consoleGuard }) => {
+test('a model compressed by meshopt without WebAssembly is an error with its cure', async ({
+  mount,
+  consoleGuard,
+}) => {
   const source = `src="${model('meshopt.glb')}"`;
   const shown = await mount(viewerOf(source), { ...size, csp: wasmPolicy });
   const picture = await pixels(shown);
@@ -148,10 +182,15 @@ test('a model compressed by meshopt without WebAssembly is an error with its cur
 });
 
 test.describe('a droppable viewer', () => {
-  test('shows a folder dropped on it as one model, and files dropped together too', async ({ page, mount }) => {
+  test('shows a folder dropped on it as one model, and files dropped together too', async ({
+    page,
+    mount,
+  }) => {
     const wanted = await pixels(await mount(viewerOf(`src="${model('beside/quad.gltf')}"`), size));
     const viewer = await mount(viewerOf('droppable'), size);
-    expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe('load');
+    expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe(
+      'load',
+    );
     expect(compare(await pixels(viewer), wanted).max).toBe(0);
     // All files in one place, although the names inside contain folders.
     await filesIn(page, ['beside/quad.bin', 'beside/quad.gltf', 'beside/textures/four colours.png'], ['QUAD.BIN', 'quad.gltf', 'four colours.png']); // oxfmt-ignore
@@ -174,15 +213,22 @@ test.describe('a droppable viewer', () => {
     expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
   });
 
-  test('names a broken file in a message until its button, Escape or the next file', async ({ page, mount }) => {
+  test('names a broken file in a message until its button, Escape or the next file', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(viewerOf(`droppable src="${model('textured.glb')}"`), size);
     const before = await pixels(viewer);
-    const [notice, close, retry] = ['notice', 'dismiss', 'retry'].map((part) => viewer.locator(`[part=${part}]`));
+    const [notice, close, retry] = ['notice', 'dismiss', 'retry'].map((part) =>
+      viewer.locator(`[part=${part}]`),
+    );
     const fail = async (): Promise<void> => {
       await filesIn(page, ['truncated.glb']);
       const { detail } = await drop(viewer);
       expect(detail.code).toBe('bad-model');
-      expect(detail.message).toMatch(/^The model cannot be read: it is truncated.* \(truncated\.glb\)\.$/);
+      expect(detail.message).toMatch(
+        /^The model cannot be read: it is truncated.* \(truncated\.glb\)\.$/,
+      );
       await expect(notice!).toContainText('truncated.glb');
       expect(compare(await pixels(viewer), before).max).toBe(0);
       await expect(retry!).toHaveCount(0);
@@ -195,14 +241,19 @@ test.describe('a droppable viewer', () => {
     expect(Math.min(box!.width, box!.height)).toBeGreaterThanOrEqual(24);
     await close!.click();
     await expect(notice!).toHaveCount(0);
-    expect(await viewer.evaluate((element: PhongViewer) => element.matches(':state(error)'))).toBe(false);
+    expect(await viewer.evaluate((element: PhongViewer) => element.matches(':state(error)'))).toBe(
+      false,
+    );
 
     await fail();
-    // The drop has moved the focus into the viewer. An Escape that it used does not reach a listener around it.
+    // The drop has moved the focus into the viewer. An Escape that it used does not reach a
+    // listener around it.
     await viewer.evaluate((element) => {
       const keys: boolean[] = [];
       Reflect.set(window, 'keys', keys);
-      element.parentElement?.addEventListener('keydown', (event) => keys.push(event.defaultPrevented));
+      element.parentElement?.addEventListener('keydown', (event) =>
+        keys.push(event.defaultPrevented),
+      );
     });
     await page.keyboard.press('Escape');
     await expect(notice!).toHaveCount(0);
@@ -231,20 +282,33 @@ test.describe('a droppable viewer', () => {
         undefined,
         /There are 2 models: coloured\.stl, coloured\.ply\. Drop one of them/,
       ],
-      [['quads.mtl', 'beside/quad.bin'], ['a.mtl', 'b.bin'], /None of the 2 files is a model: glTF/],
-      [['beside/quad.bin'], ['chair.fbx'], /^It is an FBX file, which cannot be shown: chair\.fbx\. Export it as glTF/],
+      [
+        ['quads.mtl', 'beside/quad.bin'],
+        ['a.mtl', 'b.bin'],
+        /None of the 2 files is a model: glTF/,
+      ],
+      [
+        ['beside/quad.bin'],
+        ['chair.fbx'],
+        /^It is an FBX file, which cannot be shown: chair\.fbx\. Export it as glTF/,
+      ],
     ] as const) {
       await filesIn(page, paths, names);
       expect((await drop(viewer)).detail.message).toMatch(message);
     }
   });
 
-  test('leaves drops to the page without the attribute, and where the page has taken them', async ({ page, mount }) => {
+  test('leaves drops to the page without the attribute, and where the page has taken them', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(viewerOf(''), size);
     await filesIn(page, ['textured.glb']);
     expect(await dropFiles(viewer)).toEqual({ taken: false });
     await assign(viewer, { droppable: true });
-    await page.evaluate(() => document.addEventListener('drop', (event) => event.preventDefault(), { capture: true }));
+    await page.evaluate(() =>
+      document.addEventListener('drop', (event) => event.preventDefault(), { capture: true }),
+    );
     await dropFiles(viewer);
     await settled(viewer);
     expect(await viewer.evaluate((element: PhongViewer) => element.src)).toBe('');

@@ -4,7 +4,12 @@ import { test } from '../../support/test.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
-test(`twelve hostile models end in events (seed ${SEED})`, async ({ browser, page, mount, consoleGuard }) => {
+test(`twelve hostile models end in events (seed ${SEED})`, async ({
+  browser,
+  page,
+  mount,
+  consoleGuard,
+}) => {
   test.slow();
   await fuzzModels(browser, page, mount, { seed: SEED, count: 12, consoleGuard });
 });

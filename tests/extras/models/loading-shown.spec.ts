@@ -1,5 +1,5 @@
-// What do users, CSS and screen readers get to know about loading? Progress, states, posters and the retry button. The
-// test controls when models arrive and when the progress bar's timer ends.
+// What do users, CSS and screen readers get to know about loading? Progress, states, posters and
+// the retry button. The test controls when models arrive and when the progress bar's timer ends.
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
@@ -30,7 +30,9 @@ async function slowDown(page: Page, sizeIsKnown = true): Promise<void> {
     const { setTimeout: start, clearTimeout: stop, fetch: get } = window;
     Reflect.set(window, 'setTimeout', (run: () => void, ms?: number) => {
       const id = start(() => (ms === 300 ? undefined : run()), ms);
-      if (ms === 300) timers.set(id, run);
+      if (ms === 300) {
+        timers.set(id, run);
+      }
       return id;
     });
     window.clearTimeout = (id) => {
@@ -64,7 +66,9 @@ const slow = `${model}?slow`;
 const barOf = (viewer: Locator): Locator => viewer.getByRole('progressbar');
 const delayOver = (page: Page): Promise<void> =>
   page.evaluate(() => {
-    for (const run of window.loads.timers.values()) run();
+    for (const run of window.loads.timers.values()) {
+      run();
+    }
   });
 const sendNext = async (page: Page): Promise<void> => {
   await page.waitForFunction(() => window.loads.send.length > 0);
@@ -90,9 +94,14 @@ const axeViolations = async (page: Page): Promise<string[]> => {
   return violations.map(({ id }) => id);
 };
 const statesOf = (viewer: Locator): Promise<string[]> =>
-  viewer.evaluate((element) => ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)));
+  viewer.evaluate((element) =>
+    ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)),
+  );
 
-test('shows a bar with a name and a value, or what is slotted, from 300 ms to the end', async ({ page, mount }) => {
+test('shows a bar with a name and a value, or what is slotted, from 300 ms to the end', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mountSlow(page, mount);
   const surface = viewer.locator('[part=surface]');
   await expect(surface).toHaveAttribute('aria-busy', 'true');
@@ -106,7 +115,9 @@ test('shows a bar with a name and a value, or what is slotted, from 300 ms to th
   await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
   expect(await axeViolations(page)).toEqual([]);
   const own = viewer.locator('b');
-  await viewer.evaluate((element) => element.insertAdjacentHTML('beforeend', '<b slot="progress">Wait</b>'));
+  await viewer.evaluate((element) =>
+    element.insertAdjacentHTML('beforeend', '<b slot="progress">Wait</b>'),
+  );
   await expect(own).toBeVisible();
   await expect(viewer.locator('[part=progress]')).toBeHidden();
   await sendNext(page);
@@ -116,13 +127,17 @@ test('shows a bar with a name and a value, or what is slotted, from 300 ms to th
   await expect(surface).not.toHaveAttribute('aria-busy');
 });
 
-test('the bar of an unknown size moves, except with reduced motion; paper shows no bar', async ({ page, mount }) => {
+test('the bar of an unknown size moves, except with reduced motion; paper shows no bar', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mountSlow(page, mount, { sizeIsKnown: false });
   await delayOver(page);
   await sendNext(page);
   await expect(barOf(viewer)).toBeVisible();
   await expect(barOf(viewer)).not.toHaveAttribute('aria-valuenow');
-  const animations = (): Promise<number> => viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
+  const animations = (): Promise<number> =>
+    viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
   expect(await animations()).toBe(1);
   await page.emulateMedia({ reducedMotion: 'reduce' });
   expect(await animations()).toBe(0);
@@ -132,7 +147,9 @@ test('the bar of an unknown size moves, except with reduced motion; paper shows 
 });
 
 test('progress does not decrease when one of several loads ends', async ({ page, mount }) => {
-  const viewer = await mountSlow(page, mount, { inner: `<phong-mesh src="${slow}2"></phong-mesh>` });
+  const viewer = await mountSlow(page, mount, {
+    inner: `<phong-mesh src="${slow}2"></phong-mesh>`,
+  });
   await page.waitForFunction(() => window.loads.send.length === 4);
   await delayOver(page);
   await sendNext(page);
@@ -145,7 +162,11 @@ test('progress does not decrease when one of several loads ends', async ({ page,
   await expect(barOf(viewer)).toHaveCount(0);
 });
 
-test('CSS can select viewers that are loading, failed or empty', async ({ page, mount, consoleGuard }) => {
+test('CSS can select viewers that are loading, failed or empty', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
   await slowDown(page);
   const viewer = await mount('<phong-viewer alt="A model"></phong-viewer>', size);
@@ -170,7 +191,10 @@ test('CSS can select viewers that are loading, failed or empty', async ({ page, 
   await expect.poll(() => statesOf(viewer)).toEqual(['empty']);
 });
 
-test('a browser without internals or custom states loads and shows everything', async ({ page, mount }) => {
+test('a browser without internals or custom states loads and shows everything', async ({
+  page,
+  mount,
+}) => {
   for (const withdraw of [
     () =>
       (CustomStateSet.prototype.add = () => {
@@ -181,10 +205,16 @@ test('a browser without internals or custom states loads and shows everything', 
   ]) {
     await page.addInitScript(withdraw);
     const viewer = await mount(`<phong-viewer alt="A model" src="${model}"></phong-viewer>`, size);
-    expect(await viewer.evaluate((element: PhongViewer) => element.loaded), String(withdraw)).toBe(true);
+    expect(await viewer.evaluate((element: PhongViewer) => element.loaded), String(withdraw)).toBe(
+      true,
+    );
   }
 });
-test('the first picture has all shapes but those that fail; the poster goes', async ({ page, mount, consoleGuard }) => {
+test('the first picture has all shapes but those that fail; the poster goes', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/Failed to load resource/);
   let send: (() => void) | undefined;
   const code = /\/(solids|teapot)-/;
@@ -221,7 +251,10 @@ test('the first picture has all shapes but those that fail; the poster goes', as
   await page.unroute(code);
 });
 
-test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({ page, mount }) => {
+test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mountSlow(page, mount, { attributes: 'poster="data:image/png,none"' });
   const poster = viewer.locator('[part=poster]');
   await expect(poster).toHaveCount(0);
@@ -234,11 +267,17 @@ test('a poster that cannot be shown leaves no trace, and the next one is shown',
   await expect(poster).toHaveCount(0);
 });
 
-test('the button of the message repeats what failed, and keeps the focus', async ({ page, mount, consoleGuard }) => {
+test('the button of the message repeats what failed, and keeps the focus', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
   let refuse = true;
   await page.route('**/none*.glb', (route) =>
-    refuse ? route.fulfill({ status: 404 }) : route.continue({ url: new URL(model, page.url()).href }),
+    refuse
+      ? route.fulfill({ status: 404 })
+      : route.continue({ url: new URL(model, page.url()).href }),
   );
   const viewer = await mount(
     '<phong-viewer alt="Models" src="/none.glb"><phong-mesh src="/none2.glb"></phong-mesh></phong-viewer>',
@@ -263,7 +302,11 @@ test('the button of the message repeats what failed, and keeps the focus', async
   await page.emulateMedia({ media: null });
 });
 
-test('invalid `texts` throw, or give a warning if set before the upgrade', async ({ page, mount, consoleGuard }) => {
+test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   const viewer = await mount('<phong-viewer alt="Nothing"></phong-viewer>', size);
   await assign(viewer, { texts: { 'Try again': 'Nochmal' } });
   for (const texts of ['Nochmal', 1, ['a'], { Loading: 1 }, { Loading: null }]) {
@@ -282,7 +325,10 @@ test('invalid `texts` throw, or give a warning if set before the upgrade', async
   }
   consoleGuard.allow(/<phong-viewer>\.texts: expected/, 1);
   const upgraded = await page.evaluate(() => {
-    const page2 = new DOMParser().parseFromString('<phong-viewer></phong-viewer>'.repeat(2), 'text/html');
+    const page2 = new DOMParser().parseFromString(
+      '<phong-viewer></phong-viewer>'.repeat(2),
+      'text/html',
+    );
     return [{ 'Try again': 'Nochmal' }, 'Nochmal'].map((texts) => {
       const element = page2.querySelector('phong-viewer')!;
       Object.assign(element, { texts });
@@ -293,8 +339,15 @@ test('invalid `texts` throw, or give a warning if set before the upgrade', async
   expect(upgraded).toEqual([{ 'Try again': 'Nochmal' }, null]);
 });
 
-test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the panel', async ({ page, mount }) => {
-  const viewer = await mountSlow(page, mount, { attributes: 'dir="rtl" gui', width: 600, height: 400 });
+test('the bar stands out in all colour schemes; dir="rtl" mirrors it and the panel', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mountSlow(page, mount, {
+    attributes: 'dir="rtl" gui',
+    width: 600,
+    height: 400,
+  });
   await delayOver(page);
   await sendNext(page);
   await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');

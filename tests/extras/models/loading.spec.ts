@@ -1,5 +1,5 @@
-// Which events do loads dispatch, what stays on screen when one fails, and what do messages say? Real files from the
-// page's own server.
+// Which events do loads dispatch, what stays on screen when one fails, and what do messages say?
+// Real files from the page's own server.
 
 import { addressOf } from '../../support/animated-gltf.js';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
@@ -28,13 +28,18 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
     type === 'progress' ? [(detail as { totalProgress: number }).totalProgress] : [],
   );
   expect(shares.at(-1)).toBe(1);
-  expect(shares.every((share, i) => share >= 0 && share <= 1 && share >= (shares[i - 1] ?? 0))).toBe(true);
+  expect(
+    shares.every((share, i) => share >= 0 && share <= 1 && share >= (shares[i - 1] ?? 0)),
+  ).toBe(true);
   expect(heard.filter(({ type }) => type !== 'progress')).toEqual([
     { type: 'load', detail: { url: new URL(bunny, page.url()).href, missing: [] } },
   ]);
 });
 
-test('a model that cannot be shown is an error with its code; the picture stays', async ({ mount, consoleGuard }) => {
+test('a model that cannot be shown is an error with its code; the picture stays', async ({
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource.*404/, 1);
   consoleGuard.allow(/CSP report|violates the following|Content Security Policy/);
   const shown = model('no-normals.glb');
@@ -62,7 +67,10 @@ test('a model that cannot be shown is an error with its code; the picture stays'
     expect(await events.take(), src).toMatchObject([{ type: 'load' }]);
   }
 });
-test('messages repeat a part of long texts in files and addresses', async ({ mount, consoleGuard }) => {
+test('messages repeat a part of long texts in files and addresses', async ({
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource/);
   consoleGuard.allow(/warning: .*Save it without that extension\./, 2);
   const viewer = await mount('<phong-viewer></phong-viewer>');
@@ -78,7 +86,9 @@ test('messages repeat a part of long texts in files and addresses', async ({ mou
   };
   const sources = [
     ...[word, words].map((version) => addressOf({ asset: { version } })),
-    ...[word, words].map((name) => addressOf({ asset: { version: '2.0' }, extensionsRequired: [name] })),
+    ...[word, words].map((name) =>
+      addressOf({ asset: { version: '2.0' }, extensionsRequired: [name] }),
+    ),
     addressOf({ asset: { version: '2.0' }, ...linked }),
     `/${'x'.repeat(5000)}.glb`,
   ];
@@ -91,22 +101,34 @@ test('messages repeat a part of long texts in files and addresses', async ({ mou
     expect(shown.slice(0, 100), `source ${i}`).toBe(message.slice(0, 100));
     for (const text of [message, shown]) {
       expect(text.length, `source ${i}`).toBeLessThan(530);
-      expect(Math.max(...text.split(/\s+/).map(({ length }) => length)), `source ${i}`).toBeLessThan(105);
+      expect(
+        Math.max(...text.split(/\s+/).map(({ length }) => length)),
+        `source ${i}`,
+      ).toBeLessThan(105);
       expect(text, `source ${i}`).toContain('...');
     }
   }
 });
 
-test('an author’s own element in the slot error takes the place of the message', async ({ mount, consoleGuard }) => {
+test('an author’s own element in the slot error takes the place of the message', async ({
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource.*404/);
-  const viewer = await mount('<phong-viewer src="/none.glb"><b slot="error">No bunny today</b></phong-viewer>', size);
+  const viewer = await mount(
+    '<phong-viewer src="/none.glb"><b slot="error">No bunny today</b></phong-viewer>',
+    size,
+  );
   await expect(viewer.locator('b')).toBeVisible();
   await expect(viewer.locator('[part=notice]')).toBeHidden();
 });
 
 test('moving a viewer loads nothing again', async ({ page, mount }) => {
   const mesh = `<phong-mesh src="${model('no-normals.glb')}"></phong-mesh>`;
-  const viewer = await mount(`<phong-viewer src="${bunny}">${mesh}</phong-viewer><aside></aside>`, size);
+  const viewer = await mount(
+    `<phong-viewer src="${bunny}">${mesh}</phong-viewer><aside></aside>`,
+    size,
+  );
   const before = await pixels(viewer);
   const requests: string[] = [];
   page.on('request', (request) => requests.push(request.url()));
@@ -123,7 +145,11 @@ test('moving a viewer loads nothing again', async ({ page, mount }) => {
   expect(requests).toEqual([]);
 });
 
-test('a mesh dispatches its own load and error events; so does the viewer', async ({ page, mount, consoleGuard }) => {
+test('a mesh dispatches its own load and error events; so does the viewer', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/error: Failed to load resource.*404/, 1);
   const viewer = await mount('<phong-viewer><phong-mesh></phong-mesh></phong-viewer>', size);
   const mesh = viewer.locator('phong-mesh');
@@ -137,7 +163,10 @@ test('a mesh dispatches its own load and error events; so does the viewer', asyn
   const before = await pixels(viewer);
   await assign(mesh, { src: '/none.glb' });
   await settled(viewer);
-  const failed = { type: 'error', detail: expect.objectContaining({ code: 'load-failed' }) as unknown };
+  const failed = {
+    type: 'error',
+    detail: expect.objectContaining({ code: 'load-failed' }) as unknown,
+  };
   expect(await own.take()).toEqual([failed]);
   expect(await viewers.take()).toEqual([failed]);
   same(await pixels(viewer), before);

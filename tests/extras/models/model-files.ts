@@ -1,5 +1,5 @@
-// What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its
-// numbers.
+// What the tests of file formats share: a model loaded from files in memory, as if a server had
+// sent them, and its numbers.
 import { afterEach, beforeEach, vi } from 'vitest';
 import { imageSize } from '../../../src/extras/models/image.js';
 import { modelContent, type LoadOptions } from '../../../src/extras/models/model-content.js';
@@ -14,19 +14,26 @@ export const BREAKS_OFF = null;
 export type FileContent = string | Uint8Array<ArrayBuffer> | null;
 
 function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream {
-  if (content !== BREAKS_OFF) return typeof content === 'string' ? new TextEncoder().encode(content) : content;
+  if (content !== BREAKS_OFF) {
+    return typeof content === 'string' ? new TextEncoder().encode(content) : content;
+  }
   return new ReadableStream({
     start: (controller) => controller.enqueue(new Uint8Array(1)),
     pull: (controller) => controller.error(new TypeError('network error')),
   });
 }
 
-/** The texts of the running test's warnings, which are not shown. Ends the test's stand-ins and spies after it. */
+/**
+ * The texts of the running test's warnings, which are not shown. Ends the test's stand-ins and
+ * spies after it.
+ */
 export function heardWarnings(): readonly string[] {
   const warnings: string[] = [];
   beforeEach(() => {
     warnings.length = 0;
-    vi.spyOn(console, 'warn').mockImplementation((line: unknown) => void warnings.push(String(line)));
+    vi.spyOn(console, 'warn').mockImplementation(
+      (line: unknown) => void warnings.push(String(line)),
+    );
   });
   afterEach(() => {
     vi.unstubAllGlobals();
@@ -65,7 +72,10 @@ export const view = (bufferView: number, type: string, componentType = 5126, cou
 
 /** An attribute of a part as plain numbers, rounded to what float32 holds. */
 export const numbersOf = (model: Content, name: string, part = 0): number[] =>
-  Array.from(model.parts[part]?.geometry.getAttribute(name).array ?? [], (value) => Math.round(value * 1e6) / 1e6 + 0);
+  Array.from(
+    model.parts[part]?.geometry.getAttribute(name).array ?? [],
+    (value) => Math.round(value * 1e6) / 1e6 + 0,
+  );
 
 export const indexOf = (model: Content, part = 0): number[] =>
   Array.from(model.parts[part]?.geometry.index?.array ?? []);
@@ -78,7 +88,8 @@ export function cornersOf(model: Content, name: string): number[][] {
 }
 
 /** A PNG image of this size, as far as a header goes, and one byte. */
-export const png = (width = 2, height = 2): Uint8Array<ArrayBuffer> => new Uint8Array([...pngHeader(width, height), 0]);
+export const png = (width = 2, height = 2): Uint8Array<ArrayBuffer> =>
+  new Uint8Array([...pngHeader(width, height), 0]);
 
 export function pngHeader(width = 2, height = 2): Uint8Array<ArrayBuffer> {
   const text = '\x89PNG\r\n\x1a\n\0\0\0\rIHDR'.padEnd(37, '\0') + 'IDAT';

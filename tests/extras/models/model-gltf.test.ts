@@ -1,5 +1,6 @@
-// Is what a glTF document says shown, whatever combination says it: quantised, interleaved, shared, skinned, in strips,
-// with moved textures, instances, hidden nodes, missing normals, mirrored joints? And is what is left out named?
+// Is what a glTF document says shown, whatever combination says it: quantised, interleaved, shared,
+// skinned, in strips, with moved textures, instances, hidden nodes, missing normals, mirrored
+// joints? And is what is left out named?
 import fc from 'fast-check';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
@@ -15,9 +16,15 @@ const UBYTE = 5121;
 const TRIANGLE = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
 /** A document whose buffer views are the given arrays, one each, end to end. */
-function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], more: Json): Promise<Content> {
+function gltf(
+  blobs: readonly ArrayBufferView[],
+  accessors: readonly Json[],
+  more: Json,
+): Promise<Content> {
   const { bufferViews, buffers, body } = viewsOf(
-    blobs.map(({ buffer, byteOffset, byteLength }) => new Uint8Array(buffer, byteOffset, byteLength)),
+    blobs.map(
+      ({ buffer, byteOffset, byteLength }) => new Uint8Array(buffer, byteOffset, byteLength),
+    ),
   );
   const strides = (more['strides'] ?? []) as readonly number[];
   const uri = `data:;base64,${body.toString('base64')}`;
@@ -34,7 +41,9 @@ function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], mor
   return modelContent(url, OPTIONS);
 }
 
-const mesh = (attributes: Json, more: Json = {}): Json => ({ meshes: [{ primitives: [{ attributes, ...more }] }] });
+const mesh = (attributes: Json, more: Json = {}): Json => ({
+  meshes: [{ primitives: [{ attributes, ...more }] }],
+});
 
 const warnings = heardWarnings();
 
@@ -54,7 +63,9 @@ describe('attributes', () => {
 
   it('must be as many as there are vertices, and triangles must name vertices that exist', async () => {
     const fewer = view(0, 'VEC3', FLOAT, 2);
-    await expect(gltf([triangle], [POSITION, fewer], mesh({ POSITION: 0, NORMAL: 1 }))).rejects.toThrow(/fewer normal/);
+    await expect(
+      gltf([triangle], [POSITION, fewer], mesh({ POSITION: 0, NORMAL: 1 })),
+    ).rejects.toThrow(/fewer normal/);
     const indexed = mesh({ POSITION: 0 }, { indices: 1 });
     await expect(
       gltf([triangle, new Uint8Array([0, 1, 3])], [POSITION, view(1, 'SCALAR', UBYTE)], indexed),
@@ -62,11 +73,17 @@ describe('attributes', () => {
   });
 
   it('may have strided indices', async () => {
-    const model = await gltf([triangle, new Uint16Array([2, 9, 1, 9, 0, 9])], [POSITION, view(1, 'SCALAR', 5123)], {
-      ...mesh({ POSITION: 0 }, { indices: 1 }),
-      strides: [12, 4],
-    });
-    expect(numbersOf(model, 'position')).toEqual([2, 1, 0].flatMap((i) => TRIANGLE.slice(3 * i, 3 * i + 3)));
+    const model = await gltf(
+      [triangle, new Uint16Array([2, 9, 1, 9, 0, 9])],
+      [POSITION, view(1, 'SCALAR', 5123)],
+      {
+        ...mesh({ POSITION: 0 }, { indices: 1 }),
+        strides: [12, 4],
+      },
+    );
+    expect(numbersOf(model, 'position')).toEqual(
+      [2, 1, 0].flatMap((i) => TRIANGLE.slice(3 * i, 3 * i + 3)),
+    );
   });
 
   it.each([
@@ -74,7 +91,11 @@ describe('attributes', () => {
     ['strip, in which every second triangle is reversed', 5, [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]],
   ])('may form a %s', async (_, mode, square) => {
     const positions = [new Float32Array(square)];
-    const model = await gltf(positions, [view(0, 'VEC3', FLOAT, 4)], mesh({ POSITION: 0 }, { mode }));
+    const model = await gltf(
+      positions,
+      [view(0, 'VEC3', FLOAT, 4)],
+      mesh({ POSITION: 0 }, { mode }),
+    );
     expect(numbersOf(model, 'position')).toHaveLength(18);
     expect(numbersOf(model, 'normal').filter((_, i) => i % 3 === 2)).toEqual([1, 1, 1, 1, 1, 1]);
   });
@@ -157,7 +178,12 @@ it('sides are single unless the material says double, and single without a mater
 const BYTE = 5120;
 const USHORT = 5123;
 
-const list = (name: string, size: number, values: ArrayBufferView & ArrayLike<number>, componentType = FLOAT) => ({
+const list = (
+  name: string,
+  size: number,
+  values: ArrayBufferView & ArrayLike<number>,
+  componentType = FLOAT,
+) => ({
   name,
   values,
   accessor: {
@@ -169,7 +195,11 @@ const list = (name: string, size: number, values: ArrayBufferView & ArrayLike<nu
 });
 
 /** A triangle at these instances of a node, which has a transform of its own. */
-function instanced(lists: readonly ReturnType<typeof list>[], more: Json = {}, node: Json = {}): Promise<Content> {
+function instanced(
+  lists: readonly ReturnType<typeof list>[],
+  more: Json = {},
+  node: Json = {},
+): Promise<Content> {
   const attributes = Object.fromEntries(lists.map(({ name }, i) => [name, i + 1]));
   return gltf(
     [triangle, ...lists.map(({ values }) => values)],
@@ -187,7 +217,8 @@ function instanced(lists: readonly ReturnType<typeof list>[], more: Json = {}, n
 describe('instances', () => {
   it('are where their lists and their node put them, whichever lists there are and however quantised', async () => {
     const component = fc.integer({ min: -127, max: 127 });
-    const components = (count: number) => fc.array(component, { minLength: count, maxLength: count });
+    const components = (count: number) =>
+      fc.array(component, { minLength: count, maxLength: count });
     const lists = fc.record(
       { TRANSLATION: components(9), ROTATION: components(12), SCALE: components(9) },
       { requiredKeys: [] },
@@ -199,30 +230,41 @@ describe('instances', () => {
     };
     const types = fc.constantFrom([Float32Array, FLOAT], [Int8Array, BYTE], [Int16Array, SHORT]);
     await fc.assert(
-      fc.asyncProperty(lists, types, fc.boolean(), async (given, [Type, componentType], mirrored) => {
-        fc.pre(Object.keys(given).length > 0);
-        const places = Object.entries(given).map(([name, values]) =>
-          name === 'ROTATION'
-            ? list(name, 4, new Type(values), componentType)
-            : list(name, 3, new Float32Array(values)),
-        );
-        const scale = [mirrored ? -2 : 2, 1, 1] as const;
-        const model = await instanced(places, {}, { scale, translation: [5, 0, 0] });
-        const node = new Matrix4().compose(new Vector3(5, 0, 0), new Quaternion(), new Vector3(...scale));
-        expect(model.parts).toHaveLength(3);
-        model.parts.forEach(({ matrix, geometry }, i) => {
-          const { TRANSLATION, ROTATION, SCALE } = { ...still, ...given };
-          // Whatever the divisor of its type, a quaternion is normalised.
-          const q = new Quaternion().fromArray(ROTATION, i * 4);
-          const turn = q.lengthSq() > 0 ? q.normalize() : new Quaternion();
-          const [at, size] = [TRANSLATION, SCALE].map((list) => new Vector3().fromArray(list, i * 3));
-          const wanted = new Matrix4().compose(at!, turn, size!).premultiply(node);
-          wanted.elements.forEach((element, k) => {
-            expect(matrix.elements[k]).toBeCloseTo(element, 9);
+      fc.asyncProperty(
+        lists,
+        types,
+        fc.boolean(),
+        async (given, [Type, componentType], mirrored) => {
+          fc.pre(Object.keys(given).length > 0);
+          const places = Object.entries(given).map(([name, values]) =>
+            name === 'ROTATION'
+              ? list(name, 4, new Type(values), componentType)
+              : list(name, 3, new Float32Array(values)),
+          );
+          const scale = [mirrored ? -2 : 2, 1, 1] as const;
+          const model = await instanced(places, {}, { scale, translation: [5, 0, 0] });
+          const node = new Matrix4().compose(
+            new Vector3(5, 0, 0),
+            new Quaternion(),
+            new Vector3(...scale),
+          );
+          expect(model.parts).toHaveLength(3);
+          model.parts.forEach(({ matrix, geometry }, i) => {
+            const { TRANSLATION, ROTATION, SCALE } = { ...still, ...given };
+            // Whatever the divisor of its type, a quaternion is normalised.
+            const q = new Quaternion().fromArray(ROTATION, i * 4);
+            const turn = q.lengthSq() > 0 ? q.normalize() : new Quaternion();
+            const [at, size] = [TRANSLATION, SCALE].map((list) =>
+              new Vector3().fromArray(list, i * 3),
+            );
+            const wanted = new Matrix4().compose(at!, turn, size!).premultiply(node);
+            wanted.elements.forEach((element, k) => {
+              expect(matrix.elements[k]).toBeCloseTo(element, 9);
+            });
+            expect(geometry).toBe(model.parts[0]?.geometry);
           });
-          expect(geometry).toBe(model.parts[0]?.geometry);
-        });
-      }),
+        },
+      ),
       { numRuns: 40 },
     );
   });
@@ -243,7 +285,12 @@ describe('instances', () => {
   });
 
   it('share a look where they have one colour, and fade where it has an alpha and the material blends', async () => {
-    const colors = list('_COLOR_0', 4, new Uint8Array([255, 255, 255, 51, 255, 255, 255, 51]), UBYTE);
+    const colors = list(
+      '_COLOR_0',
+      4,
+      new Uint8Array([255, 255, 255, 51, 255, 255, 255, 51]),
+      UBYTE,
+    );
     const { parts } = await instanced([colors], { materials: [{ alphaMode: 'BLEND' }] });
     expect(parts[0]?.look).toBe(parts[1]?.look);
     expect(parts[0]?.look).toMatchObject({ alphaMode: 'blend', opacity: 0.2 });
@@ -265,7 +312,12 @@ describe('instances', () => {
     const extensions = { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION: 1 } } };
     const channels = [{ sampler: 0, target: { node: 0, path: 'translation' } }];
     const model = await gltf(
-      [triangle, new Float32Array([1, 0, 0, 2, 0, 0]), new Float32Array([0, 1]), new Float32Array([0, 0, 0, 7, 0, 0])],
+      [
+        triangle,
+        new Float32Array([1, 0, 0, 2, 0, 0]),
+        new Float32Array([0, 1]),
+        new Float32Array([0, 0, 0, 7, 0, 0]),
+      ],
       [POSITION, view(1, 'VEC3', FLOAT, 2), view(2, 'SCALAR', FLOAT, 2), view(3, 'VEC3', FLOAT, 2)],
       {
         ...mesh({ POSITION: 0 }),
@@ -302,7 +354,9 @@ describe('hidden nodes', () => {
 
   it('still move a skin as its joints, wherever the node of its mesh is', async () => {
     const half = Math.SQRT1_2;
-    const model = await skinned([{ translation: [10, 0, 0], rotation: [half, 0, 0, half], ...hidden }]);
+    const model = await skinned([
+      { translation: [10, 0, 0], rotation: [half, 0, 0, half], ...hidden },
+    ]);
     // A quarter turn about x brings y to z and z to -y.
     expect(numbersOf(model, 'position')).toEqual([10, 0, 0, 11, 0, 0, 10, 0, 1]);
     expect(numbersOf(model, 'normal')).toEqual([0, -1, 0, 0, -1, 0, 0, -1, 0]);
@@ -311,7 +365,11 @@ describe('hidden nodes', () => {
 });
 
 /** A triangle whose corners follow these joints, the first one each if there are fewer. */
-function skinned(joints: readonly Json[], more: Json = {}, blobs: readonly Float32Array[] = []): Promise<Content> {
+function skinned(
+  joints: readonly Json[],
+  more: Json = {},
+  blobs: readonly Float32Array[] = [],
+): Promise<Content> {
   const of = (corner: number): number => Math.min(corner, joints.length - 1);
   const indices = new Uint8Array([0, 1, 2].flatMap((corner) => [of(corner), 0, 0, 0]));
   return gltf(
@@ -358,13 +416,17 @@ describe('mirrored joints', () => {
   const mirror = { scale: [-1, 1, 1] };
 
   it('leave the outside outside, with normals and without, indexed or not', async () => {
-    for (const attributes of [{ NORMAL: 3 }, {}])
+    for (const attributes of [{ NORMAL: 3 }, {}]) {
       for (const indices of [5, undefined]) {
-        const primitive = mesh({ POSITION: 0, JOINTS_0: 1, WEIGHTS_0: 2, ...attributes }, { indices });
+        const primitive = mesh(
+          { POSITION: 0, JOINTS_0: 1, WEIGHTS_0: 2, ...attributes },
+          { indices },
+        );
         const model = await skinned([mirror], primitive);
         expect(facing(model)).toBeGreaterThan(0);
         expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0, 1]);
       }
+    }
   });
 
   it('turn only the triangles that they mirror', async () => {
@@ -390,7 +452,11 @@ describe('mirrored joints', () => {
 
 describe('normals without direction', () => {
   /** Two triangles of a square, and the normals of its four corners. */
-  const square = (normals: readonly number[], order: readonly number[], more: Json = {}): Promise<Content> =>
+  const square = (
+    normals: readonly number[],
+    order: readonly number[],
+    more: Json = {},
+  ): Promise<Content> =>
     gltf(
       [
         new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
@@ -410,13 +476,20 @@ describe('normals without direction', () => {
   const BOTH_SIDES = [0, 1, 2, 0, 2, 1];
 
   it('are those of the faces where some are missing, and the file’s others stay, with unit length', async () => {
-    const model = await square([0, 3 * 2 ** 100, 4 * 2 ** 100, 0, 0, 0, NaN, 0, 1, 0, 0, Infinity], ORDER);
-    expect(numbersOf(model, 'normal')).toEqual([0, 0.6, 0.8, 0, 0, 1, 0, 0, 1, 0, 0.6, 0.8, 0, 0, 1, 0, 0, 1]);
+    const model = await square(
+      [0, 3 * 2 ** 100, 4 * 2 ** 100, 0, 0, 0, NaN, 0, 1, 0, 0, Infinity],
+      ORDER,
+    );
+    expect(numbersOf(model, 'normal')).toEqual([
+      0, 0.6, 0.8, 0, 0, 1, 0, 0, 1, 0, 0.6, 0.8, 0, 0, 1, 0, 0, 1,
+    ]);
   });
 
   it('are those of each side where a square has two', async () => {
     const model = await square([0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0], BOTH_SIDES);
-    expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, -1, 1, 0, 0]);
+    expect(numbersOf(model, 'normal')).toEqual([
+      0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, -1, 1, 0, 0,
+    ]);
   });
 
   it('leave corners together where only triangles without area have them', async () => {
@@ -424,12 +497,15 @@ describe('normals without direction', () => {
     expect(indexOf(await square([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0], order))).toEqual(order);
   });
 
-  it.each(['still', 'morphed'])('are those of the faces where all are missing in a %s mesh', async (which) => {
-    const morphed = mesh({ POSITION: 0, NORMAL: 1 }, { indices: 2, targets: [{ POSITION: 3 }] });
-    const more = which === 'morphed' ? { ...morphed, weights: [1] } : {};
-    const model = await square(new Array<number>(12).fill(0), ORDER, more);
-    expect(numbersOf(model, 'normal')).toEqual(ORDER.flatMap(() => [0, 0, 1]));
-  });
+  it.each(['still', 'morphed'])(
+    'are those of the faces where all are missing in a %s mesh',
+    async (which) => {
+      const morphed = mesh({ POSITION: 0, NORMAL: 1 }, { indices: 2, targets: [{ POSITION: 3 }] });
+      const more = which === 'morphed' ? { ...morphed, weights: [1] } : {};
+      const model = await square(new Array<number>(12).fill(0), ORDER, more);
+      expect(numbersOf(model, 'normal')).toEqual(ORDER.flatMap(() => [0, 0, 1]));
+    },
+  );
 });
 
 describe('metals', () => {
@@ -454,8 +530,14 @@ describe('metals', () => {
   });
 
   it('keep half of Kd without a texture', async () => {
-    expect((await lookOf({ roughnessFactor: 0.3 }))?.look).toMatchObject({ metalness: 0.5, roughness: 0.3 });
-    expect((await lookOf({ metallicFactor: 0.2 }))?.look).toMatchObject({ metalness: 0.2, roughness: 1 });
+    expect((await lookOf({ roughnessFactor: 0.3 }))?.look).toMatchObject({
+      metalness: 0.5,
+      roughness: 0.3,
+    });
+    expect((await lookOf({ metallicFactor: 0.2 }))?.look).toMatchObject({
+      metalness: 0.2,
+      roughness: 1,
+    });
   });
 });
 
@@ -474,6 +556,8 @@ it('what is left out is named once, in one warning of bounded length', async () 
     animations: [{ samplers: [], channels: [{ sampler: 0, target }] }],
   });
   expect(warnings).toHaveLength(1);
-  expect(warnings[0]).toMatch(/without KHR_lights_punctual, X+\.\.\., points, lines, KHR_animation_pointer\.$/);
+  expect(warnings[0]).toMatch(
+    /without KHR_lights_punctual, X+\.\.\., points, lines, KHR_animation_pointer\.$/,
+  );
   expect(warnings[0]!.length).toBeLessThan(300);
 });

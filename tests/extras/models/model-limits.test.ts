@@ -1,5 +1,5 @@
-// Are files that claim too much, or claim nonsense, refused? The files are small, and no more than the limit of what
-// they claim may be allocated.
+// Are files that claim too much, or claim nonsense, refused? The files are small, and no more than
+// the limit of what they claim may be allocated.
 import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
@@ -20,11 +20,16 @@ const load = (file: Buffer | Blob): Promise<Content> => {
 
 const NATIVE = Float32Array;
 
-/** The error's code and message, or what was loaded. Fails where more floats are allocated than a model may have. */
+/**
+ * The error's code and message, or what was loaded. Fails where more floats are allocated than a
+ * model may have.
+ */
 async function outcome(file: Buffer | Blob): Promise<string> {
   let allocated = 0;
   const construct = (target: Float32ArrayConstructor, args: [number]): Float32Array => {
-    if (typeof args[0] === 'number') expect((allocated += args[0])).toBeLessThanOrEqual(VALUE_LIMIT);
+    if (typeof args[0] === 'number') {
+      expect((allocated += args[0])).toBeLessThanOrEqual(VALUE_LIMIT);
+    }
     return Reflect.construct(target, args) as Float32Array;
   };
   vi.stubGlobal('Float32Array', new Proxy(NATIVE, { construct }));
@@ -94,17 +99,24 @@ describe('accessors', () => {
 describe('every accessor that is read is counted', () => {
   const claim = 3e8;
   /** Puts a value in place of one. */
-  const SPARSE = { count: 1, indices: { bufferView: 0, componentType: 5123 }, values: { bufferView: 0 } };
+  const SPARSE = {
+    count: 1,
+    indices: { bufferView: 0, componentType: 5123 },
+    values: { bufferView: 0 },
+  };
 
-  it.each(['POSITION', 'NORMAL'])('a morph target with fewer or more %s than its mesh has vertices', async (name) => {
-    for (const count of [2, claim]) {
-      const accessors = [SOUND, { componentType: 5120, count, type: 'VEC3' }];
-      const primitives = [{ attributes: { POSITION: 0 }, targets: [{ [name]: 1 }] }];
-      const file = hostile.triangleGlb({ accessors, meshes: [{ primitives, weights: [1] }] });
-      const what = `targets\\[0\\].${name} has ${count} elements, but its mesh has 3 vertices`;
-      expect(await outcome(file)).toMatch(new RegExp(`^bad-model: .*${what}`));
-    }
-  });
+  it.each(['POSITION', 'NORMAL'])(
+    'a morph target with fewer or more %s than its mesh has vertices',
+    async (name) => {
+      for (const count of [2, claim]) {
+        const accessors = [SOUND, { componentType: 5120, count, type: 'VEC3' }];
+        const primitives = [{ attributes: { POSITION: 0 }, targets: [{ [name]: 1 }] }];
+        const file = hostile.triangleGlb({ accessors, meshes: [{ primitives, weights: [1] }] });
+        const what = `targets\\[0\\].${name} has ${count} elements, but its mesh has 3 vertices`;
+        expect(await outcome(file)).toMatch(new RegExp(`^bad-model: .*${what}`));
+      }
+    },
+  );
 
   const whole = bar();
   const accessors = whole['accessors'] as readonly Json[];
@@ -118,7 +130,9 @@ describe('every accessor that is read is counted', () => {
         const result = await outcome(jsonOf({ ...whole, accessors: claims }));
         // Animations whose times do not fit their values are left out, unread.
         const leftOut = i === accessors.findIndex(({ type }, k) => type === 'SCALAR' && k > 8);
-        expect(result).toMatch(leftOut ? /^1 parts$/ : /^(too-large: .* at most|bad-model: .*elements, but its mesh)/);
+        expect(result).toMatch(
+          leftOut ? /^1 parts$/ : /^(too-large: .* at most|bad-model: .*elements, but its mesh)/,
+        );
       }
     },
   );
@@ -158,7 +172,9 @@ describe('every accessor that is read is counted', () => {
         { componentType: FLOAT, count: 1, type: 'SCALAR' },
         { componentType: FLOAT, count: targets, type: 'SCALAR' },
       ],
-      animations: [{ samplers: [{ input: times, output: times + 1 }], channels: Array(10_000).fill(channel) }],
+      animations: [
+        { samplers: [{ input: times, output: times + 1 }], channels: Array(10_000).fill(channel) },
+      ],
     });
     expect(await outcome(file)).toMatch(/^too-large: .*numbers in its vertices/);
   });
@@ -179,16 +195,20 @@ describe('parts', () => {
     expect(await outcome(file)).toMatch(message);
   });
 
-  it.each([true, false])('of 2000 nodes load and share one geometry (one mesh: %s)', async (shared) => {
-    const { parts } = await load(hostile.instancesGlb(2000, shared));
-    expect(parts).toHaveLength(2000);
-    expect(new Set(parts.map(({ geometry }) => geometry)).size).toBe(1);
-  });
+  it.each([true, false])(
+    'of 2000 nodes load and share one geometry (one mesh: %s)',
+    async (shared) => {
+      const { parts } = await load(hostile.instancesGlb(2000, shared));
+      expect(parts).toHaveLength(2000);
+      expect(new Set(parts.map(({ geometry }) => geometry)).size).toBe(1);
+    },
+  );
 });
 
 describe('images', () => {
   const decode = vi.fn((blob: Blob, _options: ImageBitmapOptions) => bitmapOf(blob));
-  const png = (width: number, height: number): Buffer => pngWith(width, height, 32, deflateSync(Buffer.alloc(10)));
+  const png = (width: number, height: number): Buffer =>
+    pngWith(width, height, 32, deflateSync(Buffer.alloc(10)));
 
   beforeEach(() => {
     decode.mockClear();
@@ -200,7 +220,9 @@ describe('images', () => {
     ['many whose sum is too much', Array.from({ length: 65 }, () => png(1024, 1024))],
   ])('are too-large by their headers: %s', async (_, images) => {
     const textures = images.map((_, source) => ({ source }));
-    expect(await outcome(hostile.texturedGlb(images, textures))).toMatch(/^too-large: .*pixels in its images/);
+    expect(await outcome(hostile.texturedGlb(images, textures))).toMatch(
+      /^too-large: .*pixels in its images/,
+    );
     expect(decode.mock.calls.length).toBeLessThan(65);
   });
 
@@ -212,19 +234,33 @@ describe('images', () => {
   });
 
   it('count again for another sampler, because they are uploaded again', async () => {
-    const samplers = [10497, 33071, 33648, 10497, 33071].map((wrapS, i) => ({ wrapS, wrapT: i > 2 ? 33648 : 10497 }));
+    const samplers = [10497, 33071, 33648, 10497, 33071].map((wrapS, i) => ({
+      wrapS,
+      wrapT: i > 2 ? 33648 : 10497,
+    }));
     const textures = samplers.map((_, sampler) => ({ source: 0, sampler }));
     const { json, body } = openGlb(hostile.texturedGlb([png(4096, 4096)], textures));
-    expect(await outcome(glbOf({ ...json, samplers }, body))).toMatch(/^too-large: .*pixels in its images/);
+    expect(await outcome(glbOf({ ...json, samplers }, body))).toMatch(
+      /^too-large: .*pixels in its images/,
+    );
   });
 
   it('are not decoded once their load is aborted', async () => {
     let finish = (): void => undefined;
-    decode.mockImplementationOnce((blob) => new Promise((resolve) => (finish = () => resolve(bitmapOf(blob)))));
+    decode.mockImplementationOnce(
+      (blob) => new Promise((resolve) => (finish = () => resolve(bitmapOf(blob)))),
+    );
     const abort = new AbortController();
-    const file = hostile.texturedGlb([png(4096, 4096), png(4096, 4095)], [{ source: 0 }, { source: 1 }]);
+    const file = hostile.texturedGlb(
+      [png(4096, 4096), png(4096, 4095)],
+      [{ source: 0 }, { source: 1 }],
+    );
     const options = { ...OPTIONS, signal: abort.signal };
-    const ended = modelContent(new URL('file:///a'), options, new Blob([new Uint8Array(file)])).catch(String);
+    const ended = modelContent(
+      new URL('file:///a'),
+      options,
+      new Blob([new Uint8Array(file)]),
+    ).catch(String);
     await expect.poll(() => decode.mock.calls.length).toBe(1);
     abort.abort();
     finish();
@@ -237,7 +273,10 @@ describe('images', () => {
     await load(hostile.texturedGlb([png(16384, 1000)], [{ source: 0 }]));
     await load(hostile.texturedGlb([png(8192, 8192)], [{ source: 0 }]));
     await load(hostile.texturedGlb([png(8192, 4096)], [{ source: 0 }]));
-    const sizes = decode.mock.calls.map(([, { resizeWidth, resizeHeight }]) => [resizeWidth, resizeHeight]);
+    const sizes = decode.mock.calls.map(([, { resizeWidth, resizeHeight }]) => [
+      resizeWidth,
+      resizeHeight,
+    ]);
     expect(sizes).toEqual([
       [8192, 500],
       [5792, 5792],
@@ -262,18 +301,30 @@ it.each([
   ['claim more points than their accessors', [1, 7], [1, 3], beyondAccessors],
   ['claim 50 million triangles', [50e6, 3], [1, 3], /^too-large/],
   ['agree with accessors beyond the limits', [50e6, 25e6], [50e6, 25e6], /^too-large/],
-  ['agree with accessors beyond the limits of a mesh', [1.2e6, 6e5], [1.2e6, 6e5], /in one Draco mesh/],
+  [
+    'agree with accessors beyond the limits of a mesh',
+    [1.2e6, 6e5],
+    [1.2e6, 6e5],
+    /in one Draco mesh/,
+  ],
   ['are themselves beyond the limits of a mesh', [1.2e6, 6e5], [8e5, 4e5], /in one Draco mesh/],
   ['end after their header', [1e5, 5e4], [1e5, 5e4], /^bad-model: .*Draco data/],
-] as const)('Draco data that %s are refused before decoding', async (_, [faces, points], [claimed, least], message) => {
-  expect(await outcome(hostile.dracoGlb(faces, points, { faces: claimed, points: least }))).toMatch(message);
-});
+] as const)(
+  'Draco data that %s are refused before decoding',
+  async (_, [faces, points], [claimed, least], message) => {
+    expect(
+      await outcome(hostile.dracoGlb(faces, points, { faces: claimed, points: least })),
+    ).toMatch(message);
+  },
+);
 
 describe('text', () => {
   /** A triangle and `size` bytes more. */
   const embedded = (size: number, change: (uri: string) => string = (uri) => uri): Buffer => {
     const bytes = Buffer.concat([TRIANGLE, Buffer.alloc(size)]);
-    const document = hostile.triangleDocument({ buffers: [{ byteLength: bytes.length, uri: 'BUFFER' }] });
+    const document = hostile.triangleDocument({
+      buffers: [{ byteLength: bytes.length, uri: 'BUFFER' }],
+    });
     const uri = change(`data:application/octet-stream;base64,${bytes.toString('base64')}`);
     return Buffer.from(JSON.stringify(document).replace('BUFFER', uri));
   };
@@ -295,16 +346,21 @@ describe('text', () => {
     const parse = vi.spyOn(JSON, 'parse');
     const decode = vi.spyOn(TextDecoder.prototype, 'decode');
     expect(await outcome(file)).toBe('1 parts');
-    for (const [text] of parse.mock.calls) expect(text.length).toBeLessThan(5000);
-    for (const [bytes] of decode.mock.calls) expect(bytes!.byteLength).toBeLessThan(5000);
+    for (const [text] of parse.mock.calls) {
+      expect(text.length).toBeLessThan(5000);
+    }
+    for (const [bytes] of decode.mock.calls) {
+      expect(bytes!.byteLength).toBeLessThan(5000);
+    }
     vi.restoreAllMocks();
   });
 
   it('that is broken is named: base64, strings without an end, JSON', async () => {
     const broken = embedded(9000, (uri) => uri.replace('AAAA', 'A*AA'));
     expect(await outcome(broken)).toMatch(/^bad-model: .*broken base64/);
-    for (const text of ['{"asset": "', '{"asset": "\\"', '{"buffers": [{]}'])
+    for (const text of ['{"asset": "', '{"asset": "\\"', '{"buffers": [{]}']) {
       expect(await outcome(Buffer.from(text))).toMatch(/^bad-model: .*JSON is broken/);
+    }
   });
 
   const utf16 = Buffer.alloc(135e6, 0x20);
@@ -316,7 +372,9 @@ describe('text', () => {
   ])(
     'is too-large before it is read: %s',
     async (_, text) => {
-      expect(await outcome(new Blob([text]))).toMatch(/^too-large: The model has [\d,]+ bytes of (text|JSON)/);
+      expect(await outcome(new Blob([text]))).toMatch(
+        /^too-large: The model has [\d,]+ bytes of (text|JSON)/,
+      );
     },
     20_000,
   );
@@ -336,7 +394,10 @@ describe('documents that are wrong', () => {
   const typed = (type: string): Buffer => hostile.triangleGlb({ accessors: [{ ...SOUND, type }] });
   const unknownType = /accessors\[0\] has an unknown type/;
   const tooDeep = /nodes are nested deeper than 1000 levels|too-large/;
-  const odd = JSON.stringify(hostile.triangleDocument()).replace('{', '{"__proto__":{"scenes":[]},"constructor":0,');
+  const odd = JSON.stringify(hostile.triangleDocument()).replace(
+    '{',
+    '{"__proto__":{"scenes":[]},"constructor":0,',
+  );
 
   it.each([
     ['an accessor of the type constructor', typed('constructor'), unknownType],
@@ -347,7 +408,11 @@ describe('documents that are wrong', () => {
     ['a hundred thousand levels of nodes', hostile.deepGlb(100_000), tooDeep],
     ['a thousand levels of nodes', hostile.deepGlb(1000), /^1 parts$/],
     ['JSON that is too deep', glbOf('['.repeat(1e6)), /^too-large/],
-    ['JSON of millions of values', glbOf(`[${'{},'.repeat(2e6)}0]`), /^too-large: .*values in its JSON/],
+    [
+      'JSON of millions of values',
+      glbOf(`[${'{},'.repeat(2e6)}0]`),
+      /^too-large: .*values in its JSON/,
+    ],
     ['keys such as __proto__', glbOf(odd, TRIANGLE), /^1 parts$/],
   ])('with %s are named, or shown where it does no harm', async (_, file, message) => {
     expect(await outcome(file)).toMatch(message);
@@ -365,7 +430,11 @@ it.each([
   ['ten thousand nodes of a skin of many joints', hostile.jointsGlb(60_000, 9000), /^9000 parts$/],
   ['three million corners at one vertex', hostile.fanGlb(3e6), /^1 parts$/],
   ['200,000 buffer views', hostile.longListGlb('bufferViews', 200_000), /^1 parts$/],
-  ['200,000 nodes', hostile.longListGlb('nodes', 200_000), /^too-large: .*200,001 nodes; at most 30,000/],
+  [
+    '200,000 nodes',
+    hostile.longListGlb('nodes', 200_000),
+    /^too-large: .*200,001 nodes; at most 30,000/,
+  ],
 ])(
   'work of %s ends within seconds',
   async (_, file, message) => {

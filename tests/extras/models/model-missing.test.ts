@@ -1,5 +1,6 @@
-// Is a model shown without the images and material libraries that are missing or broken, with one warning that names
-// them? The same for every format, and for files from a server, from the user's disk and inside the model.
+// Is a model shown without the images and material libraries that are missing or broken, with one
+// warning that names them? The same for every format, and for files from a server, from the user's
+// disk and inside the model.
 import { beforeEach, describe, expect, it } from 'vitest';
 import { droppedModel, modelContent } from '../../../src/extras/models/model-content.js';
 import type { Content } from '../../../src/viewer/model/model.js';
@@ -23,7 +24,10 @@ const warnings = heardWarnings();
 
 /** A triangle with texture coordinates, its buffer inside; `parts` replace the document's own. */
 function gltf(parts: Json): string {
-  const { bufferViews, body } = viewsOf([floats(0, 0, 0, 1, 0, 0, 0, 1, 0), floats(0, 0, 1, 0, 0, 1)]);
+  const { bufferViews, body } = viewsOf([
+    floats(0, 0, 0, 1, 0, 0, 0, 1, 0),
+    floats(0, 0, 1, 0, 0, 1),
+  ]);
   const uri = `data:application/octet-stream;base64,${body.toString('base64')}`;
   const document = triangleDocument({
     meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, material: 0 }] }],
@@ -49,7 +53,11 @@ const obj = (images: readonly string[]): Readonly<Record<string, string>> => {
 
 const mapsOf = ({ parts }: Content): boolean[] => parts.map(({ look }) => look.map !== null);
 
-const broken: readonly (readonly [what: string, content: FileContent | undefined, reason: RegExp])[] = [
+const broken: readonly (readonly [
+  what: string,
+  content: FileContent | undefined,
+  reason: RegExp,
+])[] = [
   ['the server does not have', undefined, /answered 404 for oak wood\.png/],
   ['whose connection breaks', BREAKS_OFF, /connection broke/],
   ['that is cut after its header', pngHeader(), /cannot be decoded by this browser/],
@@ -67,14 +75,24 @@ describe.each([
     expect(mapsOf(model)).toEqual([false]);
     expect(model.missing).toEqual([path]);
     expect(warnings).toEqual([expect.stringMatching(reason)]);
-    expect(warnings[0]).toContain(`${Object.keys(files)[0]!} is shown without 1 of the files that it names: ${path}. `);
+    expect(warnings[0]).toContain(
+      `${Object.keys(files)[0]!} is shown without 1 of the files that it names: ${path}. `,
+    );
   });
 });
 
 describe('an image', () => {
   it.each([
-    ['whose data: URI is broken', { images: [{ uri: 'data:image/png;base64,*' }] }, /images\[0\].*base64/],
-    ['whose data: URI holds none', { images: [{ uri: 'data:image/png,x', name: 'oak' }] }, /oak is no PNG/],
+    [
+      'whose data: URI is broken',
+      { images: [{ uri: 'data:image/png;base64,*' }] },
+      /images\[0\].*base64/,
+    ],
+    [
+      'whose data: URI holds none',
+      { images: [{ uri: 'data:image/png,x', name: 'oak' }] },
+      /oak is no PNG/,
+    ],
     ['whose view is none', { images: [{ bufferView: 7 }] }, /images\[0\]/],
     ['without any source', { images: [{}] }, /images\[0\]/],
     ['on another origin', { images: [{ uri: 'https://other.example/x.png' }] }, /crossorigin/],
@@ -94,7 +112,9 @@ describe('an image', () => {
       textures: [{ source: 0, sampler: 0 }, { source: 0 }, { source: 1 }],
       images: [{ uri: 'x.png' }, { uri: 'x.png' }],
       samplers: [{ wrapS: 33071 }],
-      materials: [0, 1, 2].map((index) => ({ pbrMetallicRoughness: { baseColorTexture: { index } } })),
+      materials: [0, 1, 2].map((index) => ({
+        pbrMetallicRoughness: { baseColorTexture: { index } },
+      })),
       meshes: [{ primitives: [0, 1, 2].map((material) => ({ attributes, material })) }],
     };
     const model = await loadFiles({ 'a.gltf': gltf(parts) });
@@ -117,7 +137,9 @@ describe('the factors of a map whose image is missing', () => {
 
   it('do not make all of the surface glow', async () => {
     const emissiveFactor = [1, 1, 1];
-    expect((await lookOf({ emissiveFactor, emissiveTexture: { index: 0 } }))?.emissive).toEqual([0, 0, 0]);
+    expect((await lookOf({ emissiveFactor, emissiveTexture: { index: 0 } }))?.emissive).toEqual([
+      0, 0, 0,
+    ]);
     expect((await lookOf({ emissiveFactor }))?.emissive[0]).toBeCloseTo(1, 12);
   });
 
@@ -126,13 +148,18 @@ describe('the factors of a map whose image is missing', () => {
     const metallicRoughnessTexture = { index: 0 };
     const lost = await lookOf({ pbrMetallicRoughness: { ...factors, metallicRoughnessTexture } });
     expect(lost).toMatchObject({ metalness: 0, roughness: null });
-    expect(await lookOf({ pbrMetallicRoughness: factors })).toMatchObject({ metalness: 0, roughness: null });
+    expect(await lookOf({ pbrMetallicRoughness: factors })).toMatchObject({
+      metalness: 0,
+      roughness: null,
+    });
   });
 });
 
 describe('files from the user’s disk', () => {
   /** The first file, with the others beside it. */
-  async function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>): Promise<Content> {
+  async function dropped(
+    files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>,
+  ): Promise<Content> {
     const group = Object.entries(files).map(([path, content]) => new File([content], path));
     const model = await droppedModel([], group);
     return modelContent(new URL(model!.name, 'file:///'), OPTIONS, model);
@@ -157,14 +184,18 @@ describe('files from the user’s disk', () => {
     const model = await dropped(obj(Array.from({ length: 14 }, (_, i) => `${i}.png`)));
     expect(model.missing).toHaveLength(14);
     expect(warnings).toHaveLength(1);
-    expect(warnings[0]).toMatch(/without 14 of .*lib\/0\.png, .*lib\/9\.png and 4 more\. Drop them[^:]*all\.$/);
+    expect(warnings[0]).toMatch(
+      /without 14 of .*lib\/0\.png, .*lib\/9\.png and 4 more\. Drop them[^:]*all\.$/,
+    );
   });
 
   it('are an error that names everything missing if a buffer is', async () => {
     const buffers = [{ byteLength: 60, uri: 'a.bin' }];
     await expect(dropped({ 'a.gltf': gltf({ buffers }), 'b.txt': '' })).rejects.toMatchObject({
       code: 'load-failed',
-      message: expect.stringMatching(/^a\.gltf names files that did not come with it: .*a\.bin/) as string,
+      message: expect.stringMatching(
+        /^a\.gltf names files that did not come with it: .*a\.bin/,
+      ) as string,
     });
     expect(warnings).toEqual([]);
   });

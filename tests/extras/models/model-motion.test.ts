@@ -1,5 +1,5 @@
-// Do a model's poses agree with three.js's own mixer, skinned meshes and morph targets, at any time? What happens to
-// mistakes in animation data?
+// Do a model's poses agree with three.js's own mixer, skinned meshes and morph targets, at any
+// time? What happens to mistakes in animation data?
 import { AnimationMixer, type Mesh, type SkinnedMesh, Vector3 } from 'three';
 import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
@@ -11,9 +11,11 @@ import { movingCopy } from '../../../src/extras/models/moving-copy.js';
 import { addressOf, bar, type BarOptions } from '../../support/animated-gltf.js';
 import { OPTIONS } from './model-files.js';
 
-const load = (document: object): Promise<Content> => modelContent(new URL(addressOf(document)), OPTIONS);
+const load = (document: object): Promise<Content> =>
+  modelContent(new URL(addressOf(document)), OPTIONS);
 
-// three.js's loader reads data: addresses by fetch, and reports progress with this class, which Node does not have.
+// three.js's loader reads data: addresses by fetch, and reports progress with this class, which
+// Node does not have.
 beforeAll(() => {
   vi.stubGlobal('ProgressEvent', Event);
 });
@@ -23,7 +25,9 @@ async function expected(document: object, clip: number, seconds: number): Promis
   const { scene, animations } = await new GLTFLoader().parseAsync(JSON.stringify(document), '');
   const mixer = new AnimationMixer(scene);
   const animation = clip < 0 ? undefined : animations.at(clip);
-  if (animation) mixer.clipAction(animation).play();
+  if (animation) {
+    mixer.clipAction(animation).play();
+  }
   mixer.setTime(seconds);
   scene.updateMatrixWorld(true);
   const found: number[] = [];
@@ -43,7 +47,8 @@ async function expected(document: object, clip: number, seconds: number): Promis
 function places({ parts }: Content): number[] {
   return parts.flatMap(({ geometry, matrix }) => {
     const position = geometry.getAttribute('position');
-    const at = (_: unknown, i: number) => new Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix);
+    const at = (_: unknown, i: number) =>
+      new Vector3().fromBufferAttribute(position, i).applyMatrix4(matrix);
     return Array.from({ length: position.count }, at).flatMap((place) => place.toArray());
   });
 }
@@ -52,7 +57,9 @@ function expectPlaces(model: Content, wanted: readonly number[]): void {
   const actual = places(model);
   expect(actual).toHaveLength(wanted.length);
   // Vertices are float32, within 4 of the origin.
-  for (const [i, value] of actual.entries()) expect(Math.abs(value - wanted[i]!)).toBeLessThan(2e-6);
+  for (const [i, value] of actual.entries()) {
+    expect(Math.abs(value - wanted[i]!)).toBeLessThan(2e-6);
+  }
 }
 
 const cases: readonly [string, BarOptions][] = [
@@ -62,19 +69,23 @@ const cases: readonly [string, BarOptions][] = [
   ['joints and morph targets', {}],
 ];
 
-it.each(cases)('the pose of %s is the same as in three.js in each animation at any time', async (_, options) => {
-  const document = bar(options);
-  const atRest = await expected(document, -1, 0);
-  const model = await load(document);
-  expectPlaces(model, atRest);
-  for (const seconds of [0, 0.3, 1, 1.25, 1.999])
-    for (const [clip, name] of model.motion?.names.entries() ?? []) {
-      model.motion?.pose(name, seconds);
-      expectPlaces(model, await expected(document, clip, seconds));
+it.each(cases)(
+  'the pose of %s is the same as in three.js in each animation at any time',
+  async (_, options) => {
+    const document = bar(options);
+    const atRest = await expected(document, -1, 0);
+    const model = await load(document);
+    expectPlaces(model, atRest);
+    for (const seconds of [0, 0.3, 1, 1.25, 1.999]) {
+      for (const [clip, name] of model.motion?.names.entries() ?? []) {
+        model.motion?.pose(name, seconds);
+        expectPlaces(model, await expected(document, clip, seconds));
+      }
     }
-  model.motion?.pose(null, 0);
-  expectPlaces(model, atRest);
-});
+    model.motion?.pose(null, 0);
+    expectPlaces(model, atRest);
+  },
+);
 
 describe('a pose', () => {
   it('has the bounds of its vertices, in a new object each time', async () => {
@@ -95,7 +106,9 @@ describe('a pose', () => {
     const copy = movingCopy(await load(bar()));
     copy.motion?.pose('bend', 1);
     const { geometry } = copy.parts[0]!;
-    expect(sizeOf(geometry)?.center).toEqual(geometry.boundingBox?.getCenter(new Vector3()).toArray());
+    expect(sizeOf(geometry)?.center).toEqual(
+      geometry.boundingBox?.getCenter(new Vector3()).toArray(),
+    );
   });
 
   it('that does not change sends nothing to the GPU', async () => {
@@ -115,7 +128,10 @@ describe('a pose', () => {
       model.motion?.pose('swell', 0.7);
       model.motion?.pose('bend', 0.7);
       const { geometry } = model.parts[0]!;
-      const [normal, position] = [geometry.getAttribute('normal'), geometry.getAttribute('position')];
+      const [normal, position] = [
+        geometry.getAttribute('normal'),
+        geometry.getAttribute('position'),
+      ];
       for (let i = 0; i < normal.count; i += 1) {
         const N = new Vector3().fromBufferAttribute(normal, i);
         expect(N.length()).toBeCloseTo(1, 6);
@@ -131,9 +147,13 @@ describe('a pose', () => {
     const model = await load({
       ...document,
       scenes: [{ nodes: [0, 3] }],
-      nodes: [...(document['nodes'] as object[]), { mesh: 0, weights: [1, 0], translation: [5, 0, 0] }],
+      nodes: [
+        ...(document['nodes'] as object[]),
+        { mesh: 0, weights: [1, 0], translation: [5, 0, 0] },
+      ],
     });
-    const firstX = (): number[] => model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
+    const firstX = (): number[] =>
+      model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
     expect(firstX()).toEqual([0.25, 0.75]);
     model.motion?.pose('swell', 1);
     expect(firstX()).toEqual([0.75, 0.75]);
@@ -146,16 +166,27 @@ describe('an animation with a mistake is left out, and named', () => {
     channels: [{ sampler: 0, target }],
   });
   const document = bar();
-  const input = (document['animations'] as { samplers: { input: number }[] }[])[0]!.samplers[0]!.input;
-  const vectors = (document['accessors'] as { type: string }[]).findIndex(({ type }) => type === 'VEC3');
+  const input = (document['animations'] as { samplers: { input: number }[] }[])[0]!.samplers[0]!
+    .input;
+  const vectors = (document['accessors'] as { type: string }[]).findIndex(
+    ({ type }) => type === 'VEC3',
+  );
 
   const withOne = (animation: unknown): object => ({ ...document, animations: [animation] });
   it.each([
     ['an unknown accessor', withOne(channel({ input: 999, output: vectors })), 1],
     ['an unknown sampler', withOne({ ...channel({}), samplers: [] }), 1],
-    ['an unknown node', withOne(channel({ input, output: vectors }, { node: 99, path: 'scale' })), 1],
+    [
+      'an unknown node',
+      withOne(channel({ input, output: vectors }, { node: 99, path: 'scale' })),
+      1,
+    ],
     ['values of another type', withOne(channel({ input, output: vectors }, { node: 0, path: 'rotation' })), 1], // oxfmt-ignore
-    ['an unknown interpolation', withOne(channel({ input, output: vectors, interpolation: 'WILD' })), 1],
+    [
+      'an unknown interpolation',
+      withOne(channel({ input, output: vectors, interpolation: 'WILD' })),
+      1,
+    ],
     ['times that are vectors', withOne(channel({ input: vectors, output: vectors })), 1],
     ['times that go back', bar({ times: [0, 2, 1] }), 3],
     ['a time that is no number', bar({ times: [0, NaN, 2] }), 3],
@@ -164,7 +195,9 @@ describe('an animation with a mistake is left out, and named', () => {
     const model = await load(wrong);
     expect(model.motion).toBeNull();
     expect(model.dropped?.size).toBe(count);
-    for (const name of model.dropped ?? []) expect(name).toMatch(/^animations\[\d\] \(.+\)$/);
+    for (const name of model.dropped ?? []) {
+      expect(name).toMatch(/^animations\[\d\] \(.+\)$/);
+    }
   });
 
   it('but one that is no object is an error', async () => {
@@ -191,7 +224,9 @@ describe('nodes, skins and scenes in any arrangement', () => {
   const perNode = fc.array(fc.integer({ min: -1, max: 1 }), { minLength: NODES, maxLength: NODES });
   const arrangements = fc.record({
     /** Of each node but the first; -1 for none. */
-    parents: fc.tuple(...Array.from({ length: NODES - 1 }, (_, i) => fc.integer({ min: -1, max: i }))),
+    parents: fc.tuple(
+      ...Array.from({ length: NODES - 1 }, (_, i) => fc.integer({ min: -1, max: i })),
+    ),
     /** Mesh and skin of each node; -1 for none. */
     meshes: perNode,
     skins: perNode,
@@ -225,18 +260,27 @@ describe('nodes, skins and scenes in any arrangement', () => {
         return;
       }
       const model = result as Content;
-      for (const pose of ['bend', 'slide', 'swell', null]) model.motion?.pose(pose, 0.7);
+      for (const pose of ['bend', 'slide', 'swell', null]) {
+        model.motion?.pose(pose, 0.7);
+      }
       expect(places(model).every(Number.isFinite)).toBe(true);
     };
     await fc.assert(fc.asyncProperty(arrangements, shown), { numRuns: 100 });
   });
 
   it('with a joint that is an ancestor of its mesh, or the mesh itself, or has the same mesh without a skin', async () => {
-    const parts = async (arrangement: Arrangement): Promise<number> => (await load(arranged(arrangement))).parts.length;
+    const parts = async (arrangement: Arrangement): Promise<number> =>
+      (await load(arranged(arrangement))).parts.length;
     const chain = { parents: [0, 1, -1, -1], roots: [0], joints: [[0, 1], []] };
-    expect(await parts({ ...chain, meshes: [-1, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(1);
-    expect(await parts({ ...chain, meshes: [-1, 0, -1, -1, -1], skins: [-1, 0, -1, -1, -1] })).toBe(1);
-    expect(await parts({ ...chain, meshes: [0, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(2);
+    expect(await parts({ ...chain, meshes: [-1, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(
+      1,
+    );
+    expect(await parts({ ...chain, meshes: [-1, 0, -1, -1, -1], skins: [-1, 0, -1, -1, -1] })).toBe(
+      1,
+    );
+    expect(await parts({ ...chain, meshes: [0, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(
+      2,
+    );
   });
 
   it('with a node listed in the scene that lies below another one, which is shown once', async () => {

@@ -14,7 +14,10 @@ describe('the files that a model names', () => {
     ['./wood/oak.png', 'https://shop.example/models/chairs/wood/oak.png'],
     ['wood/../one.bin', 'https://shop.example/models/chairs/one.bin'],
     ['/models/chairs/one.bin?x#y', 'https://shop.example/models/chairs/one.bin?x#y'],
-    ['https://shop.example/models/chairs/a%20b.png', 'https://shop.example/models/chairs/a%20b.png'],
+    [
+      'https://shop.example/models/chairs/a%20b.png',
+      'https://shop.example/models/chairs/a%20b.png',
+    ],
   ])('may be %s', (uri, address) => {
     expect(linkedUrl(uri, MODEL, false).href).toBe(address);
   });
@@ -30,13 +33,21 @@ describe('the files that a model names', () => {
     'javascript:alert(1)',
     'file:///etc/passwd',
   ])('may not be %s', (uri) => {
-    expect(() => linkedUrl(uri, MODEL, false)).toThrow(expect.objectContaining({ code: 'load-failed' }));
+    expect(() => linkedUrl(uri, MODEL, false)).toThrow(
+      expect.objectContaining({ code: 'load-failed' }),
+    );
   });
 
   it('may be anywhere on the web, and nowhere else, if crossorigin is set', () => {
-    expect(linkedUrl('//other.example/a.bin', MODEL, true).href).toBe('https://other.example/a.bin');
+    expect(linkedUrl('//other.example/a.bin', MODEL, true).href).toBe(
+      'https://other.example/a.bin',
+    );
     expect(linkedUrl('../a.bin', MODEL, true).href).toBe('https://shop.example/models/a.bin');
-    for (const uri of ['javascript:alert(1)', 'file:///etc/passwd', 'blob:https://shop.example/1']) {
+    for (const uri of [
+      'javascript:alert(1)',
+      'file:///etc/passwd',
+      'blob:https://shop.example/1',
+    ]) {
       expect(() => linkedUrl(uri, MODEL, true)).toThrow(/is not in the folder of/);
     }
   });
@@ -56,9 +67,12 @@ describe('the files that a model names', () => {
     );
   });
 
-  it.each(['data:model/gltf+json,{}', 'blob:https://shop.example/1'])('are refused beside %s', (model) => {
-    expect(() => linkedUrl('one.bin', new URL(model), false)).toThrow();
-  });
+  it.each(['data:model/gltf+json,{}', 'blob:https://shop.example/1'])(
+    'are refused beside %s',
+    (model) => {
+      expect(() => linkedUrl('one.bin', new URL(model), false)).toThrow();
+    },
+  );
 });
 
 describe('data: URIs', () => {
@@ -69,7 +83,9 @@ describe('data: URIs', () => {
     await fc.assert(
       fc.asyncProperty(fc.uint8Array(), async (bytes) => {
         const base64 = Buffer.from(bytes).toString('base64');
-        const percent = Array.from(bytes, (byte) => `%${byte.toString(16).padStart(2, '0')}`).join('');
+        const percent = Array.from(bytes, (byte) => `%${byte.toString(16).padStart(2, '0')}`).join(
+          '',
+        );
         const expected = Array.from(bytes);
         expect(await decoded(`data:application/octet-stream;base64,${base64}`)).toEqual(expected);
         expect(await decoded(`DATA:;BASE64,${base64.replace(/=+$/, '')}`)).toEqual(expected);
@@ -97,7 +113,8 @@ describe('formats', () => {
   const url = (name: string): string => `https://shop.example/${name}`;
   const supported =
     /^The format is not supported: .*These are: glTF \(\.glb, \.gltf\), PLY \(\.ply\), STL \(\.stl\), OBJ \(\.obj\)/;
-  const ascii = (text: string): Uint8Array<ArrayBuffer> => Uint8Array.from(text, (c) => c.charCodeAt(0));
+  const ascii = (text: string): Uint8Array<ArrayBuffer> =>
+    Uint8Array.from(text, (c) => c.charCodeAt(0));
   const oneTriangle = new Uint8Array(134);
   oneTriangle[80] = 1;
 

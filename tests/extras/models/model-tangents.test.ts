@@ -1,9 +1,17 @@
-// Are computed tangents those of the surfaces that the texture coordinates describe? Expected values come from each
-// surface's own formula. Green points up the image, and glTF's v runs down it.
+// Are computed tangents those of the surfaces that the texture coordinates describe? Expected
+// values come from each surface's own formula. Green points up the image, and glTF's v runs down
+// it.
 import fc from 'fast-check';
 import { BufferAttribute, BufferGeometry, SphereGeometry } from 'three';
 import { describe, expect, it } from 'vitest';
-import { cross, dot, normalize, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+import {
+  cross,
+  dot,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../../src/phong/math/vector.js';
 import { addTangents } from '../../../src/extras/models/gltf/computed-vectors.js';
 import { Slices } from '../../../src/extras/models/slices.js';
 
@@ -25,8 +33,13 @@ async function framesOf(geometry: BufferGeometry): Promise<readonly Frame[]> {
 }
 
 const unit = fc
-  .tuple(fc.double({ min: 0, max: 6.28, noNaN: true }), fc.double({ min: -0.99, max: 0.99, noNaN: true }))
-  .map(([angle, z]): Vec3 => normalize([Math.cos(angle), Math.sin(angle), z / Math.sqrt(1 - z * z)]));
+  .tuple(
+    fc.double({ min: 0, max: 6.28, noNaN: true }),
+    fc.double({ min: -0.99, max: 0.99, noNaN: true }),
+  )
+  .map(([angle, z]): Vec3 =>
+    normalize([Math.cos(angle), Math.sin(angle), z / Math.sqrt(1 - z * z)]),
+  );
 
 const CORNERS = [[0, 0], [1, 0], [0, 1], [1, 1]] as const; // oxfmt-ignore
 
@@ -59,27 +72,34 @@ describe('computed tangents', () => {
   it.each([
     ['a sphere', new SphereGeometry(1, 48, 24)],
     ['separate triangles', new SphereGeometry(1, 48, 24).toNonIndexed()],
-  ])('follow the parallels of %s, and point to the north where v runs south', async (_, geometry) => {
-    // three.js counts v from the south.
-    const uvs = geometry.getAttribute('uv').array;
-    for (let i = 1; i < uvs.length; i += 2) uvs[i] = 1 - uvs[i]!;
-    const positions = geometry.getAttribute('position');
-    let compared = 0;
-    for (const [i, { T, up }] of (await framesOf(geometry)).entries()) {
-      const [x, y, z]: Vec3 = [positions.getX(i), positions.getY(i), positions.getZ(i)];
-      if (Math.abs(y) > 0.9) continue; // triangles at the poles are long and thin in u
-      // x = −cos φ sin θ, z = sin φ sin θ with φ = 2πu.
-      expect(dot(T, normalize([z, 0, -x]))).toBeGreaterThan(0.99);
-      expect(up[1]).toBeGreaterThan(0);
-      compared += 1;
-    }
-    expect(compared).toBeGreaterThan(500);
-  });
+  ])(
+    'follow the parallels of %s, and point to the north where v runs south',
+    async (_, geometry) => {
+      // three.js counts v from the south.
+      const uvs = geometry.getAttribute('uv').array;
+      for (let i = 1; i < uvs.length; i += 2) {
+        uvs[i] = 1 - uvs[i]!;
+      }
+      const positions = geometry.getAttribute('position');
+      let compared = 0;
+      for (const [i, { T, up }] of (await framesOf(geometry)).entries()) {
+        const [x, y, z]: Vec3 = [positions.getX(i), positions.getY(i), positions.getZ(i)];
+        if (Math.abs(y) > 0.9) continue; // triangles at the poles are long and thin in u
+        // x = −cos φ sin θ, z = sin φ sin θ with φ = 2πu.
+        expect(dot(T, normalize([z, 0, -x]))).toBeGreaterThan(0.99);
+        expect(up[1]).toBeGreaterThan(0);
+        compared += 1;
+      }
+      expect(compared).toBeGreaterThan(500);
+    },
+  );
 
   it('are zero where the texture coordinates give no direction', async () => {
     const geometry = new SphereGeometry(1, 20, 10);
     geometry.getAttribute('uv').array.fill(0.5);
-    for (const { T } of await framesOf(geometry)) expect(T).toEqual([0, 0, 0]);
+    for (const { T } of await framesOf(geometry)) {
+      expect(T).toEqual([0, 0, 0]);
+    }
     const { array } = geometry.getAttribute('tangent');
     expect(array.every((value, i) => value === (i % 4 === 3 ? 1 : 0))).toBe(true);
   });

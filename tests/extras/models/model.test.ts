@@ -1,7 +1,13 @@
-// Does a model come out of real files as the shaders need it, and a readable error out of broken ones?
-// Images are decoded by a stand-in, as Node has no createImageBitmap.
+// Does a model come out of real files as the shaders need it, and a readable error out of broken
+// ones? Images are decoded by a stand-in, as Node has no createImageBitmap.
 import { existsSync, readFileSync } from 'node:fs';
-import { ClampToEdgeWrapping, NearestFilter, NoColorSpace, type BufferGeometry, type Texture } from 'three';
+import {
+  ClampToEdgeWrapping,
+  NearestFilter,
+  NoColorSpace,
+  type BufferGeometry,
+  type Texture,
+} from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { modelContent, type LoadOptions } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/viewer/model/model.js';
@@ -23,14 +29,19 @@ function answer({ href }: URL): Response {
   const path = decodeURIComponent(href.replace(ORIGIN, ''));
   requests.push(path);
   if (path === '/no-answer.glb') throw new TypeError('fetch failed');
-  if (path === '/huge.glb') return new Response('glTF', { headers: { 'content-length': String(2 ** 31) } });
-  if (!existsSync(fileOf(path))) return new Response(null, { status: 404, statusText: 'Not Found' });
+  if (path === '/huge.glb') {
+    return new Response('glTF', { headers: { 'content-length': String(2 ** 31) } });
+  }
+  if (!existsSync(fileOf(path))) {
+    return new Response(null, { status: 404, statusText: 'Not Found' });
+  }
   const bytes = readFileSync(fileOf(path));
   return new Response(bytes, { headers: { 'content-length': String(bytes.length) } });
 }
 
 let requests: string[] = [];
-let bitmaps: { readonly options: ImageBitmapOptions | undefined; readonly close: () => void }[] = [];
+let bitmaps: { readonly options: ImageBitmapOptions | undefined; readonly close: () => void }[] =
+  [];
 
 beforeEach(() => {
   requests = [];
@@ -58,7 +69,8 @@ afterEach(() => {
 const load = (path: string, options: Partial<LoadOptions> = {}): Promise<Content> =>
   modelContent(new URL(path, ORIGIN), { ...OPTIONS, ...options });
 
-const values = (geometry: BufferGeometry, name: string): number[] => Array.from(geometry.getAttribute(name).array);
+const values = (geometry: BufferGeometry, name: string): number[] =>
+  Array.from(geometry.getAttribute(name).array);
 
 function onlyPart(model: Content): Content['parts'][number] {
   expect(model.parts).toHaveLength(1);
@@ -66,7 +78,10 @@ function onlyPart(model: Content): Content['parts'][number] {
 }
 
 it('a model compressed by meshopt is the same as without the compression', async () => {
-  const [packed, plain] = [await load('/fixtures/meshopt.glb'), await load('/fixtures/no-normals.glb')];
+  const [packed, plain] = [
+    await load('/fixtures/meshopt.glb'),
+    await load('/fixtures/no-normals.glb'),
+  ];
   // The encoder may rotate a triangle's corners, but must not change it.
   const corners = (model: Content): string[] => {
     const list = values(onlyPart(model).geometry, 'position');
@@ -77,7 +92,9 @@ it('a model compressed by meshopt is the same as without the compression', async
 
 it('the bunny comes out of Draco whole: all its triangles, unit normals, with progress in bytes', async () => {
   const told: [number, number][] = [];
-  const model = await load('/assets/bunny.glb', { onProgress: (...progress) => told.push(progress) });
+  const model = await load('/assets/bunny.glb', {
+    onProgress: (...progress) => told.push(progress),
+  });
   const { geometry } = onlyPart(model);
   expect(geometry.getAttribute('position').count).toBe(2826);
   expect(geometry.index?.count).toBe(5648 * 3);
@@ -98,32 +115,37 @@ it.each([
   ['textured.glb', []],
   ['data-uris.gltf', []],
   ['beside/quad.gltf', ['beside/quad.bin', 'beside/textures/four colours.png']],
-])('textures of %s are decoded from bytes, unconverted, with the sampler of the file', async (file, others) => {
-  const model = await load(`/fixtures/${file}`);
-  // Nothing but what is in the model's folder and below.
-  expect(requests.toSorted()).toEqual([file, ...others].map((path) => `/fixtures/${path}`).toSorted());
-  const { geometry, look, name } = onlyPart(model);
-  expect(name).toBe('quad');
-  expect(model.missing).toEqual([]);
-  expect(values(geometry, 'uv')).toEqual([0, 1, 1, 1, 1, 0, 0, 0]);
-  const map = look.map as Texture;
-  expect(map).toMatchObject({
-    colorSpace: NoColorSpace,
-    flipY: false,
-    channel: 0,
-    magFilter: NearestFilter,
-    minFilter: NearestFilter,
-    wrapS: ClampToEdgeWrapping,
-    wrapT: ClampToEdgeWrapping,
-    generateMipmaps: false,
-    premultiplyAlpha: false,
-  });
-  expect(map.version).toBeGreaterThan(0);
-  expect(bitmaps).toHaveLength(1);
-  expect(bitmaps[0]?.options).toEqual({ premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
-  model.dispose();
-  await expect.poll(() => bitmaps[0]?.close).toHaveBeenCalledTimes(1);
-});
+])(
+  'textures of %s are decoded from bytes, unconverted, with the sampler of the file',
+  async (file, others) => {
+    const model = await load(`/fixtures/${file}`);
+    // Nothing but what is in the model's folder and below.
+    expect(requests.toSorted()).toEqual(
+      [file, ...others].map((path) => `/fixtures/${path}`).toSorted(),
+    );
+    const { geometry, look, name } = onlyPart(model);
+    expect(name).toBe('quad');
+    expect(model.missing).toEqual([]);
+    expect(values(geometry, 'uv')).toEqual([0, 1, 1, 1, 1, 0, 0, 0]);
+    const map = look.map as Texture;
+    expect(map).toMatchObject({
+      colorSpace: NoColorSpace,
+      flipY: false,
+      channel: 0,
+      magFilter: NearestFilter,
+      minFilter: NearestFilter,
+      wrapS: ClampToEdgeWrapping,
+      wrapT: ClampToEdgeWrapping,
+      generateMipmaps: false,
+      premultiplyAlpha: false,
+    });
+    expect(map.version).toBeGreaterThan(0);
+    expect(bitmaps).toHaveLength(1);
+    expect(bitmaps[0]?.options).toEqual({ premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+    model.dispose();
+    await expect.poll(() => bitmaps[0]?.close).toHaveBeenCalledTimes(1);
+  },
+);
 
 describe('looks', () => {
   it('encodes linear vertex colours and factors, and leaves alpha alone', async () => {
@@ -153,11 +175,23 @@ describe('failures', () => {
     ['/fixtures/points-only.glb', 'bad-model', /no triangles/],
     ['/fixtures/not-a-number.glb', 'bad-model', /coordinate NaN/],
     ['/fixtures/unknown-extension.glb', 'bad-model', /EXT_mesh_of_tomorrow/],
-    ['/fixtures/meshopt-claims.glb', 'bad-model', /bufferViews\[0\] does not unpack to the bytes that it claims/],
+    [
+      '/fixtures/meshopt-claims.glb',
+      'bad-model',
+      /bufferViews\[0\] does not unpack to the bytes that it claims/,
+    ],
     ['/fixtures/meshopt-damaged.glb', 'bad-model', /Malformed buffer data/],
-    ['/fixtures/other-origin.gltf', 'load-failed', /https:\/\/example\.com\/quad\.bin.*crossorigin/],
+    [
+      '/fixtures/other-origin.gltf',
+      'load-failed',
+      /https:\/\/example\.com\/quad\.bin.*crossorigin/,
+    ],
     ['/fixtures/folder-above.gltf', 'load-failed', /is not in the folder of folder-above\.gltf/],
-    ['/fixtures/missing-buffer.gltf', 'load-failed', /^The server answered 404 Not Found for nowhere\.bin\./],
+    [
+      '/fixtures/missing-buffer.gltf',
+      'load-failed',
+      /^The server answered 404 Not Found for nowhere\.bin\./,
+    ],
     ['/fixtures/nothing.glb', 'load-failed', /404/],
     ['/huge.glb', 'too-large', /at most 268,435,456/],
     ['/no-answer.glb', 'load-failed', /no-answer\.glb/],

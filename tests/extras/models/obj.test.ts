@@ -1,5 +1,5 @@
-// Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the
-// materials' coefficients?
+// Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing
+// group, and the materials' coefficients?
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { modelContent } from '../../../src/extras/models/model-content.js';
@@ -37,12 +37,18 @@ describe('the geometry of an OBJ file', () => {
   it('is recognised by its media type if nothing else names the format', async () => {
     const text = encodeURIComponent(`unknown words\n${QUAD}f 1 2 3`);
     expect((await modelContent(new URL(`data:model/obj,${text}`), OPTIONS)).parts).toHaveLength(1);
-    await expect(modelContent(new URL(`data:,${text}`), OPTIONS)).rejects.toThrow(/format is not supported/);
-    expect((await modelContent(new URL(`data:,${text}`), { ...OPTIONS, type: 'obj' })).parts).toHaveLength(1);
+    await expect(modelContent(new URL(`data:,${text}`), OPTIONS)).rejects.toThrow(
+      /format is not supported/,
+    );
+    expect(
+      (await modelContent(new URL(`data:,${text}`), { ...OPTIONS, type: 'obj' })).parts,
+    ).toHaveLength(1);
   });
 
   it('shares a vertex where position, texture coordinates and normal agree, and nowhere else', async () => {
-    const model = await obj(`${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`);
+    const model = await obj(
+      `${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`,
+    );
     expect(model.parts[0]?.geometry.getAttribute('position').count).toBe(5);
     expect(cornersOf(model, 'normal')[5]).toEqual([0, 0.6, 0.8]);
   });
@@ -69,18 +75,24 @@ describe('the geometry of an OBJ file', () => {
     // A corner of a cube: each of three faces counts the same, though one has two triangles there.
     const cube = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\n';
     const model = await obj(`${cube}s 1\nf 1 3 2\nf 1 4 3\nf 1 2 6 5\nf 1 5 7 4`);
-    for (const value of cornersOf(model, 'normal')[0]!) expect(value).toBeCloseTo(-Math.sqrt(1 / 3), 5);
+    for (const value of cornersOf(model, 'normal')[0]!) {
+      expect(value).toBeCloseTo(-Math.sqrt(1 / 3), 5);
+    }
   });
 
   it('keeps the precision of far coordinates by moving them to an origin', async () => {
-    const model = await obj('v 500000.001 4000000 0\nv 500000.002 4000000 0\nv 500000.001 4000000.001 0\nf 1 2 3');
+    const model = await obj(
+      'v 500000.001 4000000 0\nv 500000.002 4000000 0\nv 500000.001 4000000.001 0\nf 1 2 3',
+    );
     expect(numbersOf(model, 'position')).toEqual([0, 0, 0, 0.001, 0, 0, 0, 0.001, 0]);
     expect(model.parts[0]?.matrix.elements.slice(12, 15)).toEqual([500000.001, 4000000, 0]);
     expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0, 1]);
   });
 
   it('has the colours of its vertices as they are written, white where there is none', async () => {
-    const model = await obj('v 0 0 0\nv 1 0 0 0.5 0.25 2\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4');
+    const model = await obj(
+      'v 0 0 0\nv 1 0 0 0.5 0.25 2\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4',
+    );
     expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [0.5, 0.25, 1], [0, 1, 0]]); // oxfmt-ignore
     expect(cornersOf(model, 'color')[5]).toEqual([1, 1, 1]);
     expect((await obj(`${QUAD}f 1 2 3`)).parts[0]?.geometry.hasAttribute('color')).toBe(false);
@@ -95,9 +107,12 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it('becomes one part per material where it has thousands of objects', async () => {
-    const screw = (_: unknown, i: number): string => `o screw${i}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
+    const screw = (_: unknown, i: number): string =>
+      `o screw${i}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
     const text = QUAD + Array.from({ length: 1200 }, screw).join('');
-    expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([1800, 1800]);
+    expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([
+      1800, 1800,
+    ]);
   });
 
   // oxfmt-ignore
@@ -128,10 +143,14 @@ describe('the geometry of an OBJ file', () => {
 
   it('gives a face its own normal where the smoothed one is not on its side', async () => {
     // A tilted one: the sums cancel but for rounding.
-    const tilted = await obj('v 0.1 0.2 0.3\nv 1.7 0.4 0.9\nv 0.3 1.1 1.3\ns 1\nf 1 2 3\nf 3 2 1\nf 2 1 3');
+    const tilted = await obj(
+      'v 0.1 0.2 0.3\nv 1.7 0.4 0.9\nv 0.3 1.1 1.3\ns 1\nf 1 2 3\nf 3 2 1\nf 2 1 3',
+    );
     const [[x = 0, y = 0, z = 0] = [], , , ...others] = cornersOf(tilted, 'normal');
     expect(Math.hypot(x, y, z)).toBeCloseTo(1, 5);
-    for (const [ox = 0, oy = 0, oz = 0] of others) expect(ox * x + oy * y + oz * z).toBeCloseTo(-1, 5);
+    for (const [ox = 0, oy = 0, oz = 0] of others) {
+      expect(ox * x + oy * y + oz * z).toBeCloseTo(-1, 5);
+    }
   });
 
   it.each([
@@ -222,12 +241,21 @@ describe('the materials of an OBJ file', () => {
     const mtl = `newmtl m\nmap_Kd ${options} pictures\\oak wood #2.png\nnewmtl n\nmap_Kd pictures/oak wood #2.png`;
     const faces = 'usemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1 2 3\n';
     const text = `mtllib lib/a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 0.75\n${faces}`;
-    const model = await loadFiles({ 'a.obj': text, 'lib/a.mtl': mtl, 'lib/pictures/oak wood #2.png': png() });
+    const model = await loadFiles({
+      'a.obj': text,
+      'lib/a.mtl': mtl,
+      'lib/pictures/oak wood #2.png': png(),
+    });
     const map = model.parts[0]?.look.map as Texture;
-    expect(map).toMatchObject({ flipY: false, colorSpace: NoColorSpace, wrapS: ClampToEdgeWrapping });
+    expect(map).toMatchObject({
+      flipY: false,
+      colorSpace: NoColorSpace,
+      wrapS: ClampToEdgeWrapping,
+    });
     expect(model.parts[0]?.surface).toMatchObject({ ka: [255, 255, 255], kd: [255, 255, 255] });
     expect(cornersOf(model, 'uv')[2]).toEqual([1, 0.25]);
-    // The file's coordinates (1, 0.75), scaled and moved, are (2.25, 2.75): from the top, that is 1 − 2.75.
+    // The file's coordinates (1, 0.75), scaled and moved, are (2.25, 2.75): from the top, that is 1
+    // − 2.75.
     expect(new Vector2(1, 0.25).applyMatrix3(map.matrix).toArray()).toEqual([2.25, -1.75]);
     expect(model.parts[1]?.look.map).toMatchObject({ wrapT: RepeatWrapping });
     expect(images.decoded()).toBe(1);
@@ -249,7 +277,9 @@ describe('the materials of an OBJ file', () => {
     const text = `mtllib a.mtl\n${QUAD}usemtl m\nf 1 2 3\nusemtl n\nf 1 2 4\nusemtl none\nf 2 3 4`;
     const mtl = 'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png'; // oxfmt-ignore
     await loadFiles({ 'a.obj': text, 'a.mtl': mtl });
-    expect(warnings).toEqual(['a.obj is shown without 1 material that no library has (none), map_bump, Tf.']);
+    expect(warnings).toEqual([
+      'a.obj is shown without 1 material that no library has (none), map_bump, Tf.',
+    ]);
   });
 
   it.each([
@@ -263,7 +293,11 @@ describe('the materials of an OBJ file', () => {
     ['mtllib a b.mtl', 'newmtl Material #25\nKd 0 1 0\nnewmtl Material #26', 'usemtl Material #26'],
   ])('are found by their names: %s, %s, %s', async (library, newmtl, usemtl) => {
     const text = `${library}\n${QUAD}${usemtl}\nf 1 2 3`;
-    const model = await loadFiles({ 'a.obj': text, 'a b.mtl': `${newmtl}\nKd 1 0 0`, 'other.mtl': '' });
+    const model = await loadFiles({
+      'a.obj': text,
+      'a b.mtl': `${newmtl}\nKd 1 0 0`,
+      'other.mtl': '',
+    });
     expect(model.parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
   });
 
@@ -287,9 +321,13 @@ describe('the materials of an OBJ file', () => {
 
   it('are left out with one warning that lists the files that are missing', async () => {
     const text = `mtllib a.mtl\nmtllib b.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}`;
-    const model = await loadFiles({ 'a.obj': text, 'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n' });
+    const model = await loadFiles({
+      'a.obj': text,
+      'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n',
+    });
     expect(model.parts[0]).toMatchObject({ surface: { kd: [255, 0, 0] }, look: { map: null } });
-    const named = /a\.obj is shown without 2 of the files.*The server answered 404 for a\.mtl.*x\.png/;
+    const named =
+      /a\.obj is shown without 2 of the files.*The server answered 404 for a\.mtl.*x\.png/;
     expect(warnings).toEqual([expect.stringMatching(named)]);
   });
 
@@ -301,15 +339,21 @@ describe('the materials of an OBJ file', () => {
     },
   );
 
-  it.each(['utf-16le', 'utf-16be'] as const)('and the geometry can be written in %s', async (encoding) => {
-    const encoded = (text: string): Uint8Array<ArrayBuffer> => {
-      const bytes = Buffer.from(`\ufeff${text}`, 'utf16le');
-      return Uint8Array.from(encoding === 'utf-16le' ? bytes : bytes.swap16());
-    };
-    const text = `mtllib größe.mtl\n${QUAD}usemtl rötlich\nf 1 2 3`;
-    const model = await loadFiles({ a: encoded(text), 'größe.mtl': encoded('newmtl rötlich\nKd 1 0 0\n') });
-    expect(model.parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
-  });
+  it.each(['utf-16le', 'utf-16be'] as const)(
+    'and the geometry can be written in %s',
+    async (encoding) => {
+      const encoded = (text: string): Uint8Array<ArrayBuffer> => {
+        const bytes = Buffer.from(`\ufeff${text}`, 'utf16le');
+        return Uint8Array.from(encoding === 'utf-16le' ? bytes : bytes.swap16());
+      };
+      const text = `mtllib größe.mtl\n${QUAD}usemtl rötlich\nf 1 2 3`;
+      const model = await loadFiles({
+        a: encoded(text),
+        'größe.mtl': encoded('newmtl rötlich\nKd 1 0 0\n'),
+      });
+      expect(model.parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
+    },
+  );
 
   it('are too-large past the limit of pixels, and all images are closed', async () => {
     const images = standInImages();

@@ -1,25 +1,60 @@
-// Is a PLY file read as written, as text and in both byte orders: vertices, normals, colours, polygons and strips?
+// Is a PLY file read as written, as text and in both byte orders: vertices, normals, colours,
+// polygons and strips?
 import { describe, expect, it } from 'vitest';
 import { cross, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
-import { cornersOf, failureOf, heardWarnings, indexOf, loadFiles, numbersOf } from './model-files.js';
+import {
+  cornersOf,
+  failureOf,
+  heardWarnings,
+  indexOf,
+  loadFiles,
+  numbersOf,
+} from './model-files.js';
 
 const header = (...lines: readonly string[]): string => ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n'); // oxfmt-ignore
-const axes = (prefix: string): string[] => ['x', 'y', 'z'].map((axis) => `property float ${prefix}${axis}`);
+const axes = (prefix: string): string[] =>
+  ['x', 'y', 'z'].map((axis) => `property float ${prefix}${axis}`);
 const xyz = axes('');
 const list = 'property list uchar int vertex_indices';
 /** A header of this many vertices and faces, which may have colours. */
-const mesh = (vertices: number | string, faces: number, colors: string[] = [], ofFaces: string[] = []): string =>
-  header(`element vertex ${vertices}`, ...xyz, ...colors, `element face ${faces}`, list, ...ofFaces);
+const mesh = (
+  vertices: number | string,
+  faces: number,
+  colors: string[] = [],
+  ofFaces: string[] = [],
+): string =>
+  header(
+    `element vertex ${vertices}`,
+    ...xyz,
+    ...colors,
+    `element face ${faces}`,
+    list,
+    ...ofFaces,
+  );
 const rgb = (type: string, names = ['red', 'green', 'blue']): string[] =>
   names.map((name) => `property ${type} ${name}`);
 const SQUARE = '0 0 0\n1 0 0\n1 1 0\n0 1 0\n';
 const TWO_TRIANGLES = [0, 1, 2, 0, 2, 3];
 
-/** The same square with normals, byte colours and a scalar before them, in a byte order and with these line ends. */
+/**
+ * The same square with normals, byte colours and a scalar before them, in a byte order and with
+ * these line ends.
+ */
 function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
   const text = [
-    ...['ply', `format binary_${little ? 'little' : 'big'}_endian 1.0`, 'comment a square', 'element vertex 4'],
-    ...['property uchar quality', 'property double x', 'property float y', 'property short z', ...axes('n')],
+    ...[
+      'ply',
+      `format binary_${little ? 'little' : 'big'}_endian 1.0`,
+      'comment a square',
+      'element vertex 4',
+    ],
+    ...[
+      'property uchar quality',
+      'property double x',
+      'property float y',
+      'property short z',
+      ...axes('n'),
+    ],
     ...['property uchar red', 'property uchar green', 'property ushort blue', 'element face 1'],
     ...['property uint8 flags', 'property list uint8 uint16 vertex_index', 'end_header', ''],
   ].join(lineEnd);
@@ -61,7 +96,10 @@ describe('a PLY file', () => {
     expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0.6, 0.8]);
     expect(numbersOf(model, 'color').slice(9)).toEqual([0.2, 1, 0.2]);
     expect(indexOf(model)).toEqual(TWO_TRIANGLES);
-    expect(model.parts[0]).toMatchObject({ sides: 'double', look: { alphaMode: 'opaque', map: null } });
+    expect(model.parts[0]).toMatchObject({
+      sides: 'double',
+      look: { alphaMode: 'opaque', map: null },
+    });
   });
 
   it('is read as text, with polygons, float colours and lists that are skipped', async () => {
@@ -84,7 +122,9 @@ describe('a PLY file', () => {
     expect(edged.parts[0]?.geometry.getAttribute('position').count).toBe(24);
     expect(cornersOf(edged, 'normal').slice(0, 3)).toEqual([[0, 0, -1], [0, 0, -1], [0, 0, -1]]); // oxfmt-ignore
     const ridge = mesh(4, 2) + '0 0 0\n1 0 0\n0 1 0\n-1 0 -0.2\n3 0 1 2\n3 0 2 3\n';
-    expect((await loadFiles({ 'a.ply': ridge })).parts[0]?.geometry.getAttribute('position').count).toBe(4);
+    expect(
+      (await loadFiles({ 'a.ply': ridge })).parts[0]?.geometry.getAttribute('position').count,
+    ).toBe(4);
   });
 
   it('may have strips of triangles, every second one reversed', async () => {
@@ -101,17 +141,42 @@ describe('a PLY file', () => {
     `${mesh(4, 2, rgb('uchar'), rgb('uchar'))}0 0 0 ${color}\n1 0 0 ${color}\n1 1 0 9 9 9\n0 1 0 9 9 9\n` +
     '3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n';
 
-  const before = header('element vertex 4', ...xyz, 'element face 2', ...rgb('uchar'), list) + SQUARE;
+  const before =
+    header('element vertex 4', ...xyz, 'element face 2', ...rgb('uchar'), list) + SQUARE;
   const behind = mesh(4, 2, [], rgb('float', ['red', 'green', 'blue', 'alpha'])) + SQUARE;
 
   it.each([
-    ['its faces, bytes before corners', `${before}255 0 0 3 0 1 2\n0 0 255 3 0 2 3\n`, OF_FACES, null],
-    ['its faces, floats behind, with alpha', `${behind}3 0 1 2 1 0 0 1\n3 0 2 3 0 0 1 1\n`, OF_FACES, null],
-    ['its faces where its vertices have all the same', both('9 9 9'), OF_FACES, 'the colours of its vertices'],
-    ['its vertices where they differ', both('0 0 255'), [BLUE, BLUE, GREY], 'the colours of its faces'],
+    [
+      'its faces, bytes before corners',
+      `${before}255 0 0 3 0 1 2\n0 0 255 3 0 2 3\n`,
+      OF_FACES,
+      null,
+    ],
+    [
+      'its faces, floats behind, with alpha',
+      `${behind}3 0 1 2 1 0 0 1\n3 0 2 3 0 0 1 1\n`,
+      OF_FACES,
+      null,
+    ],
+    [
+      'its faces where its vertices have all the same',
+      both('9 9 9'),
+      OF_FACES,
+      'the colours of its vertices',
+    ],
+    [
+      'its vertices where they differ',
+      both('0 0 255'),
+      [BLUE, BLUE, GREY],
+      'the colours of its faces',
+    ],
   ] as const)('has the colours of %s', async (_, text, colors, omitted) => {
-    expect(cornersOf(await loadFiles({ 'a.ply': text }), 'color').slice(0, colors.length)).toEqual(colors);
-    expect(warnings).toEqual(omitted === null ? [] : [expect.stringContaining(`without ${omitted}`)]);
+    expect(cornersOf(await loadFiles({ 'a.ply': text }), 'color').slice(0, colors.length)).toEqual(
+      colors,
+    );
+    expect(warnings).toEqual(
+      omitted === null ? [] : [expect.stringContaining(`without ${omitted}`)],
+    );
   });
 
   it.each([
@@ -128,11 +193,36 @@ describe('a PLY file', () => {
   });
 
   it.each([
-    ['a vertex that is nan', mesh(5, 2), `nan 0 0\n${SQUARE}3 1 2 3\n3 1 3 4`, /1 vertex \("nan" is not a number\)/],
-    ['a face of a huge one', mesh(5, 2), `${SQUARE}1 1e99 1\n4 0 1 2 3\n3 0 1 4`, /1 vertex \(.*1e\+99.*\), 1 face/],
-    ['faces of no vertex', mesh(4, 3), `${SQUARE}4 0 1 2 3\n4 0 1 2 -1\n3 0 1 4`, /2 faces \(.* the vertex -1\)/],
-    ['values that no header names', mesh(4, 1), `${SQUARE}4 0 1 2 3 6 0.5 1 1\n`, /1 line with more values/],
-    ['a texture', mesh(4, 1).replace('element', 'comment TextureFile a.png\n$&'), `${SQUARE}4 0 1 2 3`, /TextureFile/],
+    [
+      'a vertex that is nan',
+      mesh(5, 2),
+      `nan 0 0\n${SQUARE}3 1 2 3\n3 1 3 4`,
+      /1 vertex \("nan" is not a number\)/,
+    ],
+    [
+      'a face of a huge one',
+      mesh(5, 2),
+      `${SQUARE}1 1e99 1\n4 0 1 2 3\n3 0 1 4`,
+      /1 vertex \(.*1e\+99.*\), 1 face/,
+    ],
+    [
+      'faces of no vertex',
+      mesh(4, 3),
+      `${SQUARE}4 0 1 2 3\n4 0 1 2 -1\n3 0 1 4`,
+      /2 faces \(.* the vertex -1\)/,
+    ],
+    [
+      'values that no header names',
+      mesh(4, 1),
+      `${SQUARE}4 0 1 2 3 6 0.5 1 1\n`,
+      /1 line with more values/,
+    ],
+    [
+      'a texture',
+      mesh(4, 1).replace('element', 'comment TextureFile a.png\n$&'),
+      `${SQUARE}4 0 1 2 3`,
+      /TextureFile/,
+    ],
     ['a comment', mesh(4, 1), `comment a\n${SQUARE}# b\n4 0 1 2 3`, null],
     ['line ends within rows', mesh(4, 1), '0 0\n0 1 0 0 1 1\n0 0 1 0\n4\n0 1\n2 3', null],
     ['any line ends', mesh(4, 1), '0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3', null],
@@ -144,11 +234,16 @@ describe('a PLY file', () => {
 
   it('of over 1,000 elements is refused', async () => {
     const text = header(...Array<string>(1001).fill('element a 0'));
-    expect((await failureOf({ 'a.ply': text })).message).toMatch(/line 1003: .* over 1,000 elements/);
+    expect((await failureOf({ 'a.ply': text })).message).toMatch(
+      /line 1003: .* over 1,000 elements/,
+    );
   });
 
   it.each([
-    [header('element vertex 4', ...xyz) + SQUARE, /4 points without faces. Only surfaces can be lit/],
+    [
+      header('element vertex 4', ...xyz) + SQUARE,
+      /4 points without faces. Only surfaces can be lit/,
+    ],
     [mesh(4, 0) + SQUARE, /cloud of 4 points/],
     [mesh(0, 1) + '3 0 0 0', /no vertices/],
     [mesh(4, 1) + `${SQUARE}2 0 1 `, /no triangles/],
@@ -160,7 +255,10 @@ describe('a PLY file', () => {
     [mesh(1, 1) + '0 inf 0\n3 0 0 0', /"inf" is not a number/],
     [mesh('four', 1), /line 3: an element has no count/],
     [header('property float x'), /line 3: a property comes before any element/],
-    [header('element vertex 1', 'property constructor x'), /line 4: the type constructor is unknown/],
+    [
+      header('element vertex 1', 'property constructor x'),
+      /line 4: the type constructor is unknown/,
+    ],
     ['ply\nformat binary 1.0\nend_header\n', /line 2: the format binary is unknown/],
     ['ply\nend_header\n', /no format/],
     ['ply\nformat ascii 1.0\nelement vertex 1\n', /no end/],

@@ -1,5 +1,5 @@
-// Does a picture stay until the next one can be shown? Failed allocations, drawing that throws, downloads of removed
-// viewers. Also: when does `loaded` become true?
+// Does a picture stay until the next one can be shown? Failed allocations, drawing that throws,
+// downloads of removed viewers. Also: when does `loaded` become true?
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
@@ -32,7 +32,9 @@ const limitMemory = (page: Page): Promise<void> =>
     const original = window.Float32Array;
     const limited = new Proxy(original, {
       construct(target, [first, ...more]: unknown[], newTarget) {
-        const count = Array.isArray(first) ? first.length : Number(typeof first === 'number' && first);
+        const count = Array.isArray(first)
+          ? first.length
+          : Number(typeof first === 'number' && first);
         if (count >= 10_000) throw new RangeError('Array buffer allocation failed');
         return Reflect.construct(target, [first, ...more], newTarget) as object;
       },
@@ -45,13 +47,21 @@ const limitMemory = (page: Page): Promise<void> =>
 
 const giveMemoryBack = (page: Page): Promise<void> => page.evaluate(() => window.giveMemoryBack());
 
-const shows = (viewer: Locator): Promise<boolean> => viewer.evaluate((element: PhongViewer) => element.loaded);
+const shows = (viewer: Locator): Promise<boolean> =>
+  viewer.evaluate((element: PhongViewer) => element.loaded);
 
 /** Makes the typed array with this number fail, counted from now on over all types. */
 const failArray = (page: Page, failing: number): Promise<void> =>
   page.evaluate((nth) => {
     const scope = window as unknown as Record<string, unknown>;
-    const types = ['Int8Array', 'Uint8Array', 'Int16Array', 'Uint16Array', 'Int32Array', 'Uint32Array'];
+    const types = [
+      'Int8Array',
+      'Uint8Array',
+      'Int16Array',
+      'Uint16Array',
+      'Int32Array',
+      'Uint32Array',
+    ];
     const names = [...types, 'Float32Array', 'Float64Array', 'ArrayBuffer'];
     const originals = new Map(names.map((name) => [name, scope[name]]));
     let count = 0;
@@ -64,8 +74,12 @@ const failArray = (page: Page, failing: number): Promise<void> =>
       const counted = new Proxy(original as typeof Float32Array, {
         construct(target, args: [unknown], newTarget) {
           // A view of a buffer takes no memory.
-          const allocates = !(args[0] instanceof (originals.get('ArrayBuffer') as typeof ArrayBuffer));
-          if (allocates) count += 1;
+          const allocates = !(
+            args[0] instanceof (originals.get('ArrayBuffer') as typeof ArrayBuffer)
+          );
+          if (allocates) {
+            count += 1;
+          }
           if (allocates && count === nth) throw new RangeError('Array buffer allocation failed');
           return Reflect.construct(target, args, newTarget) as object;
         },
@@ -73,12 +87,17 @@ const failArray = (page: Page, failing: number): Promise<void> =>
       replace(name, counted);
     }
     window.countArrays = () => {
-      for (const [name, original] of originals) replace(name, original);
+      for (const [name, original] of originals) {
+        replace(name, original);
+      }
       return count;
     };
   }, failing);
 
-test('a model is shown flat or ends in too-large, whichever of its typed arrays fails', async ({ page, mount }) => {
+test('a model is shown flat or ends in too-large, whichever of its typed arrays fails', async ({
+  page,
+  mount,
+}) => {
   test.slow();
   const viewer = await mount('<phong-viewer geometry="box" shading="flat"></phong-viewer>', SIZE);
   await set(viewer, { src: QUAD });
@@ -99,7 +118,9 @@ test('a model is shown flat or ends in too-large, whichever of its typed arrays 
       break;
     }
     if (ends.length === 1 && ends[0]!.type === 'load') continue; // what failed was not needed
-    expect(ends, `array ${failing}`).toMatchObject([{ type: 'error', detail: { code: 'too-large' } }]);
+    expect(ends, `array ${failing}`).toMatchObject([
+      { type: 'error', detail: { code: 'too-large' } },
+    ]);
     same(await pixels(viewer), before);
     failures += 1;
   }
@@ -120,7 +141,10 @@ const limitBuffers = (page: Page, message: string): Promise<void> =>
     Object.assign(window, { giveMemoryBack: () => (prototype.bufferData = bufferData) });
   }, message);
 
-test('a model that cannot be drawn is an error, and the previous picture stays', async ({ page, mount }) => {
+test('a model that cannot be drawn is an error, and the previous picture stays', async ({
+  page,
+  mount,
+}) => {
   for (const [message, code] of [
     ['Array buffer allocation failed', 'too-large'],
     ['Invalid offset', 'bad-model'],
@@ -146,7 +170,10 @@ test('a model that cannot be drawn is an error, and the previous picture stays',
     await expect(viewer.locator('[part=notice]')).toHaveCount(0);
   }
 });
-test('a shape without memory is too-large, and the previous picture stays', async ({ page, mount }) => {
+test('a shape without memory is too-large, and the previous picture stays', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
   const before = await pixels(viewer);
   const events = await record(viewer, 'error');
@@ -161,7 +188,10 @@ test('a shape without memory is too-large, and the previous picture stays', asyn
   await expect(viewer.locator('[part=notice]')).toHaveCount(0);
 });
 
-test('a model that cannot be flattened keeps its shading, with one error', async ({ page, mount }) => {
+test('a model that cannot be flattened keeps its shading, with one error', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(
     `<phong-viewer shading="gouraud"><phong-mesh src="${BUNNY}"></phong-mesh></phong-viewer>`,
     SIZE,
@@ -184,7 +214,11 @@ test('a model that cannot be flattened keeps its shading, with one error', async
   expect(await events.take()).toEqual([]);
   expect(compare(await pixels(viewer), before).max).toBeGreaterThan(0);
 });
-test('a broken own object of the page is not blamed on a mesh added with it', async ({ page, mount, consoleGuard }) => {
+test('a broken own object of the page is not blamed on a mesh added with it', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/uncaught: .*broken/);
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const events = await record(viewer, 'error');
@@ -205,7 +239,10 @@ test('a broken own object of the page is not blamed on a mesh added with it', as
   expect(await shows(viewer)).toBe(true);
 });
 
-test('a removed viewer aborts its downloads, and requests them or a new src once back', async ({ page, mount }) => {
+test('a removed viewer aborts its downloads, and requests them or a new src once back', async ({
+  page,
+  mount,
+}) => {
   let answered = false;
   await page.route(/bunny|quad\.bin/, (route) => (answered ? route.continue() : undefined));
   const aborted: string[] = [];
@@ -276,7 +313,11 @@ test('a viewer that moves within a task goes on with its download', async ({ pag
   expect(asked).toHaveLength(1);
 });
 
-test('a failed mesh is not requested again by moves, but by naming its file', async ({ page, mount, consoleGuard }) => {
+test('a failed mesh is not requested again by moves, but by naming its file', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
   const viewer = await mount(
     '<phong-viewer geometry="box"><phong-mesh src="/nowhere.glb"></phong-mesh></phong-viewer>',

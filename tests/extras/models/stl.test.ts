@@ -1,4 +1,5 @@
-// Is an STL file read as written, binary and text: triangles, face normals, names, and colours by both conventions?
+// Is an STL file read as written, binary and text: triangles, face normals, names, and colours by
+// both conventions?
 import { describe, expect, it } from 'vitest';
 import { failureOf, type FileContent, heardWarnings, loadFiles, numbersOf } from './model-files.js';
 
@@ -12,7 +13,11 @@ interface Facet {
 }
 
 /** A binary file; its stated normals are all wrong. */
-function binary(facets: readonly Facet[], header = '', claimed = facets.length): Uint8Array<ArrayBuffer> {
+function binary(
+  facets: readonly Facet[],
+  header = '',
+  claimed = facets.length,
+): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(84 + 50 * facets.length);
   bytes.set(Uint8Array.from(header, (c) => c.charCodeAt(0)));
   const view = new DataView(bytes.buffer);
@@ -31,7 +36,8 @@ async function fails(content: FileContent, message: RegExp): Promise<void> {
   expect(error.message).toMatch(message);
 }
 
-const facet = 'facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
+const facet =
+  'facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
 
 const NOT_A_NUMBER = facet.replace('1 0 0', 'nan 0 0');
 const TWO_CORNERS = facet.replace('vertex 0 1 0\n', '');
@@ -39,9 +45,13 @@ const FOUR_CORNERS = facet.replace('endloop', 'vertex 1 1 1');
 
 describe('a binary STL file', () => {
   it('has the normals of its triangles, whatever the file states', async () => {
-    const model = await loadFiles({ 'a.stl': binary([{}, { corners: [0, 0, 0, 0, 2, 0, 0, 0, 2] }]) });
+    const model = await loadFiles({
+      'a.stl': binary([{}, { corners: [0, 0, 0, 0, 2, 0, 0, 0, 2] }]),
+    });
     expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, 0, 0, 0, 0, 2, 0, 0, 0, 2]);
-    expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0]);
+    expect(numbersOf(model, 'normal')).toEqual([
+      0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0,
+    ]);
     expect(model.parts[0]).toMatchObject({ sides: 'double', look: { baseColor: [1, 1, 1] } });
     expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
   });
@@ -55,7 +65,9 @@ describe('a binary STL file', () => {
   });
 
   it('has colours as VisCAM writes them: bit 15 set, blue in the low bits; white without it', async () => {
-    const model = await loadFiles({ 'a.stl': binary([{}, { bits: 0x8000 | (31 << 10) | (5 << 5) | 1 }]) });
+    const model = await loadFiles({
+      'a.stl': binary([{}, { bits: 0x8000 | (31 << 10) | (5 << 5) | 1 }]),
+    });
     const colors = numbersOf(model, 'color');
     expect(colors.slice(0, 9)).toEqual([1, 1, 1, 1, 1, 1, 1, 1, 1]);
     expect(colors.slice(15, 18)).toEqual([1, 0.16129, 0.032258]);
@@ -69,9 +81,19 @@ describe('a binary STL file', () => {
   // Magics: COLOR= for the body, bit 15 clear and red in the low bits of a triangle.
   it.each([
     ['the body', 0x8000, BODY, { baseColor: [0.2, 0.4, 1], opacity: 1 }],
-    ['the body if all triangles have 0, which would be black', 0, BODY, { baseColor: [0.2, 0.4, 1] }],
+    [
+      'the body if all triangles have 0, which would be black',
+      0,
+      BODY,
+      { baseColor: [0.2, 0.4, 1] },
+    ],
     ['a translucent body', 0x8000, CLEAR, { opacity: 0.2, alphaMode: 'blend' }],
-    ['three bytes and a space, which are opaque', 0x8000, SPACED, { opacity: 1, alphaMode: 'opaque' }],
+    [
+      'three bytes and a space, which are opaque',
+      0x8000,
+      SPACED,
+      { opacity: 1, alphaMode: 'opaque' },
+    ],
   ])('has the colour of %s', async (_, bits, head, look) => {
     const { parts } = await loadFiles({ 'a.stl': binary([{ bits }, { bits }], head) });
     expect(parts[0]?.look).toMatchObject(look);
@@ -90,10 +112,14 @@ describe('a binary STL file', () => {
   it('is shown without a triangle that is no number, the others with their own colours', async () => {
     const [red, blue] = [0x8000 | (31 << 10), 0x8000 | 31];
     const bad = [NaN, 0, 0, 0, 0, 0, 0, 0, 0];
-    const model = await loadFiles({ 'a.stl': binary([{ bits: red }, { corners: bad }, { bits: blue }]) });
+    const model = await loadFiles({
+      'a.stl': binary([{ bits: red }, { corners: bad }, { bits: blue }]),
+    });
     expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, ...TRIANGLE]);
     expect(numbersOf(model, 'color').slice(6, 12)).toEqual([1, 0, 0, 0, 0, 1]);
-    expect(warnings).toEqual([expect.stringContaining('without 1 triangle (a vertex has the coordinate NaN')]);
+    expect(warnings).toEqual([
+      expect.stringContaining('without 1 triangle (a vertex has the coordinate NaN'),
+    ]);
   });
 
   it.each([
@@ -109,13 +135,25 @@ describe('a text STL file', () => {
   const plate = `solid a facet plate\n${facet}endsolid a facet plate\nsolid b\n${facet}endsolid b\n`;
   const words = 'vertex 1 2 3 facet normal';
   it.each([
-    ['a name, or none', `solid left\n${facet}endsolid left\nSOLID\n${facet}ENDSOLID\n`, ['left', '']],
+    [
+      'a name, or none',
+      `solid left\n${facet}endsolid left\nSOLID\n${facet}ENDSOLID\n`,
+      ['left', ''],
+    ],
     ['a byte order mark', `\ufeff${plate}`, ['a facet plate', 'b']],
     ['one line', plate.replace(/\s+/g, ' '), ['a facet plate', 'b']],
-    ['one line and a byte order mark', `\ufeff${plate.replace(/\s+/g, ' ')}`, ['a facet plate', 'b']],
+    [
+      'one line and a byte order mark',
+      `\ufeff${plate.replace(/\s+/g, ' ')}`,
+      ['a facet plate', 'b'],
+    ],
     ['comments', `# made by hand\n; 2\n// 3\nsolid a\n${facet}endsolid a\n`, ['a']],
     ['a name made of words of the format', `solid ${words}\n${facet}endsolid ${words}\n`, [words]],
-    ['upper case', `SOLID FACET ENDLOOP\n${facet.toUpperCase()}ENDSOLID FACET ENDLOOP\n`, ['FACET ENDLOOP']],
+    [
+      'upper case',
+      `SOLID FACET ENDLOOP\n${facet.toUpperCase()}ENDSOLID FACET ENDLOOP\n`,
+      ['FACET ENDLOOP'],
+    ],
   ])('with %s has a part for each solid', async (_, text, names) => {
     const model = await loadFiles({ model: text });
     expect(model.parts.map(({ name }) => name)).toEqual(names);
@@ -130,7 +168,9 @@ describe('a text STL file', () => {
     const bad = [NOT_A_NUMBER, TWO_CORNERS, FOUR_CORNERS].join('');
     const model = await loadFiles({ 'a.stl': `solid\n${bad}${facet}endsolid` });
     expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
-    expect(warnings).toEqual(['a.stl is shown without 3 triangles (line 5: "nan" is not a number).']);
+    expect(warnings).toEqual([
+      'a.stl is shown without 3 triangles (line 5: "nan" is not a number).',
+    ]);
   });
 
   it.each([

@@ -1,5 +1,5 @@
-// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels with shadeAt, and
-// shadeAt with values computed here from those rules.
+// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels
+// with shadeAt, and shadeAt with values computed here from those rules.
 
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { firstOf } from '../../support/repeats.js';
@@ -13,7 +13,8 @@ const LIGHTS = `
   <phong-light position="-0.6 0.4 1.6 1" diffuse="60 70 80" specular="120"></phong-light>`;
 
 /** The encoded value of a linear one. */
-const encoded = (c: number): number => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
+const encoded = (c: number): number =>
+  c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055;
 
 const viewerOf = (options: PatchOptions, attributes = '', mesh = ''): string =>
   `<phong-viewer theta="12" phi="80" target="0 0 0" radius="3.2" ${attributes}>
@@ -23,7 +24,8 @@ const viewerOf = (options: PatchOptions, attributes = '', mesh = ''): string =>
 /** The result of shadeAt for the pixel in the middle. */
 const middle = (viewer: Locator) =>
   viewer.evaluate(async (element: PhongViewer) => {
-    const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } = (await element.shadeAt(80, 60))!;
+    const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } =
+      (await element.shadeAt(80, 60))!;
     return { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum };
   });
 
@@ -62,13 +64,19 @@ const MATERIALS: Readonly<Record<string, PatchOptions>> = {
     textures: [SMOOTH],
   },
   metal: {
-    material: { pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 1, roughnessFactor: 0.5 } },
+    material: {
+      pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 1, roughnessFactor: 0.5 },
+    },
   },
   'half a metal': {
-    material: { pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 0.5, roughnessFactor: 0.7 } },
+    material: {
+      pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 0.5, roughnessFactor: 0.7 },
+    },
   },
   'a rough surface': {
-    material: { pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 0, roughnessFactor: 0.8 } },
+    material: {
+      pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 0, roughnessFactor: 0.8 },
+    },
   },
   'textures of metalness, roughness and base colour': {
     material: { pbrMetallicRoughness: { ...MAPPED, baseColorTexture: { index: 1, texCoord: 1 } } },
@@ -116,7 +124,9 @@ const VIEWS: readonly string[] = [
   'theta="190"',
 ];
 
-test('the picture of each kind of material is what shadeAt explains, within one code', async ({ mount }) => {
+test('the picture of each kind of material is what shadeAt explains, within one code', async ({
+  mount,
+}) => {
   test.slow();
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   for (const [i, [name, options]] of Object.entries(MATERIALS).entries()) {
@@ -145,7 +155,9 @@ test.describe('by the rules of src/MODELS.md', () => {
     return middle(viewer);
   };
 
-  test('metalness, roughness and an exponent in the markup give Kd, Ks and shininess', async ({ mount }) => {
+  test('metalness, roughness and an exponent in the markup give Kd, Ks and shininess', async ({
+    mount,
+  }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const metal = await shown(viewer, MATERIALS['metal']!, '', 'ka="255" kd="255"');
     expect(metal.metalness).toBe(0.5); // without a texture
@@ -157,16 +169,27 @@ test.describe('by the rules of src/MODELS.md', () => {
     });
     const rough = await shown(viewer, MATERIALS['a rough surface']!, '', 'kd="255"');
     expect(rough.shininess).toBeCloseTo(1, 12); // (1 / 0.8⁴ − 1) / 2 is below 1, the smallest exponent
-    for (const k of rough.ks) expect(k).toBeCloseTo(((128 / 255) * (1 + 2)) / 34, 9);
+    for (const k of rough.ks) {
+      expect(k).toBeCloseTo(((128 / 255) * (1 + 2)) / 34, 9);
+    }
     base.forEach((c, i) => expect(rough.kd[i]).toBeCloseTo(c, 6));
-    const written = await shown(viewer, MATERIALS['a texture of roughness alone']!, '', 'shininess="20"');
+    const written = await shown(
+      viewer,
+      MATERIALS['a texture of roughness alone']!,
+      '',
+      'shininess="20"',
+    );
     expect(written).toMatchObject({ shininess: 20, ks: [128 / 255, 128 / 255, 128 / 255] });
     const { kd, ...plain } = await shown(viewer, { material: {} }, '', 'kd="255"');
     expect(plain).toMatchObject({ shininess: 32, metalness: 0, unlit: false });
-    for (const k of kd) expect(k).toBeCloseTo(1, 12);
+    for (const k of kd) {
+      expect(k).toBeCloseTo(1, 12);
+    }
   });
 
-  test('an emissive colour is added once, an unlit surface has its base colour, in any light', async ({ mount }) => {
+  test('an emissive colour is added once, an unlit surface has its base colour, in any light', async ({
+    mount,
+  }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     const { color, emissive } = await shown(viewer, MATERIALS['an emissive colour']!, 'terms=""');
     for (const [i, c] of [0.05, 0.1, 0.02].map(encoded).entries()) {
@@ -201,8 +224,8 @@ test.describe('by the rules of src/MODELS.md', () => {
             <phong-light position="${x} ${y} 1 0" ambient="0" diffuse="255" specular="0"></phong-light>
           </phong-viewer>`,
         );
-        // In the middle the patch faces +z, its u runs along +x and its v along -y: the texel is the normal in world
-        // space.
+        // In the middle the patch faces +z, its u runs along +x and its v along -y: the texel is
+        // the normal in world space.
         const t = texel.slice(0, 3).map((c) => (2 * c!) / 255 - 1);
         const length = Math.hypot(...t);
         const diffuse = (x * t[0]! + y * t[1]! + t[2]!) / (Math.SQRT2 * length);
@@ -216,14 +239,20 @@ test.describe('by the rules of src/MODELS.md', () => {
     }
   });
 
-  test('features that the equation does not have give one warning', async ({ mount, consoleGuard }) => {
+  test('features that the equation does not have give one warning', async ({
+    mount,
+    consoleGuard,
+  }) => {
     const met = consoleGuard.allow(
       /^warning: .*KHR_materials_transmission, KHR_materials_clearcoat, occlusionTexture/,
       1,
     );
     const material = {
       occlusionTexture: { index: 0 },
-      extensions: { KHR_materials_transmission: { transmissionFactor: 1 }, KHR_materials_clearcoat: {} },
+      extensions: {
+        KHR_materials_transmission: { transmissionFactor: 1 },
+        KHR_materials_clearcoat: {},
+      },
     };
     await mount(viewerOf({ material, textures: [SMOOTH] }), SIZE);
     expect(met).toHaveLength(1);

@@ -1,5 +1,5 @@
-// Are lights drawn where they are in the scene, and do they follow pointer and keys? Handles are located by role and
-// name, as a screen reader does.
+// Are lights drawn where they are in the scene, and do they follow pointer and keys? Handles are
+// located by role and name, as a screen reader does.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
@@ -23,12 +23,17 @@ const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"'): 
 
 const lamp = '<phong-light name="lamp" position="0.5 0.4 0 1"></phong-light>';
 const sun = '<phong-light name="sun" position="0 1 2 0"></phong-light>';
-const spot = '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
+const spot =
+  '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
 
 /** The handle whose name begins with this. */
-const handle = (viewer: Locator, name: string): Locator => viewer.getByRole('option', { name: new RegExp(`^${name}`) });
+const handle = (viewer: Locator, name: string): Locator =>
+  viewer.getByRole('option', { name: new RegExp(`^${name}`) });
 
-const light = (viewer: Locator, index = 0): Promise<Pick<PhongLight, 'position' | 'axis' | 'aperture'>> =>
+const light = (
+  viewer: Locator,
+  index = 0,
+): Promise<Pick<PhongLight, 'position' | 'axis' | 'aperture'>> =>
   viewer.evaluate((element: PhongViewer, i) => {
     const { position, axis, aperture } = element.lights.at(i)!;
     return { position, axis, aperture };
@@ -44,15 +49,28 @@ async function middleOf(target: Locator): Promise<{ readonly x: number; readonly
   return { x: x + width / 2, y: y + height / 2 };
 }
 
-/** Presses a handle and travels by so many pixels, with the button still down. Returns where it was pressed. */
-async function hold(page: Page, target: Locator, dx: number, dy: number): Promise<[x: number, y: number]> {
+/**
+ * Presses a handle and travels by so many pixels, with the button still down. Returns where it was
+ * pressed.
+ */
+async function hold(
+  page: Page,
+  target: Locator,
+  dx: number,
+  dy: number,
+): Promise<[x: number, y: number]> {
   const { x, y } = await middleOf(target);
   await drag(page, [x, y], [dx, dy], { release: false });
   return [x, y];
 }
 
 /** Drags a handle. Returns where it is afterwards, less where it was. */
-async function dragged(page: Page, target: Locator, dx: number, dy: number): Promise<[x: number, y: number]> {
+async function dragged(
+  page: Page,
+  target: Locator,
+  dx: number,
+  dy: number,
+): Promise<[x: number, y: number]> {
   const [x, y] = await hold(page, target, dx, dy);
   await page.mouse.up();
   await nextFrame(page);
@@ -63,7 +81,9 @@ async function dragged(page: Page, target: Locator, dx: number, dy: number): Pro
 const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
 
 test.describe('a light in the picture', () => {
-  test('is drawn at its place in the scene, with its name, and dashed behind a shape', async ({ mount }) => {
+  test('is drawn at its place in the scene, with its name, and dashed behind a shape', async ({
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp, 'radius="4" target="0 0 0" fov="90"'));
     const { x, y } = await middleOf(handle(viewer, 'lamp'));
     // 200 pixels are half the height, which is 4 units at the target.
@@ -80,7 +100,10 @@ test.describe('a light in the picture', () => {
     }
   });
 
-  test('follows the pointer in the plane of the view, as one step; the camera stays', async ({ page, mount }) => {
+  test('follows the pointer in the plane of the view, as one step; the camera stays', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp, 'gui'), { width: 900 }); // beside the panel
     const events = await record(viewer, 'light-change', 'camera-change');
     const folder = await opened(viewer, 'lamp');
@@ -102,7 +125,10 @@ test.describe('a light in the picture', () => {
     expect(await positionOf(viewer)).toEqual(position);
   });
 
-  test('stays when the window loses the focus, and returns by Escape without an undo step', async ({ page, mount }) => {
+  test('stays when the window loses the focus, and returns by Escape without an undo step', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp));
     const target = handle(viewer, 'lamp');
     let [x, y] = await hold(page, target, -30, 0);
@@ -128,7 +154,10 @@ test.describe('a light in the picture', () => {
     expect(await positionOf(viewer)).toEqual([1, 1, 1, 1]);
   });
 
-  test('stays under a resting pointer while something else turns the camera', async ({ page, mount }) => {
+  test('stays under a resting pointer while something else turns the camera', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp));
     const [x, y] = await hold(page, handle(viewer, 'lamp'), -50, 0);
     await set(viewer, { theta: 30 });
@@ -139,13 +168,18 @@ test.describe('a light in the picture', () => {
     await page.mouse.up();
   });
 
-  test('has the edge of its cone on the floor that it lights, and follows the floor', async ({ mount }) => {
+  test('has the edge of its cone on the floor that it lights, and follows the floor', async ({
+    mount,
+  }) => {
     const viewer = await mount(
       `<phong-viewer alt="" helpers fov="90" phi="0" theta="0" radius="4" target="0 0 0">
          <phong-mesh geometry="plane" scale="4"></phong-mesh>
          <phong-light name="spot" position="0 2 0 1" axis="0 -1 0" aperture="30"></phong-light></phong-viewer>`,
     );
-    /** From the middle of the picture, in pixels: 200 are as many units as the distance from the eye. */
+    /**
+     * From the middle of the picture, in pixels: 200 are as many units as the distance from the
+     * eye.
+     */
     const offset = async (): Promise<number> => {
       const { x, y } = await middleOf(handle(viewer, 'spot: edge'));
       return Math.hypot(x - 300, y - 200);
@@ -181,7 +215,10 @@ test.describe('a light in the picture', () => {
 });
 
 test.describe('helpers by keyboard', () => {
-  test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({ page, mount }) => {
+  test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(`${scene(lamp + sun + spot)}<a href="#next">Next</a>`);
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
@@ -219,7 +256,9 @@ test.describe('helpers by keyboard', () => {
       element.focus();
       return ['Enter', 'ArrowRight', 'Shift+ArrowDown', 'ArrowRight'].map((name) => {
         const key = name.replace('Shift+', '');
-        element.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: key !== name, bubbles: true }));
+        element.dispatchEvent(
+          new KeyboardEvent('keydown', { key, shiftKey: key !== name, bubbles: true }),
+        );
         return lights[0]!.position;
       });
     });
@@ -232,9 +271,13 @@ test.describe('helpers by keyboard', () => {
   test('Escape restores, and moving there and back changes nothing', async ({ page, mount }) => {
     const viewer = await mount(scene(sun));
     await handle(viewer, 'sun').press('Enter');
-    for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowUp']) await page.keyboard.press(key);
+    for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowUp']) {
+      await page.keyboard.press(key);
+    }
     expect(await positionOf(viewer)).not.toEqual([0, 1, 2, 0]);
-    for (const key of ['ArrowRight', 'ArrowDown', 'ArrowDown']) await page.keyboard.press(key);
+    for (const key of ['ArrowRight', 'ArrowDown', 'ArrowDown']) {
+      await page.keyboard.press(key);
+    }
     const position = await positionOf(viewer);
     expect(Math.hypot(position[0], position[1] - 1, position[2] - 2)).toBeLessThan(1e-12);
     await page.keyboard.press('ArrowUp');
@@ -251,7 +294,7 @@ test.describe('helpers throw nothing and stay usable', () => {
     ],
     ['the viewer is removed', (viewer: Locator) => viewer.evaluate((element) => element.remove())],
     ['the helpers are switched off', (viewer: Locator) => assign(viewer, { helpers: [] })],
-  ] as const)
+  ] as const) {
     test(`where ${what} in the middle of a drag`, async ({ page, mount }) => {
       const viewer = await mount(scene(lamp + sun));
       const element = await viewer.elementHandle();
@@ -272,8 +315,12 @@ test.describe('helpers throw nothing and stay usable', () => {
       await dragged(page, handle(viewer, 'sun'), 20, 20);
       expect(await positionOf(viewer, -1)).not.toEqual(before);
     });
+  }
 
-  test('where the context is lost in the middle of a drag, and comes back', async ({ page, mount }) => {
+  test('where the context is lost in the middle of a drag, and comes back', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp));
     await viewer.evaluate((element: PhongViewer) =>
       element.addEventListener('error', (event) => event.preventDefault()),
@@ -291,7 +338,10 @@ test.describe('helpers throw nothing and stay usable', () => {
     expect((await positionOf(viewer))[1]).toBeLessThan(position[1]);
   });
 
-  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({ page, mount }) => {
+  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp) + scene(sun), { width: 300, height: 200 });
     const other = page.locator('phong-viewer').nth(1);
     await dragged(page, handle(viewer, 'lamp'), -20, 10);
@@ -304,10 +354,18 @@ test.describe('helpers throw nothing and stay usable', () => {
     expect(turned).not.toEqual([0, 1, 2, 0]);
   });
 
-  test('behind the eye, at it and at a pole: a viewer of 120 × 90 shows each handle whole', async ({ mount }) => {
-    const places = '0 0 9 1, 0 0 4 1, 0 9 0 1, 0 -9 0 1, 0 0 0 0, 0 0 1 0, 0 1 0 0, 1e15 0 0 1'.split(', ');
-    const lights = places.map((place, i) => `<phong-light name="l${i}" position="${place}"></phong-light>`);
-    const viewer = await mount(scene(lights.join(''), 'radius="4"', 'phi="0"'), { width: 120, height: 90 });
+  test('behind the eye, at it and at a pole: a viewer of 120 × 90 shows each handle whole', async ({
+    mount,
+  }) => {
+    const places =
+      '0 0 9 1, 0 0 4 1, 0 9 0 1, 0 -9 0 1, 0 0 0 0, 0 0 1 0, 0 1 0 0, 1e15 0 0 1'.split(', ');
+    const lights = places.map(
+      (place, i) => `<phong-light name="l${i}" position="${place}"></phong-light>`,
+    );
+    const viewer = await mount(scene(lights.join(''), 'radius="4"', 'phi="0"'), {
+      width: 120,
+      height: 90,
+    });
     for (const [i, place] of places.entries()) {
       const { x, y } = await middleOf(handle(viewer, `l${i}:`));
       expect(x >= 10 && y >= 10 && x <= 110 && y <= 80, place).toBe(true);
@@ -328,7 +386,10 @@ test('helpers are in a picture file only on request', async ({ mount }) => {
 });
 
 test.describe('a viewer with helpers', () => {
-  test('fetches nothing while helpers are off, and redraws nothing while nothing changes', async ({ page, mount }) => {
+  test('fetches nothing while helpers are off, and redraws nothing while nothing changes', async ({
+    page,
+    mount,
+  }) => {
     const requests: string[] = [];
     page.on('request', (request) => requests.push(new URL(request.url()).pathname));
     const viewer = await mount(scene(lamp).replace(' helpers', ''));
@@ -343,7 +404,12 @@ test.describe('a viewer with helpers', () => {
         const changes: MutationRecord[] = [];
         const observer = new MutationObserver((records) => changes.push(...records));
         const layer = element.shadowRoot!.querySelector('.layer')!;
-        observer.observe(layer, { subtree: true, attributes: true, childList: true, characterData: true });
+        observer.observe(layer, {
+          subtree: true,
+          attributes: true,
+          childList: true,
+          characterData: true,
+        });
         await new Promise((resolve) => setTimeout(resolve, 300));
         return [element.stats.frames - frames, changes.length];
       });
@@ -355,14 +421,17 @@ test.describe('a viewer with helpers', () => {
   test('changes only the elements of the dragged light, of 64', async ({ page, mount }) => {
     const lights = Array.from(
       { length: 64 },
-      (_, i) => `<phong-light name="l${i}" position="${Math.cos(i)} ${Math.sin(i)} ${i / 64} 1"></phong-light>`,
+      (_, i) =>
+        `<phong-light name="l${i}" position="${Math.cos(i)} ${Math.sin(i)} ${i / 64} 1"></phong-light>`,
     );
     const viewer = await mount(scene(lights.join('')));
     const [x, y] = await hold(page, handle(viewer, 'l0:'), -10, -5);
     const written = await viewer.evaluateHandle((element) => {
       const nodes = new Set<Node>();
       const observer = new MutationObserver((records) => {
-        for (const { target } of records) nodes.add(target);
+        for (const { target } of records) {
+          nodes.add(target);
+        }
       });
       const layer = element.shadowRoot!.querySelector('.layer')!;
       observer.observe(layer, { subtree: true, attributes: true, childList: true });
@@ -371,23 +440,31 @@ test.describe('a viewer with helpers', () => {
     const count = (): Promise<number> => written.evaluate(({ size }) => size);
     do {
       await written.evaluate((nodes) => nodes.clear());
-      for (let i = 0; i < 2; i++) await nextFrame(page);
+      for (let i = 0; i < 2; i++) {
+        await nextFrame(page);
+      }
     } while ((await count()) > 0);
     await page.mouse.move(x - 12, y - 6);
     await nextFrame(page);
-    // Its disc with outline, its handle and name, and the names that make room for it, of more than 250 elements.
+    // Its disc with outline, its handle and name, and the names that make room for it, of more than
+    // 250 elements.
     expect(await count()).toBeGreaterThan(0);
     expect(await count()).toBeLessThan(16);
     await page.mouse.up();
   });
 
-  test('lets the wheel zoom over a handle, and a finger drag a light, not the camera', async ({ page, mount }) => {
+  test('lets the wheel zoom over a handle, and a finger drag a light, not the camera', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp));
     const fingers = await Fingers.on(page);
     const { x, y } = await middleOf(handle(viewer, 'lamp'));
     const { theta, radius } = await cameraOf(viewer);
     await fingers.down([x, y]);
-    for (const step of [10, 20, 40]) await fingers.move([x, y + step]);
+    for (const step of [10, 20, 40]) {
+      await fingers.move([x, y + step]);
+    }
     await fingers.up();
     expect((await positionOf(viewer))[1]).toBeLessThan(0.35);
     expect((await cameraOf(viewer)).theta).toBe(theta);
@@ -408,7 +485,10 @@ test.describe('a viewer with helpers', () => {
     expect(y).toBeCloseTo(30, 0);
   });
 
-  test('moves the focus of a removed light to the next one, and then to the picture', async ({ page, mount }) => {
+  test('moves the focus of a removed light to the next one, and then to the picture', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(lamp + sun));
     await handle(viewer, 'lamp').focus();
     await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
@@ -440,7 +520,9 @@ test.describe('a viewer with helpers', () => {
       await assign(viewer, { helpers: name });
       await expect(viewer.locator('svg text')).toHaveCount(0);
       await expect(paths.first(), name).toBeAttached();
-      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(`helpers="${name}"`);
+      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
+        `helpers="${name}"`,
+      );
     }
     await assign(viewer, { helpers: [] });
     await expect(viewer.locator('svg')).toHaveCount(0);

@@ -1,5 +1,5 @@
-// Are overlays drawn where the picture shows their points, with labels that do not overlap and colours that can be
-// seen?
+// Are overlays drawn where the picture shows their points, with labels that do not overlap and
+// colours that can be seen?
 
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
@@ -20,12 +20,19 @@ describe('a projection', () => {
     const angle = fc.double({ min: -180, max: 180, noNaN: true });
     const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
     fc.assert(
-      fc.property(angle, angle, fc.tuple(coordinate, coordinate, coordinate), (theta, phi, place) => {
-        const pose = { ...sight.pose, theta, phi: Math.abs(phi) };
-        const projection = new Projection({ ...sight, pose });
-        const again = projection.placeAt(projection.point(place)!, projection.depthOf(place));
-        for (const i of [0, 1, 2] as const) expect(again[i]).toBeCloseTo(place[i], 10);
-      }),
+      fc.property(
+        angle,
+        angle,
+        fc.tuple(coordinate, coordinate, coordinate),
+        (theta, phi, place) => {
+          const pose = { ...sight.pose, theta, phi: Math.abs(phi) };
+          const projection = new Projection({ ...sight, pose });
+          const again = projection.placeAt(projection.point(place)!, projection.depthOf(place));
+          for (const i of [0, 1, 2] as const) {
+            expect(again[i]).toBeCloseTo(place[i], 10);
+          }
+        },
+      ),
     );
   });
 
@@ -67,7 +74,8 @@ it('labels stay inside and never overlap, however many points there are', () => 
   );
 });
 
-const contrast = (a: number, b: number): number => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+const contrast = (a: number, b: number): number =>
+  (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 
 it('of a core and its black outline, one has a contrast of 3:1 with any background, for a light of any colour', () => {
   const channel = fc.double({ min: 0, max: 4, noNaN: true });

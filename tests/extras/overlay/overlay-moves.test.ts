@@ -5,7 +5,11 @@ import { describe, expect, it } from 'vitest';
 import { LightState, type LightValues } from '../../../src/phong/light/light-state.js';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { Projection } from '../../../src/extras/overlay/drawing/projection.js';
-import { lightMarks, placedLight, type HandlePart } from '../../../src/extras/overlay/helpers/light-marks.js';
+import {
+  lightMarks,
+  placedLight,
+  type HandlePart,
+} from '../../../src/extras/overlay/helpers/light-marks.js';
 import { moved, type Anchor } from '../../../src/extras/overlay/helpers/light-move.js';
 
 const scene = { center: [0, 0, 0], radius: 1 } as const;
@@ -19,7 +23,13 @@ const values = (given: Partial<LightValues>): LightValues => new LightState(give
 
 function anchorOf(light: LightValues, view: Projection, part: HandlePart = 'place'): Anchor {
   const { placed, handles } = lightMarks(light, view, scene, false, Infinity);
-  return { values: light, placed, handle: handles.find((each) => each.part === part)!, view, scene };
+  return {
+    values: light,
+    placed,
+    handle: handles.find((each) => each.part === part)!,
+    view,
+    scene,
+  };
 }
 
 const angle = fc.double({ min: -180, max: 180, noNaN: true });
@@ -28,7 +38,10 @@ const coordinate = fc.double({ min: -3, max: 3, noNaN: true });
 const anywhere = fc.oneof(coordinate, fc.constantFrom(0, 4, -4, 1e15, -1e15, 1e-300));
 const view = fc
   .tuple(angle, angle)
-  .map(([theta, phi]) => new Projection({ ...sight, pose: { ...sight.pose, theta, phi: Math.abs(phi) } }));
+  .map(
+    ([theta, phi]) =>
+      new Projection({ ...sight, pose: { ...sight.pose, theta, phi: Math.abs(phi) } }),
+  );
 const move = fc.record({ dx: pixel, dy: pixel, along: fc.boolean(), byKeys: fc.boolean() });
 const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
 
@@ -75,8 +88,9 @@ describe('a light that is moved', () => {
     fc.assert(
       fc.property(view, position, move, (from, position, by) => {
         const light = values({ position, axis: [0, -1, 0], aperture: 30 });
-        for (const part of ['place', 'axis', 'aperture'] as const)
+        for (const part of ['place', 'axis', 'aperture'] as const) {
           expect(() => values(moved(anchorOf(light, from, part), from, by))).not.toThrow();
+        }
       }),
     );
   });

@@ -1,11 +1,18 @@
-// Does the probe explain the point chosen by mouse, finger, keyboard or markup, and rest otherwise? Compared with
-// shadeAt. Places are CSS pixels of the viewer, which lies at the page's top left.
+// Does the probe explain the point chosen by mouse, finger, keyboard or markup, and rest otherwise?
+// Compared with shadeAt. Places are CSS pixels of the viewer, which lies at the page's top left.
 
 import type { Locator, Page } from '@playwright/test';
 import { patch, type Texel } from '../../support/gltf.js';
 import { expect, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../../element/support/counting.js';
-import { assign, drag, nextFrame, type PhongViewer, pointerAway, settled } from '../../element/support/viewer.js';
+import {
+  assign,
+  drag,
+  nextFrame,
+  type PhongViewer,
+  pointerAway,
+  settled,
+} from '../../element/support/viewer.js';
 
 const LIGHTS = `
   <phong-light name="sun" position="-1 1.4 1.2 0" ambient="26 28 36" diffuse="110 112 118" specular="150"></phong-light>
@@ -19,11 +26,15 @@ const scene = (attributes = 'probe', lights = LIGHTS): string =>
 const box = (viewer: Locator): Locator => viewer.locator('[part=probe]');
 const codes = (viewer: Locator): Locator => viewer.locator('[part=probe] .codes');
 const cursor = (viewer: Locator): Locator => viewer.locator('.probe > .cursor');
-const labels = (viewer: Locator): Promise<string[]> => viewer.locator('.probe > svg text').allTextContents();
+const labels = (viewer: Locator): Promise<string[]> =>
+  viewer.locator('.probe > svg text').allTextContents();
 
 /** The red, green and blue that shadeAt gives for this place. */
 const colorAt = (viewer: Locator, x: number, y: number): Promise<readonly number[]> =>
-  viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at))!.color, [x, y] as const);
+  viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at))!.color, [
+    x,
+    y,
+  ] as const);
 
 /** The expected codes of the box for this place. */
 const expected = async (viewer: Locator, x: number, y: number): Promise<string> =>
@@ -40,7 +51,10 @@ const unpin = (viewer: Locator): Locator => box(viewer).getByRole('button', { na
 const escape = (page: Page): Promise<void> => page.keyboard.press('Escape');
 
 test.describe('a mouse over a viewer with a probe', () => {
-  test('shows the colour of the fragment below it, live, and nothing beside the shape', async ({ page, mount }) => {
+  test('shows the colour of the fragment below it, live, and nothing beside the shape', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await expect(box(viewer)).toBeHidden();
     await page.mouse.move(250, 150);
@@ -59,7 +73,10 @@ test.describe('a mouse over a viewer with a probe', () => {
     expect(await labels(viewer)).toEqual([]);
   });
 
-  test('gets a table of the active lights, with their terms in columns', async ({ page, mount }) => {
+  test('gets a table of the active lights, with their terms in columns', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await page.mouse.move(280, 130);
     await expect(box(viewer).locator('tbody tr')).toHaveCount(2);
@@ -69,10 +86,17 @@ test.describe('a mouse over a viewer with a probe', () => {
     );
     const triple = (color: readonly number[]): string =>
       color.every((c) => c === 0) ? '0' : color.map((c) => (255 * c).toFixed(1)).join(' ');
-    expect(cells.slice(0, -1)).toEqual([...[ambient, diffuse, specular].map(triple), att.toFixed(2), '1']);
+    expect(cells.slice(0, -1)).toEqual([
+      ...[ambient, diffuse, specular].map(triple),
+      att.toFixed(2),
+      '1',
+    ]);
   });
 
-  test('sees N, V, an L for each active light, and R of the one that adds most', async ({ page, mount }) => {
+  test('sees N, V, an L for each active light, and R of the one that adds most', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await page.mouse.move(280, 130);
     await expect
@@ -85,7 +109,10 @@ test.describe('a mouse over a viewer with a probe', () => {
 });
 
 test.describe('a click', () => {
-  test('pins the point, which stays in its place in the scene, until Escape', async ({ page, mount }) => {
+  test('pins the point, which stays in its place in the scene, until Escape', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await page.mouse.click(280, 130);
     await expect(box(viewer)).toHaveClass(/pinned/);
@@ -103,7 +130,10 @@ test.describe('a click', () => {
     await expect(codes(viewer)).toHaveText(await expected(viewer, 321, 220));
   });
 
-  test('pins the point, which stays where the viewer moves, and goes with `probe`', async ({ page, mount }) => {
+  test('pins the point, which stays where the viewer moves, and goes with `probe`', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await page.mouse.click(280, 130);
     await expect(box(viewer)).toHaveClass(/pinned/);
@@ -123,7 +153,10 @@ test.describe('a click', () => {
     await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
-  test('elsewhere moves the pin; beside the shape or on its button removes it', async ({ page, mount }) => {
+  test('elsewhere moves the pin; beside the shape or on its button removes it', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await drag(page, [280, 130], [40, 0]);
     await nextFrame(page);
@@ -141,7 +174,10 @@ test.describe('a click', () => {
 });
 
 test.describe('`probe-at`', () => {
-  test('is explained while the mouse is not on the shape, and follows the attribute', async ({ page, mount }) => {
+  test('is explained while the mouse is not on the shape, and follows the attribute', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
     await expect(box(viewer)).toHaveClass(/pinned/);
@@ -174,7 +210,10 @@ test.describe('`probe-at`', () => {
     await expect(box(viewer)).toHaveText(/No surface there\./);
     // Few pixels, and a surface that leans away: the pixel's centre is nearer than the point.
     const small = { width: 300, height: 150 };
-    const floor = await mount('<phong-viewer geometry="plane" probe probe-at="0 0 0"></phong-viewer>', small);
+    const floor = await mount(
+      '<phong-viewer geometry="plane" probe probe-at="0 0 0"></phong-viewer>',
+      small,
+    );
     await expect(codes(floor)).toHaveText(/^\d/);
   });
 
@@ -191,12 +230,18 @@ test.describe('`probe-at`', () => {
     await page.mouse.click(330, 150);
     await expect(unpin(viewer)).toBeVisible();
     await assign(viewer, { probeAt: [0, 0.25, 0.4330127] });
-    await expect(unpin(viewer), 'what is assigned takes the place of what was clicked').toBeHidden();
+    await expect(
+      unpin(viewer),
+      'what is assigned takes the place of what was clicked',
+    ).toBeHidden();
     await expect(box(viewer)).toHaveClass(/pinned/);
     await expect(codes(viewer)).not.toHaveText(declared);
   });
 
-  test('is written by toHTML, as is a pin of the user, which the markup pins again', async ({ page, mount }) => {
+  test('is written by toHTML, as is a pin of the user, which the markup pins again', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     const html = (): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
     const pointIn = (markup: string): string | undefined => /probe-at="([^"]*)"/.exec(markup)?.[1];
@@ -204,19 +249,26 @@ test.describe('`probe-at`', () => {
     await page.mouse.click(330, 150);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
     const shown = await codes(viewer).textContent();
-    const p = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(330, 150))!.p);
+    const p = await viewer.evaluate(
+      async (element: PhongViewer) => (await element.shadeAt(330, 150))!.p,
+    );
     const written = await html();
     const numbers = pointIn(written)!.split(' ').map(Number);
     p.forEach((x, i) => expect(numbers[i]).toBeCloseTo(x, 6));
     await assign(viewer, { probe: false });
-    expect(pointIn(await html()), 'without a probe nothing is pinned but what is declared').toBe('0 0 0.5');
+    expect(pointIn(await html()), 'without a probe nothing is pinned but what is declared').toBe(
+      '0 0 0.5',
+    );
     await mount(written);
     await expect(codes(viewer)).toHaveText(shown!);
   });
 });
 
 test.describe('the cross-hair', () => {
-  test('is a Tab stop that arrow keys move by one or ten pixels, and Enter pins', async ({ page, mount }) => {
+  test('is a Tab stop that arrow keys move by one or ten pixels, and Enter pins', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await pointerAway(page);
     await page.keyboard.press('Tab');
@@ -232,27 +284,41 @@ test.describe('the cross-hair', () => {
     await page.keyboard.press('ArrowLeft');
     await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 190));
     await expect(box(viewer)).not.toHaveClass(/pinned/);
-    expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta), 'the camera stays').toBe(0);
-    for (let i = 0; i < 45; i++) await page.keyboard.press('Shift+ArrowLeft');
+    expect(
+      await viewer.evaluate((element: PhongViewer) => element.camera.theta),
+      'the camera stays',
+    ).toBe(0);
+    for (let i = 0; i < 45; i++) {
+      await page.keyboard.press('Shift+ArrowLeft');
+    }
     await expect(box(viewer)).toHaveText(/No surface there\./);
     expect((await cursorPlace(viewer))[0]).toBe(0.5);
     await viewer.locator('.surface').focus();
     await expect(box(viewer)).toBeHidden();
   });
 
-  test('selects a light by its button in the table: only its vectors are drawn', async ({ page, mount }) => {
+  test('selects a light by its button in the table: only its vectors are drawn', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await pointerAway(page);
     await cursor(viewer).focus();
-    for (const key of ['Shift+ArrowUp', 'Shift+ArrowUp', 'Enter']) await page.keyboard.press(key);
+    for (const key of ['Shift+ArrowUp', 'Shift+ArrowUp', 'Enter']) {
+      await page.keyboard.press(key);
+    }
     await expect(box(viewer)).toHaveClass(/pinned/);
     await page.keyboard.press('Tab');
     await expect(unpin(viewer)).toBeFocused();
     await page.keyboard.press('Tab');
-    await expect.poll(async () => (await labels(viewer)).filter((text) => text.startsWith('L'))).toHaveLength(1);
+    await expect
+      .poll(async () => (await labels(viewer)).filter((text) => text.startsWith('L')))
+      .toHaveLength(1);
     const before = await labels(viewer);
     await page.keyboard.press(before.includes('L sun') ? 'ArrowDown' : 'ArrowUp');
-    await expect.poll(() => labels(viewer)).toContain(before.includes('L sun') ? 'L lamp' : 'L sun');
+    await expect
+      .poll(() => labels(viewer))
+      .toContain(before.includes('L sun') ? 'L lamp' : 'L sun');
     await page.keyboard.press('Enter');
     await cursor(viewer).focus();
     expect(
@@ -300,7 +366,10 @@ test.describe('the box', () => {
     }
   });
 
-  test('shows the whole table from 240 pixels on, with three digits in every colour', async ({ page, mount }) => {
+  test('shows the whole table from 240 pixels on, with three digits in every colour', async ({
+    page,
+    mount,
+  }) => {
     const light = (name: string): string =>
       `<phong-light name="${name}" position="1 1 0 0" ambient="120" diffuse="190" specular="150"></phong-light>`;
     const viewer = await mount(
@@ -309,16 +378,19 @@ test.describe('the box', () => {
          <phong-light name="back" position="-1 -1 0 0" ambient="111"></phong-light></phong-viewer>`,
       { width: 240, height: 400 },
     );
-    for (const width of [240, 269, 270, 294, 344, 345, 355, 389, 390, 420, 479, 480, 599, 600, 690]) {
+    for (const width of [
+      240, 269, 270, 294, 344, 345, 355, 389, 390, 420, 479, 480, 599, 600, 690,
+    ]) {
       await viewer.evaluate((element: PhongViewer, px) => (element.style.width = `${px}px`), width);
       await nextFrame(page);
       await expect(box(viewer).getByRole('table')).toBeVisible();
       const { hidden, right, edge, name } = await box(viewer).evaluate((element) => {
-        const last = [...element.querySelectorAll(':is(tbody, tfoot) > tr > :last-child')].filter((cell) =>
-          cell.checkVisibility(),
+        const last = [...element.querySelectorAll(':is(tbody, tfoot) > tr > :last-child')].filter(
+          (cell) => cell.checkVisibility(),
         );
         return {
-          hidden: element.scrollWidth - element.clientWidth + element.scrollHeight - element.clientHeight,
+          hidden:
+            element.scrollWidth - element.clientWidth + element.scrollHeight - element.clientHeight,
           right: last.map((cell) => Math.round(cell.getBoundingClientRect().right)),
           edge: Math.round(element.getBoundingClientRect().right),
           name: element.querySelectorAll('tbody button')[1]!.getBoundingClientRect().width,
@@ -340,7 +412,10 @@ test.describe('the box', () => {
     await expect(box(viewer).getByRole('table')).toBeHidden();
   });
 
-  test('lists fifty lights, all in reach, in rows that add up to the sum', async ({ page, mount }) => {
+  test('lists fifty lights, all in reach, in rows that add up to the sum', async ({
+    page,
+    mount,
+  }) => {
     const lights = Array.from(
       { length: 50 },
       (_, i) =>
@@ -354,7 +429,9 @@ test.describe('the box', () => {
     for (let i = 0; i < 50 && seen.size < 50; i++) {
       const names = await rows.locator('button').allTextContents();
       expect(names.at(-1)).toBe(`+ ${50 - (names.length - 1)} lights`);
-      for (const name of names.slice(0, -1)) seen.add(name);
+      for (const name of names.slice(0, -1)) {
+        seen.add(name);
+      }
       await rows.last().locator('button').click();
     }
     expect(seen.size, 'all are in reach').toBe(50);
@@ -374,17 +451,26 @@ test.describe('the box', () => {
     await expect(box(viewer)).not.toHaveText(/Gouraud/);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 280, 130));
     await assign(viewer, { colorInterpolation: 'linear' });
-    await expect(box(viewer).getByRole('rowheader')).toHaveText([/^sun/, /^lamp/, 'sum', 'encoded']);
+    await expect(box(viewer).getByRole('rowheader')).toHaveText([
+      /^sun/,
+      /^lamp/,
+      'sum',
+      'encoded',
+    ]);
     const row = box(viewer).locator('tfoot tr').last().locator('td');
     await expect(row).toHaveText((await codes(viewer).textContent())!);
   });
 
   test('says where the picture averages a texture', async ({ mount }) => {
-    const columns = Array.from({ length: 64 * 64 }, (_, i): Texel => (i % 2 === 0 ? [255, 255, 255] : [0, 0, 0]));
+    const columns = Array.from({ length: 64 * 64 }, (_, i): Texel =>
+      i % 2 === 0 ? [255, 255, 255] : [0, 0, 0],
+    );
     const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } };
     const src = patch({ material, textures: [columns], mipmaps: true });
     const viewer = await mount(
-      scene(`probe probe-at="0 0 0.3" src="${src}"`).replace('geometry="sphere"', '').replace('1.6', '30'),
+      scene(`probe probe-at="0 0 0.3" src="${src}"`)
+        .replace('geometry="sphere"', '')
+        .replace('1.6', '30'),
     );
     const note = box(viewer).locator('.note');
     await expect(note).toHaveText(/^The picture averages the texture here;/);
@@ -406,7 +492,9 @@ test.describe('the box', () => {
     const viewer = page.locator('#later');
     await expect(box(viewer)).toBeAttached();
     await assign(viewer, { fov: 40 });
-    for (let i = 0; i < 5; i++) await nextFrame(page);
+    for (let i = 0; i < 5; i++) {
+      await nextFrame(page);
+    }
     expect(await viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(0);
     await expect(box(viewer)).toBeHidden();
     await viewer.scrollIntoViewIfNeeded();
@@ -414,7 +502,10 @@ test.describe('the box', () => {
   });
 });
 
-test('`probe-change` has the fragment, whether it is pinned, and null when there is none', async ({ page, mount }) => {
+test('`probe-change` has the fragment, whether it is pinned, and null when there is none', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   const events = await viewer.evaluateHandle((element: PhongViewer) => {
     const list: (number | boolean | null)[][] = [];
@@ -440,14 +531,19 @@ test('`probe-change` has the fragment, whether it is pinned, and null when there
     let changed = 0;
     element.addEventListener('probe-change', () => (element.alt = String((changed += 1))));
     element.probeAt = [0, 0, 0.5];
-    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+    for (let i = 0; i < 5; i++) {
+      await new Promise(requestAnimationFrame);
+    }
     return changed;
   });
   expect(await changes).toBeGreaterThan(0);
   expect(await changes).toBeLessThan(10);
 });
 
-test('without `probe` none of its code is fetched; with it, one file, once', async ({ page, mount }) => {
+test('without `probe` none of its code is fetched; with it, one file, once', async ({
+  page,
+  mount,
+}) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
   const viewer = await mount(scene(''));
@@ -465,7 +561,9 @@ test('without `probe` none of its code is fetched; with it, one file, once', asy
   expect(fetched.filter((path) => path.includes('probe'))).toHaveLength(1);
 });
 
-test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({ mount }) => {
+test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({
+  mount,
+}) => {
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
   await expect(box(viewer)).toBeVisible();
   const [without, inside] = await viewer.evaluate(async (element: PhongViewer) => {
@@ -496,7 +594,10 @@ test('the arrows are in a picture file on request, at its size and for the scene
   expect(inside[1]).toBeGreaterThan(30);
 });
 
-test('explains the first and the last of many events at a time, and draws no picture', async ({ page, mount }) => {
+test('explains the first and the last of many events at a time, and draws no picture', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
@@ -511,7 +612,9 @@ test('explains the first and the last of many events at a time, and draws no pic
     for (let i = 0; i < 60; i++) {
       const place = { clientX: 250 + i, clientY: 150, bubbles: true };
       surface.dispatchEvent(new PointerEvent('pointermove', { ...place, pointerType: 'mouse' }));
-      if (i % 10 === 9) await new Promise(requestAnimationFrame);
+      if (i % 10 === 9) {
+        await new Promise(requestAnimationFrame);
+      }
     }
     await new Promise(requestAnimationFrame);
     await new Promise(requestAnimationFrame);
@@ -536,7 +639,10 @@ test('rests: no frame and no timer while nothing happens', async ({ page, mount 
   expect(await spentIn(page, 500)).toEqual(NOTHING);
 });
 
-test('never throws when lights, meshes and the viewer are removed under the mouse', async ({ page, mount }) => {
+test('never throws when lights, meshes and the viewer are removed under the mouse', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(`${scene()}${scene('probe probe-at="0 0 0.5"')}`);
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
@@ -556,7 +662,10 @@ test('never throws when lights, meshes and the viewer are removed under the mous
   await expect(page.locator('[part=probe]'), 'the other viewer has its own').toHaveCount(1);
 });
 
-test('follows the mouse on a mesh of 100,000 triangles without sorting it again', async ({ page, mount }) => {
+test('follows the mouse on a mesh of 100,000 triangles without sorting it again', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('probe').replace('segments="64"', 'segments="320"'));
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();

@@ -7,7 +7,12 @@ import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { srgbDecode } from '../../../src/phong/math/color.js';
 import { length, normalize } from '../../../src/phong/math/vector.js';
 import { Projection } from '../../../src/extras/overlay/drawing/projection.js';
-import { drawingOf, type Figure, figureOf, MOST_LIGHTS } from '../../../src/extras/overlay/probe/figure.js';
+import {
+  drawingOf,
+  type Figure,
+  figureOf,
+  MOST_LIGHTS,
+} from '../../../src/extras/overlay/probe/figure.js';
 import {
   byShare,
   fragmentText,
@@ -34,15 +39,17 @@ const THIRD = { position: [0, 1, -1, 0], diffuse: [200, 100, 0] } as const;
 /** The second light is not active. */
 const TWO: readonly Partial<LightValues>[] = [FIRST, { active: false }, THIRD];
 
-const under = (...lights: readonly Partial<LightValues>[]): FragmentExplanation => explained({ lights });
+const under = (...lights: readonly Partial<LightValues>[]): FragmentExplanation =>
+  explained({ lights });
 
 describe('the sum', () => {
   it('has a row for each active light, whose terms add up to its total, and the totals to the sum', () => {
     const fragment = explained({ lights: TWO });
     const { rows, totals, color } = probeSum(fragment, false);
     expect(rows.map(({ name }) => name)).toEqual(['light 1', 'light 3']);
-    for (const { ambient, diffuse, specular, total } of rows)
+    for (const { ambient, diffuse, specular, total } of rows) {
       total.forEach((x, i) => expect(x).toBeCloseTo(ambient[i]! + diffuse[i]! + specular[i]!, 10));
+    }
     expect(totals.map(({ label }) => label)).toEqual(['sum', 'clamped']);
     totals[0]!.color.forEach((x, i) => expect(x).toBeCloseTo(255 * fragment.sum[i]!, 10));
     expect(color).toEqual(fragment.color.map((x) => 255 * x));
@@ -51,7 +58,9 @@ describe('the sum', () => {
   it('is encoded last in linear light', () => {
     const fragment = explained({ lights: TWO, linear: true });
     const { rows, totals } = probeSum(fragment, true);
-    expect(totals.map(({ label }) => label)).toEqual(['sum', 'encoded', 'clamped'].slice(0, totals.length));
+    expect(totals.map(({ label }) => label)).toEqual(
+      ['sum', 'encoded', 'clamped'].slice(0, totals.length),
+    );
     const red = rows.reduce((total, row) => total + row.total[0], 0);
     expect(red / 255).toBeCloseTo(srgbDecode(fragment.sum[0]), 10);
     expect(totals[1]!.color[0]).toBeCloseTo(255 * fragment.sum[0], 10);
@@ -62,7 +71,10 @@ describe('the sum', () => {
     expect(probeSum(glowing, false).totals[0]).toEqual({ label: 'emissive', color: [25.5, 51, 0] });
     const unlit = explained({ lights: TWO, surface: { unlit: true, baseColor: [1, 0, 0] } });
     const { rows, totals } = probeSum(unlit, false);
-    expect({ rows, totals }).toEqual({ rows: [], totals: [{ label: 'base colour', color: [255, 0, 0] }] });
+    expect({ rows, totals }).toEqual({
+      rows: [],
+      totals: [{ label: 'base colour', color: [255, 0, 0] }],
+    });
   });
 
   it('says why a light adds neither diffuse nor specular, but only of terms that are missing', () => {
@@ -80,9 +92,14 @@ describe('the sum', () => {
     ]);
     const [row] = rows;
     expect(shownAbsence(row!)).toBe('behind the surface');
-    expect(shownAbsence({ ...row!, diffuse: [1, 0, 0] }), 'from a corner, under Gouraud shading').toBeNull();
+    expect(
+      shownAbsence({ ...row!, diffuse: [1, 0, 0] }),
+      'from a corner, under Gouraud shading',
+    ).toBeNull();
     expect(shownAbsence({ ...row!, absence: 'outside its cone' }), 'ambient').toBeNull();
-    expect(probeSum(explained({ lights: TWO, normal: [0, 0, 0] }), false).rows[0]!.absence).toBe('no normal');
+    expect(probeSum(explained({ lights: TWO, normal: [0, 0, 0] }), false).rows[0]!.absence).toBe(
+      'no normal',
+    );
   });
 
   it('has "…" in place of terms that have no column, in the rows whose sum has them', () => {
@@ -111,7 +128,9 @@ describe('the sum', () => {
     expect(shortNumber(Infinity, 1, null)).toBe('∞');
     expect(shortNumber(1.5e300, 1, null)).toBe('1.5e+300');
     expect(tripleText([1, 2.25, 255], 1, null)).toBe('1.0 2.3 255.0');
-    expect(tripleText([1, 2.25, 255], 1, { en: 'de' }), 'a wider gap').toBe('1,0\u20022,3\u2002255,0');
+    expect(tripleText([1, 2.25, 255], 1, { en: 'de' }), 'a wider gap').toBe(
+      '1,0\u20022,3\u2002255,0',
+    );
   });
 });
 
@@ -125,16 +144,30 @@ describe('the figure', () => {
   const pose = { theta: 0, phi: 45, radius: Math.sqrt(8), target: [0, 0, 0] } as const;
 
   it.each([
-    ['N, L of all, and R of the chosen one', TWO, PHONG, ['N', 'L light 3', 'L light 1', 'R ∠V 0°'], 1],
+    [
+      'N, L of all, and R of the chosen one',
+      TWO,
+      PHONG,
+      ['N', 'L light 3', 'L light 1', 'R ∠V 0°'],
+      1,
+    ],
     ['H and its angle to N', TWO, { alone: true, halfway: true }, ['N', 'L light 3', 'H'], 2],
-    ['no R of a light behind the surface', [{ position: [0, -1, 1, 0] as const }], PHONG, ['N', 'L'], 1],
+    [
+      'no R of a light behind the surface',
+      [{ position: [0, -1, 1, 0] as const }],
+      PHONG,
+      ['N', 'L'],
+      1,
+    ],
   ] as const)('has %s, as unit vectors', (_, lights, options, names, angles) => {
     const { vectors, arcs } = figure(explained({ lights }), lights.length > 1 ? 1 : 0, options);
     expect(vectors.map(({ name }) => name)).toEqual(names);
     expect(arcs).toHaveLength(angles);
     for (const { name, direction, dashed } of vectors) {
       expect(length(direction)).toBeCloseTo(1, 12);
-      if (name === 'H') expect(direction[1], 'between (0 1 −1) and (0 1 1)').toBeCloseTo(1, 12);
+      if (name === 'H') {
+        expect(direction[1], 'between (0 1 −1) and (0 1 1)').toBeCloseTo(1, 12);
+      }
       expect(dashed, 'L from below').toBe(direction[1] < 0);
     }
   });
@@ -142,13 +175,17 @@ describe('the figure', () => {
   it('has the angles that the words have', () => {
     const fragment = under({ position: [0.3, 1, -0.4, 0] });
     const [row] = probeSum(fragment, false).rows;
-    const said = [...stepsText(null, row!, fragment, false).matchAll(/cos ([\d.]+°)/g)].map(([, angle]) => angle);
+    const said = [...stepsText(null, row!, fragment, false).matchAll(/cos ([\d.]+°)/g)].map(
+      ([, angle]) => angle,
+    );
     const { vectors, arcs } = figure(fragment);
     expect([arcs[0]!.label, vectors.at(-1)!.name]).toEqual([said[0], `R ∠V ${said[1]!}`]);
   });
 
   it('has arrows for the lights that add most if there are many, and always for the chosen one', () => {
-    const fragment = under(...Array.from({ length: 50 }, (_, i) => ({ ...FIRST, diffuse: [i, i, i] as const })));
+    const fragment = under(
+      ...Array.from({ length: 50 }, (_, i) => ({ ...FIRST, diffuse: [i, i, i] as const })),
+    );
     const strongest = byShare(probeSum(fragment, false).rows).slice(0, MOST_LIGHTS);
     const named = figure(fragment, 0)
       .vectors.filter(({ name }) => name.startsWith('L'))
@@ -168,15 +205,30 @@ describe('the figure', () => {
     const normal = triple(fc.constantFrom(0, 1, -1)).map(normalize);
     const size = fc.constantFrom([600, 400] as const, [120, 90] as const, [1, 1] as const);
     fc.assert(
-      fc.property(position, normal, size, fc.boolean(), (position, normal, [width, height], halfway) => {
-        const drawn = figure(explained({ lights: [{ position }, THIRD], normal }), 0, { alone: false, halfway });
-        const room = { left: 0, top: 0, right: width, bottom: height };
-        const space = { outline: [], room, boxes: [], fontSize: 12 };
-        const projection = new Projection({ pose, fov: 45, width, height });
-        const list = drawingOf(projection, [0, 0, 0], { x: width / 2, y: height / 2 }, drawn, space);
-        // JSON writes null for what is not finite.
-        expect(JSON.stringify(list)).not.toMatch(/"[xy]":null/);
-      }),
+      fc.property(
+        position,
+        normal,
+        size,
+        fc.boolean(),
+        (position, normal, [width, height], halfway) => {
+          const drawn = figure(explained({ lights: [{ position }, THIRD], normal }), 0, {
+            alone: false,
+            halfway,
+          });
+          const room = { left: 0, top: 0, right: width, bottom: height };
+          const space = { outline: [], room, boxes: [], fontSize: 12 };
+          const projection = new Projection({ pose, fov: 45, width, height });
+          const list = drawingOf(
+            projection,
+            [0, 0, 0],
+            { x: width / 2, y: height / 2 },
+            drawn,
+            space,
+          );
+          // JSON writes null for what is not finite.
+          expect(JSON.stringify(list)).not.toMatch(/"[xy]":null/);
+        },
+      ),
       { numRuns: 300 },
     );
   });
@@ -199,7 +251,11 @@ describe('the words', () => {
     [THIRD, {}, 'N·L = cos 45° = 0.707; R·V = cos 0° = 1.000, to the power of 8: 1.000.'],
     [{ position: [0, -1, 0, 0] }, {}, 'N·L = cos 180° = −1.000 is not above 0, so only ambient.'],
     [away, {}, 'N·L = cos 71.6° = 0.316; R·V = −0.447 is not above 0: no highlight.'],
-    [away, { shininess: 1e-7 }, 'N·L = cos 71.6° = 0.316; R·V = cos 116.57° = −0.447, to the power of 0: 1.000.'],
+    [
+      away,
+      { shininess: 1e-7 },
+      'N·L = cos 71.6° = 0.316; R·V = cos 116.57° = −0.447, to the power of 0: 1.000.',
+    ],
     [away, { N: [0, 0, 0] }, 'no normal here, so only ambient.'],
     [{ position: [0, 0, 0, 1] }, {}, 'no direction, so only ambient.'],
     [
@@ -215,7 +271,10 @@ describe('the words', () => {
 
   it('are true of the numbers as they are written, for every angle and exponent', () => {
     const unit = fc.double({ min: -1, max: 1, noNaN: true });
-    const exponent = fc.oneof(fc.double({ min: 0, max: 200, noNaN: true }), fc.constantFrom(1e-6, 0.01, 1e4, 1e6));
+    const exponent = fc.oneof(
+      fc.double({ min: 0, max: 200, noNaN: true }),
+      fc.constantFrom(1e-6, 0.01, 1e4, 1e6),
+    );
     const number = (text: string): number => Number(text.replace('−', '-'));
     fc.assert(
       fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {
@@ -224,10 +283,19 @@ describe('the words', () => {
         const [row] = probeSum(fragment, false).rows;
         const given = { ...row!, absence: NoL > 0 ? null : ('behind the surface' as const) };
         const text = stepsText(null, { ...given, NoL, RoV }, fragment, halfway);
-        for (const [, angle, cosine] of text.matchAll(/cos ([\d.]+)° = (−?[\d.]+)/g))
-          expect(Math.cos((number(angle!) * Math.PI) / 180), text).toBeCloseTo(number(cosine!), 2.99);
-        const power = /(−?[\d.]+), to the power of ([\d.]+): ([\d.]+)\./.exec(text)?.slice(1).map(number);
-        if (power !== undefined) expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.01);
+        for (const [, angle, cosine] of text.matchAll(/cos ([\d.]+)° = (−?[\d.]+)/g)) {
+          expect(Math.cos((number(angle!) * Math.PI) / 180), text).toBeCloseTo(
+            number(cosine!),
+            2.99,
+          );
+        }
+        const power = /(−?[\d.]+), to the power of ([\d.]+): ([\d.]+)\./
+          .exec(text)
+          ?.slice(1)
+          .map(number);
+        if (power !== undefined) {
+          expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.01);
+        }
         expect(power !== undefined, text).toBe(NoL > 0 && (RoV > 0 || shininess < 1e-6));
       }),
     );

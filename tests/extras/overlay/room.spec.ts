@@ -1,12 +1,18 @@
-// Does everything over the picture keep to the room that is free: between dividers, beside the panel, below a notice,
-// at any text size?
+// Does everything over the picture keep to the room that is free: between dividers, beside the
+// panel, below a notice, at any text size?
 
 import type { Locator, Page } from '@playwright/test';
 import { decodePng, pixelAt } from '../../support/picture.js';
 import { firstOf } from '../../support/repeats.js';
 import { allReady, expect, type Mount, test } from '../../support/test.js';
 import { field, opened, panelOf, titleOf } from '../panel/panel-rows.js';
-import { assign, cameraOf, drag, nextFrame, type PhongViewer } from '../../element/support/viewer.js';
+import {
+  assign,
+  cameraOf,
+  drag,
+  nextFrame,
+  type PhongViewer,
+} from '../../element/support/viewer.js';
 
 const LIGHTS = `
   <phong-light name="sun" position="-1 1.4 1.2 0" ambient="120" diffuse="190" specular="150"></phong-light>
@@ -67,19 +73,26 @@ test.describe('the probe between the dividers of a comparison', () => {
         };
         const cut = texts.filter((text) => text.checkVisibility() && isCut(text));
         const isSmall = box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight;
-        return [...cut.map((text) => text.textContent), ...(isSmall ? ['a box that is too small'] : [])].map(
-          (text) => `${i} at ${to - from}: ${text}`,
-        );
+        return [
+          ...cut.map((text) => text.textContent),
+          ...(isSmall ? ['a box that is too small'] : []),
+        ].map((text) => `${i} at ${to - from}: ${text}`);
       }).flat();
     });
 
-  test('never cuts a sum, whatever the width and the place of the divider', async ({ page, mount }) => {
+  test('never cuts a sum, whatever the width and the place of the divider', async ({
+    page,
+    mount,
+  }) => {
     test.setTimeout(600_000);
     await mount(comparison, { css, waitForReady: false });
     await allReady(page);
     const cut: string[] = [];
-    for (const width of firstOf([140, 266, 390, 532, 800, 1000, ...EACH_WIDTH], 6))
-      for (const at of firstOf([12, 37, 50, 85, ...Array.from({ length: 21 }, (_, i) => 5 * i)], 4)) {
+    for (const width of firstOf([140, 266, 390, 532, 800, 1000, ...EACH_WIDTH], 6)) {
+      for (const at of firstOf(
+        [12, 37, 50, 85, ...Array.from({ length: 21 }, (_, i) => 5 * i)],
+        4,
+      )) {
         await page.evaluate(
           ([w, a]) => {
             const compare = document.querySelector('phong-compare')!;
@@ -91,10 +104,14 @@ test.describe('the probe between the dividers of a comparison', () => {
         await laidOut(page);
         cut.push(...(await cutSums(page)).map((text) => `${width}, ${at} %: ${text}`));
       }
+    }
     expect(cut).toEqual([]);
   });
 
-  test('leaves out columns in their order, and at last all but the colour', async ({ page, mount }) => {
+  test('leaves out columns in their order, and at last all but the colour', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(ball('probe probe-at="0 0 0.5"'), { height: 500 });
     const columns = viewer.locator('[part=probe] thead th');
     const seen: string[] = [];
@@ -105,7 +122,11 @@ test.describe('the probe between the dividers of a comparison', () => {
       seen.push(texts.slice(1, -1).join(' '));
     }
     const all = 'ambient diffuse specular att decay';
-    const fewer = ['ambient diffuse specular att', 'ambient diffuse specular', '… diffuse specular'];
+    const fewer = [
+      'ambient diffuse specular att',
+      'ambient diffuse specular',
+      '… diffuse specular',
+    ];
     const order = [all, ...fewer, '… diffuse', '…'];
     expect([...new Set(seen)]).toEqual(order.filter((each) => seen.includes(each)));
     expect(seen[0]).toBe(all);
@@ -134,9 +155,14 @@ test.describe('names of lights and axes', () => {
       return all.flatMap(([what, a], i) => [
         ...all
           .slice(i + 1)
-          .filter(([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+          .filter(
+            ([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom,
+          )
           .map(([other]) => `${what} and ${other}`),
-        ...(a.left < whole.left || a.right > whole.right || a.top < whole.top || a.bottom > whole.bottom
+        ...(a.left < whole.left ||
+        a.right > whole.right ||
+        a.top < whole.top ||
+        a.bottom > whole.bottom
           ? [`${what} leaves the picture`]
           : []),
       ]);
@@ -150,7 +176,10 @@ test.describe('names of lights and axes', () => {
     const names: number[] = [];
     for (const view of ['n-dot-l', 'shaded'] as const) {
       await assign(viewer, { view });
-      for (const width of firstOf([140, 259, 260, 479, 480, 1000, 210, 340, 560, 640, 800, ...EACH_WIDTH], 6)) {
+      for (const width of firstOf(
+        [140, 259, 260, 479, 480, 1000, 210, 340, 560, 640, 800, ...EACH_WIDTH],
+        6,
+      )) {
         await setWidth(viewer, width);
         await laidOut(page);
         await nextFrame(page);
@@ -163,7 +192,10 @@ test.describe('names of lights and axes', () => {
   });
 });
 
-test('the lines of helpers lie below the box of the probe and the legend', async ({ page, mount }) => {
+test('the lines of helpers lie below the box of the probe and the legend', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(ball('view="n-dot-l" probe probe-at="0 0 0.5" helpers="grid axes"'));
   await laidOut(page);
   const order = await viewer.evaluate((element) => {
@@ -171,32 +203,45 @@ test('the lines of helpers lie below the box of the probe and the legend', async
     const heights = ['.helpers', '.probe', '.room'].map((part) =>
       Number(getComputedStyle(root.querySelector(part)!).zIndex.replace('auto', '0')),
     );
-    const inRoom = ['[part=probe]', '[part=legend]'].map((part) => root.querySelector(part)!.closest('.room'));
+    const inRoom = ['[part=probe]', '[part=legend]'].map((part) =>
+      root.querySelector(part)!.closest('.room'),
+    );
     return { heights, inRoom: inRoom.every((room) => room !== null) };
   });
   expect(order).toEqual({ heights: [0, 1, 2], inRoom: true });
 });
 
-test('a notice keeps clear of the panel, and has a border in forced colours', async ({ page, mount, consoleGuard }) => {
+test('a notice keeps clear of the panel, and has a border in forced colours', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/404/);
-  const viewer = await mount('<phong-viewer alt="" gui src="/none.glb" view="n-dot-l"></phong-viewer>');
+  const viewer = await mount(
+    '<phong-viewer alt="" gui src="/none.glb" view="n-dot-l"></phong-viewer>',
+  );
   const notice = viewer.locator('[part=notice]');
   await expect(notice).toBeVisible();
   await expect(viewer.locator('.legend')).toHaveCount(1);
-  for (const dir of ['ltr', 'rtl'])
+  for (const dir of ['ltr', 'rtl']) {
     for (const width of [300, 520, 640, 900]) {
       await page.evaluate((value) => (document.documentElement.dir = value), dir);
       await setWidth(viewer, width);
       for (const open of [width >= 480, false]) {
         const title = titleOf(viewer, 'Controls');
-        if ((await title.getAttribute('aria-expanded')) !== String(open)) await title.click();
+        if ((await title.getAttribute('aria-expanded')) !== String(open)) {
+          await title.click();
+        }
         await laidOut(page);
-        const rects = await Promise.all([notice, panelOf(viewer), viewer.locator('.legend')].map(rectOf));
+        const rects = await Promise.all(
+          [notice, panelOf(viewer), viewer.locator('.legend')].map(rectOf),
+        );
         const [message, panel, legend] = rects as [Rect, Rect, Rect];
         const met = [meet(message, panel), meet(message, legend), meet(legend, panel)];
         expect(met, `${dir}, ${width}, ${open}`).toEqual([false, false, false]);
       }
     }
+  }
   await page.emulateMedia({ forcedColors: 'active' });
   await expect(notice).toHaveCSS('border-top-width', '1px');
   await page.emulateMedia({ forcedColors: null });
@@ -210,10 +255,15 @@ test.describe('text over the picture', () => {
       ),
     );
 
-  test("follows the element's font size; slotted text keeps its own", async ({ page, mount, consoleGuard }) => {
+  test("follows the element's font size; slotted text keeps its own", async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
     consoleGuard.allow(/404/);
     const markup = ball('gui view="n-dot-l" probe probe-at="0 0 0.5" helpers');
-    const failing = '<phong-viewer alt="" src="/none.glb"><p slot="error">Nothing</p></phong-viewer>';
+    const failing =
+      '<phong-viewer alt="" src="/none.glb"><p slot="error">Nothing</p></phong-viewer>';
     const viewer = await mount(markup + failing, {
       width: 900,
       height: 700,
@@ -235,12 +285,17 @@ test.describe('text over the picture', () => {
     await expect(viewer.locator('text[part=light-name]').first()).toHaveCSS('font-size', '30px');
   });
 
-  test('grows with the height in full screen, unless the page sets a size', async ({ page, mount }) => {
+  test('grows with the height in full screen, unless the page sets a size', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(ball('view="n-dot-l"'));
     const legend = viewer.locator('.legend');
     await page.keyboard.press('Tab'); // full screen needs a user's gesture
     await viewer.evaluate((element) => element.requestFullscreen());
-    const expected = await page.evaluate(() => `${Math.max(12, Math.round(2200 * innerHeight) / 1e5)}px`);
+    const expected = await page.evaluate(
+      () => `${Math.max(12, Math.round(2200 * innerHeight) / 1e5)}px`,
+    );
     await expect(legend).toHaveCSS('font-size', expected);
     await viewer.evaluate((element) => (element.style.fontSize = '31px'));
     await expect(legend).toHaveCSS('font-size', '31px');
@@ -266,7 +321,10 @@ test.describe('an open panel', () => {
     return viewer;
   }
 
-  test('stands beside the picture from 640 pixels on, and over it below', async ({ page, mount }) => {
+  test('stands beside the picture from 640 pixels on, and over it below', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await withPanel(page, mount, 640);
     expect(meet(await picture(viewer), await rectOf(panelOf(viewer)))).toBe(false);
     const beside = (await cameraOf(viewer)).radius;
@@ -278,12 +336,17 @@ test.describe('an open panel', () => {
     await setWidth(viewer, 639);
     await laidOut(page);
     expect((await picture(viewer)).right).toBe(639);
-    expect((await cameraOf(viewer)).radius, 'framed by the width of the picture').toBeLessThan(beside);
+    expect((await cameraOf(viewer)).radius, 'framed by the width of the picture').toBeLessThan(
+      beside,
+    );
     await titleOf(viewer, 'Controls').click();
     await expect(viewer.locator('.lil-root > .lil-children')).toBeHidden();
   });
 
-  test('is not printed beside the picture; a drag across the picture is 360 degrees', async ({ page, mount }) => {
+  test('is not printed beside the picture; a drag across the picture is 360 degrees', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await withPanel(page, mount, 900);
     const screen = await picture(viewer);
     const before = (await cameraOf(viewer)).theta;
@@ -302,12 +365,17 @@ test.describe('an open panel', () => {
     await assign(viewer.locator('phong-light').first(), { diffuse: [140, 140, 140] });
     const diffuse = field(await opened(viewer, 'sun'), 'diffuse');
     await expect(diffuse).toHaveValue('140 140 140');
-    expect(await diffuse.evaluate((input) => input.scrollWidth - input.clientWidth)).toBeLessThanOrEqual(0);
+    expect(
+      await diffuse.evaluate((input) => input.scrollWidth - input.clientWidth),
+    ).toBeLessThanOrEqual(0);
   });
 });
 
 test.describe('a legend', () => {
-  test('has one line in pictures below 260 pixels, which fits at any width', async ({ page, mount }) => {
+  test('has one line in pictures below 260 pixels, which fits at any width', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(ball('view="n-dot-l"'), { width: 260, height: 200 });
     const legend = viewer.locator('.legend');
     const height = async (): Promise<number> => {
@@ -316,7 +384,7 @@ test.describe('a legend', () => {
       return bottom - top;
     };
     expect(await height()).toBeGreaterThan(40);
-    for (const view of ['n-dot-l', 'normals', 'diffuse'] as const)
+    for (const view of ['n-dot-l', 'normals', 'diffuse'] as const) {
       for (const width of [259, 180, 140]) {
         await assign(viewer, { view });
         await setWidth(viewer, width);
@@ -325,11 +393,19 @@ test.describe('a legend', () => {
         const cut = await legend.evaluate((element) => element.scrollWidth - element.clientWidth);
         expect(cut, `${view}, ${width}`).toBeLessThanOrEqual(0);
       }
+    }
   });
 
-  test('is beside a picture whose white plane has an outline on white, not in files', async ({ page, mount }) => {
+  test('is beside a picture whose white plane has an outline on white, not in files', async ({
+    page,
+    mount,
+  }) => {
     const plane = `<phong-viewer alt="" geometry="plane" phi="0" radius="3" view="attenuation"><phong-light position="0 1 0 1"></phong-light></phong-viewer>`;
-    const viewer = await mount(plane, { width: 200, height: 200, css: 'body { background: #fff }' });
+    const viewer = await mount(plane, {
+      width: 200,
+      height: 200,
+      css: 'body { background: #fff }',
+    });
     await expect(viewer.locator('.legend')).toHaveCount(1);
     await nextFrame(page);
     const screen = decodePng(await viewer.screenshot());

@@ -12,11 +12,17 @@ const scene = (attributes: string): string =>
 
 const box = (viewer: Locator): Locator => viewer.locator('[part=probe]');
 
-test('`formula` puts the numbers of the point into the equation; `probe` alone keeps the table', async ({ mount }) => {
+test('`formula` puts the numbers of the point into the equation; `probe` alone keeps the table', async ({
+  mount,
+}) => {
   const viewer = await mount(scene('probe="formula"'));
   const lines = box(viewer).getByRole('listitem');
-  await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(1)).toHaveText('=0.78·0.80·0.25·0.50');
-  await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(2)).toHaveText('=0.08');
+  await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(1)).toHaveText(
+    '=0.78·0.80·0.25·0.50',
+  );
+  await expect(lines.filter({ hasText: 'lamp · diffuse' }).locator('math').nth(2)).toHaveText(
+    '=0.08',
+  );
   await expect(box(viewer).getByRole('table')).toHaveCount(0);
   expect(await viewer.evaluate((element: PhongViewer) => element.probe)).toBe('formula');
   await assign(viewer, { probe: true });
@@ -25,13 +31,18 @@ test('`formula` puts the numbers of the point into the equation; `probe` alone k
   await expect(box(viewer).getByRole('table'), 'corners have no equation here').toBeVisible();
 });
 
-test('`ask` hides results, judges by keyboard, reports `answer`, then shows', async ({ page, mount }) => {
+test('`ask` hides results, judges by keyboard, reports `answer`, then shows', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('probe="ask"'));
   await expect(box(viewer)).not.toContainText('0.078');
   await expect(box(viewer).locator('.codes')).toBeHidden();
   const answers = await viewer.evaluateHandle((element: PhongViewer) => {
     const list: unknown[] = [];
-    element.addEventListener('answer', ({ detail }) => list.push({ ...detail, light: detail.light?.name }));
+    element.addEventListener('answer', ({ detail }) =>
+      list.push({ ...detail, light: detail.light?.name }),
+    );
     return list;
   });
   const field = box(viewer).getByRole('textbox', { name: 'lamp · diffuse' });
@@ -44,7 +55,12 @@ test('`ask` hides results, judges by keyboard, reports `answer`, then shows', as
   await field.fill('0,078');
   await page.keyboard.press('Enter');
   await expect(row.getByRole('status')).toHaveText('Right.');
-  const same = { term: 'diffuse', light: 'lamp', channel: null, expected: expect.closeTo(0.0784, 3) as unknown };
+  const same = {
+    term: 'diffuse',
+    light: 'lamp',
+    channel: null,
+    expected: expect.closeTo(0.0784, 3) as unknown,
+  };
   expect(await answers.jsonValue()).toEqual([
     { ...same, text: '0.314', value: 0.314, correct: false, mistake: 'left-out' },
     { ...same, text: '0,078', value: 0.078, correct: true, mistake: null },
@@ -53,7 +69,9 @@ test('`ask` hides results, judges by keyboard, reports `answer`, then shows', as
   await expect(box(viewer)).toContainText('=0.08');
 });
 
-test('`explain` says what `shadeAt` says, of hidden points and outside the picture too', async ({ mount }) => {
+test('`explain` says what `shadeAt` says, of hidden points and outside the picture too', async ({
+  mount,
+}) => {
   const viewer = await mount(scene(''));
   const [drawn, pixel, hidden, away, none] = await viewer.evaluate(async (element: PhongViewer) => {
     const red = async (point: [number, number, number]): Promise<number | null> =>
@@ -61,7 +79,10 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
     const [x, y] = [element.clientWidth / 2, element.clientHeight / 2];
     const drawn = await red([0, 0, 0]);
     const pixel = (await element.shadeAt(x, y, { exact: true }))?.sum[0] ?? null;
-    element.insertAdjacentHTML('beforeend', '<phong-mesh geometry="box" position="0 1 0" scale="0.2"></phong-mesh>');
+    element.insertAdjacentHTML(
+      'beforeend',
+      '<phong-mesh geometry="box" position="0 1 0" scale="0.2"></phong-mesh>',
+    );
     await element.ready;
     const hidden = await red([0, 0, 0]);
     element.target = [30, 0, 0];
@@ -74,16 +95,20 @@ test('`explain` says what `shadeAt` says, of hidden points and outside the pictu
   for (const [point, name] of [
     [[0, 0], 'TypeError'],
     [[0, NaN, 0], 'RangeError'],
-  ] as const)
+  ] as const) {
     expect(
       await viewer.evaluate(
-        (element: PhongViewer, wrong) => element.explain(wrong as never).catch((error: Error) => error.name),
+        (element: PhongViewer, wrong) =>
+          element.explain(wrong as never).catch((error: Error) => error.name),
         point,
       ),
     ).toBe(name);
+  }
 });
 
-test('`probe-change` is the same with and without `probe`, and inside CSS zoom', async ({ mount }) => {
+test('`probe-change` is the same with and without `probe`, and inside CSS zoom', async ({
+  mount,
+}) => {
   const viewer = await mount(scene(''), { css: 'phong-viewer { zoom: 2 }' });
   const { without, boxes, probed, gone } = await viewer.evaluate(async (element: PhongViewer) => {
     type Detail = PhongViewerEventMap['probe-change']['detail'];
@@ -92,7 +117,11 @@ test('`probe-change` is the same with and without `probe`, and inside CSS zoom',
         element.addEventListener('probe-change', ({ detail }) => resolve(detail), { once: true });
         Object.assign(element, change);
       });
-    const told = ({ fragment, x, y }: Detail): readonly number[] => [fragment!.kd[0], Math.round(x!), Math.round(y!)];
+    const told = ({ fragment, x, y }: Detail): readonly number[] => [
+      fragment!.kd[0],
+      Math.round(x!),
+      Math.round(y!),
+    ];
     const without = told(await next({ kd: [100, 100, 100] }));
     const boxes = element.shadowRoot!.querySelectorAll('[part=probe]').length;
     const probed = told(await next({ probe: true }));

@@ -21,7 +21,13 @@ interface Given {
 function asked({ lights, surface, linear = false, halfway = false }: Given): Equation[] {
   const reflection = halfway ? 'blinn-phong' : 'phong';
   const fragment = explained({
-    ...{ lights, surface: { kd: grey(200), ks: grey(100), ...surface }, eye: [0, 3, 4], linear, reflection },
+    ...{
+      lights,
+      surface: { kd: grey(200), ks: grey(100), ...surface },
+      eye: [0, 3, 4],
+      linear,
+      reflection,
+    },
   });
   const values = lights.map((one) => light(one));
   return equationsOf(fragment, { lights: values, linear, halfway, terms: TERMS }, null);
@@ -48,7 +54,9 @@ it('has the numbers of the point, a line per channel only where they differ, and
   expect(channels).toEqual(['red', 'green', 'blue']);
   const behind = of(asked({ lights: [{ ...LAMP, position: [0, -1, 1, 0] }] }), 'diffuse');
   expect(`${behind.numbers} = ${behind.result}`).toMatch(/max\(−0\.71, 0\) = 0$/);
-  expect(latexOf('Kd · max(N · L, 0)^32 = 0,35')).toBe('K_d \\cdot \\max(N \\cdot L, 0)^{32} = 0{,}35');
+  expect(latexOf('Kd · max(N · L, 0)^32 = 0,35')).toBe(
+    'K_d \\cdot \\max(N \\cdot L, 0)^{32} = 0{,}35',
+  );
   const bright = of(asked({ lights: [{ ...LAMP, ambient: grey(255) }] }), 'sum');
   expect(`${bright.numbers} = ${bright.result}`).toMatch(/^min\(.*, 1\) = 1$/);
 });
@@ -80,7 +88,9 @@ describe('a usual mistake', () => {
       lights: [{ ...LAMP, position: [0, 1, -1, 0] as const }],
       surface: { ks: grey(255) },
     };
-    const [phong, blinn] = [false, true].map((halfway) => of(asked({ ...highlight, halfway }), 'specular'));
+    const [phong, blinn] = [false, true].map((halfway) =>
+      of(asked({ ...highlight, halfway }), 'specular'),
+    );
     expect(judge(blinn!.value.toFixed(4), phong!, null).text).toContain('N · H in place of R · V');
     expect(judge(phong!.value.toFixed(4), blinn!, null).text).toContain('R · V in place of N · H');
     const cosine = phong!.value ** (1 / 8);
@@ -91,13 +101,22 @@ describe('a usual mistake', () => {
 
 it('takes commas, percent and the minus of the page, and asks for a number or for more digits', () => {
   const diffuse = of(asked({ lights: [LAMP] }), 'diffuse');
-  for (const typed of ['0.157', '0,157', ' .1569 ', '15.7 %', '0.16'])
+  for (const typed of ['0.157', '0,157', ' .1569 ', '15.7 %', '0.16']) {
     expect(judge(typed, diffuse, null).correct, typed).toBe(true);
-  for (const typed of ['', 'abc', '1.2.3', '0x1', '1e999', 'Infinity'])
-    expect(judge(typed, diffuse, null), typed).toMatchObject({ value: null, correct: false, mistake: null });
+  }
+  for (const typed of ['', 'abc', '1.2.3', '0x1', '1e999', 'Infinity']) {
+    expect(judge(typed, diffuse, null), typed).toMatchObject({
+      value: null,
+      correct: false,
+      mistake: null,
+    });
+  }
   expect(judge('0.2', diffuse, null).mistake).toBe('digits');
   expect(judge('0', diffuse, null).text).toBe('Not yet: too small by 0.16.');
-  expect(judge('0.45', diffuse, null)).toMatchObject({ mistake: null, text: 'Not yet: too large by 0.29.' });
+  expect(judge('0.45', diffuse, null)).toMatchObject({
+    mistake: null,
+    text: 'Not yet: too large by 0.29.',
+  });
 });
 
 const unit = fc.integer({ min: 1, max: 255 });
@@ -114,7 +133,10 @@ const LIGHT = fc.record({
 });
 const GIVEN: fc.Arbitrary<Given> = fc.record({
   lights: fc.array(LIGHT, { minLength: 1, maxLength: 3 }),
-  surface: fc.record({ shininess: fc.constantFrom(0, 1, 8, 32.5), emissive: fc.constantFrom(grey(0), grey(0.1)) }),
+  surface: fc.record({
+    shininess: fc.constantFrom(0, 1, 8, 32.5),
+    emissive: fc.constantFrom(grey(0), grey(0.1)),
+  }),
   linear: fc.boolean(),
   halfway: fc.boolean(),
 });
@@ -139,7 +161,9 @@ it('calls every right answer right, and each wrong value a mistake that its text
           const near = equation.wrongs.filter(
             (each) => Math.abs(each.value - value) <= 0.002 * Math.abs(each.value) + 1e-6,
           );
-          if (new Set(near.map((each) => each.text)).size <= 2) expect(verdict.text).toContain(text);
+          if (new Set(near.map((each) => each.text)).size <= 2) {
+            expect(verdict.text).toContain(text);
+          }
         }
       }
     }),

@@ -1,17 +1,26 @@
-// Do `view` and `view-light` behave as documented: legend, lights by name, what is compiled, measuring the error?
+// Do `view` and `view-light` behave as documented: legend, lights by name, what is compiled,
+// measuring the error?
 
 import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
 import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
 import { choice, flag, opened, button, panelOf } from '../panel/panel-rows.js';
-import { assign, loseContext, nextFrame, type PhongViewer, set, settled } from '../../element/support/viewer.js';
+import {
+  assign,
+  loseContext,
+  nextFrame,
+  type PhongViewer,
+  set,
+  settled,
+} from '../../element/support/viewer.js';
 
 const SIZE = { width: 300, height: 240 };
 const lights = `
   <phong-light name="sun" position="1 2 1 0" diffuse="120 100 80" ambient="20"></phong-light>
   <phong-light id="lamp" name="lamp" position="1 1 1 1" diffuse="0 60 60"></phong-light>
   <phong-light position="0 1 2 1" axis="0 -1 -2" aperture="9" cutoff="3"></phong-light>`;
-const scene = (attributes: string): string => `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
+const scene = (attributes: string): string =>
+  `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
 
 const legendOf = (viewer: Locator): Locator => viewer.locator('.legend');
 
@@ -22,7 +31,9 @@ const legendText = async (viewer: Locator): Promise<string[]> => {
   return texts.map((text) => text.trim());
 };
 
-test('each view has a legend that says what its colours mean, to a screen reader too', async ({ mount }) => {
+test('each view has a legend that says what its colours mean, to a screen reader too', async ({
+  mount,
+}) => {
   const viewer = await mount(scene(''), SIZE);
   const expected: Partial<Record<(typeof VIEWS)[number], readonly string[]>> = {
     ambient: ['Ambient term', 'all lights'],
@@ -54,12 +65,19 @@ test('each view has a legend that says what its colours mean, to a screen reader
   await expect(legendOf(viewer)).toHaveCount(0);
 });
 
-test('`ready` and `toBlob` wait for the view, and leaving it restores the picture', async ({ page, mount }) => {
+test('`ready` and `toBlob` wait for the view, and leaving it restores the picture', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('view="normals"'), SIZE);
   // The middle of the sphere faces the eye: no shade of these lights has as much blue.
   const [r, g, b] = pixelAt(await pixels(viewer), 150, 120);
-  const back = await viewer.evaluate(({ camera: { eye, radius } }: PhongViewer) => eye.map((x) => x / radius));
-  expect([r, g, b].map((code) => code / 127.5 - 1).every((x, i) => Math.abs(x - back[i]!) < 0.02)).toBe(true);
+  const back = await viewer.evaluate(({ camera: { eye, radius } }: PhongViewer) =>
+    eye.map((x) => x / radius),
+  );
+  expect(
+    [r, g, b].map((code) => code / 127.5 - 1).every((x, i) => Math.abs(x - back[i]!) < 0.02),
+  ).toBe(true);
   await assign(viewer, { view: null });
   const shaded = await pixels(viewer);
   await page.reload();
@@ -75,7 +93,10 @@ test('`ready` and `toBlob` wait for the view, and leaving it restores the pictur
   expect(compare(shaded, await pixels(again)).max).toBe(0);
 });
 
-test('follows lights that are renamed, switched off, added and removed', async ({ mount, consoleGuard }) => {
+test('follows lights that are renamed, switched off, added and removed', async ({
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/view-light="lamp2?">: no light has this name/, 2);
   const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), SIZE);
   const lamp = viewer.locator('#lamp');
@@ -105,7 +126,9 @@ test('follows lights that are renamed, switched off, added and removed', async (
   // Without a name it is the first active light.
   await set(viewer, { viewLight: null });
   expect(await legendText(viewer)).toContain('sun');
-  await viewer.evaluate((element: PhongViewer) => element.lights.forEach((one) => (one.active = false)));
+  await viewer.evaluate((element: PhongViewer) =>
+    element.lights.forEach((one) => (one.active = false)),
+  );
   await settled(viewer);
   expect(await legendText(viewer)).toContain('no light is active');
   expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
@@ -129,7 +152,10 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
   expect(rounds).toEqual([rounds[0], rounds[0], rounds[0]]);
 });
 
-test('the legend can be styled and hidden, and stays inside small viewers', async ({ page, mount }) => {
+test('the legend can be styled and hidden, and stays inside small viewers', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), {
     ...SIZE,
     css: 'phong-viewer::part(legend) { border-width: 3px } .quiet::part(legend) { display: none }',
@@ -162,7 +188,9 @@ test('the legend can be styled and hidden, and stays inside small viewers', asyn
   await expect(legendOf(viewer)).toBeHidden();
 });
 
-test('is restored after the element was removed, and after its context was lost', async ({ mount }) => {
+test('is restored after the element was removed, and after its context was lost', async ({
+  mount,
+}) => {
   const viewer = await mount(scene('view="triangles"'), SIZE);
   const before = await pixels(viewer);
   /** Takes the viewer off the page, for a task or within one, and back with this view. */
@@ -171,7 +199,9 @@ test('is restored after the element was removed, and after its context was lost'
       async (element: PhongViewer, [next, waits]) => {
         const parent = element.parentNode!;
         element.remove();
-        if (waits) await new Promise((resolve) => setTimeout(resolve));
+        if (waits) {
+          await new Promise((resolve) => setTimeout(resolve));
+        }
         element.view = next;
         parent.append(element);
         await element.ready;
@@ -193,7 +223,11 @@ test('is restored after the element was removed, and after its context was lost'
   expect(compare(before, await pixels(viewer)).max).toBe(0);
 });
 
-test('a name that no light has is black with a warning; a later light shows', async ({ page, mount, consoleGuard }) => {
+test('a name that no light has is black with a warning; a later light shows', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(
     /view-light="lampe">: no light has this name, so none is shown. Names of lights: "sun", "lamp", "light 3"/,
     1,
@@ -233,9 +267,15 @@ test('a name that no light has is black with a warning; a later light shows', as
   expect(await brightest()).toBeGreaterThan(100);
 });
 
-test('the markup keeps the view, and the panel writes and follows it', async ({ mount, consoleGuard }) => {
+test('the markup keeps the view, and the panel writes and follows it', async ({
+  mount,
+  consoleGuard,
+}) => {
   const warnings = consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
-  const viewer = await mount(scene('gui view="decay" view-light="lamp"'), { width: 900, height: 700 });
+  const viewer = await mount(scene('gui view="decay" view-light="lamp"'), {
+    width: 900,
+    height: 700,
+  });
   const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
   expect(html).toContain(' view="decay" view-light="lamp"');
   const folder = await opened(viewer, 'Show');
@@ -245,9 +285,16 @@ test('the markup keeps the view, and the panel writes and follows it', async ({ 
   await flag(folder, 'show axes').click();
   await flag(folder, 'probe').click();
   const values = () =>
-    viewer.evaluate(({ view, viewLight, helpers, probe }: PhongViewer) => [view, viewLight, helpers, probe]);
+    viewer.evaluate(({ view, viewLight, helpers, probe }: PhongViewer) => [
+      view,
+      viewLight,
+      helpers,
+      probe,
+    ]);
   expect(await values()).toEqual(['normals', 'light 3', ['axes'], true]);
-  for (let step = 0; step < 4; step++) await button(panelOf(viewer), 'undo').click();
+  for (let step = 0; step < 4; step++) {
+    await button(panelOf(viewer), 'undo').click();
+  }
   expect(await values()).toEqual(['decay', 'lamp', [], false]);
   await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.name = 'torch'));
   const names = ['all, or the first', 'sun', 'torch', 'light 3', 'lamp'];

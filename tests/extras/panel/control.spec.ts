@@ -10,13 +10,17 @@ const de = readyTexts('de');
 const css = 'phong-viewer { display: block; width: 160px; height: 100px }';
 const scene = `<phong-viewer id="v" geometry="torus"><phong-light id="spot" name="spot" position="0 2 0"
   axis="0 -1 0" aperture="30" cutoff="8"></phong-light><phong-mesh id="m" geometry="plane"></phong-mesh></phong-viewer>`;
-const control = (attributes: string, label = ''): string => `<phong-control ${attributes}>${label}</phong-control>`;
+const control = (attributes: string, label = ''): string =>
+  `<phong-control ${attributes}>${label}</phong-control>`;
 
 const lightOf = (page: Page): Locator => page.locator('phong-light').first();
 const valueOf = (of: Locator, key: string): Promise<number> =>
   of.evaluate((element, name) => Number(Reflect.get(element, name)), key);
 
-test('a number is a field with its unit in a sentence, and a slider alone or as asked', async ({ mount, page }) => {
+test('a number is a field with its unit in a sentence, and a slider alone or as asked', async ({
+  mount,
+  page,
+}) => {
   const aperture = control('for="spot" attribute="aperture" max="60"');
   await mount(
     `${scene}<p>The spot's ${aperture} is half its cone.</p>${control('for="spot" attribute="cutoff" max="60"', 'softness')}
@@ -29,7 +33,9 @@ test('a number is a field with its unit in a sentence, and a slider alone or as 
   await expect(page.locator('phong-control').first().locator('[part=unit]')).toHaveText('°');
   await expect(page.getByRole('slider')).toHaveCount(2);
   const heights = await page.evaluate(() =>
-    ['p', 'phong-control'].map((name) => document.querySelector(name)!.getBoundingClientRect().height),
+    ['p', 'phong-control'].map(
+      (name) => document.querySelector(name)!.getBoundingClientRect().height,
+    ),
   );
   expect(heights[0]).toBeLessThan(1.5 * heights[1]!);
   // It is dragged, turned by arrow keys and typed.
@@ -56,7 +62,10 @@ test('a number is a field with its unit in a sentence, and a slider alone or as 
   await expect(slider).toHaveAttribute('max', '1');
 });
 
-test('looks as the value asks: switch, choice, colour, component, stepper through values', async ({ mount, page }) => {
+test('looks as the value asks: switch, choice, colour, component, stepper through values', async ({
+  mount,
+  page,
+}) => {
   const steps = 'ambient | ambient diffuse | ambient diffuse specular';
   const viewer = await mount(
     scene +
@@ -83,18 +92,31 @@ test('looks as the value asks: switch, choice, colour, component, stepper throug
   ).toEqual(['flat', false, ['ambient', 'diffuse'], false, [10, 20, 30], [1.5, 2, 0, 1], 7]);
   await expect(page.locator('output')).toHaveText('ambient diffuse');
   await page.getByRole('button', { name: 'the sum forward' }).click();
-  await expect(page.getByRole('button', { name: 'the sum forward' })).toHaveAttribute('aria-disabled', 'true');
+  await expect(page.getByRole('button', { name: 'the sum forward' })).toHaveAttribute(
+    'aria-disabled',
+    'true',
+  );
 });
 
-test('turns two viewers together, as one step of each, and follows the camera in a drag', async ({ mount, page }) => {
-  const pair = ['a', 'b'].map((id) => `<phong-viewer id="${id}" geometry="box"></phong-viewer>`).join('');
-  await mount(pair + control('for="a b" attribute="theta"') + control('for="a b" attribute="shininess"'), {
-    css,
-  });
+test('turns two viewers together, as one step of each, and follows the camera in a drag', async ({
+  mount,
+  page,
+}) => {
+  const pair = ['a', 'b']
+    .map((id) => `<phong-viewer id="${id}" geometry="box"></phong-viewer>`)
+    .join('');
+  await mount(
+    pair + control('for="a b" attribute="theta"') + control('for="a b" attribute="shininess"'),
+    {
+      css,
+    },
+  );
   const [a, b] = [page.locator('#a'), page.locator('#b')];
   const theta = page.getByRole('spinbutton', { name: 'θ azimuth' });
   await theta.fill('75');
-  for (const viewer of [a, b]) expect((await cameraOf(viewer)).theta).toBeCloseTo(75);
+  for (const viewer of [a, b]) {
+    expect((await cameraOf(viewer)).theta).toBeCloseTo(75);
+  }
   await page.getByRole('spinbutton', { name: 'shininess' }).fill('7');
   expect([await valueOf(a, 'shininess'), await valueOf(b, 'shininess')]).toEqual([7, 7]);
   await page.keyboard.press('Enter');
@@ -116,17 +138,24 @@ test('turns two viewers together, as one step of each, and follows the camera in
   await expect(page.getByRole('spinbutton', { name: 'φ polar' })).toBeVisible();
 });
 
-test('waits for later elements, and warns once of those that never come', async ({ consoleGuard, mount, page }) => {
+test('waits for later elements, and warns once of those that never come', async ({
+  consoleGuard,
+  mount,
+  page,
+}) => {
   const said = [
     /no element has the id "sput"\. Did you mean "spot"\?/,
     /<phong-light> has no attribute "cutof"\. Did you mean "cutoff"\?/,
     /<p id="p"> is no viewer, light or mesh/,
   ].map((pattern) => consoleGuard.allow(pattern, 1));
-  const wrong = control('for="sput" attribute="cutoff"') + control('for="spot" attribute="cutof"').repeat(2);
+  const wrong =
+    control('for="sput" attribute="cutoff"') + control('for="spot" attribute="cutof"').repeat(2);
   await mount(`${scene}<p id="p"></p>${wrong}${control('for="p" attribute="ka"')}`, { css });
   await page.evaluate(async (html) => {
     document.body.insertAdjacentHTML('beforeend', html);
-    const away = document.querySelector('phong-control')!.cloneNode() as HTMLElementTagNameMap['phong-control'];
+    const away = document
+      .querySelector('phong-control')!
+      .cloneNode() as HTMLElementTagNameMap['phong-control'];
     document.body.append(away);
     away.remove();
     await new Promise((resolve) => setTimeout(resolve, 100));
@@ -141,9 +170,15 @@ test('waits for later elements, and warns once of those that never come', async 
   await expect.poll(() => said.map(({ length }) => length)).toEqual([1, 1, 1]);
 });
 
-test('speaks the page’s language, works under a strict policy, prints name and value', async ({ mount, page }) => {
+test('speaks the page’s language, works under a strict policy, prints name and value', async ({
+  mount,
+  page,
+}) => {
   const texts = `<script type="application/json" data-phong-viewer-texts>${JSON.stringify(de)}</script>`;
-  await mount(`${scene}${texts}<p>Der ${control('for="spot" attribute="aperture"')} des Spots</p>`, { css });
+  await mount(
+    `${scene}${texts}<p>Der ${control('for="spot" attribute="aperture"')} des Spots</p>`,
+    { css },
+  );
   const only = page.locator('phong-control');
   await expect(only.locator('[part~=label]')).toHaveText(de['aperture °'].replace(/\s*°$/, ''));
   await page.emulateMedia({ media: 'print' });

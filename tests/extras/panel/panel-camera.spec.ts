@@ -24,10 +24,15 @@ test('shows θ, φ, radius and eye live while the picture is dragged', async ({ 
   await page.mouse.up();
   await page.mouse.wheel(0, 200);
   const { radius } = await cameraOf(viewer);
-  await expect.poll(async () => Number(await field(folder, 'radius').inputValue())).toBeCloseTo(radius, 3);
+  await expect
+    .poll(async () => Number(await field(folder, 'radius').inputValue()))
+    .toBeCloseTo(radius, 3);
 });
 
-test('moves the camera with the source "panel", and resets it to the declared one', async ({ page, mount }) => {
+test('moves the camera with the source "panel", and resets it to the declared one', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const start = await cameraOf(viewer);
@@ -40,23 +45,34 @@ test('moves the camera with the source "panel", and resets it to the declared on
   await field(folder, 'φ polar °').fill('45.5');
   await field(folder, 'radius').fill('6');
   await field(folder, 'target y').fill('0.25');
-  expect(await cameraOf(viewer)).toMatchObject({ theta: 75, phi: 45.5, radius: 6, target: [0, 0.25, 0] });
+  expect(await cameraOf(viewer)).toMatchObject({
+    theta: 75,
+    phi: 45.5,
+    radius: 6,
+    target: [0, 0.25, 0],
+  });
   const heard = await moves.take();
   expect(heard.length).toBeGreaterThanOrEqual(4);
-  for (const { detail } of heard) expect(detail).toEqual({ source: 'panel' });
+  for (const { detail } of heard) {
+    expect(detail).toEqual({ source: 'panel' });
+  }
   await button(folder, 'reset camera').click();
   expect(await cameraOf(viewer)).toEqual(start);
   const declared = ({ theta, radius, target }: PhongViewer): object => ({ theta, radius, target });
   expect(await viewer.evaluate(declared)).toEqual({ theta: 30, radius: 'auto', target: 'auto' });
 });
 
-test('sets field of view and auto-rotate, and shows the present camera after a move', async ({ mount }) => {
+test('sets field of view and auto-rotate, and shows the present camera after a move', async ({
+  mount,
+}) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const theta = field(folder, 'θ azimuth °');
   await field(folder, 'fov °').fill('60');
   await field(folder, 'auto-rotate').fill('10');
-  expect(await viewer.evaluate(({ fov, autoRotate }: PhongViewer) => [fov, autoRotate])).toEqual([60, 10]);
+  expect(await viewer.evaluate(({ fov, autoRotate }: PhongViewer) => [fov, autoRotate])).toEqual([
+    60, 10,
+  ]);
   const first = await theta.inputValue();
   await expect.poll(() => theta.inputValue()).not.toBe(first);
   await assign(viewer, { autoRotate: 0, fov: 30 });

@@ -51,7 +51,10 @@ async function dragAcross(page: Page, control: Locator, pixels: number): Promise
 }
 
 test.describe('undo', () => {
-  test('reverts a drag of a slider or a field as one step, and keeps later script changes', async ({ page, mount }) => {
+  test('reverts a drag of a slider or a field as one step, and keeps later script changes', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await dragAcross(page, slider(folder, 'diffuse brightness'), 20);
@@ -64,16 +67,24 @@ test.describe('undo', () => {
     await undo(viewer);
     expect((await lamp(viewer)).diffuse).toEqual([255, 255, 255]);
     await expect(button(panelOf(viewer), 'undo')).toHaveAttribute('aria-disabled', 'true');
-    for (let steps = 0; steps < 3; steps++) await redo(viewer);
+    for (let steps = 0; steps < 3; steps++) {
+      await redo(viewer);
+    }
     expect(await lamp(viewer)).toEqual(last);
     await expect(button(panelOf(viewer), 'redo')).toHaveAttribute('aria-disabled', 'true');
     await expect(field(folder, 'position x')).toHaveValue(String(last.position[0]));
     await assign(viewer.locator('#lamp'), { diffuse: [1, 2, 3] });
     await undo(viewer);
-    expect(await lamp(viewer)).toEqual({ diffuse: [1, 2, 3], position: [1, 2, 3, 1], name: 'lamp' });
+    expect(await lamp(viewer)).toEqual({
+      diffuse: [1, 2, 3],
+      position: [1, 2, 3, 1],
+      name: 'lamp',
+    });
   });
 
-  test('reverts text, colours, switches, kinds and a reset, down to the same markup', async ({ mount }) => {
+  test('reverts text, colours, switches, kinds and a reset, down to the same markup', async ({
+    mount,
+  }) => {
     const viewer = await mount(scene);
     const html = () => viewer.evaluate((element: PhongViewer) => element.toHTML());
     const texts = [await html()];
@@ -105,7 +116,10 @@ test.describe('undo', () => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'Camera');
     await button(folder, 'reset camera').click();
-    await expect(button(panelOf(viewer), 'undo'), 'nothing has moved').toHaveAttribute('aria-disabled', 'true');
+    await expect(button(panelOf(viewer), 'undo'), 'nothing has moved').toHaveAttribute(
+      'aria-disabled',
+      'true',
+    );
     await drag(page, [100, 100], [60, 20]);
     const dragged = await cameraOf(viewer);
     await field(folder, 'θ azimuth °').fill('100');
@@ -120,11 +134,17 @@ test.describe('undo', () => {
     expect(await viewer.evaluate(({ theta }: PhongViewer) => theta)).toBe(20);
   });
 
-  test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in panel and picture, not in text fields', async ({ page, mount }) => {
+  test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in panel and picture, not in text fields', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await viewer.evaluate((element) =>
-      element.insertAdjacentHTML('beforeend', '<p slot="error"><button>b</button><input value="text"></p>'),
+      element.insertAdjacentHTML(
+        'beforeend',
+        '<p slot="error"><button>b</button><input value="text"></p>',
+      ),
     );
     const x = async (): Promise<number> => (await lamp(viewer)).position[0];
     await field(folder, 'position x').fill('5');
@@ -181,7 +201,10 @@ test.describe('lights', () => {
     expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual(['sun', 'lamp', 'lamp 2', 'spot']);
   });
 
-  test('are reordered, renamed and removed by buttons and keys, and keep the focus', async ({ page, mount }) => {
+  test('are reordered, renamed and removed by buttons and keys, and keep the focus', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'spot');
     await button(folder, 'move up').click();
@@ -195,7 +218,9 @@ test.describe('lights', () => {
     await page.keyboard.press('Alt+ArrowUp');
     await page.keyboard.press('Alt+ArrowDown');
     expect(await names(viewer)).toEqual(['sun', 'lamp', 'spot']);
-    for (let steps = 0; steps < 4; steps++) await page.keyboard.press('Control+z');
+    for (let steps = 0; steps < 4; steps++) {
+      await page.keyboard.press('Control+z');
+    }
     expect(await names(viewer)).toEqual(['sun', 'lamp', 'spot']);
     expect(await viewer.locator('#rig > #lamp').count()).toBe(1);
     await titleOf(viewer, 'spot').focus();
@@ -211,11 +236,14 @@ test.describe('lights', () => {
 });
 
 test('meshes are renamed, duplicated, reordered and removed', async ({ mount }) => {
-  const viewer = await mount(`<phong-viewer gui><phong-mesh geometry="box" name="cube" kd="#f00"></phong-mesh>
+  const viewer =
+    await mount(`<phong-viewer gui><phong-mesh geometry="box" name="cube" kd="#f00"></phong-mesh>
     <phong-mesh geometry="sphere" name="ball"></phong-mesh></phong-viewer>`);
   await opened(viewer, 'Meshes');
   const meshes = () =>
-    viewer.evaluate((element: PhongViewer) => element.meshes.map(({ name, geometry }) => [name, geometry]));
+    viewer.evaluate((element: PhongViewer) =>
+      element.meshes.map(({ name, geometry }) => [name, geometry]),
+    );
   const cube = await opened(viewer, 'cube');
   await button(cube, 'duplicate').click();
   await field(folderOf(viewer, 'cube 2'), 'name').fill('die');
@@ -225,16 +253,24 @@ test('meshes are renamed, duplicated, reordered and removed', async ({ mount }) 
     ['ball', 'sphere'],
     ['die', 'box'],
   ]);
-  for (let steps = 0; steps < 4; steps++) await undo(viewer);
+  for (let steps = 0; steps < 4; steps++) {
+    await undo(viewer);
+  }
   expect(await meshes()).toEqual([
     ['cube', 'box'],
     ['ball', 'sphere'],
   ]);
 });
 
-test('a model file can be chosen for a mesh and for the viewer', async ({ page, mount, consoleGuard }) => {
+test('a model file can be chosen for a mesh and for the viewer', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/is a file on this device/, 1);
-  const viewer = await mount('<phong-viewer gui droppable><phong-mesh geometry="box"></phong-mesh></phong-viewer>');
+  const viewer = await mount(
+    '<phong-viewer gui droppable><phong-mesh geometry="box"></phong-mesh></phong-viewer>',
+  );
   const file = fileURLToPath(new URL('../../fixtures/models/textured.glb', import.meta.url));
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'box');
@@ -250,7 +286,11 @@ test('a model file can be chosen for a mesh and for the viewer', async ({ page, 
   expect(html).toContain('src="textured.glb"');
   await expect(folder).toBeHidden();
   await undo(viewer);
-  expect(await viewer.evaluate((element: PhongViewer) => (element.meshes[0] as PhongMesh).src)).toBe('');
+  expect(
+    await viewer.evaluate((element: PhongViewer) => (element.meshes[0] as PhongMesh).src),
+  ).toBe('');
   await choose('open model…');
-  await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.src instanceof File)).toBe(true);
+  await expect
+    .poll(() => viewer.evaluate((element: PhongViewer) => element.src instanceof File))
+    .toBe(true);
 });

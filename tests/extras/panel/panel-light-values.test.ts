@@ -1,11 +1,17 @@
-// Does choosing a kind of light in the panel keep its other values, and a colour its hue and brightness?
+// Does choosing a kind of light in the panel keep its other values, and a colour its hue and
+// brightness?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { brightnessOf, colorOf, ColorMix, hexOf } from '../../../src/extras/panel/color-control.js';
 import { KindChange } from '../../../src/extras/panel/light-rows.js';
 import { kindOf } from '../../../src/phong/light/light-features.js';
-import { KINDS, type LightKind, LightState, type LightValues } from '../../../src/phong/light/light-state.js';
+import {
+  KINDS,
+  type LightKind,
+  LightState,
+  type LightValues,
+} from '../../../src/phong/light/light-state.js';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { triple } from '../../unit/arbitraries.js';
 
@@ -13,7 +19,11 @@ const place = triple(fc.double({ min: -1e15, max: 1e15, noNaN: true }));
 const someValues: fc.Arbitrary<Partial<LightValues>> = fc.record(
   {
     position: fc.tuple(place, fc.constantFrom(0, 1)).map(([xyz, w]) => [...xyz, w] as const),
-    ...{ axis: place, aperture: fc.constantFrom(0, 20, 90, 180), cutoff: fc.constantFrom(0, 1e-9, 12, 1e6) },
+    ...{
+      axis: place,
+      aperture: fc.constantFrom(0, 20, 90, 180),
+      cutoff: fc.constantFrom(0, 1e-9, 12, 1e6),
+    },
   },
   { requiredKeys: [] },
 );
@@ -25,16 +35,21 @@ function choose(light: LightState, change: KindChange, kind: LightKind, target: 
 describe('KindChange', () => {
   it('turns any light into the chosen kind at the same place', () => {
     fc.assert(
-      fc.property(someValues, fc.array(fc.constantFrom(...KINDS)), place, (values, kinds, target) => {
-        const light = new LightState(values);
-        const choice = new KindChange();
-        const before = light.values.position.slice(0, 3);
-        for (const kind of kinds) {
-          choose(light, choice, kind, target);
-          expect(kindOf(light.values)).toBe(kind);
-        }
-        expect(light.values.position.slice(0, 3)).toEqual(before);
-      }),
+      fc.property(
+        someValues,
+        fc.array(fc.constantFrom(...KINDS)),
+        place,
+        (values, kinds, target) => {
+          const light = new LightState(values);
+          const choice = new KindChange();
+          const before = light.values.position.slice(0, 3);
+          for (const kind of kinds) {
+            choose(light, choice, kind, target);
+            expect(kindOf(light.values)).toBe(kind);
+          }
+          expect(light.values.position.slice(0, 3)).toEqual(before);
+        },
+      ),
     );
   });
 
@@ -45,7 +60,9 @@ describe('KindChange', () => {
         fc.pre(kindOf(light.values) === 'spot');
         const before = { ...light.values };
         const choice = new KindChange();
-        for (const kind of [...kinds, 'spot' as const]) choose(light, choice, kind, [0, 0, 0]);
+        for (const kind of [...kinds, 'spot' as const]) {
+          choose(light, choice, kind, [0, 0, 0]);
+        }
         expect(light.values).toEqual(before);
       }),
     );
@@ -93,12 +110,16 @@ it('keeps the hue while the brightness goes to zero and up again', () => {
       fc.pre(Math.max(...value) > 1e-3);
       const mix = new ColorMix();
       let now = value;
-      for (const turn of [...turns, 0]) now = mix.brighten(now, turn);
+      for (const turn of [...turns, 0]) {
+        now = mix.brighten(now, turn);
+      }
       expect(now).toEqual([0, 0, 0]);
       const again = mix.brighten(now, brightnessOf(value));
       // Six digits, rounded once a turn.
       again.forEach((n, i) =>
-        expect(Math.abs(n - value[i]!)).toBeLessThanOrEqual(1e-5 * (turns.length + 1) * value[i]! + 1e-9),
+        expect(Math.abs(n - value[i]!)).toBeLessThanOrEqual(
+          1e-5 * (turns.length + 1) * value[i]! + 1e-9,
+        ),
       );
     }),
   );

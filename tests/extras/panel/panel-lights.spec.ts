@@ -1,5 +1,5 @@
-// Do a light's folder and its element agree? Each row writes the element, and each write to the element shows in the
-// row.
+// Do a light's folder and its element agree? Each row writes the element, and each write to the
+// element shows in the row.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
@@ -22,14 +22,18 @@ const scene = (...lights: readonly string[]): string =>
   `<phong-viewer gui geometry="box" target="0 0 0">${lights.join('')}</phong-viewer>`;
 const lamp = '<phong-light name="lamp" position="1 2 3 1" diffuse="400 200 0"></phong-light>';
 const sun = '<phong-light name="sun" position="1 1 1 0"></phong-light>';
-const spot = '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
+const spot =
+  '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
 
-const lightOf = (viewer: Locator, name: string): Locator => viewer.locator(`phong-light[name=${name}]`);
+const lightOf = (viewer: Locator, name: string): Locator =>
+  viewer.locator(`phong-light[name=${name}]`);
 
 const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
   light.evaluate((element: PhongLight, name) => element[name as K], key);
 
-test('has a folder for each light, in order, which stays as it is while others come and go', async ({ mount }) => {
+test('has a folder for each light, in order, which stays as it is while others come and go', async ({
+  mount,
+}) => {
   const viewer = await mount(scene(sun, '<phong-light></phong-light>', spot));
   const titles = () => titlesIn(folderOf(viewer, 'Lights'));
   await expect.poll(titles).toEqual(['sun', 'light 2', 'spot']); // the panel's code comes with its first use
@@ -73,8 +77,9 @@ test('writes every attribute of a light through its properties', async ({ mount 
     attenuation: [1, 0, 0.25],
     space: 'camera',
   };
-  for (const [key, value] of Object.entries(expected))
+  for (const [key, value] of Object.entries(expected)) {
     expect(await read(light, key as keyof typeof expected), key).toEqual(value);
+  }
   await field(folder, 'name').fill('beam');
   await expect(titleOf(viewer, 'beam')).toBeVisible();
   expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]!.name)).toBe('beam');
@@ -84,11 +89,18 @@ test('shows changes of attributes and properties', async ({ mount }) => {
   const viewer = await mount(scene(lamp));
   const light = lightOf(viewer, 'lamp');
   const folder = await opened(viewer, 'lamp');
-  await light.evaluate((element) => element.setAttribute('position', '0.1 0.30000000000000004 1e-7 1'));
+  await light.evaluate((element) =>
+    element.setAttribute('position', '0.1 0.30000000000000004 1e-7 1'),
+  );
   await expect(field(folder, 'position x')).toHaveValue('0.1');
   await expect(field(folder, 'position y')).toHaveValue('0.3');
   await expect(field(folder, 'position z')).toHaveValue('1e-7');
-  await assign(light, { active: false, diffuse: [0, 0, 255], space: 'camera', attenuation: [1, 0.5, 0] });
+  await assign(light, {
+    active: false,
+    diffuse: [0, 0, 255],
+    space: 'camera',
+    attenuation: [1, 0.5, 0],
+  });
   await expect(flag(folder, 'active')).not.toBeChecked();
   await expect(field(folder, 'diffuse')).toHaveValue('0 0 255');
   await expect(choice(folder, 'space')).toHaveValue('camera');
@@ -128,7 +140,11 @@ test.describe('kind', () => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const shown = async () =>
-      Promise.all(['axis', 'aperture °', 'cutoff', 'attenuation'].map((name) => row(folder, name).isVisible()));
+      Promise.all(
+        ['axis', 'aperture °', 'cutoff', 'attenuation'].map((name) =>
+          row(folder, name).isVisible(),
+        ),
+      );
     expect(await shown()).toEqual([false, false, false, true]);
     await choice(folder, 'kind').selectOption('spot');
     await expect.poll(shown).toEqual([true, true, true, true]);
@@ -148,7 +164,9 @@ test.describe('kind', () => {
 });
 
 test.describe('numbers', () => {
-  test('refuse what the light refuses, return to its value, and are updated after typing', async ({ mount }) => {
+  test('refuse what the light refuses, return to its value, and are updated after typing', async ({
+    mount,
+  }) => {
     const viewer = await mount(scene(spot));
     const folder = await opened(viewer, 'spot');
     const aperture = field(folder, 'aperture °');
@@ -169,7 +187,10 @@ test.describe('numbers', () => {
     await expect(x).toHaveValue('7');
   });
 
-  test('follow a drag of a slider or across the field, which ends exactly where it began', async ({ page, mount }) => {
+  test('follow a drag of a slider or across the field, which ends exactly where it began', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(spot));
     const light = lightOf(viewer, 'spot');
     const folder = await opened(viewer, 'spot');
@@ -207,7 +228,10 @@ test.describe('numbers', () => {
   });
 });
 
-test('a field that is removed under the pointer leaves no trace of its drag', async ({ page, mount }) => {
+test('a field that is removed under the pointer leaves no trace of its drag', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene(spot).replace('gui', 'gui="position"'));
   const { x, y } = (await field(panelOf(viewer), 'position y').boundingBox())!;
   await drag(page, [x + 20, y + 8], [5, 0], { release: false });
@@ -218,18 +242,28 @@ test('a field that is removed under the pointer leaves no trace of its drag', as
   expect(await page.evaluate(start), 'the page drags again').toBe(true);
 });
 
-test('an added light can be edited at once; a removed one gives the focus to the next', async ({ page, mount }) => {
+test('an added light can be edited at once; a removed one gives the focus to the next', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene(sun, spot));
   await button(folderOf(viewer, 'Lights'), 'add light').click();
   await expect(titleOf(viewer, 'light 3')).toHaveAttribute('aria-expanded', 'true');
   await expect(titleOf(viewer, 'light 3')).toBeFocused();
-  await expect(field(folderOf(viewer, 'light 3'), 'name')).toHaveAttribute('placeholder', 'light 3');
+  await expect(field(folderOf(viewer, 'light 3'), 'name')).toHaveAttribute(
+    'placeholder',
+    'light 3',
+  );
   await button(folderOf(viewer, 'Lights'), 'add light').click();
   const added = await viewer.evaluate((element: PhongViewer) =>
-    element.lights.slice(2).map(({ localName, position, active }) => ({ localName, position, active })),
+    element.lights
+      .slice(2)
+      .map(({ localName, position, active }) => ({ localName, position, active })),
   );
   expect(added).toHaveLength(2);
-  for (const light of added) expect(light).toMatchObject({ localName: 'phong-light', active: true });
+  for (const light of added) {
+    expect(light).toMatchObject({ localName: 'phong-light', active: true });
+  }
   expect(added[0]?.position).not.toEqual(added[1]?.position);
   await expect(page.locator('phong-viewer > phong-light')).toHaveCount(4);
   await button(await opened(viewer, 'sun'), 'remove').click();

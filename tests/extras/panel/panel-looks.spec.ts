@@ -1,5 +1,5 @@
-// Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom, with long words,
-// from right to left?
+// Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom,
+// with long words, from right to left?
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator } from '@playwright/test';
@@ -16,7 +16,9 @@ const scene = `<phong-viewer alt="A scene" geometry="box" gui>
 /** Opens every folder, so that all rows are shown. */
 async function openAll(viewer: Locator): Promise<void> {
   const folders = ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'];
-  for (const title of folders) await opened(viewer, title);
+  for (const title of folders) {
+    await opened(viewer, title);
+  }
 }
 
 for (const [scheme, width, height] of [
@@ -24,7 +26,10 @@ for (const [scheme, width, height] of [
   ['dark', 900, 1800],
   ['light', 390, 800],
 ] as const) {
-  test(`is legible in the page's scheme and has names (${scheme}, ${width} × ${height})`, async ({ page, mount }) => {
+  test(`is legible in the page's scheme and has names (${scheme}, ${width} × ${height})`, async ({
+    page,
+    mount,
+  }) => {
     await page.setViewportSize({ width, height });
     const viewer = await mount(`${scene}<main></main>`, { width, height: height - 10 });
     await page.evaluate((value) => {
@@ -39,8 +44,9 @@ for (const [scheme, width, height] of [
       }, property);
     const [text, ground] = [await brightness('color'), await brightness('backgroundColor')];
     expect(scheme === 'light' ? ground - text : text - ground).toBeGreaterThan(200);
-    if (width === 900) await openAll(viewer);
-    else {
+    if (width === 900) {
+      await openAll(viewer);
+    } else {
       await titleOf(viewer, 'Controls').click();
       await opened(viewer, 'lamp'); // axe takes labels that are scrolled out of view for missing ones
     }
@@ -57,18 +63,31 @@ async function expectNothingCut(viewer: Locator): Promise<void> {
   const cut = await listOf(viewer).evaluate((list) => {
     const found: string[] = [];
     const { left, right, top, bottom } = list.getBoundingClientRect();
-    for (const element of list.querySelectorAll<HTMLElement>('.lil-name, .lil-title, button, select, input')) {
+    for (const element of list.querySelectorAll<HTMLElement>(
+      '.lil-name, .lil-title, button, select, input',
+    )) {
       if (!element.checkVisibility() || element.closest('.lil-display') !== null) continue;
       element.scrollIntoView({ block: 'nearest' });
       const box = element.getBoundingClientRect();
       const name = element.getAttribute('aria-label') ?? element.textContent;
       // Names that the user writes scroll in their fields.
       const isName = element instanceof HTMLInputElement && element.placeholder !== '';
-      const tooWide = element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 1;
-      const isText = !element.matches('[type=checkbox], [type=range], [type=color], select') && !isName;
-      if (isText && tooWide) found.push(`cut: ${name}`);
-      if (box.left < left - 1 || box.right > right + 1 || box.top < top - 1 || box.bottom > bottom + 1)
+      const tooWide =
+        element.scrollWidth > element.clientWidth + 1 ||
+        element.scrollHeight > element.clientHeight + 1;
+      const isText =
+        !element.matches('[type=checkbox], [type=range], [type=color], select') && !isName;
+      if (isText && tooWide) {
+        found.push(`cut: ${name}`);
+      }
+      if (
+        box.left < left - 1 ||
+        box.right > right + 1 ||
+        box.top < top - 1 ||
+        box.bottom > bottom + 1
+      ) {
         found.push(`out of reach: ${name}`);
+      }
     }
     return found;
   });
@@ -82,7 +101,10 @@ for (const [width, height, of] of [
   [195, 350, '390 × 700'],
   [450, 310, '900 × 620'],
 ] as const) {
-  test(`at 200 % zoom a viewer of ${of} cuts nothing, not even long words, in ltr or rtl`, async ({ page, mount }) => {
+  test(`at 200 % zoom a viewer of ${of} cuts nothing, not even long words, in ltr or rtl`, async ({
+    page,
+    mount,
+  }) => {
     await page.setViewportSize({ width, height });
     const viewer = await mount(scene, { width, height });
     await titleOf(viewer, 'Controls').click();
@@ -102,7 +124,9 @@ test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page
   const css = 'phong-viewer { font-size: 24px }';
   const viewer = await mount(scene, { width: 1280, height: 800, css });
   await openAll(viewer);
-  const arrow = await titleOf(viewer, 'Controls').evaluate((title) => getComputedStyle(title, '::before').width);
+  const arrow = await titleOf(viewer, 'Controls').evaluate(
+    (title) => getComputedStyle(title, '::before').width,
+  );
   expect(parseFloat(arrow), 'signs grow with the text').toBeGreaterThan(15);
   for (const texts of [null, readyTexts('de')]) {
     await assign(viewer, { texts });
@@ -129,7 +153,10 @@ const cutChoices = (viewer: Locator): Promise<string[]> =>
       }),
   );
 
-test('in rtl the picture stands to the right of the panel, and numbers keep their order', async ({ page, mount }) => {
+test('in rtl the picture stands to the right of the panel, and numbers keep their order', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene, { width: 900, height: 600 });
   await page.evaluate(() => {
     document.documentElement.dir = 'rtl';
@@ -143,12 +170,17 @@ test('in rtl the picture stands to the right of the panel, and numbers keep thei
   expect(panel.x).toBeLessThan(whole.x + 20);
   expect(picture.x).toBeGreaterThanOrEqual(panel.x + panel.width);
   expect(picture.x + picture.width).toBeCloseTo(whole.x + whole.width, 0);
-  for (const name of ['position x', 'cutoff', 'diffuse']) await expect(field(lamp, name)).toHaveCSS('direction', 'ltr');
+  for (const name of ['position x', 'cutoff', 'diffuse']) {
+    await expect(field(lamp, name)).toHaveCSS('direction', 'ltr');
+  }
   await expect(field(lamp, 'name')).toHaveCSS('direction', 'rtl');
   await expectNothingCut(viewer);
 });
 
-test('the picture leaves the panel its place before its code is there, and is drawn once', async ({ page, mount }) => {
+test('the picture leaves the panel its place before its code is there, and is drawn once', async ({
+  page,
+  mount,
+}) => {
   let send = (): void => undefined;
   const sent = new Promise<void>((resolve) => (send = resolve));
   await page.route(/\/panel-/, async (route) => {

@@ -19,7 +19,9 @@ export const folderOf = (viewer: Locator, title: string): Locator =>
 /** Opens a folder if it is closed, and returns it. */
 export async function opened(viewer: Locator, title: string): Promise<Locator> {
   const button = titleOf(viewer, title);
-  if ((await button.getAttribute('aria-expanded')) === 'false') await button.click();
+  if ((await button.getAttribute('aria-expanded')) === 'false') {
+    await button.click();
+  }
   return folderOf(viewer, title);
 }
 
@@ -39,7 +41,8 @@ export const choice = named('combobox');
 export const button = named('button');
 
 /** The picker of a colour row; the row's text field has the row's own name. */
-export const picker = (folder: Locator, name: string): Locator => folder.getByLabel(`${name} picker`);
+export const picker = (folder: Locator, name: string): Locator =>
+  folder.getByLabel(`${name} picker`);
 
 /** Titles of the folders in a folder, from the top. */
 export const titlesIn = (folder: Locator): Promise<string[]> =>

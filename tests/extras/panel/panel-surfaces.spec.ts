@@ -10,7 +10,9 @@ const own = '<phong-viewer gui geometry="box" kd="200 0 0"></phong-viewer>';
 const valuesOf = (viewer: Locator, ...keys: (keyof PhongViewer)[]): Promise<unknown[]> =>
   viewer.evaluate((element: PhongViewer, names) => names.map((name) => element[name]), keys);
 
-test('writes and follows shading, reflection, terms, colour space and antialiasing', async ({ mount }) => {
+test('writes and follows shading, reflection, terms, colour space and antialiasing', async ({
+  mount,
+}) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Shading');
   await choice(folder, 'shading').selectOption('gouraud');
@@ -35,7 +37,9 @@ test('writes and follows shading, reflection, terms, colour space and antialiasi
   await expect(flag(folder, 'ambient term')).not.toBeChecked();
 });
 
-test("edits and shows the viewer's own material, its shininess in fine steps where it is small", async ({ mount }) => {
+test("edits and shows the viewer's own material, its shininess in fine steps where it is small", async ({
+  mount,
+}) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Material');
   await expect(field(folder, 'kd')).toHaveValue('200 0 0');
@@ -46,17 +50,27 @@ test("edits and shows the viewer's own material, its shininess in fine steps whe
   const [shininess] = await valuesOf(viewer, 'shininess');
   expect(Math.abs(Number(shininess) - 1250)).toBeLessThan(750);
   await field(folder, 'shininess').fill('1000000');
-  expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([[0, 255, 0], [255, 255, 255], 1e6]);
+  expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([
+    [0, 255, 0],
+    [255, 255, 255],
+    1e6,
+  ]);
   await expect(slider(folder, 'shininess')).toHaveValue('1');
   await slider(folder, 'shininess').fill('0');
   expect(await valuesOf(viewer, 'shininess')).toEqual([0]);
   await button(folder, 'reset material').click();
-  expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([[200, 200, 200], [128, 128, 128], 32]);
+  expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([
+    [200, 200, 200],
+    [128, 128, 128],
+    32,
+  ]);
   await expect(field(folder, 'shininess')).toHaveValue('32');
 });
 
 test("edits and shows a mesh's surface, style and transform", async ({ mount }) => {
-  const viewer = await mount('<phong-viewer gui><phong-mesh geometry="sphere" kd="#c33"></phong-mesh></phong-viewer>');
+  const viewer = await mount(
+    '<phong-viewer gui><phong-mesh geometry="sphere" kd="#c33"></phong-mesh></phong-viewer>',
+  );
   const mesh = viewer.locator('phong-mesh').first();
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'sphere');

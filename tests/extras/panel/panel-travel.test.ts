@@ -16,7 +16,9 @@ it('rounds up to 1, 2 or 5 times a power of ten, at most 2.5 times as large', ()
       expect(nice.toPrecision(3)).toMatch(/^[0.]*[125][0.]*(e[+-]\d+)?$/);
     }),
   );
-  for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) expect(niceCeil(n)).toBe(n);
+  for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) {
+    expect(niceCeil(n)).toBe(n);
+  }
   expect(niceCeil(0.1 + 0.1)).toBe(0.2);
 });
 
@@ -27,7 +29,9 @@ describe.each([
   it('converts between place and value within a step', () => {
     fc.assert(
       fc.property(fc.double({ min: travel.start, max: travel.end, noNaN: true }), (place) => {
-        expect(Math.abs(travel.place(travel.value(place)) - place)).toBeLessThanOrEqual(travel.step);
+        expect(Math.abs(travel.place(travel.value(place)) - place)).toBeLessThanOrEqual(
+          travel.step,
+        );
       }),
     );
   });

@@ -1,13 +1,21 @@
-// Does the panel as a whole work? Fetched on first use, styled under a strict CSP, clear of the picture, removed again.
+// Does the panel as a whole work? Fetched on first use, styled under a strict CSP, clear of the
+// picture, removed again.
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
 import { countEverything, spentIn } from '../../element/support/counting.js';
-import { assign, cameraOf, nextFrame, type PhongViewer, record } from '../../element/support/viewer.js';
+import {
+  assign,
+  cameraOf,
+  nextFrame,
+  type PhongViewer,
+  record,
+} from '../../element/support/viewer.js';
 import { button, field, listOf, opened, panelOf, slider, titleOf, titlesIn } from './panel-rows.js';
 
-const light = (name: string): string => `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
+const light = (name: string): string =>
+  `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
 const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
   `<phong-viewer geometry="box" theta="20" phi="60" ${attributes}>${lights.map(light).join('')}</phong-viewer>`;
 
@@ -17,7 +25,9 @@ const openFolders = (viewer: Locator): Promise<string[]> =>
     .filter({ visible: true })
     .allTextContents();
 
-test('has folders, of which the listed ones are open, and one for meshes if there are any', async ({ mount }) => {
+test('has folders, of which the listed ones are open, and one for meshes if there are any', async ({
+  mount,
+}) => {
   const viewer = await mount(scene('gui', 'sun', 'lamp'));
   await expect(titleOf(viewer, 'Material')).toBeVisible();
   const titles = ['Lights', 'Camera', 'Shading', 'Show', 'Material', 'Meshes'];
@@ -40,7 +50,10 @@ test('has folders, of which the listed ones are open, and one for meshes if ther
   await expect(titleOf(viewer, 'Meshes')).toBeVisible();
 });
 
-test('a list of attributes shows their rows in its order, and warns of others', async ({ mount, consoleGuard }) => {
+test('a list of attributes shows their rows in its order, and warns of others', async ({
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/the panel has no row for poster/, 1);
   const viewer = await mount(`<phong-viewer geometry="torus" gui="cutoff poster shininess theta">
     <phong-light name="sun"></phong-light>
@@ -63,9 +76,14 @@ test('a list of attributes shows their rows in its order, and warns of others', 
   await expect(slider(viewer, 'θ azimuth °')).toHaveAttribute('aria-valuetext', '-70');
 });
 
-test('lies inside the viewer, scrolls there, and opens and closes by pointer and by keys', async ({ page, mount }) => {
+test('lies inside the viewer, scrolls there, and opens and closes by pointer and by keys', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('gui', 'a', 'b'), { width: 600, height: 300 });
-  for (const title of ['a', 'b']) await opened(viewer, title);
+  for (const title of ['a', 'b']) {
+    await opened(viewer, title);
+  }
   const outer = (await viewer.boundingBox())!;
   const inner = (await panelOf(viewer).boundingBox())!;
   expect(inner.x + inner.width).toBeLessThanOrEqual(outer.x + outer.width);
@@ -84,12 +102,17 @@ test('lies inside the viewer, scrolls there, and opens and closes by pointer and
   await expect(listOf(viewer)).toBeVisible();
   await page.keyboard.press('Tab');
   await expect(viewer.getByRole('button', { name: 'Full screen' })).toBeFocused();
-  for (let stops = 0; stops < 3; stops++) await page.keyboard.press('Tab'); // past undo and redo
+  for (let stops = 0; stops < 3; stops++) {
+    await page.keyboard.press('Tab'); // past undo and redo
+  }
   await page.keyboard.press('Space');
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
 });
 
-test('starts closed on a phone, as a sheet that leaves half of the screen to the picture', async ({ page, mount }) => {
+test('starts closed on a phone, as a sheet that leaves half of the screen to the picture', async ({
+  page,
+  mount,
+}) => {
   await page.setViewportSize({ width: 360, height: 640 });
   const viewer = await mount(scene('gui', 'sun'), { width: 360, height: 640 });
   const picture = viewer.locator('[part=surface]');
@@ -122,7 +145,9 @@ test('never rotates or zooms the camera by input on the panel', async ({ page, m
   expect(await cameraOf(viewer)).toEqual(before);
 });
 
-test('removes everything when gui is removed, and comes back, also while its code is loading', async ({ mount }) => {
+test('removes everything when gui is removed, and comes back, also while its code is loading', async ({
+  mount,
+}) => {
   const viewer = await mount(scene('', 'sun'));
   const census = () =>
     viewer.evaluate((element) => {
@@ -169,7 +194,11 @@ test('keeps two viewers on a page apart', async ({ page, mount }) => {
   expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
 });
 
-test('saves a PNG, and copies the scene or shows it if no clipboard is there', async ({ page, mount, context }) => {
+test('saves a PNG, and copies the scene or shows it if no clipboard is there', async ({
+  page,
+  mount,
+  context,
+}) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const viewer = await mount(scene('gui', 'sun'));
   const download = page.waitForEvent('download');
@@ -183,16 +212,23 @@ test('saves a PNG, and copies the scene or shows it if no clipboard is there', a
   await expect(button(panelOf(viewer), 'copied ✓')).toBeVisible();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(html);
 
-  await page.evaluate(() => void Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+  await page.evaluate(
+    () => void Object.defineProperty(navigator, 'clipboard', { value: undefined }),
+  );
   await button(panelOf(viewer), 'copy HTML').click();
   const text = viewer.getByRole('textbox', { name: "The scene's HTML" });
   await expect(text).toHaveValue(html);
   await expect(text).toBeFocused();
-  const selected = text.evaluate((area: HTMLTextAreaElement) => [area.selectionStart, area.selectionEnd]);
+  const selected = text.evaluate((area: HTMLTextAreaElement) => [
+    area.selectionStart,
+    area.selectionEnd,
+  ]);
   expect(await selected).toEqual([0, html.length]);
 });
 
-test('starts closed in a viewer without a size, and opens depending on its first size', async ({ mount }) => {
+test('starts closed in a viewer without a size, and opens depending on its first size', async ({
+  mount,
+}) => {
   for (const [width, expanded] of [
     [300, 'false'],
     [500, 'true'],
@@ -206,11 +242,17 @@ test('starts closed in a viewer without a size, and opens depending on its first
     await titleOf(viewer, 'Controls').click();
     await viewer.evaluate((element) => (element.style.width = '490px'));
     await nextFrame(viewer.page());
-    await expect(titleOf(viewer, 'Controls')).toHaveAttribute('aria-expanded', String(expanded === 'false'));
+    await expect(titleOf(viewer, 'Controls')).toHaveAttribute(
+      'aria-expanded',
+      String(expanded === 'false'),
+    );
   }
 });
 
-test('leaves the wheel over the picture to zoom while the panel has the focus', async ({ page, mount }) => {
+test('leaves the wheel over the picture to zoom while the panel has the focus', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene('gui', 'sun'), { css: 'body { height: 3000px }' });
   const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
   const wheel = async (): Promise<void> => {
@@ -230,7 +272,10 @@ test('leaves the wheel over the picture to zoom while the panel has the focus', 
   expect(await page.evaluate(() => scrollY)).toBe(0);
 });
 
-test('shows the viewer in full screen, and back by the button or Escape, if browsers can', async ({ page, mount }) => {
+test('shows the viewer in full screen, and back by the button or Escape, if browsers can', async ({
+  page,
+  mount,
+}) => {
   const viewer = await mount(scene());
   const isOn = (): Promise<boolean> => viewer.evaluate((element) => element.matches(':fullscreen'));
   const enter = panelOf(viewer).getByRole('button', { name: 'Full screen', exact: true });
@@ -266,10 +311,15 @@ const lit = `<phong-viewer gui geometry="box">
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
 </phong-viewer>`;
 
-test('requests no frame and no timer while nothing changes, folders open', async ({ page, mount }) => {
+test('requests no frame and no timer while nothing changes, folders open', async ({
+  page,
+  mount,
+}) => {
   await countEverything(page);
   const viewer = await mount(lit);
-  for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Show', 'Material']) await opened(viewer, title);
+  for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Show', 'Material']) {
+    await opened(viewer, title);
+  }
   await page.mouse.move(10, 390);
   await spentIn(page, 300);
   expect(await spentIn(page, 1000)).toMatchObject({ frames: 0, timers: 0, idleCallbacks: 0 });
@@ -283,8 +333,14 @@ test('refreshes once for many writes in one task', async ({ mount }) => {
     const place = element.shadowRoot!.querySelector('.lil-root')!;
     let changes = 0;
     const observer = new MutationObserver((records) => (changes += records.length));
-    observer.observe(place, { subtree: true, attributes: true, attributeFilter: ['aria-valuetext'] });
-    for (let i = 0; i < 100; i++) light.diffuse = light.specular = light.ambient = [i, 0, 0];
+    observer.observe(place, {
+      subtree: true,
+      attributes: true,
+      attributeFilter: ['aria-valuetext'],
+    });
+    for (let i = 0; i < 100; i++) {
+      light.diffuse = light.specular = light.ambient = [i, 0, 0];
+    }
     await Promise.resolve();
     await Promise.resolve();
     await element.ready;

@@ -1,5 +1,5 @@
-// Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel fails, and messages
-// give the reason.
+// Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel
+// fails, and messages give the reason.
 import { existsSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { expect, settled, snapshot } from '../../support/built-playwright.js';
@@ -44,12 +44,17 @@ const spoil = (viewer: Locator, x: number, y: number, channel: number, by: numbe
   );
 
 /** Every later picture is that of the viewer with these attributes, or moved to the right. */
-const giveFault = (viewer: Locator, attributes: Readonly<Record<string, string>>, moved = 0): Promise<void> =>
+const giveFault = (
+  viewer: Locator,
+  attributes: Readonly<Record<string, string>>,
+  moved = 0,
+): Promise<void> =>
   viewer.evaluate(
     async (element: PhongViewer, fault) => {
       const wrong = element.cloneNode(true) as PhongViewer;
-      for (const [name, value] of Object.entries(fault.attributes))
+      for (const [name, value] of Object.entries(fault.attributes)) {
         (wrong.querySelector(`[${name}]`) ?? wrong).setAttribute(name, value);
+      }
       element.after(wrong);
       await wrong.ready;
       const bitmap = await createImageBitmap(await wrong.toBlob());
@@ -66,7 +71,9 @@ const giveFault = (viewer: Locator, attributes: Readonly<Record<string, string>>
 const ROUND = ['teapot', 'torus-knot', 'cone', 'sphere', 'torus', 'cylinder'] as const;
 
 test.describe('toShowTheEquation', () => {
-  test('accepts flats and curves, hard edges of cones, averaged and interpolated colours', async ({ mount }) => {
+  test('accepts flats and curves, hard edges of cones, averaged and interpolated colours', async ({
+    mount,
+  }) => {
     test.slow();
     const pictures = Object.entries({
       'a box': `<phong-viewer geometry="box" radius="2">${LIGHTS}</phong-viewer>`,
@@ -88,32 +95,52 @@ test.describe('toShowTheEquation', () => {
       <phong-mesh geometry="cone" position="0 0.6 0.9" reflection="blinn-phong"></phong-mesh>${LIGHTS}</phong-viewer>`,
     });
     const some = firstOf(pictures, 4);
-    const all = (await mount(some.map(([, markup]) => markup).join(''), SIZE)).page().locator('phong-viewer');
-    for (const [i, [what]] of some.entries())
-      await expect(all.nth(i), what).toShowTheEquation({ codes: 1, share: 0.1, pixels: fullOr(1e4, 500) });
+    const all = (await mount(some.map(([, markup]) => markup).join(''), SIZE))
+      .page()
+      .locator('phong-viewer');
+    for (const [i, [what]] of some.entries()) {
+      await expect(all.nth(i), what).toShowTheEquation({
+        codes: 1,
+        share: 0.1,
+        pixels: fullOr(1e4, 500),
+      });
+    }
   });
 
-  test('accepts viewers that are moved by CSS, on dense screens, at any fraction of a pixel', async ({ mount }) => {
-    const viewer = await mount(`<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`, {
-      css: 'main { rotate: 20deg; margin: 60.3px } phong-viewer { width: 70.4px; height: 50.7px; border: 3px solid; padding: 2px; zoom: 1.3 }',
-      deviceScaleFactor: 2,
-    });
+  test('accepts viewers that are moved by CSS, on dense screens, at any fraction of a pixel', async ({
+    mount,
+  }) => {
+    const viewer = await mount(
+      `<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`,
+      {
+        css: 'main { rotate: 20deg; margin: 60.3px } phong-viewer { width: 70.4px; height: 50.7px; border: 3px solid; padding: 2px; zoom: 1.3 }',
+        deviceScaleFactor: 2,
+      },
+    );
     await expect(viewer).toShowTheEquation({ pixels: fullOr(1e4, 1000) });
   });
 
-  test('judges enough of every default shape, at outlines and everywhere antialiased', async ({ mount }) => {
+  test('judges enough of every default shape, at outlines and everywhere antialiased', async ({
+    mount,
+  }) => {
     test.slow();
     const viewers = firstOf(ROUND, 3).flatMap((shape, i) =>
       firstOf(i % 2 === 0 ? ['edges', 'full'] : ['full', 'edges'], 1).map(
-        (antialias) => `<phong-viewer geometry="${shape}" antialias="${antialias}" samples="16"></phong-viewer>`,
+        (antialias) =>
+          `<phong-viewer geometry="${shape}" antialias="${antialias}" samples="16"></phong-viewer>`,
       ),
     );
-    const all = (await mount(viewers.join(''), { width: 300, height: 200 })).page().locator('phong-viewer');
-    for (const [i, markup] of viewers.entries())
+    const all = (await mount(viewers.join(''), { width: 300, height: 200 }))
+      .page()
+      .locator('phong-viewer');
+    for (const [i, markup] of viewers.entries()) {
       await expect(all.nth(i), markup).toShowTheEquation({ pixels: fullOr(1500, 250) });
+    }
   });
 
-  test('finds a wrong light, a wrong exponent, a colour a few codes off, and a shifted picture', async ({ mount }) => {
+  test('finds a wrong light, a wrong exponent, a colour a few codes off, and a shifted picture', async ({
+    mount,
+  }) => {
     test.slow();
     const wrongs: readonly (readonly [string, Readonly<Record<string, string>>, number?])[] = [
       ['a brighter light', { diffuse: '186 180 170' }],
@@ -124,29 +151,39 @@ test.describe('toShowTheEquation', () => {
     for (const [i, scene] of ['sphere', 'torus" antialias="full" samples="16'].entries()) {
       const markup = `<phong-viewer geometry="${scene}" shininess="24">${LIGHTS}</phong-viewer>`;
       const viewer = await mount(markup, { width: 150, height: 100 });
-      for (const [what, attributes, moved] of wrongs.slice(fullOr(0, 2 * i), fullOr(4, 2 * i + 2))) {
+      for (const [what, attributes, moved] of wrongs.slice(
+        fullOr(0, 2 * i),
+        fullOr(4, 2 * i + 2),
+      )) {
         await giveFault(viewer, attributes, moved);
-        expect(await refusal(viewer, { share: 0.1, pixels: fullOr(2000, 250) }), `${scene}: ${what}`).toMatch(
-          /\n {2}pixel \d+, \d+: (\d+ ){4}is drawn, ([\d.]+–[\d.]+ ){3}is the equation's/,
-        );
+        expect(
+          await refusal(viewer, { share: 0.1, pixels: fullOr(2000, 250) }),
+          `${scene}: ${what}`,
+        ).toMatch(/\n {2}pixel \d+, \d+: (\d+ ){4}is drawn, ([\d.]+–[\d.]+ ){3}is the equation's/);
       }
     }
   });
 
-  test('judges 10,000 pixels by default, every pixel on request, and reports how many', async ({ mount }, info) => {
+  test('judges 10,000 pixels by default, every pixel on request, and reports how many', async ({
+    mount,
+  }, info) => {
     const markup = `<phong-viewer geometry="box" radius="1.3">${LIGHTS}</phong-viewer>`;
     const report = (): string => info.annotations.at(-1)?.description ?? '';
     await expect(await mount(markup, { width: 200, height: 130 })).toShowTheEquation();
     expect(info.annotations).toHaveLength(1);
     expect(parseInt(report(), 10)).toBeGreaterThanOrEqual(10_000);
     expect(parseInt(report(), 10)).toBeLessThan(10_100);
-    expect(report()).toMatch(/pixels of surfaces in a sample of \d+ % of the picture \(seed 1\) were judged/);
+    expect(report()).toMatch(
+      /pixels of surfaces in a sample of \d+ % of the picture \(seed 1\) were judged/,
+    );
     const viewer = await mount(markup, SIZE);
     await spoil(viewer, X, Y, 1, -2);
     await expect(viewer).toShowTheEquation({ pixels: 100, seed: 2 });
     expect(parseInt(report(), 10)).toBeLessThan(200);
     expect(report()).toContain('(seed 2)');
-    expect(await refusal(viewer, { pixels: 'all' })).toMatch(/^\d+ of \d+ pixels of surfaces were judged/);
+    expect(await refusal(viewer, { pixels: 'all' })).toMatch(
+      /^\d+ of \d+ pixels of surfaces were judged/,
+    );
     await expect(viewer).toShowTheEquation({ pixels: 'all', codes: 2 });
     const [judged = 0, surface = 0] = report().match(/\d+/g)!.map(Number);
     expect(judged).toBeGreaterThan(0.7 * surface);
@@ -158,7 +195,9 @@ test.describe('toShowTheEquation', () => {
     const advice = "expected a locator of a <phong-viewer>, such as page.locator('phong-viewer')";
     expect(await refusal(page as unknown as Locator)).toContain(`${advice}, got a Page`);
     expect(await refusal(undefined as unknown as Locator)).toContain(`${advice}, got undefined`);
-    expect(await refusal(page.locator('main'))).toContain(`${advice}: locator('main') is a <main> with 1 inside`);
+    expect(await refusal(page.locator('main'))).toContain(
+      `${advice}: locator('main') is a <main> with 1 inside`,
+    );
     expect(await refusal(page.locator('p'))).toContain('is a <p> with no viewer inside');
     expect(await refusal(page.locator('#no'), { timeout: 100 })).toContain(
       `no element matches locator('#no') after 100 ms`,
@@ -166,11 +205,16 @@ test.describe('toShowTheEquation', () => {
     await viewer.evaluate((element) => element.after(element.cloneNode()));
     expect(await refusal(page.locator('phong-viewer'))).toContain('resolved to 2 elements');
     await page.goto(site.page('<phong-viewer></phong-viewer>'));
-    expect(await refusal(page.locator('phong-viewer'), { timeout: 200 })).toContain('is not defined');
+    expect(await refusal(page.locator('phong-viewer'), { timeout: 200 })).toContain(
+      'is not defined',
+    );
   });
 
   test('warns of a filter or opacity, on the viewer or around it', async ({ mount }, info) => {
-    const viewer = await mount(`<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`, SIZE);
+    const viewer = await mount(
+      `<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`,
+      SIZE,
+    );
     await viewer.evaluate((element) => (element.style.filter = 'brightness(0.5)'));
     await expect(viewer).toShowTheEquation({ pixels: 100 });
     await viewer.evaluate((element) => {
@@ -178,13 +222,17 @@ test.describe('toShowTheEquation', () => {
       element.parentElement!.style.opacity = '0.5';
     });
     await expect(viewer).toShowTheEquation({ pixels: 100 });
-    expect(info.annotations.filter(({ type }) => type === 'warning').map((one) => one.description)).toEqual([
+    expect(
+      info.annotations.filter(({ type }) => type === 'warning').map((one) => one.description),
+    ).toEqual([
       expect.stringContaining('<phong-viewer> has the style "filter: brightness(0.5)"'),
       expect.stringContaining('<main> has the style "opacity: 0.5"'),
     ]);
   });
 
-  test('refuses a single channel that is two codes off, and a hole, and names the pixel', async ({ mount }) => {
+  test('refuses a single channel that is two codes off, and a hole, and names the pixel', async ({
+    mount,
+  }) => {
     const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
     await spoil(viewer, X, Y, 1, -2);
     const message = await refusal(viewer);
@@ -197,18 +245,30 @@ test.describe('toShowTheEquation', () => {
     expect(await refusal(viewer, { codes: 2 })).toContain(`pixel ${X + 1}, ${Y}: `);
   });
 
-  test('refuses pictures that it could hardly judge, and values that mean nothing', async ({ mount }) => {
-    const tiny = await mount('<phong-viewer geometry="torus-knot"></phong-viewer>', { width: 30, height: 20 });
-    expect(await refusal(tiny)).toMatch(/^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/);
+  test('refuses pictures that it could hardly judge, and values that mean nothing', async ({
+    mount,
+  }) => {
+    const tiny = await mount('<phong-viewer geometry="torus-knot"></phong-viewer>', {
+      width: 30,
+      height: 20,
+    });
+    expect(await refusal(tiny)).toMatch(
+      /^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/,
+    );
     await tiny.evaluate((element: PhongViewer) => (element.target = [9, 9, 9]));
     expect(await refusal(tiny, { share: 0 })).toContain('The picture shows no surface.');
     expect(await refusal(tiny, { codes: 0.5 })).toContain('codes must be a whole number');
     expect(await refusal(tiny, { share: 2 })).toContain('share must be from 0 to 1');
-    expect(await refusal(tiny, { pixels: 0 })).toContain("pixels must be a whole number from 1 on, or 'all'");
+    expect(await refusal(tiny, { pixels: 0 })).toContain(
+      "pixels must be a whole number from 1 on, or 'all'",
+    );
     expect(await refusal(tiny, { seed: 0.5 })).toContain('seed must be a whole number');
   });
 
-  test('names a file that is missing, and says that a viewer is empty', async ({ mount, consoleGuard }) => {
+  test('names a file that is missing, and says that a viewer is empty', async ({
+    mount,
+    consoleGuard,
+  }) => {
     consoleGuard.allow(/404/);
     const missing = await mount(
       '<phong-viewer><phong-mesh geometry="box"></phong-mesh><phong-mesh src="/no/nope.glb"></phong-mesh></phong-viewer>',
@@ -224,30 +284,50 @@ test.describe('toShowTheEquation', () => {
   test('has stack traces that name files of the package', async () => {
     const error = await settled(undefined as unknown as Locator).catch((reason: unknown) => reason);
     const { stack = '' } = error as Error;
-    const files = [...stack.matchAll(/(?:\(|at )(?:file:\/\/)?(\/[^)]*?):\d+:\d+/g)].map(([, file]) => file!);
+    const files = [...stack.matchAll(/(?:\(|at )(?:file:\/\/)?(\/[^)]*?):\d+:\d+/g)].map(
+      ([, file]) => file!,
+    );
     expect(files[0]).toMatch(/\/playwright\.js$/);
-    for (const file of files) expect(existsSync(file), file).toBe(true);
+    for (const file of files) {
+      expect(existsSync(file), file).toBe(true);
+    }
     expect(stack).not.toContain('/src/');
   });
 
-  test('leaves out textures drawn smaller than they are, and translucent surfaces', async ({ mount }) => {
+  test('leaves out textures drawn smaller than they are, and translucent surfaces', async ({
+    mount,
+  }) => {
     const modelOf = (src: string) => `<phong-viewer src="${src}">${LIGHTS}</phong-viewer>`;
-    await expect(await mount(modelOf('/fixtures/models/textured.glb'), SIZE)).toShowTheEquation({ share: 0.1 });
+    await expect(await mount(modelOf('/fixtures/models/textured.glb'), SIZE)).toShowTheEquation({
+      share: 0.1,
+    });
     const textures = [Array.from({ length: 128 ** 2 }, (_, i): Texel => [(i * 37) % 256, 99, 99])];
-    const fine = { material: { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }, textures, mipmaps: true };
-    const glass = { material: { alphaMode: 'BLEND', pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 0.5] } } };
-    const refused = async (options: PatchOptions) => refusal(await mount(modelOf(patch(options)), SIZE));
-    expect(await refused(fine)).toMatch(/^0 of \d+ .*\d+ with textures drawn smaller than they are/);
+    const fine = {
+      material: { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } },
+      textures,
+      mipmaps: true,
+    };
+    const glass = {
+      material: { alphaMode: 'BLEND', pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 0.5] } },
+    };
+    const refused = async (options: PatchOptions) =>
+      refusal(await mount(modelOf(patch(options)), SIZE));
+    expect(await refused(fine)).toMatch(
+      /^0 of \d+ .*\d+ with textures drawn smaller than they are/,
+    );
     expect(await refused(glass)).toMatch(/^0 of \d+ .*\d+ translucent/);
   });
 });
 
 test.describe('settled', () => {
   test('waits for models, and for the programs that take over', async ({ mount }) => {
-    const viewer = await mount(`<phong-viewer src="/assets/models/bunny.glb">${LIGHTS}</phong-viewer>`, {
-      ...SIZE,
-      waitForReady: false,
-    });
+    const viewer = await mount(
+      `<phong-viewer src="/assets/models/bunny.glb">${LIGHTS}</phong-viewer>`,
+      {
+        ...SIZE,
+        waitForReady: false,
+      },
+    );
     await settled(viewer);
     const { loaded, programs } = await viewer.evaluate((element: PhongViewer) => ({
       loaded: element.loaded,
@@ -264,13 +344,24 @@ test.describe('settled', () => {
     expect(await page.evaluate(() => scrollY)).toBeGreaterThan(3000);
   });
 
-  test('rejects while the picture moves or a model is loading, and names the cause', async ({ mount, page }) => {
-    const moving = await mount('<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>', SIZE);
-    await expect(settled(moving, { timeout: 1500 })).rejects.toThrow('not settled after 1500 ms: auto-rotate is 20');
+  test('rejects while the picture moves or a model is loading, and names the cause', async ({
+    mount,
+    page,
+  }) => {
+    const moving = await mount(
+      '<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>',
+      SIZE,
+    );
+    await expect(settled(moving, { timeout: 1500 })).rejects.toThrow(
+      'not settled after 1500 ms: auto-rotate is 20',
+    );
     await moving.evaluate((element: PhongViewer) => (element.autoRotate = 0));
     await settled(moving);
     await page.route('**/never.glb', () => undefined);
-    const loading = await mount('<phong-viewer src="/never.glb"></phong-viewer>', { ...SIZE, waitForReady: false });
+    const loading = await mount('<phong-viewer src="/never.glb"></phong-viewer>', {
+      ...SIZE,
+      waitForReady: false,
+    });
     await expect(settled(loading, { timeout: 500 })).rejects.toThrow('still loading');
   });
 });
@@ -278,7 +369,9 @@ test.describe('settled', () => {
 test.describe('snapshot', () => {
   const markup = `<phong-viewer geometry="teapot" theta="40">${LIGHTS}</phong-viewer>`;
 
-  test('@release gives the same bytes on dense screens, at once and after motion', async ({ mount }) => {
+  test('@release gives the same bytes on dense screens, at once and after motion', async ({
+    mount,
+  }) => {
     const plain = await snapshot(await mount(markup, SIZE));
     const dense = await mount(markup, { ...SIZE, deviceScaleFactor: 2 });
     expect(plain.equals(await snapshot(dense))).toBe(true);

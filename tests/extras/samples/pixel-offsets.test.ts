@@ -13,7 +13,9 @@ describe('the offsets of samples', () => {
       }
       for (let a = 0; a <= k; a++) {
         const box = (x: number, columns: number): number => Math.floor((x + 0.5) * columns);
-        const boxes = new Set(points.map(({ x, y }) => `${box(x, 2 ** a)} ${box(y, 2 ** (k - a))}`));
+        const boxes = new Set(
+          points.map(({ x, y }) => `${box(x, 2 ** a)} ${box(y, 2 ** (k - a))}`),
+        );
         expect(boxes.size, `${2 ** a} columns`).toBe(2 ** k);
       }
     }
@@ -22,7 +24,10 @@ describe('the offsets of samples', () => {
 
 it('a sum of samples that the GPU has no memory for is refused at every attempt', () => {
   const gl = { FRAMEBUFFER: 1, FRAMEBUFFER_COMPLETE: 2, checkFramebufferStatus: () => 3 };
-  const sum = new SampleSum({ setRenderTarget: () => undefined, getContext: () => gl } as unknown as WebGLRenderer);
+  const sum = new SampleSum({
+    setRenderTarget: () => undefined,
+    getContext: () => gl,
+  } as unknown as WebGLRenderer);
   const size = { width: 8, height: 8 };
   expect([sum.begin(size), sum.begin(size)]).toEqual([false, false]);
 });

@@ -1,5 +1,5 @@
-// A page that draws with `phong-viewer/core` in plain three.js, driven by tests/visual/core*.spec.ts. One view at a
-// time: each step changes it and draws some frames.
+// A page that draws with `phong-viewer/core` in plain three.js, driven by
+// tests/visual/core*.spec.ts. One view at a time: each step changes it and draws some frames.
 import {
   BoxGeometry,
   type BufferGeometry,
@@ -78,7 +78,12 @@ class View {
   #target: Vec3 = [0, 0, 0];
 
   constructor(canvas: HTMLCanvasElement) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.#renderer = new WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    });
     this.#renderer.setSize(canvas.width, canvas.height, false);
     this.#camera.aspect = canvas.width / canvas.height;
     this.#setMeshes(1);
@@ -89,20 +94,38 @@ class View {
   }
 
   apply(step: Step): void {
-    if (step.meshes !== undefined) this.#setMeshes(step.meshes);
-    if (step.lights) this.#lights.assign(step.lights.map((values) => new LightState(values)));
+    if (step.meshes !== undefined) {
+      this.#setMeshes(step.meshes);
+    }
+    if (step.lights) {
+      this.#lights.assign(step.lights.map((values) => new LightState(values)));
+    }
     for (const mesh of this.#meshes) {
-      if (step.clone === true) mesh.material = (mesh.material as PhongMaterial).clone();
+      if (step.clone === true) {
+        mesh.material = (mesh.material as PhongMaterial).clone();
+      }
       const material = mesh.material as PhongMaterial;
-      if (step.shape) mesh.geometry = SHAPES[step.shape]();
-      if (step.sides) material.sides = step.sides;
-      if (step.surface) material.setSurface(step.surface);
-      if (step.style) material.setStyle(step.style);
-      if (step.scale) mesh.scale.set(...step.scale);
+      if (step.shape) {
+        mesh.geometry = SHAPES[step.shape]();
+      }
+      if (step.sides) {
+        material.sides = step.sides;
+      }
+      if (step.surface) {
+        material.setSurface(step.surface);
+      }
+      if (step.style) {
+        material.setStyle(step.style);
+      }
+      if (step.scale) {
+        mesh.scale.set(...step.scale);
+      }
     }
     this.#target = step.target ?? this.#target;
     const camera = this.#camera;
-    if (step.eye) camera.position.set(...step.eye);
+    if (step.eye) {
+      camera.position.set(...step.eye);
+    }
     camera.near = step.near ?? camera.near;
     camera.fov = step.fov ?? camera.fov;
     camera.lookAt(...this.#target);
@@ -165,10 +188,14 @@ window.drawCore = async ({ width, height }, steps) => {
   const view = new View(canvas);
   const drawn: Drawn[] = [];
   for (const step of steps) {
-    if (step.lose === true) await view.loseContext();
+    if (step.lose === true) {
+      await view.loseContext();
+    }
     view.apply(step);
     for (let frame = 0; frame < (step.frames ?? 1); frame++) {
-      if (frame > 0) await new Promise(requestAnimationFrame);
+      if (frame > 0) {
+        await new Promise(requestAnimationFrame);
+      }
       view.draw();
     }
     drawn.push(view.read());

@@ -1,6 +1,7 @@
-// A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from
-// the address (?cases=1000000&seed=1&driver=shipped&only=generic&checks=16384&chunks=unitOrZero&everyLight=1), a text
-// to look at and a report for whoever drives the page.
+// A page that tests itself, so that any browser on any driver can run it: the contract's
+// categories, with numbers from the address
+// (?cases=1000000&seed=1&driver=shipped&only=generic&checks=16384&chunks=unitOrZero&everyLight=1),
+// a text to look at and a report for whoever drives the page.
 import { CATEGORIES } from '../../stress/categories.js';
 import { BRANCHES, CONE_EDGE, EXACT } from '../../stress/contract.js';
 import { type Measured, mergeMeasured } from '../../stress/measure.js';
@@ -56,7 +57,11 @@ window.merged = (reports) => {
     .map(mergeMeasured);
   const checked = reports[0]?.checked ?? [];
   const worst = reports[0]?.driver !== 'shipped';
-  return { checked, measured, broken: [...checked.flatMap(brokenCheck), ...verdict(measured, worst)] };
+  return {
+    checked,
+    measured,
+    broken: [...checked.flatMap(brokenCheck), ...verdict(measured, worst)],
+  };
 };
 
 function brokenCheck({ title, max, bound }: Checked): string[] {
@@ -96,16 +101,35 @@ async function run(): Promise<Report> {
     error = thrown instanceof Error ? thrown.message : String(thrown);
   }
   const broken = [...checked.flatMap(brokenCheck), ...verdict(measured, driver !== 'shipped')];
-  const words = error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
+  const words =
+    error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
   show(`${renderer} · ${driver} · seed ${seed}`, words, ...measured.map(lineOf));
   const seconds = (performance.now() - start) / 1000;
   return {
-    ...{ contract: CONTRACT, loop: LOOP_MARK, renderer, browser: navigator.userAgent, driver, seed, seconds },
+    ...{
+      contract: CONTRACT,
+      loop: LOOP_MARK,
+      renderer,
+      browser: navigator.userAgent,
+      driver,
+      seed,
+      seconds,
+    },
     ...{ checked, measured, broken, error },
   };
 }
 
-function lineOf({ title, cases, bound, max, rms, notFinite, exact, channels, ...more }: Measured): string {
+function lineOf({
+  title,
+  cases,
+  bound,
+  max,
+  rms,
+  notFinite,
+  exact,
+  channels,
+  ...more
+}: Measured): string {
   const excluded = Object.entries(more.excluded).map(([name, count]) => `${name} ${count}`);
   return [
     `${title}: ${cases} cases, largest error ${max.toPrecision(2)} (bound ${bound}), RMS ${rms.toPrecision(2)}`,

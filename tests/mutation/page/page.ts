@@ -1,5 +1,6 @@
-// Does the shader harness notice a mutant? Runs its checks and stress cases with the text of one chunk exchanged, the
-// cheapest first, up to the first that fails. Many mutants share one page and one WebGL context.
+// Does the shader harness notice a mutant? Runs its checks and stress cases with the text of one
+// chunk exchanged, the cheapest first, up to the first that fails. Many mutants share one page and
+// one WebGL context.
 
 import { checkChunks, type Checked } from '../../glsl/chunk-checks.js';
 import type { Edit } from '../../glsl/edit.js';
@@ -25,7 +26,10 @@ interface Outcome {
 
 declare global {
   interface Window {
-    /** Runs everything without a mutant and learns which checks are cheap. Throws where anything fails already. */
+    /**
+     * Runs everything without a mutant and learns which checks are cheap. Throws where anything
+     * fails already.
+     */
     prepare: (extent: Extent) => Promise<void>;
     /** Whether the harness runs this chunk at all. */
     isRun: (chunk: string) => boolean;
@@ -40,18 +44,28 @@ const gl = floatContext();
 const cheap: string[] = [];
 
 /** Of the lights of the long programs one in four: they take the driver seconds to compile. */
-function failingCheck(edit: Edit | null, only: string, { seed, checks }: Extent): string | undefined {
+function failingCheck(
+  edit: Edit | null,
+  only: string,
+  { seed, checks }: Extent,
+): string | undefined {
   const checked = checkChunks(gl, 'shipped', seed, edit, { cases: checks, only, everyLight: 4 });
   return checked.find(({ max, bound }: Checked) => !(max <= bound))?.title;
 }
 
-async function failingCase(driver: Driver, edit: Edit | null, extent: Extent): Promise<string | undefined> {
+async function failingCase(
+  driver: Driver,
+  edit: Edit | null,
+  extent: Extent,
+): Promise<string | undefined> {
   const { seed, cases } = extent;
   return verdict(await stressRun(gl, { seed, cases, driver, edit }), driver !== 'shipped')[0];
 }
 
 async function failing(edit: Edit | null, extent: Extent): Promise<string | undefined> {
-  for (const title of cheap) if (failingCheck(edit, title, extent) !== undefined) return title;
+  for (const title of cheap) {
+    if (failingCheck(edit, title, extent) !== undefined) return title;
+  }
   return (
     (await failingCase('shipped', edit, extent)) ??
     failingCheck(edit, '', extent) ??
@@ -65,7 +79,9 @@ window.prepare = async (extent) => {
   for (const { title } of all) {
     const start = performance.now();
     failingCheck(null, title, extent);
-    if (performance.now() - start < CHEAP) cheap.push(title);
+    if (performance.now() - start < CHEAP) {
+      cheap.push(title);
+    }
   }
   const broken = await failing(null, extent);
   if (broken !== undefined) throw new Error(`fails without any mutant: ${broken}`);

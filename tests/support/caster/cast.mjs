@@ -1,5 +1,6 @@
 // @ts-check
-// Casts pictures on all cores, and keeps them on disk. Plain JavaScript, so that the bench's commands can import it.
+// Casts pictures on all cores, and keeps them on disk. Plain JavaScript, so that the bench's
+// commands can import it.
 
 import { createHash, randomUUID } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
@@ -18,14 +19,17 @@ const BAND = 4;
 /** @type {Promise<string> | undefined} */
 let bundled;
 
-/** The threads' code as one module, for machines that cannot bundle it. @returns {Promise<string>} */
+/**
+ * The threads' code as one module, for machines that cannot bundle it. @returns {Promise<string>}
+ */
 export const casterCode = () => (bundled ??= bundle());
 
 /**
- * The mean over each pixel's square of what the equation writes there, clamped and encoded but not rounded: r, g, b, a of
- * each pixel, rows from the top, codes 0–255, premultiplied. Kept on disk. `code`: see {@link casterCode}; bundled by
- * default.
- * @param {CastScene} scene @param {CastOptions} options @param {string} [code] @returns {Promise<Float64Array>}
+ * The mean over each pixel's square of what the equation writes there, clamped and encoded but not
+ * rounded: r, g, b, a of each pixel, rows from the top, codes 0–255, premultiplied. Kept on disk.
+ * `code`: see {@link casterCode}; bundled by default.
+ * @param {CastScene} scene @param {CastOptions} options @param {string} [code] @returns
+ * {Promise<Float64Array>}
  */
 export async function castPicture(scene, options, code) {
   code ??= await casterCode();
@@ -44,7 +48,10 @@ export async function castPicture(scene, options, code) {
   return picture;
 }
 
-/** @param {string} code @param {CastScene} scene @param {CastOptions} options @returns {Promise<Float64Array>} */
+/**
+ * @param {string} code @param {CastScene} scene @param {CastOptions} options @returns
+ * {Promise<Float64Array>}
+ */
 async function castNow(code, scene, options) {
   const { width, height } = options;
   const picture = new Float64Array(4 * width * height);
@@ -89,4 +96,5 @@ async function bundle() {
 }
 
 /** @param {string} code */
-const moduleUrl = (code) => new URL(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);
+const moduleUrl = (code) =>
+  new URL(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);

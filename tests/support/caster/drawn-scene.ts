@@ -17,7 +17,10 @@ interface DrawnMesh {
   };
 }
 
-/** What a viewer shows now, but for textures. Runs in its page, by itself; `lightKeys` are those of LIGHT_FIELDS. */
+/**
+ * What a viewer shows now, but for textures. Runs in its page, by itself; `lightKeys` are those of
+ * LIGHT_FIELDS.
+ */
 function shownIn(element: PhongViewer, lightKeys: readonly string[]) {
   const { fov, reflection, terms, colorInterpolation } = element;
   const { eye, theta, phi } = element.camera;
@@ -57,12 +60,16 @@ const castScene = ({ camera, lights, ...shown }: ReturnType<typeof shownIn>): Ca
   };
 };
 
-/** For a script of the viewer's own page: the triangles of the picture that is shown now, without textures. */
-export const sceneOnPage = (viewer: PhongViewer): CastScene => castScene(shownIn(viewer, LIGHT_KEYS));
+/**
+ * For a script of the viewer's own page: the triangles of the picture that is shown now, without
+ * textures.
+ */
+export const sceneOnPage = (viewer: PhongViewer): CastScene =>
+  castScene(shownIn(viewer, LIGHT_KEYS));
 
 /**
- * The triangles of the picture that is shown now. Every mesh has an exponent of its own. `texture`: the base colour of
- * all meshes.
+ * The triangles of the picture that is shown now. Every mesh has an exponent of its own. `texture`:
+ * the base colour of all meshes.
  */
 export async function drawnScene(viewer: Locator, texture?: CastTexture): Promise<CastScene> {
   const { objects, ...scene } = castScene(await viewer.evaluate(shownIn, LIGHT_KEYS));

@@ -1,5 +1,5 @@
-// Where a ray meets a surface. Rays start at the eye and are `t · direction`; `t` is the depth, since directions have
-// length 1 along the view. One record is written over and over.
+// Where a ray meets a surface. Rays start at the eye and are `t · direction`; `t` is the depth,
+// since directions have length 1 along the view. One record is written over and over.
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 
 export interface Hit {

@@ -1,5 +1,6 @@
-// How far are the outlines of one scene from those of another, in pixels? Inner outlines count too, where something
-// hides what is behind it: both are jumps of depth along a row or a column of the picture.
+// How far are the outlines of one scene from those of another, in pixels? Inner outlines count too,
+// where something hides what is behind it: both are jumps of depth along a row or a column of the
+// picture.
 import { dot, type Vec3 } from '../../../src/phong/math/vector.js';
 import type { Tracer } from './tracer.js';
 
@@ -26,20 +27,28 @@ export function outlineErrors(truth: Tracer, drawn: Tracer, lines: number): Outl
     const [long, wide] = isRow ? [width, height] : [height, width];
     for (let k = 0; k < lines; k++) {
       const line = ((k + 0.5) / lines) * wide;
-      const along = (tracer: Tracer) => (at: number) => (isRow ? tracer.hitAt(at, line) : tracer.hitAt(line, at));
+      const along = (tracer: Tracer) => (at: number) =>
+        isRow ? tracer.hitAt(at, line) : tracer.hitAt(line, at);
       const depth = (tracer: Tracer) => (at: number) => along(tracer)(at).t;
       for (const { at, front } of jumps(depth(truth), 0, long, STEP, LEAST_JUMP)) {
         const { nx, ny, nz } = along(truth)(front);
         const normal: Vec3 = [nx, ny, nz];
-        const [across, upward] = [Math.abs(dot(normal, camera.right)), Math.abs(dot(normal, camera.up))];
+        const [across, upward] = [
+          Math.abs(dot(normal, camera.right)),
+          Math.abs(dot(normal, camera.up)),
+        ];
         // Each outline is measured by the lines that cross it at 45° or more.
         const slant = (isRow ? across : upward) / Math.hypot(across, upward);
         if (slant < Math.SQRT1_2) continue;
         const others = jumps(depth(drawn), at - 1, at + 1, STEP / 4, LEAST_JUMP / 2);
-        if (others.length === 0) missed++;
-        else {
+        if (others.length === 0) {
+          missed++;
+        } else {
           compared++;
-          worst = Math.max(worst, slant * Math.min(...others.map((other) => Math.abs(other.at - at))));
+          worst = Math.max(
+            worst,
+            slant * Math.min(...others.map((other) => Math.abs(other.at - at))),
+          );
         }
       }
     }
@@ -60,7 +69,9 @@ function jumps(
   for (let at = from; at < to; at += step) {
     const after = depth(at + step);
     const jump = between(depth, [at, before], [at + step, after], least);
-    if (jump !== null) found.push(jump);
+    if (jump !== null) {
+      found.push(jump);
+    }
     before = after;
   }
   return found;
@@ -75,8 +86,11 @@ function between(depth: (at: number) => number, first: At, second: At, least: nu
     const middle = (low[0] + high[0]) / 2;
     const here = depth(middle);
     const nearLow = here === low[1] || Math.abs(here - low[1]) < Math.abs(here - high[1]);
-    if (nearLow) low = [middle, here];
-    else high = [middle, here];
+    if (nearLow) {
+      low = [middle, here];
+    } else {
+      high = [middle, here];
+    }
   }
   if (!isJump()) return null;
   return { at: (low[0] + high[0]) / 2, front: low[1] < high[1] ? low[0] : high[0] };

@@ -1,8 +1,17 @@
-// Real roots of polynomials up to the fourth degree, by isolation: between two neighbouring zeros of its derivative a
-// polynomial has one root at most. Slower than a formula, and exact to float64's rounding, at double roots too.
+// Real roots of polynomials up to the fourth degree, by isolation: between two neighbouring zeros
+// of its derivative a polynomial has one root at most. Slower than a formula, and exact to
+// float64's rounding, at double roots too.
 
-/** Writes the real roots of the sum of c[i]·x^i in (low, high) to `out`, ascending, and returns how many there are. */
-export function rootsIn(c: readonly number[], low: number, high: number, out: Float64Array): number {
+/**
+ * Writes the real roots of the sum of c[i]·x^i in (low, high) to `out`, ascending, and returns how
+ * many there are.
+ */
+export function rootsIn(
+  c: readonly number[],
+  low: number,
+  high: number,
+  out: Float64Array,
+): number {
   const degree = c.length - 1;
   if (degree === 1) {
     const x = -c[0]! / c[1]!;
@@ -11,7 +20,9 @@ export function rootsIn(c: readonly number[], low: number, high: number, out: Fl
     return 1;
   }
   const { slopes, turns } = SCRATCH[degree]!;
-  for (let i = 1; i <= degree; i++) slopes[i - 1] = c[i]! * i;
+  for (let i = 1; i <= degree; i++) {
+    slopes[i - 1] = c[i]! * i;
+  }
   const count = rootsIn(slopes, low, high, turns);
   turns[count] = high;
   let found = 0;
@@ -20,8 +31,11 @@ export function rootsIn(c: readonly number[], low: number, high: number, out: Fl
   for (let i = 0; i <= count; i++) {
     const to = turns[i]!;
     const atTo = valueAt(c, to);
-    if (atFrom === 0 && from > low) out[found++] = from;
-    else if (atFrom < 0 ? atTo > 0 : atTo < 0) out[found++] = rootBetween(c, from, to, atFrom);
+    if (atFrom === 0 && from > low) {
+      out[found++] = from;
+    } else if (atFrom < 0 ? atTo > 0 : atTo < 0) {
+      out[found++] = rootBetween(c, from, to, atFrom);
+    }
     from = to;
     atFrom = atTo;
   }
@@ -36,11 +50,15 @@ const SCRATCH = [0, 1, 2, 3, 4].map((degree) => ({
 
 function valueAt(c: readonly number[], x: number): number {
   let sum = 0;
-  for (let i = c.length - 1; i >= 0; i--) sum = sum * x + c[i]!;
+  for (let i = c.length - 1; i >= 0; i--) {
+    sum = sum * x + c[i]!;
+  }
   return sum;
 }
 
-/** Newton's steps, and a bisection wherever one leaves the interval. The signs at its ends differ. */
+/**
+ * Newton's steps, and a bisection wherever one leaves the interval. The signs at its ends differ.
+ */
 function rootBetween(c: readonly number[], from: number, to: number, atFrom: number): number {
   let low = atFrom < 0 ? from : to; // the polynomial is negative there
   let high = atFrom < 0 ? to : from;
@@ -53,10 +71,15 @@ function rootBetween(c: readonly number[], from: number, to: number, atFrom: num
       value = value * x + c[i]!;
     }
     if (value === 0) return x;
-    if (value < 0) low = x;
-    else high = x;
+    if (value < 0) {
+      low = x;
+    } else {
+      high = x;
+    }
     let next = x - value / slope;
-    if (!(next > Math.min(low, high) && next < Math.max(low, high))) next = (low + high) / 2;
+    if (!(next > Math.min(low, high) && next < Math.max(low, high))) {
+      next = (low + high) / 2;
+    }
     // Two roundings: steps may alternate between neighbouring numbers for ever.
     if (Math.abs(next - x) <= 2 * Number.EPSILON * Math.abs(x)) return next;
     x = next;

@@ -10,7 +10,8 @@ export function colorOf(texture: CastTexture, u: number, v: number): Vec3 {
   const [left, right] = [wrapped(i, width, wrapS), wrapped(i + 1, width, wrapS)];
   const [above, below] = [wrapped(j, height, wrapT), wrapped(j + 1, height, wrapT)];
   const channel = (c: number): number => {
-    const at = (column: number, row: number): number => texture.data[4 * (row * width + column) + c]!;
+    const at = (column: number, row: number): number =>
+      texture.data[4 * (row * width + column) + c]!;
     const top = at(left, above) + (at(right, above) - at(left, above)) * (x - i);
     const bottom = at(left, below) + (at(right, below) - at(left, below)) * (x - i);
     return (top + (bottom - top) * (y - j)) / 255;

@@ -1,6 +1,21 @@
-// What a ray from the eye sees of a scene: the nearest surface, and its colour by the reference equation.
-import { type LightShare, shade, type Shaded, type Surface } from '../../../src/phong/reference/index.js';
-import { add, cross, dot, length, multiply, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+// What a ray from the eye sees of a scene: the nearest surface, and its colour by the reference
+// equation.
+import {
+  type LightShare,
+  shade,
+  type Shaded,
+  type Surface,
+} from '../../../src/phong/reference/index.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  multiply,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../../src/phong/math/vector.js';
 import { type Hit, type Intersect, newHit } from './hit.js';
 import type { CastScene } from './scene.js';
 import { Screen } from './screen.js';
@@ -26,7 +41,10 @@ interface Solid {
 export interface Sample {
   /** Codes, 0–255, not rounded; 0 where nothing is met. */
   readonly color: [number, number, number, number];
-  /** Equal in samples between which the colour changes smoothly: object, side, and lights' cones and horizons. */
+  /**
+   * Equal in samples between which the colour changes smoothly: object, side, and lights' cones and
+   * horizons.
+   */
   piece: number;
 }
 
@@ -47,8 +65,11 @@ export class Tracer {
     scene.objects.forEach((object, i) => {
       const { shape } = object;
       const matrix = columnsOf(object.matrix);
-      if (shape.kind === 'triangles') this.#triangles.add(shape, i, matrix);
-      else this.#solids.push(solidOf(trueShape(shape), i, matrix, scene.camera.eye));
+      if (shape.kind === 'triangles') {
+        this.#triangles.add(shape, i, matrix);
+      } else {
+        this.#solids.push(solidOf(trueShape(shape), i, matrix, scene.camera.eye));
+      }
     });
     this.#triangles.sort();
   }
@@ -66,7 +87,10 @@ export class Tracer {
     });
   }
 
-  /** The nearest surface at a place in the picture; written over by the next call. Its normal is in world space. */
+  /**
+   * The nearest surface at a place in the picture; written over by the next call. Its normal is in
+   * world space.
+   */
   hitAt(x: number, y: number): Readonly<Hit> {
     const { width, height } = this.screen;
     const hit = this.#hit;
@@ -105,7 +129,9 @@ export class Tracer {
   sampleAt(x: number, y: number, sample: Sample): void {
     const { color } = sample;
     const shaded = this.shadedAt(x, y);
-    for (let i = 0; i < 3; i++) color[i as 0] = shaded === null ? 0 : 255 * shaded.color[i as 0];
+    for (let i = 0; i < 3; i++) {
+      color[i as 0] = shaded === null ? 0 : 255 * shaded.color[i as 0];
+    }
     color[3] = shaded === null ? 0 : 255;
     sample.piece = shaded === null ? NOTHING : pieceOf(this.#hit, shaded.shares);
   }
@@ -116,8 +142,10 @@ const WHITE: Vec3 = [1, 1, 1];
 /** A hash; two pieces with the same one are as unlikely as any two of 2^32 numbers. */
 function pieceOf({ object, front }: Hit, shares: readonly (LightShare | null)[]): number {
   let piece = 2 * object + Number(front) + 1;
-  for (const share of shares)
-    piece = Math.imul(piece, 0x9e3779b1) + Number(share?.insideCone) + 2 * Number((share?.NoL ?? 0) > 0);
+  for (const share of shares) {
+    piece =
+      Math.imul(piece, 0x9e3779b1) + Number(share?.insideCone) + 2 * Number((share?.NoL ?? 0) > 0);
+  }
   return piece | 0;
 }
 
@@ -125,7 +153,8 @@ function solidOf(intersect: Intersect, object: number, matrix: Vec3Matrix, eye: 
   const { x, y, z } = matrix;
   const rows = [cross(y, z), cross(z, x), cross(x, y)] as const; // of the adjugate
   const determinant = dot(x, rows[0]);
-  // The inverse by its rows is the cofactors' transpose over the determinant; as columns, the inverse transpose.
+  // The inverse by its rows is the cofactors' transpose over the determinant; as columns, the
+  // inverse transpose.
   const toWorld: Vec3Matrix = {
     x: scale(rows[0], 1 / determinant),
     y: scale(rows[1], 1 / determinant),

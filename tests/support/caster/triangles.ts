@@ -1,7 +1,16 @@
-// Rays from the eye against triangles. All rays share their origin, so a triangle's three signed volumes are linear in
-// the direction; neighbours use the same numbers with opposite signs, so there are no gaps. A list for each pixel
-// names the triangles whose box meets it.
-import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+// Rays from the eye against triangles. All rays share their origin, so a triangle's three signed
+// volumes are linear in the direction; neighbours use the same numbers with opposite signs, so
+// there are no gaps. A list for each pixel names the triangles whose box meets it.
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../../src/phong/math/vector.js';
 import type { Hit } from './hit.js';
 import type { TrianglesShape } from './scene.js';
 import type { Screen } from './screen.js';
@@ -58,8 +67,9 @@ export class Triangles {
       if (box === null) continue;
       const bc = cross(b, c);
       this.#volumes.push(...bc, ...cross(c, a), ...cross(a, b), dot(a, bc));
-      for (const vertex of [i, j, k])
+      for (const vertex of [i, j, k]) {
         this.#corners.push(...turned[vertex]!, uvs?.[2 * vertex] ?? 0, uvs?.[2 * vertex + 1] ?? 0);
+      }
       this.#objects.push(at);
       this.#indices.push(triangle);
       this.#mirrored.push(mirrored);
@@ -73,12 +83,18 @@ export class Triangles {
     const starts = new Int32Array(width * height + 1);
     const each = (visit: (pixel: number, triangle: number) => void): void => {
       const boxes = this.#boxes;
-      for (let triangle = 0; triangle < this.#objects.length; triangle++)
-        for (let y = boxes[4 * triangle + 2]!; y <= boxes[4 * triangle + 3]!; y++)
-          for (let x = boxes[4 * triangle]!; x <= boxes[4 * triangle + 1]!; x++) visit(y * width + x, triangle);
+      for (let triangle = 0; triangle < this.#objects.length; triangle++) {
+        for (let y = boxes[4 * triangle + 2]!; y <= boxes[4 * triangle + 3]!; y++) {
+          for (let x = boxes[4 * triangle]!; x <= boxes[4 * triangle + 1]!; x++) {
+            visit(y * width + x, triangle);
+          }
+        }
+      }
     };
     each((pixel) => (starts[pixel + 1]! += 1));
-    for (let i = 0; i < width * height; i++) starts[i + 1]! += starts[i]!;
+    for (let i = 0; i < width * height; i++) {
+      starts[i + 1]! += starts[i]!;
+    }
     const lists = new Int32Array(starts[width * height]!);
     const next = starts.slice();
     each((pixel, triangle) => (lists[next[pixel]!++] = triangle));
@@ -91,7 +107,9 @@ export class Triangles {
     return this.#starts[pixel]! < this.#starts[pixel + 1]!;
   }
 
-  /** Writes the nearest hit of the pixel's ray with this direction, if it is nearer than `hit`'s. */
+  /**
+   * Writes the nearest hit of the pixel's ray with this direction, if it is nearer than `hit`'s.
+   */
   intersect(pixel: number, [dx, dy, dz]: Vec3, hit: Hit): void {
     const volumes = this.#volumes;
     let nearest = -1;
@@ -115,7 +133,9 @@ export class Triangles {
     if (nearest < 0) return;
     const corners = this.#corners;
     const mixed = (k: number): number =>
-      wa * corners[15 * nearest + k]! + wb * corners[15 * nearest + 5 + k]! + wc * corners[15 * nearest + 10 + k]!;
+      wa * corners[15 * nearest + k]! +
+      wb * corners[15 * nearest + 5 + k]! +
+      wc * corners[15 * nearest + 10 + k]!;
     hit.nx = mixed(0);
     hit.ny = mixed(1);
     hit.nz = mixed(2);
@@ -125,8 +145,13 @@ export class Triangles {
     hit.triangle = this.#indices[nearest]!;
   }
 
-  /** The pixels whose rays may meet the triangle; null if none do. Behind the eye nothing is sure: all of them. */
-  #boxOf(...corners: readonly [Vec3, Vec3, Vec3]): readonly [number, number, number, number] | null {
+  /**
+   * The pixels whose rays may meet the triangle; null if none do. Behind the eye nothing is sure:
+   * all of them.
+   */
+  #boxOf(
+    ...corners: readonly [Vec3, Vec3, Vec3]
+  ): readonly [number, number, number, number] | null {
     const { width, height } = this.#screen;
     const places = corners.map((corner) => this.#screen.project(corner));
     const depths = places.map(({ depth }) => depth);
@@ -162,4 +187,8 @@ export function columnsOf(m: ArrayLike<number> | undefined): Vec3Matrix {
 export const times = ({ x, y, z }: Vec3Matrix, [a, b, c]: Vec3): Vec3 =>
   add(add(scale(x, a), scale(y, b)), scale(z, c));
 
-const triple = (list: ArrayLike<number>, i: number): Vec3 => [list[3 * i]!, list[3 * i + 1]!, list[3 * i + 2]!];
+const triple = (list: ArrayLike<number>, i: number): Vec3 => [
+  list[3 * i]!,
+  list[3 * i + 1]!,
+  list[3 * i + 2]!,
+];

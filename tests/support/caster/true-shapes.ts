@@ -10,12 +10,16 @@ const HALF_HEIGHT = 0.5;
 const RING = 0.35;
 const TUBE = 0.15;
 
-export const trueShape = ({ kind }: TrueShape): Intersect => ({ sphere, cylinder, cone, torus })[kind];
+export const trueShape = ({ kind }: TrueShape): Intersect =>
+  ({ sphere, cylinder, cone, torus })[kind];
 
 /** The place at `t` on a ray. */
 const at = (o: Vec3, d: Vec3, t: number): Vec3 => add(o, scale(d, t));
 
-/** Writes a hit if it is the nearest so far and before the eye. `d`: the ray's direction; `n`: the normal. */
+/**
+ * Writes a hit if it is the nearest so far and before the eye. `d`: the ray's direction; `n`: the
+ * normal.
+ */
 function offer(hit: Hit, t: number, d: Vec3, n: Vec3): boolean {
   if (!(t > 0 && t < hit.t)) return false;
   hit.t = t;
@@ -87,7 +91,8 @@ const roots = new Float64Array(4);
 /** (|p|² + R² − r²)² = 4 R² (x² + y²). */
 const torus: Intersect = (o, d, hit) => {
   const outer = RING + TUBE;
-  // From the ray's point nearest to the centre, in units of its direction made unit: coefficients stay near 1.
+  // From the ray's point nearest to the centre, in units of its direction made unit: coefficients
+  // stay near 1.
   const middle = -dot(o, d) / dot(d, d);
   const m = at(o, d, middle);
   const [mx, my, mz] = m;

@@ -18,19 +18,29 @@ describe('wrapping degrees', () => {
   it('lands in [-180, 180), and leaves what is inside bit for bit', () => {
     expect([wrapDegrees(-180), wrapDegrees(180)]).toStrictEqual([-180, -180]);
     fc.assert(
-      fc.property(degrees, fc.double({ min: -180, max: 180, maxExcluded: true, noNaN: true }), (d, inside) => {
-        const wrapped = wrapDegrees(d);
-        expect(wrapped >= -180 && wrapped < 180).toBe(true);
-        for (const x of [wrapped, inside]) expect(wrapDegrees(x)).toBe(x);
-      }),
+      fc.property(
+        degrees,
+        fc.double({ min: -180, max: 180, maxExcluded: true, noNaN: true }),
+        (d, inside) => {
+          const wrapped = wrapDegrees(d);
+          expect(wrapped >= -180 && wrapped < 180).toBe(true);
+          for (const x of [wrapped, inside]) {
+            expect(wrapDegrees(x)).toBe(x);
+          }
+        },
+      ),
     );
   });
 
   it('takes off whole turns and nothing else', () => {
     fc.assert(
-      fc.property(fc.integer({ min: -180 * 8, max: 180 * 8 - 1 }), fc.integer(), (eighths, turns) => {
-        expect(wrapDegrees(eighths / 8 + 360 * turns) + 0).toBe(eighths / 8);
-      }),
+      fc.property(
+        fc.integer({ min: -180 * 8, max: 180 * 8 - 1 }),
+        fc.integer(),
+        (eighths, turns) => {
+          expect(wrapDegrees(eighths / 8 + 360 * turns) + 0).toBe(eighths / 8);
+        },
+      ),
     );
   });
 });

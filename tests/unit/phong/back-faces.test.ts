@@ -21,7 +21,9 @@ const place = ({
   position = [0, 0, 0],
   rotation = [0, 0, 0],
   scale = [1, 1, 1],
-}: Partial<Record<'position' | 'rotation' | 'scale', readonly [number, number, number]>> = {}): Matrix4 =>
+}: Partial<
+  Record<'position' | 'rotation' | 'scale', readonly [number, number, number]>
+> = {}): Matrix4 =>
   new Matrix4().compose(
     new Vector3(...position),
     new Quaternion().setFromEuler(new Euler(...rotation)),
@@ -36,8 +38,12 @@ function eyeAt(z: number, near = 0.1): PerspectiveCamera {
   return camera;
 }
 
-const culls = (sides: Sides, matrix = place(), camera = eyeAt(5), geometry: BufferGeometry = sphere): boolean =>
-  cullsBackFaces(sides, geometry, matrix, camera);
+const culls = (
+  sides: Sides,
+  matrix = place(),
+  camera = eyeAt(5),
+  geometry: BufferGeometry = sphere,
+): boolean => cullsBackFaces(sides, geometry, matrix, camera);
 
 describe('back faces of a closed shape', () => {
   it.each([

@@ -2,7 +2,13 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { depthRange, fitPose, fitRadius, zoomLimits, nearBefore } from '../../../src/phong/camera/fit.js';
+import {
+  depthRange,
+  fitPose,
+  fitRadius,
+  zoomLimits,
+  nearBefore,
+} from '../../../src/phong/camera/fit.js';
 import { basisOf, type Pose } from '../../../src/phong/camera/orbit.js';
 import { dot } from '../../../src/phong/math/vector.js';
 
@@ -26,8 +32,14 @@ describe('the auto radius', () => {
 
   it('is 4 for an empty scene, seen at the origin, and 4 for a single point', () => {
     expect(fitPose(null, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
-    expect(fitPose({ center: [1, NaN, 3], radius: 1 }, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
-    expect(fitPose({ center: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
+    expect(fitPose({ center: [1, NaN, 3], radius: 1 }, 45, 1)).toStrictEqual({
+      target: [0, 0, 0],
+      radius: 4,
+    });
+    expect(fitPose({ center: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({
+      target: [1, 2, 3],
+      radius: 4,
+    });
   });
 
   it.each([NaN, 0, -1, Infinity])('treats an aspect of %d as square', (ratio) => {
@@ -63,7 +75,12 @@ describe('near and far', () => {
       aside: fc.tuple(unit, unit, unit),
     })
     .map(({ size, distance, theta, phi, aside: [x, y, z] }) => {
-      const pose: Pose = { theta, phi, radius: size * distance, target: [x * size, y * size, z * size] };
+      const pose: Pose = {
+        theta,
+        phi,
+        radius: size * distance,
+        target: [x * size, y * size, z * size],
+      };
       const middle = pose.radius + dot(pose.target, basisOf(pose).back);
       return { pose, size, front: middle - size, back: middle + size };
     });
@@ -74,10 +91,16 @@ describe('near and far', () => {
         const { near, far } = depthRange(pose, { center: [0, 0, 0], radius: size });
         expect(far).toBeGreaterThanOrEqual(back);
         expect(near).toBeLessThanOrEqual(Math.max(front, far / 1000));
-        expect(far / near).toBeLessThanOrEqual(Math.max(1000, (10 * far) / pose.radius) * (1 + 1e-12));
+        expect(far / near).toBeLessThanOrEqual(
+          Math.max(1000, (10 * far) / pose.radius) * (1 + 1e-12),
+        );
         // The target, unless the whole sphere lies beyond it.
-        if (front < pose.radius && back > pose.radius) expect(near).toBeLessThan(pose.radius);
-        if (front < 0) expect(near).toBeLessThanOrEqual(pose.radius / 10);
+        if (front < pose.radius && back > pose.radius) {
+          expect(near).toBeLessThan(pose.radius);
+        }
+        if (front < 0) {
+          expect(near).toBeLessThanOrEqual(pose.radius / 10);
+        }
       }),
       { numRuns: 1000 },
     );
@@ -85,7 +108,9 @@ describe('near and far', () => {
 
   it('are finite, above 0, in order, and normal float32 numbers, for any input', () => {
     const any = fc.double();
-    const anyBounds = fc.option(fc.record({ center: fc.tuple(any, any, any), radius: any }), { nil: null });
+    const anyBounds = fc.option(fc.record({ center: fc.tuple(any, any, any), radius: any }), {
+      nil: null,
+    });
     const anyRadius = fc.double({ min: Number.MIN_VALUE, max: 1e15, noNaN: true });
     const anyPhi = fc.double({ min: 0, max: 180, noNaN: true });
     fc.assert(

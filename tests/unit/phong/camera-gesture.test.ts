@@ -1,5 +1,5 @@
-// Do drag, shift, pinch, wheel and keys give the right poses, and a whole drag from press to release exactly these?
-// Examples by hand, and properties over every input a pointer can send.
+// Do drag, shift, pinch, wheel and keys give the right poses, and a whole drag from press to
+// release exactly these? Examples by hand, and properties over every input a pointer can send.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -42,12 +42,21 @@ describe('turning', () => {
   });
 
   it('returns the start pose itself for zero travel', () => {
-    fc.assert(fc.property(anyPose, (pose) => turn(pose, 0, 0, view) === pose && shift(pose, 0, 0, view) === pose));
+    fc.assert(
+      fc.property(
+        anyPose,
+        (pose) => turn(pose, 0, 0, view) === pose && shift(pose, 0, 0, view) === pose,
+      ),
+    );
   });
 
   it('turns a camera declared at an enormous θ, and keeps a θ beyond a turn for a travel up or down', () => {
     expect(turn({ ...start, theta: 360e15 }, 60, 0, view).theta).toBe(-36);
-    expect(turn({ ...start, theta: 370 }, 0, 40, view)).toStrictEqual({ ...start, theta: 370, phi: 52 });
+    expect(turn({ ...start, theta: 370 }, 0, 40, view)).toStrictEqual({
+      ...start,
+      theta: 370,
+      phi: 52,
+    });
   });
 });
 
@@ -118,7 +127,10 @@ describe('zooming', () => {
     fc.assert(
       fc.property(fc.array(pixels, { maxLength: 20 }), (turns) => {
         const wide = { min: 1e-9, max: 1e9 };
-        const stepwise = turns.reduce<Pose>((p, deltaY) => wheelZoom(p, { deltaY, deltaMode: 0 }, 400, wide), start);
+        const stepwise = turns.reduce<Pose>(
+          (p, deltaY) => wheelZoom(p, { deltaY, deltaMode: 0 }, 400, wide),
+          start,
+        );
         const sum = turns.reduce((a, b) => a + b, 0);
         const once = wheelZoom(start, { deltaY: sum, deltaMode: 0 }, 400, wide);
         expect(Math.abs(stepwise.radius / once.radius - 1)).toBeLessThan(1e-13);
@@ -152,13 +164,19 @@ describe('keys', () => {
 
   it('recognise Home and ignore other keys', () => {
     expect(keyStep('Home', false)).toStrictEqual({ kind: 'reset' });
-    for (const key of ['a', 'End', 'Tab', ' ', 'Enter', '0']) expect(keyStep(key, false)).toBeUndefined();
+    for (const key of ['a', 'End', 'Tab', ' ', 'Enter', '0']) {
+      expect(keyStep(key, false)).toBeUndefined();
+    }
   });
 });
 
 it('gives a pose that an orbit accepts, for any input', () => {
   const any = fc.double();
-  const anyView = fc.record({ width: any, height: any, fov: fc.double({ min: 1, max: 170, noNaN: true }) });
+  const anyView = fc.record({
+    width: any,
+    height: any,
+    fov: fc.double({ min: 1, max: 170, noNaN: true }),
+  });
   const anyLimits = fc.record({ min: any, max: any });
   fc.assert(
     fc.property(anyPose, any, any, anyView, anyLimits, (pose, a, b, anySize, bounds) => {
@@ -167,7 +185,9 @@ it('gives a pose that an orbit accepts, for any input', () => {
       orbit.set(shift(pose, a, b, anySize));
       orbit.set(pinch(pose, a, b, bounds));
       orbit.set(wheelZoom(pose, { deltaY: a, deltaMode: 2 }, b, bounds));
-      for (const x of [...orbit.eye(), orbit.theta, orbit.radius]) expect(Number.isFinite(x)).toBe(true);
+      for (const x of [...orbit.eye(), orbit.theta, orbit.radius]) {
+        expect(Number.isFinite(x)).toBe(true);
+      }
     }),
     { numRuns: 1000 },
   );
@@ -182,8 +202,12 @@ it.each([
   const nowhere = { width, height, fov: 45 };
   expect(turn(start, 10, 10, nowhere)).toBe(start);
   expect(turn(start, 0, 10, nowhere)).toBe(start);
-  if (!(height > 0)) expect(shift(start, 10, 10, nowhere)).toBe(start);
-  for (const bad of [NaN, Infinity]) expect(turn(start, bad, 0, view)).toBe(start);
+  if (!(height > 0)) {
+    expect(shift(start, 10, 10, nowhere)).toBe(start);
+  }
+  for (const bad of [NaN, Infinity]) {
+    expect(turn(start, bad, 0, view)).toBe(start);
+  }
 });
 
 function setUp(axes: PictureAxes = [1, 0, 0, 1]) {
@@ -200,18 +224,23 @@ function setUp(axes: PictureAxes = [1, 0, 0, 1]) {
 }
 
 describe('a drag', () => {
-  it.each([{ height: 800 }, { fov: 20 }])('goes on like a new one after a change to %o', (change) => {
-    const [{ orbit, gesture, world }, other] = [setUp(), setUp()];
-    gesture.press(1, 0, 0, 'shift');
-    gesture.move(1, 60, 0);
-    Object.assign(world, change);
-    Object.assign(other.world, change);
-    other.orbit.set(orbit.pose);
-    other.gesture.press(1, 60, 0, 'shift');
-    for (const each of [gesture, other.gesture]) each.move(1, 60, 90);
-    expect(orbit.pose).toEqual(other.orbit.pose);
-    expect(orbit.pose.target[1]).toBeGreaterThan(0);
-  });
+  it.each([{ height: 800 }, { fov: 20 }])(
+    'goes on like a new one after a change to %o',
+    (change) => {
+      const [{ orbit, gesture, world }, other] = [setUp(), setUp()];
+      gesture.press(1, 0, 0, 'shift');
+      gesture.move(1, 60, 0);
+      Object.assign(world, change);
+      Object.assign(other.world, change);
+      other.orbit.set(orbit.pose);
+      other.gesture.press(1, 60, 0, 'shift');
+      for (const each of [gesture, other.gesture]) {
+        each.move(1, 60, 90);
+      }
+      expect(orbit.pose).toEqual(other.orbit.pose);
+      expect(orbit.pose.target[1]).toBeGreaterThan(0);
+    },
+  );
 
   it('continues from a property write or a resize during the drag', () => {
     const { orbit, gesture, world } = setUp();
@@ -246,7 +275,9 @@ describe('a drag', () => {
     const { orbit, gesture } = setUp();
     expect(gesture.press(1, NaN, 0, 'turn')).toBe(false);
     expect(gesture.press(1, 0, 0, 'turn')).toBe(true);
-    for (const bad of [NaN, Infinity, -Infinity]) expect(gesture.move(1, bad, 0)).toBe(false);
+    for (const bad of [NaN, Infinity, -Infinity]) {
+      expect(gesture.move(1, bad, 0)).toBe(false);
+    }
     expect(gesture.move(7, 100, 0)).toBe(false);
     gesture.lift(7);
     expect(gesture.active).toBe(true);
@@ -272,7 +303,9 @@ it('a gesture has dragged once the camera moved, until the next first press', ()
 
 describe('a picture that is rotated, skewed or mirrored', () => {
   const axis = fc.double({ min: -2, max: 2, noNaN: true });
-  const anyAxes = fc.tuple(axis, axis, axis, axis).filter(([a, b, c, d]) => Math.abs(a * d - b * c) > 0.01);
+  const anyAxes = fc
+    .tuple(axis, axis, axis, axis)
+    .filter(([a, b, c, d]) => Math.abs(a * d - b * c) > 0.01);
   const pixels = fc.integer({ min: -300, max: 300 });
 
   it.each(['turn', 'shift'] as const)('follows a %s along its own axes', (kind) => {
@@ -286,7 +319,9 @@ describe('a picture that is rotated, skewed or mirrored', () => {
         turned.gesture.move(1, x * rightX + y * downX, x * rightY + y * downY);
         expect(turned.orbit.theta).toBeCloseTo(upright.orbit.theta, 8);
         expect(turned.orbit.phi).toBeCloseTo(upright.orbit.phi, 8);
-        for (const i of [0, 1, 2] as const) expect(turned.orbit.target[i]).toBeCloseTo(upright.orbit.target[i], 8);
+        for (const i of [0, 1, 2] as const) {
+          expect(turned.orbit.target[i]).toBeCloseTo(upright.orbit.target[i], 8);
+        }
       }),
     );
   });

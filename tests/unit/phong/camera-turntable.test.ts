@@ -1,4 +1,5 @@
-// Is auto-rotate a pure function of elapsed time that restarts whenever something else turns the camera?
+// Is auto-rotate a pure function of elapsed time that restarts whenever something else turns the
+// camera?
 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
@@ -13,7 +14,9 @@ const HOUR = 3_600_000;
 /** Twelve in a release run. */
 const HOURS = repeats(12);
 
-/** Doubles of at least 2^-40 are integer multiples of 2^-92, which a BigInt holds without rounding. */
+/**
+ * Doubles of at least 2^-40 are integer multiples of 2^-92, which a BigInt holds without rounding.
+ */
 const SCALE = 92;
 const fixed = (x: number): bigint => BigInt(x * 2 ** 52 * 2 ** (SCALE - 52));
 
@@ -26,7 +29,10 @@ function exactDegrees(start: number, speed: number, from: number, to: number): n
   return Number(turned >> BigInt(2 * SCALE - 60)) / 2 ** 60 / 1000;
 }
 
-/** The time of a frame in ms, as from `requestAnimationFrame`, from its number and the time of the last one. */
+/**
+ * The time of a frame in ms, as from `requestAnimationFrame`, from its number and the time of the
+ * last one.
+ */
 type Next = (frame: number, before: number, random: () => number) => number;
 
 /** When the page was opened, on the page's clock. */
@@ -35,7 +41,10 @@ const FRAMES: readonly { readonly name: string; readonly next: Next }[] = [
   { name: '60 Hz', next: (frame) => BEGIN + (frame * 1000) / 60 },
   { name: '144 Hz', next: (frame) => BEGIN + (frame * 1000) / 144 },
   // Browsers round the clock to 0.1 ms, unless the page is cross-origin isolated.
-  { name: '60 Hz by a rounded clock', next: (frame) => Math.round(10 * (BEGIN + (frame * 1000) / 60)) / 10 },
+  {
+    name: '60 Hz by a rounded clock',
+    next: (frame) => Math.round(10 * (BEGIN + (frame * 1000) / 60)) / 10,
+  },
   // A busy page: most frames come soon, some after a second.
   { name: 'irregular frames', next: (_, before, random) => before + 4 + 1000 * random() ** 8 },
 ];
@@ -44,8 +53,9 @@ const FRAMES: readonly { readonly name: string; readonly next: Next }[] = [
 const SPEEDS = [30, -0.1, 4321.9];
 
 /**
- * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no more is lost, for
- * any number of frames. Measured: 1.1e-10 degrees at 30 per second, 7.2e-9 at 4321.9; the products add less than 1e-12.
+ * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no
+ * more is lost, for any number of frames. Measured: 1.1e-10 degrees at 30 per second, 7.2e-9 at
+ * 4321.9; the products add less than 1e-12.
  */
 const bound = (speed: number): number => (Math.abs(speed) / 1000) * 2 ** -28 + 1e-12;
 
@@ -152,7 +162,9 @@ describe('a turntable', () => {
   it('ignores one bad frame', () => {
     const { orbit, step } = setUp();
     step(0);
-    for (const bad of [NaN, Infinity]) expect([step(bad), step(500, bad)]).toStrictEqual([false, false]);
+    for (const bad of [NaN, Infinity]) {
+      expect([step(bad), step(500, bad)]).toStrictEqual([false, false]);
+    }
     step(1000);
     expect(orbit.theta).toBe(10);
   });

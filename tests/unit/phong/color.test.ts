@@ -1,4 +1,5 @@
-// The sRGB transfer curve: its published points, its two branches, and that encoding undoes decoding.
+// The sRGB transfer curve: its published points, its two branches, and that encoding undoes
+// decoding.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -42,7 +43,9 @@ describe('the sRGB curve', () => {
       fc.property(x, x, (a, b) => {
         const [low, high] = [Math.min(a, b), Math.max(a, b)];
         expect(srgbDecode(high)).toBeGreaterThanOrEqual(srgbDecode(low));
-        if (high - low > 1e-6) expect(srgbEncode(high)).toBeGreaterThan(srgbEncode(low));
+        if (high - low > 1e-6) {
+          expect(srgbEncode(high)).toBeGreaterThan(srgbEncode(low));
+        }
       }),
     );
   });

@@ -1,5 +1,5 @@
-// Is a light culled only where no point of the box is inside its cone, by the equation in float64, and nearly always
-// where it could be? Each case is made from one seed, which a failure names.
+// Is a light culled only where no point of the box is inside its cone, by the equation in float64,
+// and nearly always where it could be? Each case is made from one seed, which a failure names.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -7,7 +7,16 @@ import { type Box, cullLights } from '../../../src/phong/light/cull-lights.js';
 import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { radians } from '../../../src/phong/math/angle.js';
 import type { PackedLights } from '../../../src/phong/light/pack-lights.js';
-import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../../src/phong/math/vector.js';
 import { shade, type Surface } from '../../../src/phong/reference/equation.js';
 import { fullOr } from '../../support/repeats.js';
 import { Random } from '../../stress/random.js';
@@ -20,12 +29,14 @@ const SIZES = [1e-9, 1e-3, 1, 1e6, 1e12] as const;
 /** Apertures in degrees, beside those drawn from all. Narrower ones have tests of their own. */
 const APERTURES = [1, 45, 89.999, 90, 90.001, 135, 179, 179.999, 180] as const;
 
-/** Distances of apexes from the box's middle, in radii of the box: inside, at a corner, far away. */
+/**
+ * Distances of apexes from the box's middle, in radii of the box: inside, at a corner, far away.
+ */
 const AWAY = [0, 0.5, 1, 1.1, 2, 10, 100] as const;
 
 /**
- * Where the cone's edge passes, in angles that the bounding sphere subtends: 0 through its middle, 1 beside it, 3 far
- * away.
+ * Where the cone's edge passes, in angles that the bounding sphere subtends: 0 through its middle,
+ * 1 beside it, 3 far away.
  */
 const GRAZES = [-1, 0, 0.5, 0.9, 1, 1.001, 1.1, 1.5, 3] as const;
 
@@ -38,8 +49,13 @@ interface BoxCase {
 
 function anyBox(random: Random, size = random.pick(SIZES)): BoxCase {
   const flat = random.chance(0.1);
-  const side = (): number => (flat && random.chance(0.6) ? 0 : size * random.pick([1, random.magnitude(1e-4, 1)]));
-  return { size, middle: scale(random.unit(), size * random.pick([0, 0.5, 3])), half: [side(), side(), side()] };
+  const side = (): number =>
+    flat && random.chance(0.6) ? 0 : size * random.pick([1, random.magnitude(1e-4, 1)]);
+  return {
+    size,
+    middle: scale(random.unit(), size * random.pick([0, 0.5, 3])),
+    half: [side(), side(), side()],
+  };
 }
 
 /** The box, grown on all sides by `margin`. */
@@ -73,7 +89,10 @@ function angleOf({ apex, axis }: ConeCase, p: Vec3): number {
   return Math.atan2(length(cross(v, axis)), dot(v, axis));
 }
 
-/** Points of a box: corners, middles of edges and sides, any others, and where the cone would be entered first. */
+/**
+ * Points of a box: corners, middles of edges and sides, any others, and where the cone would be
+ * entered first.
+ */
 function pointsOf(box: Box, cone: ConeCase, random: Random, count: number): Vec3[] {
   const [x0, y0, z0, x1, y1, z1] = box;
   const held = ([x, y, z]: Vec3): Vec3 => [
@@ -85,15 +104,20 @@ function pointsOf(box: Box, cone: ConeCase, random: Random, count: number): Vec3
     held([x0 + i * (x1 - x0), y0 + j * (y1 - y0), z0 + k * (z1 - z0)]);
   const THREE = [0, 0.5, 1] as const;
   const points = THREE.flatMap((i) => THREE.flatMap((j) => THREE.map((k) => at(i, j, k))));
-  while (points.length < count) points.push(at(random.from(0, 1), random.from(0, 1), random.from(0, 1)));
+  while (points.length < count) {
+    points.push(at(random.from(0, 1), random.from(0, 1), random.from(0, 1)));
+  }
   points.push(held(cone.apex));
   // Descends to the smallest angle: random steps, shorter after each that brings no improvement.
   let best = points.reduce((a, b) => (angleOf(cone, a) <= angleOf(cone, b) ? a : b));
   for (let step = 0.5; step > 1e-7;) {
     const [i, j, k] = random.vector(-step, step);
     const moved = held(add(best, [i * (x1 - x0), j * (y1 - y0), k * (z1 - z0)]));
-    if (angleOf(cone, moved) < angleOf(cone, best)) points.push((best = moved));
-    else step *= 0.9;
+    if (angleOf(cone, moved) < angleOf(cone, best)) {
+      points.push((best = moved));
+    } else {
+      step *= 0.9;
+    }
   }
   return points;
 }
@@ -102,7 +126,10 @@ const full = [255, 255, 255] as const;
 const WHITE_SURFACE: Surface = { ka: full, kd: full, ks: full, shininess: 1 };
 
 /** `mask`: 1 for each sent light that can reach the box. */
-function cull(packed: PackedLights, box: Box): { readonly mask: readonly number[]; readonly count: number } {
+function cull(
+  packed: PackedLights,
+  box: Box,
+): { readonly mask: readonly number[]; readonly count: number } {
   const mask = new Uint8Array(packed.sent + 1).fill(7);
   const count = cullLights(packed, box, mask);
   return { mask: [...mask.subarray(0, packed.sent)], count };
@@ -119,8 +146,17 @@ const bare = { diffuse: [255, 255, 255], specular: [255, 255, 255] } as const;
 const spotWith = (values: Partial<LightValues>): LightValues =>
   light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], ...values });
 
-const spotOf = ({ apex, axis, aperture }: ConeCase, random: Random, values: Partial<LightValues> = {}): LightValues =>
-  spotWith({ ...values, position: [...apex, 1], axis: scale(axis, random.pick([1, 1e-6, 1e9])), aperture });
+const spotOf = (
+  { apex, axis, aperture }: ConeCase,
+  random: Random,
+  values: Partial<LightValues> = {},
+): LightValues =>
+  spotWith({
+    ...values,
+    position: [...apex, 1],
+    axis: scale(axis, random.pick([1, 1e-6, 1e9])),
+    aperture,
+  });
 
 describe('a cone', () => {
   it.each([0, 1e-4, 1, 30, 45, 89, 90, 91, 135, 179])(
@@ -141,15 +177,18 @@ describe('a cone', () => {
     },
   );
 
-  it.each([0, 1e-4, 0.01])('of %f° is never culled for a point on its axis, in any direction', (aperture) => {
-    const random = new Random(SEED);
-    for (let i = 0; i < 300; i++) {
-      const [place, axis] = [random.unit(), random.unit()];
-      const spot = light({ ...bare, position: [...place, 1], axis, aperture });
-      const [x, y, z] = add(place, scale(axis, random.magnitude(1e-3, 1e3)));
-      expect(cull(pack([spot]), [x, y, z, x, y, z]).count).toBe(1);
-    }
-  });
+  it.each([0, 1e-4, 0.01])(
+    'of %f° is never culled for a point on its axis, in any direction',
+    (aperture) => {
+      const random = new Random(SEED);
+      for (let i = 0; i < 300; i++) {
+        const [place, axis] = [random.unit(), random.unit()];
+        const spot = light({ ...bare, position: [...place, 1], axis, aperture });
+        const [x, y, z] = add(place, scale(axis, random.magnitude(1e-3, 1e3)));
+        expect(cull(pack([spot]), [x, y, z, x, y, z]).count).toBe(1);
+      }
+    },
+  );
 
   it('is culled for a box right behind it, not for one about its apex, nor for a point so near that it has no direction', () => {
     const aside = spotWith({ position: [5, 5, 5, 1], aperture: 1 });
@@ -159,7 +198,10 @@ describe('a cone', () => {
   });
 
   it('is never culled at an aperture of 180 degrees, nor any light without a cone', () => {
-    const lights = [light(bare), ...[{}, { cutoff: 1e6 }, { attenuation: [1e6, 1e6, 1e6] as const }].map(spotWith)];
+    const lights = [
+      light(bare),
+      ...[{}, { cutoff: 1e6 }, { attenuation: [1e6, 1e6, 1e6] as const }].map(spotWith),
+    ];
     expect(cull(pack(lights), [1e3, 1e3, 1e3, 1e3, 1e3, 1e3]).count).toBe(4);
   });
 
@@ -177,9 +219,15 @@ describe('a cone', () => {
           if (cull(pack([spot]), boxOf(box)).count > 0) continue;
           culled += 1;
           for (const point of pointsOf(boxOf(box), cone, random, 200)) {
-            const fragment = { p: point, normal: random.unit(), eye: [0, 0, 4 * box.size] } as const;
+            const fragment = {
+              p: point,
+              normal: random.unit(),
+              eye: [0, 0, 4 * box.size],
+            } as const;
             const { shares, sum } = shade(fragment, WHITE_SURFACE, [spot]);
-            if (shares[0]!.insideCone) expect.fail(`${String(point)} is inside ${JSON.stringify(spot)}`);
+            if (shares[0]!.insideCone) {
+              expect.fail(`${String(point)} is inside ${JSON.stringify(spot)}`);
+            }
             expect(sum).toStrictEqual([0, 0, 0]);
           }
         }
@@ -197,7 +245,11 @@ describe('a cone', () => {
       const box = anyBox(random, random.pick([1e-9, 1, 1e12]));
       const cone = coneBy(random, box);
       const grown = boxOf(box, 0.2 * Math.max(...box.half));
-      if (pointsOf(grown, cone, random, 27).some((p) => angleOf(cone, p) <= radians(cone.aperture))) continue;
+      if (
+        pointsOf(grown, cone, random, 27).some((p) => angleOf(cone, p) <= radians(cone.aperture))
+      ) {
+        continue;
+      }
       missing += 1;
       culled += 1 - cull(pack([spotOf(cone, random)]), boxOf(box)).count;
     }
@@ -206,7 +258,8 @@ describe('a cone', () => {
 });
 
 it('the mask has one number per light, in the order of the rows', () => {
-  const spot = (x: number) => light({ ...bare, axis: [0, -1, 0], aperture: 10, position: [x, 1, 0, 1] });
+  const spot = (x: number) =>
+    light({ ...bare, axis: [0, -1, 0], aperture: 10, position: [x, 1, 0, 1] });
   const lights = [spot(0), light(), spot(5), light({ ...bare, position: [9, 9, 9, 1] }), spot(0.1)];
   const { mask, count } = cull(pack(lights), [-0.1, 0, -0.1, 0.1, 0, 0.1]);
   expect(mask).toStrictEqual([1, 1, 1, 0, 1]); // directional, point, then the three spots

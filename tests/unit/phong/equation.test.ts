@@ -1,5 +1,6 @@
-// Does the reference agree with the same equation in 50 digits? The vectors come from vectors/make_vectors.py, which
-// knows only the written equation. Then what the vectors leave out, and laws for anything in the domain.
+// Does the reference agree with the same equation in 50 digits? The vectors come from
+// vectors/make_vectors.py, which knows only the written equation. Then what the vectors leave out,
+// and laws for anything in the domain.
 
 /// <reference types="vite/client" />
 import fc from 'fast-check';
@@ -14,7 +15,15 @@ import {
   shade,
   type Surface,
 } from '../../../src/phong/reference/equation.js';
-import { anyLight, light, numbers, plainLight, plainVector, rotation, triple } from '../arbitraries.js';
+import {
+  anyLight,
+  light,
+  numbers,
+  plainLight,
+  plainVector,
+  rotation,
+  triple,
+} from '../arbitraries.js';
 import text from '../vectors/equation.jsonl?raw';
 
 const FACTS = ['c', 'att', 'decay', 'NoL', 'RoV'] as const;
@@ -59,16 +68,29 @@ it.each(names)('the reference agrees with 50 digits: %s', (name) => {
         return;
       }
       expect(share.insideCone).toBe(facts.inside);
-      for (const fact of FACTS)
-        expect(Math.abs(share[fact] - facts[fact]), `${fact} of ${JSON.stringify(vector)}`).toBeLessThan(1e-12);
+      for (const fact of FACTS) {
+        expect(
+          Math.abs(share[fact] - facts[fact]),
+          `${fact} of ${JSON.stringify(vector)}`,
+        ).toBeLessThan(1e-12);
+      }
     });
   }
 });
 
 /** A floor seen from straight above: N = V = +z. */
 const floor: Fragment = { p: [0, 0, 0], normal: [0, 0, 1], eye: [0, 0, 5] };
-const white: Surface = { ka: [255, 255, 255], kd: [255, 255, 255], ks: [255, 255, 255], shininess: 2 };
-const grey = { ambient: [51, 51, 51], diffuse: [102, 102, 102], specular: [153, 153, 153] } as const;
+const white: Surface = {
+  ka: [255, 255, 255],
+  kd: [255, 255, 255],
+  ks: [255, 255, 255],
+  shininess: 2,
+};
+const grey = {
+  ambient: [51, 51, 51],
+  diffuse: [102, 102, 102],
+  specular: [153, 153, 153],
+} as const;
 
 const one = (
   values: Partial<LightValues>,
@@ -76,20 +98,34 @@ const one = (
   surface: Partial<Surface> = {},
   options: ReferenceOptions = {},
 ): LightShare =>
-  shade({ ...floor, ...fragment }, { ...white, ...surface }, [light({ ...grey, ...values })], options).shares[0]!;
+  shade(
+    { ...floor, ...fragment },
+    { ...white, ...surface },
+    [light({ ...grey, ...values })],
+    options,
+  ).shares[0]!;
 
 const even = (x: number): Vec3 => [x, x, x];
 
 it('has no highlight by Blinn where light and eye are exactly opposite, whatever the normal', () => {
   for (let i = 1; i <= 100; i++) {
     const fragment = { normal: [i, 1, 7] as const, eye: [-4, 0, 0] as const };
-    const { specular, NoL } = one({ position: [2, 0, 0, 1] }, fragment, {}, { reflection: 'blinn-phong' });
+    const { specular, NoL } = one(
+      { position: [2, 0, 0, 1] },
+      fragment,
+      {},
+      { reflection: 'blinn-phong' },
+    );
     expect([...specular, NoL > 0]).toEqual([0, 0, 0, true]);
   }
 });
 
 it.each<[string, Partial<LightValues>, Partial<LightShare>]>([
-  ['straight above', { position: [0, 0, 3, 0] }, { d: Infinity, ambient: even(0.2), diffuse: even(0.4) }],
+  [
+    'straight above',
+    { position: [0, 0, 3, 0] },
+    { d: Infinity, ambient: even(0.2), diffuse: even(0.4) },
+  ],
   [
     '2 away, with 1/(1 + d/2 + d²/2)',
     { position: [0, 0, 2, 1], attenuation: [1, 0.5, 0.5] },
@@ -129,16 +165,26 @@ it.each([0, 9.9e-7, 1e-6, 1e6])('exponent %d turns base 0 into 1 only below 1e-6
 it('a light 9.9e-16 from the fragment leaves ambient light alone, with all of its attenuation at 0', () => {
   const cone = { axis: [0, 0, 1], aperture: 1, cutoff: 99, attenuation: [4, 1e6, 1e6] } as const;
   const share = one({ ...cone, position: [0, 0, 9.9e-16, 1] }, {}, { shininess: 0 });
-  expect(share).toMatchObject({ NoL: 0, insideCone: true, decay: 1, att: 0.25, ambient: even(0.2), specular: even(0) });
+  expect(share).toMatchObject({
+    NoL: 0,
+    insideCone: true,
+    decay: 1,
+    att: 0.25,
+    ambient: even(0.2),
+    specular: even(0),
+  });
 });
 
 it.each([
   { position: [0, 1, 1, 0], axis: [1, 0, 1], aperture: 120 },
   { position: [-3, -3, 0, 0], axis: [-3, 0, -3], aperture: 120 },
   { position: [0.3, 0.3, 0.2, 0], axis: [-3, -3, -2], aperture: 0 },
-] as const)('a direction of round numbers exactly at the edge of $aperture degrees is inside', (spot) => {
-  expect(one(spot).insideCone).toBe(true);
-});
+] as const)(
+  'a direction of round numbers exactly at the edge of $aperture degrees is inside',
+  (spot) => {
+    expect(one(spot).insideCone).toBe(true);
+  },
+);
 
 it.each<[string, Partial<LightValues>, Partial<Fragment>]>([
   ['a light 1e-15 from the fragment', { position: [0, 0, 1e-15, 1] }, {}],
@@ -178,19 +224,25 @@ describe('the reference', () => {
   it('is the same to the bit in a scene scaled by a power of two, with attenuation to match', () => {
     // Nearer than 1e-15 the equation itself has a scale.
     fc.assert(
-      fc.property(scenes, fc.integer({ min: -36, max: 60 }), ({ fragment, surface, lights, options }, k) => {
-        const s = 2 ** k;
-        const { p, normal, eye } = fragment;
-        const grown = { p: scale(p, s), normal: scale(normal, s), eye: scale(eye, s) };
-        const grownLights = lights.map(({ position: [x, y, z, w], axis, attenuation: [kc, kl, kq], ...others }) => ({
-          ...others,
-          position: [x * s, y * s, z * s, w] as const,
-          axis: scale(axis, s),
-          attenuation: [kc, kl / s, kq / s / s] as const,
-        }));
-        const { sum } = shade(fragment, surface, lights, options);
-        expect(shade(grown, surface, grownLights, options).sum).toEqual(sum);
-      }),
+      fc.property(
+        scenes,
+        fc.integer({ min: -36, max: 60 }),
+        ({ fragment, surface, lights, options }, k) => {
+          const s = 2 ** k;
+          const { p, normal, eye } = fragment;
+          const grown = { p: scale(p, s), normal: scale(normal, s), eye: scale(eye, s) };
+          const grownLights = lights.map(
+            ({ position: [x, y, z, w], axis, attenuation: [kc, kl, kq], ...others }) => ({
+              ...others,
+              position: [x * s, y * s, z * s, w] as const,
+              axis: scale(axis, s),
+              attenuation: [kc, kl / s, kq / s / s] as const,
+            }),
+          );
+          const { sum } = shade(fragment, surface, lights, options);
+          expect(shade(grown, surface, grownLights, options).sum).toEqual(sum);
+        },
+      ),
       { numRuns: 300 },
     );
   });

@@ -1,9 +1,17 @@
-// The declared values of one element: defaults, checks, and one listener that is notified of changes.
+// The declared values of one element: defaults, checks, and one listener that is notified of
+// changes.
 
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore, sameValue } from '../../../src/phong/fields/field-store.js';
 import { Signal } from '../../../src/phong/fields/signal.js';
-import { booleanField, colorField, numberField, optional, orWord, textField } from '../../../src/phong/fields/field.js';
+import {
+  booleanField,
+  colorField,
+  numberField,
+  optional,
+  orWord,
+  textField,
+} from '../../../src/phong/fields/field.js';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 
 interface Lamp {
@@ -25,7 +33,14 @@ const lamp = (): FieldStore<Lamp> =>
     radius: orWord('auto', numberField(4, { above: 0, max: 10 })),
   });
 
-const defaults: Lamp = { power: 60, tint: [255, 255, 255], on: true, label: '', segments: null, radius: 'auto' };
+const defaults: Lamp = {
+  power: 60,
+  tint: [255, 255, 255],
+  on: true,
+  label: '',
+  segments: null,
+  radius: 'auto',
+};
 const keys = Object.keys(defaults) as (keyof Lamp)[];
 
 describe('a store of declared values', () => {
@@ -40,18 +55,28 @@ describe('a store of declared values', () => {
     const one = lamp();
     one.set('tint', 80);
     one.assign({ power: -0, on: false });
-    expect({ ...one.values }).toStrictEqual({ ...defaults, tint: [80, 80, 80], power: 0, on: false });
+    expect({ ...one.values }).toStrictEqual({
+      ...defaults,
+      tint: [80, 80, 80],
+      power: 0,
+      on: false,
+    });
     expect(keys.filter((key) => one.given(key))).toEqual(['power', 'tint', 'on']);
   });
 
-  it.each([null, undefined])('takes %s as the default, and leaves other given values given', (nothing) => {
-    const one = lamp();
-    one.assign({ power: 5, on: false, segments: 8, radius: 2 });
-    for (let i = 0; i < 2; i++) one.set('power', nothing);
-    one.assign({ segments: nothing, radius: nothing } as unknown as Partial<Lamp>);
-    expect({ ...one.values }).toStrictEqual({ ...defaults, on: false });
-    expect(keys.filter((key) => one.given(key))).toEqual(['on']);
-  });
+  it.each([null, undefined])(
+    'takes %s as the default, and leaves other given values given',
+    (nothing) => {
+      const one = lamp();
+      one.assign({ power: 5, on: false, segments: 8, radius: 2 });
+      for (let i = 0; i < 2; i++) {
+        one.set('power', nothing);
+      }
+      one.assign({ segments: nothing, radius: nothing } as unknown as Partial<Lamp>);
+      expect({ ...one.values }).toStrictEqual({ ...defaults, on: false });
+      expect(keys.filter((key) => one.given(key))).toEqual(['on']);
+    },
+  );
 
   it.each([
     ['power', '5', TypeError],

@@ -1,4 +1,5 @@
-// What does each kind of field accept, and what does it refuse, in which words? Values in HTML's units; no DOM.
+// What does each kind of field accept, and what does it refuse, in which words? Values in HTML's
+// units; no DOM.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -21,7 +22,10 @@ import {
   vectorField,
 } from '../../../src/phong/fields/field.js';
 
-/** Made anew by each test, so that `npm run mutation` connects what makes a field to the tests that notice it. */
+/**
+ * Made anew by each test, so that `npm run mutation` connects what makes a field to the tests that
+ * notice it.
+ */
 const makers = {
   number: () => numberField(5, { min: 0, max: 10 }),
   'positive number': () => numberField(4, { above: 0, max: 1e15 }),
@@ -57,7 +61,12 @@ describe('a field', () => {
     ['whole number', 'number', 1, 'a whole number from 1 to 512'],
     ['any number', 'number', 0, 'a number'],
     ['vector', 'numbers', [1, 2, 3], '3 numbers, each a number from -10 to 10'],
-    ['homogeneous', 'numbers', [1, 1, 1, 0], '3 or 4 numbers x y z w, each a number from -10 to 10, w 0 or 1'],
+    [
+      'homogeneous',
+      'numbers',
+      [1, 1, 1, 0],
+      '3 or 4 numbers x y z w, each a number from -10 to 10, w 0 or 1',
+    ],
     ['scale', 'numbers', [1, 1, 1], '1 or 3 numbers, each a number from -2 to 2'],
     ['color', 'color', [0, 0, 0], 'r g b (or one number), each a number from 0 to 1e6 with 255 full, or a CSS colour in sRGB'], // oxfmt-ignore
     ['ascending', 'numbers', [], 'places from 0 to 1'],
@@ -69,9 +78,12 @@ describe('a field', () => {
     ['flag or words', 'flag-or-words', false, 'a flag, or words of one list'],
     ['optional number', 'number', null, 'a number from 0 to 10'],
     ['number or word', 'number', 'auto', 'auto or a number from 0 to 10'],
-  ])('of a %s is written as %s, with the default %j, and expects %s', (kind, written, fallback, expected) => {
-    expect(fieldOf(kind)).toMatchObject({ kind: written, fallback, expected });
-  });
+  ])(
+    'of a %s is written as %s, with the default %j, and expects %s',
+    (kind, written, fallback, expected) => {
+      expect(fieldOf(kind)).toMatchObject({ kind: written, fallback, expected });
+    },
+  );
 
   it.each([
     [{ max: 3 }, 'a number'],
@@ -254,12 +266,14 @@ describe('what a field refuses', () => {
       ...[long, [long], Array(1e5).fill(7), Array(1e5).fill(long), itself, [[itself]]],
       ...[10n ** 9999n, new Array(2 ** 32 - 1)],
     ];
-    for (const kind of kinds)
-      for (const value of values)
+    for (const kind of kinds) {
+      for (const value of values) {
         try {
           fieldOf(kind).check(value);
         } catch (error) {
           expect((error as Error).message.length, kind).toBeLessThan(800);
         }
+      }
+    }
   });
 });

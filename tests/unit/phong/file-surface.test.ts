@@ -1,5 +1,5 @@
-// Does a file's roughness become a highlight without an edge? surfaces.spec.ts compares the shader's function with this
-// one.
+// Does a file's roughness become a highlight without an edge? surfaces.spec.ts compares the
+// shader's function with this one.
 import { describe, expect, it } from 'vitest';
 import { exponentOfRoughness } from '../../../src/phong/material/file-surface.js';
 

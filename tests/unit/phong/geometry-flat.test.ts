@@ -1,15 +1,24 @@
 // Does a flat copy carry each triangle's own normal, whatever form the source's attributes have?
-import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
+} from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { flatGeometry, updateFlatGeometry } from '../../../src/phong/material/flat-geometry.js';
 
 const TRIANGLE = [0, 0, 0, 2, 0, 0, 0, 3, 0];
 
 function fromPositions(values: readonly number[]): BufferGeometry {
-  return new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(values), 3));
+  return new BufferGeometry().setAttribute(
+    'position',
+    new BufferAttribute(new Float32Array(values), 3),
+  );
 }
 
-const listed = (geometry: BufferGeometry, name: string): number[] => Array.from(geometry.getAttribute(name).array);
+const listed = (geometry: BufferGeometry, name: string): number[] =>
+  Array.from(geometry.getAttribute(name).array);
 
 describe('flatGeometry', () => {
   it.each([
@@ -46,7 +55,10 @@ describe('flatGeometry', () => {
   });
 
   it('reads interleaved and normalised positions', () => {
-    const buffer = new InterleavedBuffer(new Int16Array([0, 0, 0, 9, 32767, 0, 0, 9, 0, 32767, 0, 9]), 4);
+    const buffer = new InterleavedBuffer(
+      new Int16Array([0, 0, 0, 9, 32767, 0, 0, 9, 0, 32767, 0, 9]),
+      4,
+    );
     const source = new BufferGeometry();
     source.setAttribute('position', new InterleavedBufferAttribute(buffer, 3, 0, true));
     const flat = flatGeometry(source);

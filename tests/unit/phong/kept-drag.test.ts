@@ -1,10 +1,12 @@
-// Is a drag kept from the page around it? A window whose listeners the test calls: what a script dispatches is not trusted.
+// Is a drag kept from the page around it? A window whose listeners the test calls: what a script
+// dispatches is not trusted.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { keepDrag } from '../../../src/phong/camera/kept-drag.js';
 
 const listeners = new Map<string, (event: Event) => void>();
 const view = {
-  addEventListener: (type: string, listener: (event: Event) => void) => listeners.set(type, listener),
+  addEventListener: (type: string, listener: (event: Event) => void) =>
+    listeners.set(type, listener),
   removeEventListener: (type: string) => listeners.delete(type),
 } as unknown as EventTarget;
 
@@ -12,7 +14,9 @@ const view = {
 function isKept(type: string, isTrusted = true): boolean {
   const event = { isTrusted, preventDefault: vi.fn(), stopPropagation: vi.fn() };
   listeners.get(type)?.(event as unknown as Event);
-  return event.preventDefault.mock.calls.length === 1 && event.stopPropagation.mock.calls.length === 1;
+  return (
+    event.preventDefault.mock.calls.length === 1 && event.stopPropagation.mock.calls.length === 1
+  );
 }
 
 beforeEach(() => {

@@ -58,15 +58,24 @@ describe('the texture', () => {
   ])('takes a change of %s by one call, of exactly that', (_, floats, patch) => {
     const rows = settled(3 * WIDTH);
     const pack = packed(3 * WIDTH);
-    for (const i of floats) pack.data[i] = -1 - i;
+    for (const i of floats) {
+      pack.data[i] = -1 - i;
+    }
     write(rows, pack);
     draw(rows);
     expect(gpu.patches).toStrictEqual([patch]);
   });
 
   it('holds the latest rows on the GPU after any changes', () => {
-    const sizes = fc.oneof(fc.integer({ min: 1, max: 40 }), fc.integer({ min: WIDTH - 2, max: 3 * WIDTH }));
-    const change = fc.record({ rows: sizes, first: fc.integer({ min: 1, max: 5 }), draws: fc.boolean() });
+    const sizes = fc.oneof(
+      fc.integer({ min: 1, max: 40 }),
+      fc.integer({ min: WIDTH - 2, max: 3 * WIDTH }),
+    );
+    const change = fc.record({
+      rows: sizes,
+      first: fc.integer({ min: 1, max: 5 }),
+      draws: fc.boolean(),
+    });
     fc.assert(
       fc.property(fc.array(change, { minLength: 1, maxLength: 12 }), (changes) => {
         gpu = new FakeRenderer();

@@ -1,4 +1,5 @@
-// Of which kind is a light, which code does it need, and which code must the general program have for it?
+// Of which kind is a light, which code does it need, and which code must the general program have
+// for it?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -46,7 +47,11 @@ describe('the features of a light', () => {
   const lit = ['diffuse', 'specular'];
   const inCone = ['ambient', ...lit];
   it.each<[string, Partial<LightValues>, string[]]>([
-    ['a directional light', { ambient: [9, 9, 9], aperture: 60, cutoff: 5, attenuation: [2, 2, 2] }, lit],
+    [
+      'a directional light',
+      { ambient: [9, 9, 9], aperture: 60, cutoff: 5, attenuation: [2, 2, 2] },
+      lit,
+    ],
     ['a lamp', lamp, lit],
     ['a lamp without diffuse light', { ...lamp, diffuse: [0, 0, 0] }, ['specular']],
     ['a lamp of one channel', { ...darkLamp, diffuse: [0, 0, 1] }, ['diffuse', 'tintedDiffuse']],
@@ -58,7 +63,11 @@ describe('the features of a light', () => {
     ['a spot', spot, [...inCone, 'wide']],
     ['a spot with ambient light alone', { ...darkSpot, ambient: [0, 1, 0] }, ['ambient', 'wide']],
     ['a cone of no width', { ...lamp, aperture: 0 }, [...inCone, 'narrow', 'chords']],
-    ['a cone just too slim for a cosine', { ...lamp, aperture: 14.9999 }, [...inCone, 'narrow', 'chords']],
+    [
+      'a cone just too slim for a cosine',
+      { ...lamp, aperture: 14.9999 },
+      [...inCone, 'narrow', 'chords'],
+    ],
     ['a cone of 15°', { ...lamp, aperture: 15 }, [...inCone, 'wide']],
     ['a cone of 165°', { ...lamp, aperture: 165 }, [...inCone, 'wide']],
     ['a cone of a little more', { ...lamp, aperture: 165.0001 }, [...inCone, 'wide', 'chords']],
@@ -66,7 +75,11 @@ describe('the features of a light', () => {
     ['a decay that begins steeply', { ...lamp, cutoff: 0.5 }, [...inCone, 'decay', 'chords']],
     ['a decay beyond 32', { ...lamp, cutoff: 32.5 }, [...inCone, 'decay', 'chords']],
     ['an integer cutoff', { ...spot, cutoff: 7 }, [...inCone, 'wide', 'power 7']],
-    ['the largest integer cutoff', { ...spot, cutoff: 64 }, [...inCone, 'wide', 'chords', 'power 64']],
+    [
+      'the largest integer cutoff',
+      { ...spot, cutoff: 64 },
+      [...inCone, 'wide', 'chords', 'power 64'],
+    ],
   ])('of %s are what it needs', (_, values, needed) => {
     const one = light(values);
     expect(namesIn(featuresOf(one, kindOf(one)))).toStrictEqual(needed.toSorted());
@@ -84,8 +97,11 @@ describe('the features of a light', () => {
         for (const own of [first, second]) {
           const others = own & ((1 << LIGHT_FEATURES.powerShift) - 1);
           expect(both & others).toBe(others);
-          if (power(both) > 0) expect(power(own)).toBe(power(both));
-          else if (power(own) > 0) expect(both & LIGHT_FEATURES.decay).not.toBe(0);
+          if (power(both) > 0) {
+            expect(power(own)).toBe(power(both));
+          } else if (power(own) > 0) {
+            expect(both & LIGHT_FEATURES.decay).not.toBe(0);
+          }
         }
       }),
     );
@@ -94,7 +110,9 @@ describe('the features of a light', () => {
   it('are distinct bits below the power, and all fit an int of GLSL', () => {
     const { powerShift, ...bits } = LIGHT_FEATURES;
     const all = Object.values(bits);
-    for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
+    for (const bit of all) {
+      expect(Math.log2(bit) % 1).toBe(0);
+    }
     expect(new Set(all).size).toBe(all.length);
     expect(Math.max(...all)).toBeLessThan(1 << powerShift);
     expect((LARGEST_INTEGER_POWER + 1) << powerShift).toBeLessThan(2 ** 31);
@@ -102,7 +120,8 @@ describe('the features of a light', () => {
 });
 
 describe('declared features', () => {
-  const declaredBy = (...lights: Partial<LightValues>[]) => namesIn(declaredFeatures(lights.map(light)));
+  const declaredBy = (...lights: Partial<LightValues>[]) =>
+    namesIn(declaredFeatures(lights.map(light)));
   const steep = ['spot', 'wide', 'narrow', 'chords'];
 
   it.each<[string, Partial<LightValues>, string[]]>([
@@ -118,7 +137,11 @@ describe('declared features', () => {
     ['a cone about no axis', { ...darkSpot, axis: [0, 0, 0] }, ['point']],
     ['kq', { ...darkLamp, attenuation: [0, 0, 0.1] }, ['point', 'attenuated', 'clamped', 'linear']],
     ['attenuation that is 1 everywhere', { ...darkLamp, attenuation: [0.5, 0, 0] }, ['point']],
-    ['every term', lamp, ['point', 'ambient', 'diffuse', 'tintedDiffuse', 'specular', 'tintedSpecular']],
+    [
+      'every term',
+      lamp,
+      ['point', 'ambient', 'diffuse', 'tintedDiffuse', 'specular', 'tintedSpecular'],
+    ],
   ])('of %s are what it needs', (_, values, needed) => {
     expect(declaredBy(values)).toStrictEqual(needed.toSorted());
   });
@@ -126,7 +149,9 @@ describe('declared features', () => {
   it('include those of inactive lights, so that toggling compiles nothing', () => {
     fc.assert(
       fc.property(anyLight, (values) => {
-        expect(declaredBy({ ...values, active: false })).toStrictEqual(declaredBy({ ...values, active: true }));
+        expect(declaredBy({ ...values, active: false })).toStrictEqual(
+          declaredBy({ ...values, active: true }),
+        );
       }),
     );
   });
@@ -137,7 +162,9 @@ describe('declared features', () => {
         const together = declaredBy(...lights);
         const apart = new Set(lights.flatMap((one) => declaredBy(one)));
         // Only a cone is compared on a side.
-        if (apart.has('chords') && apart.has('wide')) apart.add('narrow');
+        if (apart.has('chords') && apart.has('wide')) {
+          apart.add('narrow');
+        }
         expect(together).toStrictEqual([...apart].sort());
       }),
     );
@@ -147,9 +174,18 @@ describe('declared features', () => {
 it('the features of each kind are those that any of its lights needs', () => {
   const { tintedDiffuse, chords, attenuated, decay, powerShift } = LIGHT_FEATURES;
   const counts = { directional: 0, point: 2, spot: 3 };
-  const features = [attenuated, tintedDiffuse, 4 << powerShift, (4 << powerShift) | chords, 8 << powerShift, decay];
+  const features = [
+    attenuated,
+    tintedDiffuse,
+    4 << powerShift,
+    (4 << powerShift) | chords,
+    8 << powerShift,
+    decay,
+  ];
   expect(kindFeatures({ counts, features })).toEqual({
     ...{ directional: 0, point: attenuated | tintedDiffuse, spot: decay | chords },
   });
-  expect(kindFeatures({ counts: { ...counts, spot: 2 }, features }).spot).toBe((4 << powerShift) | chords);
+  expect(kindFeatures({ counts: { ...counts, spot: 2 }, features }).spot).toBe(
+    (4 << powerShift) | chords,
+  );
 });

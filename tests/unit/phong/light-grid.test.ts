@@ -1,5 +1,5 @@
-// A light grid: no cell misses a light that reaches it, few cells list one that does not, and no grid is made where it
-// does not pay.
+// A light grid: no cell misses a light that reaches it, few cells list one that does not, and no
+// grid is made where it does not pay.
 
 import { describe, expect, it } from 'vitest';
 import { LEAST_DIVIDED, divideLights } from '../../../src/phong/light/light-grid.js';
@@ -21,7 +21,12 @@ const ROOM: Box = [-4, -3, -2, 4, 3, 2];
 const DOWN: Vec3 = [0, -1, 0];
 
 /** Spots above the box that point nearly downward. Red ambient light numbers them from 1. */
-function spotsOver(box: Box, count: number, random: Random, more: Partial<LightValues> = {}): LightValues[] {
+function spotsOver(
+  box: Box,
+  count: number,
+  random: Random,
+  more: Partial<LightValues> = {},
+): LightValues[] {
   const unit = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 8;
   const inside = (k: 0 | 2): number => random.from(box[k], box[k + 3]!);
   return Array.from({ length: count }, (_, i) =>
@@ -40,7 +45,11 @@ function divided(lights: readonly LightValues[], box: Box) {
   const into = emptyPack();
   expect(divideLights(pack(lights), box, into)).toBe(true);
   const size = float32(rowOf(into, gridOf(into) + GRID.size));
-  return { into, size, step: [0, 1, 2].map((k) => (box[k + 3]! - box[k]!) / size[k]!) as unknown as Vec3 };
+  return {
+    into,
+    size,
+    step: [0, 1, 2].map((k) => (box[k + 3]! - box[k]!) / size[k]!) as unknown as Vec3,
+  };
 }
 
 const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // oxfmt-ignore
@@ -61,7 +70,10 @@ function rowsOf({ counts }: PackedLights): number[][] {
   );
 }
 
-/** The rows of the lights that the GLSL adds at p, computed as cellSpots and listedRow do, in float32. */
+/**
+ * The rows of the lights that the GLSL adds at p, computed as cellSpots and listedRow do, in
+ * float32.
+ */
 function addedAt(into: PackedLights, p: Vec3): number[] {
   const grid = gridOf(into);
   const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // oxfmt-ignore
@@ -74,11 +86,16 @@ function addedAt(into: PackedLights, p: Vec3): number[] {
   const lists = lastOf(into, grid + GRID.scale) * 4;
   const listed = [...into.data.subarray(lists + first, lists + first + count)];
   const [directional, point, spot] = rowsOf(into) as [number[], number[], number[]];
-  for (const row of listed) expect(spot).toContain(row);
+  for (const row of listed) {
+    expect(spot).toContain(row);
+  }
   return [...directional, ...point, ...spot.slice(0, unlistedOf(into)), ...listed];
 }
 
-/** Anywhere in the box, its corners and the corners of its cells among it; float32, as fragments have it. */
+/**
+ * Anywhere in the box, its corners and the corners of its cells among it; float32, as fragments
+ * have it.
+ */
 function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
   const p = [0, 1, 2].map((k) => {
     const [low, high] = [box[k]!, box[k + 3]!];
@@ -94,14 +111,23 @@ function isLit({ position: [x, y, z], axis, aperture }: LightValues, p: Vec3): b
   return Math.atan2(length(cross(v, axis)), dot(v, axis)) <= radians(aperture);
 }
 
-/** The rows that each of `lights` has in `into`, found by its red ambient light, which is its number: spots alone. */
+/**
+ * The rows that each of `lights` has in `into`, found by its red ambient light, which is its
+ * number: spots alone.
+ */
 const rowByNumber = (into: PackedLights): Map<number, number> =>
-  new Map(rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[row * 4 + floatOf('spot', 'ambient')]!), row]));
+  new Map(
+    rowsOf(into)[2]!.map((row) => [
+      Math.round(255 * into.data[row * 4 + floatOf('spot', 'ambient')]!),
+      row,
+    ]),
+  );
 
 /**
- * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest point of the next
- * cell's ball is the corner itself. `at` is within the cone, and `p`, as which rounding may take it, in the next cell.
- * In the middle of the box, where a cone itself is taken larger by next to nothing.
+ * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest
+ * point of the next cell's ball is the corner itself. `at` is within the cone, and `p`, as which
+ * rounding may take it, in the next cell. In the middle of the box, where a cone itself is taken
+ * larger by next to nothing.
  */
 function cornerCase(
   random: Random,
@@ -113,9 +139,13 @@ function cornerCase(
   pad: number,
 ): { readonly lamp: LightValues; readonly at: Vec3; readonly p: Vec3 } {
   const corner = [box[0], box[1], box[2]];
-  for (const k of [u, v]) corner[k]! += step[k]! * Math.floor(random.from(0.45, 0.55) * size[k]!);
+  for (const k of [u, v]) {
+    corner[k]! += step[k]! * Math.floor(random.from(0.45, 0.55) * size[k]!);
+  }
   const outward = [0, 0, 0];
-  for (const k of [u, v]) outward[k] = random.sign() * Math.SQRT1_2;
+  for (const k of [u, v]) {
+    outward[k] = random.sign() * Math.SQRT1_2;
+  }
   const moved = (by: number): Vec3 => corner.map((x, k) => x + by * outward[k]!) as unknown as Vec3;
   const wall = [...moved(-1.3 * pad)];
   wall[flat]! += 1;
@@ -132,24 +162,29 @@ describe('lights in a grid', () => {
     ['a floor', FLOOR],
     ['a room', ROOM],
     ['a far wall', [1000, 2000, -3000, 1000, 2010, -2980] as Box],
-  ])('are listed in every cell that their cones reach, on %s (seed ' + String(SEED) + ')', (_, box) => {
-    const random = new Random(SEED);
-    const lights = spotsOver(box, 60, random);
-    const { into, size } = divided(lights, box);
-    const rows = rowByNumber(into);
-    let found = 0;
-    const points = fullOr(4000, 600);
-    for (let i = 0; i < points; i++) {
-      const p = pointIn(random, box, size);
-      const added = new Set(addedAt(into, p));
-      lights.forEach((one, k) => {
-        if (!isLit(one, p)) return;
-        found += 1;
-        if (!added.has(rows.get(k + 1)!)) expect.fail(`light ${k} at ${String(p)}`);
-      });
-    }
-    expect(found).toBeGreaterThan(points / 8);
-  });
+  ])(
+    'are listed in every cell that their cones reach, on %s (seed ' + String(SEED) + ')',
+    (_, box) => {
+      const random = new Random(SEED);
+      const lights = spotsOver(box, 60, random);
+      const { into, size } = divided(lights, box);
+      const rows = rowByNumber(into);
+      let found = 0;
+      const points = fullOr(4000, 600);
+      for (let i = 0; i < points; i++) {
+        const p = pointIn(random, box, size);
+        const added = new Set(addedAt(into, p));
+        lights.forEach((one, k) => {
+          if (!isLit(one, p)) return;
+          found += 1;
+          if (!added.has(rows.get(k + 1)!)) {
+            expect.fail(`light ${k} at ${String(p)}`);
+          }
+        });
+      }
+      expect(found).toBeGreaterThan(points / 8);
+    },
+  );
 
   it.each([
     ['beside the origin', 0],
@@ -163,7 +198,9 @@ describe('lights in a grid', () => {
       const { size, step } = divided(spotsOver(box, 60, random, { aperture: 1 }), box);
       // The margin of cells: a share of their size and of the coordinates.
       const pad = 1e-3 * step[u]! + 1e-6 * Math.max(...box.map(Math.abs));
-      const cases = Array.from({ length: 60 }, () => cornerCase(random, box, flat, [u, v], size, step, pad));
+      const cases = Array.from({ length: 60 }, () =>
+        cornerCase(random, box, flat, [u, v], size, step, pad),
+      );
       const { into } = divided(
         cases.map(({ lamp }, i) => ({ ...lamp, ambient: [i + 1, 0, 0] as const })),
         box,
@@ -183,9 +220,15 @@ describe('lights in a grid', () => {
     });
     const { into, size, step } = divided(lights, FLOOR);
     let listed = 0;
-    for (let x = 0; x < size[0]; x++)
-      for (let z = 0; z < size[2]; z++)
-        listed += addedAt(into, [FLOOR[0] + (x + 0.5) * step[0], 0, FLOOR[2] + (z + 0.5) * step[2]]).length;
+    for (let x = 0; x < size[0]; x++) {
+      for (let z = 0; z < size[2]; z++) {
+        listed += addedAt(into, [
+          FLOOR[0] + (x + 0.5) * step[0],
+          0,
+          FLOOR[2] + (z + 0.5) * step[2],
+        ]).length;
+      }
+    }
     const circle = (radius: number): number => (36 * Math.PI * radius ** 2) / (step[0] * step[2]);
     const radius = 2 * Math.tan(radians(20));
     const diagonal = Math.hypot(step[0], step[2]);
@@ -219,9 +262,13 @@ describe('lights in a grid', () => {
     };
     expect(texts(into).toSorted()).toEqual(texts(packed).toSorted());
     expect(unlistedOf(into)).toBe(1);
-    expect(into.data[rowsOf(into)[2]![0]! * 4 + floatOf('spot', 'ambient')]).toBe(Math.fround(200 / 255));
+    expect(into.data[rowsOf(into)[2]![0]! * 4 + floatOf('spot', 'ambient')]).toBe(
+      Math.fround(200 / 255),
+    );
     // Otherwise in their old order: the lists are the same from one frame to the next.
-    expect(texts(into).slice(3)).toEqual(texts(packed).filter((text) => texts(into).slice(3).includes(text)));
+    expect(texts(into).slice(3)).toEqual(
+      texts(packed).filter((text) => texts(into).slice(3).includes(text)),
+    );
   });
 });
 
@@ -240,7 +287,11 @@ describe('cells', () => {
     const lights = spotsOver(FLOOR, 40, random).map((one) => {
       const place = [0, 1, 2].map((k) => random.from(box[k]!, box[k + 3]!));
       place[1]! += 0.05 * unit;
-      return { ...one, position: [...place, 1] as unknown as LightValues['position'], aperture: 20 };
+      return {
+        ...one,
+        position: [...place, 1] as unknown as LightValues['position'],
+        aperture: 20,
+      };
     });
     const { size, step } = divided(lights, box);
     const count = size[0] * size[1] * size[2];
@@ -269,9 +320,11 @@ describe('cells', () => {
 
 describe('a grid is made where it pays', () => {
   const random = new Random(SEED);
-  const times = (count: number, one: LightValues): LightValues[] => Array.from({ length: count }, () => one);
+  const times = (count: number, one: LightValues): LightValues[] =>
+    Array.from({ length: count }, () => one);
   const suns = (count: number) => times(count, light({ position: [0, 1, 0, 0] }));
-  const lamps = (count: number) => times(count, light({ position: [0, 1, 0, 1], attenuation: [1, 0, 1000] }));
+  const lamps = (count: number) =>
+    times(count, light({ position: [0, 1, 0, 1], attenuation: [1, 0, 1000] }));
   const spots = (count: number) => spotsOver(FLOOR, count, random);
   const wide = (count: number) => spotsOver(FLOOR, count, random, { axis: DOWN, aperture: 88 });
   const above = (count: number, height: number, aperture: number) =>
@@ -286,7 +339,11 @@ describe('a grid is made where it pays', () => {
     ['more than half lamps', [...spots(30), ...lamps(31)], false],
     ['spots that reach most cells', wide(40), false],
     ['a quarter of such spots', [...wide(10), ...spots(30)], true],
-    ['one of them, and spots that reach nearly half of the cells', [...wide(1), ...above(30, 6.5, 48)], true],
+    [
+      'one of them, and spots that reach nearly half of the cells',
+      [...wide(1), ...above(30, 6.5, 48)],
+      true,
+    ],
     ['ten of them, and such spots', [...wide(10), ...above(30, 6.5, 48)], false],
     ['spots that reach 113 of 400 cells', above(40, 6, 45), true],
     ['spots that reach 254 of 400 cells', above(40, 9, 45), false],

@@ -25,7 +25,9 @@ it('the defines of the layout name each thing once, ints for whole numbers and f
   expect(defines.size).toBe(layoutDefines().split('\n').length);
   expect(defines.get('TEXTURE_ROWS_LOG2')).toBe('10');
   expect(defines.get('LIMIT_OPEN')).toBe('4.0');
-  for (const name of ['NEAREST_SQUARED', 'LEAST_EXPONENT', 'TINY']) expect(defines.get(name)).toMatch(/[.e]/);
+  for (const name of ['NEAREST_SQUARED', 'LEAST_EXPONENT', 'TINY']) {
+    expect(defines.get(name)).toMatch(/[.e]/);
+  }
   expect(Number(defines.get('TINY'))).toBe(2 ** -120);
   expect(Number(defines.get('NEAREST_SQUARED'))).toBeCloseTo(1e-30, 44);
 });
@@ -40,7 +42,9 @@ describe('the layout', () => {
   });
 
   it('has thresholds that float32 holds, a limit that no chord reaches, and texture rows for every device', () => {
-    for (const n of [NEAREST, NEAREST * NEAREST, LEAST_EXPONENT]) expect(Math.fround(n)).toBeGreaterThan(2 ** -126); // normal numbers
+    for (const n of [NEAREST, NEAREST * NEAREST, LEAST_EXPONENT]) {
+      expect(Math.fround(n)).toBeGreaterThan(2 ** -126); // normal numbers
+    }
     expect(LIMIT_OPEN).toBeGreaterThan(1);
     expect(Math.fround(LIMIT_OPEN)).toBe(LIMIT_OPEN);
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);

@@ -1,4 +1,5 @@
-// Which lights does a picture have, in which order, and when do its version and its listener change?
+// Which lights does a picture have, in which order, and when do its version and its listener
+// change?
 
 import { describe, expect, it, vi } from 'vitest';
 import { LightSet } from '../../../src/phong/light/light-set.js';
@@ -16,7 +17,9 @@ function names({ lights, values }: LightSet): string {
   return values.map(({ name }) => name).join('');
 }
 
-/** By how much the set's versions grow: that of all changes, and that of those which are no moves. */
+/**
+ * By how much the set's versions grow: that of all changes, and that of those which are no moves.
+ */
 function growth(set: LightSet, change: () => void): [all: number, kinds: number] {
   const { version, kindVersion } = set;
   change();
@@ -28,7 +31,9 @@ describe('a set of lights', () => {
     const [a, b, c] = three();
     const set = new LightSet();
     expect([names(set), set.version]).toEqual(['', 0]);
-    for (const one of [b, a, c]) set.add(one);
+    for (const one of [b, a, c]) {
+      set.add(one);
+    }
     expect(names(set)).toBe('bac');
     const list = [a, b];
     set.assign(list);

@@ -1,4 +1,5 @@
-// Are a picture's lights packed again whenever something changed, and then as a new picture packs them?
+// Are a picture's lights packed again whenever something changed, and then as a new picture packs
+// them?
 
 import fc from 'fast-check';
 import { PerspectiveCamera } from 'three';
@@ -28,7 +29,14 @@ function packedBy(lighting: PhongLighting, { frame, linear }: Picture): object {
   lighting.linear = linear;
   lighting.updateFrame(frame);
   const { data, rows, active, sent, counts, features } = lighting.packed;
-  return { rows, active, sent, counts, data: [...data.slice(0, rows * 4)], features: [...features.slice(0, sent)] };
+  return {
+    rows,
+    active,
+    sent,
+    counts,
+    data: [...data.slice(0, rows * 4)],
+    features: [...features.slice(0, sent)],
+  };
 }
 
 const coordinate = fc.double({ min: -9, max: 9, noNaN: true });
@@ -37,7 +45,10 @@ const place = fc.oneof(
   fc.constant<[number, number, number]>([0, 0, 0]),
 );
 
-/** Half of them without cone and decay: what a directional light's constant cone leaves of it changes as it turns. */
+/**
+ * Half of them without cone and decay: what a directional light's constant cone leaves of it
+ * changes as it turns.
+ */
 const light = fc.oneof(
   anyLight,
   anyLight.map((values) => ({ ...values, aperture: 180, cutoff: 0 })),
@@ -48,7 +59,9 @@ const change: fc.Arbitrary<(picture: Picture) => void> = fc.oneof(
   {
     weight: 3,
     arbitrary: place.map((to) => ({ lights }: Picture) => {
-      for (const light of lights.lights) light.set('position', [...to, light.values.position[3]]);
+      for (const light of lights.lights) {
+        light.set('position', [...to, light.values.position[3]]);
+      }
     }),
   },
   fc.tuple(fc.nat(), light).map(([i, values]) => ({ lights }: Picture) => {
@@ -75,16 +88,27 @@ const change: fc.Arbitrary<(picture: Picture) => void> = fc.oneof(
 );
 
 it(`a picture packs what a new picture packs, whatever changes between frames (seed ${SEED})`, () => {
-  const frames = fc.array(fc.array(change, { minLength: 1, maxLength: 2 }), { minLength: 2, maxLength: 8 });
+  const frames = fc.array(fc.array(change, { minLength: 1, maxLength: 2 }), {
+    minLength: 2,
+    maxLength: 8,
+  });
   fc.assert(
     fc.property(fc.array(light, { maxLength: 4 }), frames, (lights, changes) => {
-      const picture: Picture = { lights: new LightSet(), frame: frameAt([0, 0, 0], 0), linear: false };
+      const picture: Picture = {
+        lights: new LightSet(),
+        frame: frameAt([0, 0, 0], 0),
+        linear: false,
+      };
       picture.lights.assign(lights.map((values) => new LightState(values)));
       const lighting = new PhongLighting(picture.lights);
       packedBy(lighting, picture);
       for (const inOneFrame of changes) {
-        for (const happen of inOneFrame) happen(picture);
-        expect(packedBy(lighting, picture)).toStrictEqual(packedBy(new PhongLighting(picture.lights), picture));
+        for (const happen of inOneFrame) {
+          happen(picture);
+        }
+        expect(packedBy(lighting, picture)).toStrictEqual(
+          packedBy(new PhongLighting(picture.lights), picture),
+        );
       }
     }),
     { numRuns: 500, seed: SEED },
@@ -105,7 +129,9 @@ it('a three.js camera gives the same as a frame with the same eye, axes and orig
   expect(byCamera.origin).toStrictEqual([14, 3, 7]);
   expect(byCamera.eye.value.distanceTo(byFrame.eye.value)).toBeLessThan(1e-12);
   const { data: packed, rows } = byFrame.packed;
-  byCamera.packed.data.subarray(0, rows * 4).forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
+  byCamera.packed.data
+    .subarray(0, rows * 4)
+    .forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
   byCamera.update(camera);
   expect(byCamera.origin).toStrictEqual([0, 0, 0]);
 });

@@ -1,5 +1,5 @@
-// What happens to programs after their first draw? Broken ones are reported, and the attribute lists of the others stay
-// as they are.
+// What happens to programs after their first draw? Broken ones are reported, and the attribute
+// lists of the others stay as they are.
 import type { WebGLRenderer } from 'three';
 import { expect, it, vi } from 'vitest';
 import { checkLinks } from '../../../src/phong/material/program/program-cache.js';

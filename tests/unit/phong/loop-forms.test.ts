@@ -1,5 +1,6 @@
-// Does the stress run measure every program that is shipped? A new form, condition or feature fails here until a stress
-// case has it. Do the published tables match the results of every category and stack, and does the contract hold there?
+// Does the stress run measure every program that is shipped? A new form, condition or feature fails
+// here until a stress case has it. Do the published tables match the results of every category and
+// stack, and does the contract hold there?
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { LIGHT_FEATURES } from '../../../src/phong/light/light-layout.js';
@@ -27,8 +28,8 @@ const ELSEWHERE: Readonly<Record<string, string>> = {
 };
 
 /**
- * Of every category but those with very many lights, which are lights of others: enough that each shows every kind of
- * light and exponent that it has.
+ * Of every category but those with very many lights, which are lights of others: enough that each
+ * shows every kind of light and exponent that it has.
  */
 const cases = CATEGORIES.filter(({ lights = 1 }) => lights <= 8).flatMap(({ make, variants }) =>
   variants.flatMap((variant) => {
@@ -38,16 +39,23 @@ const cases = CATEGORIES.filter(({ lights = 1 }) => lights <= 8).flatMap(({ make
 );
 /** The names of all programs that a stress run measures. */
 const names = [
-  ...new Set(cases.flatMap(({ stress, variant }) => [...programsFor(stress, variant)].map(({ name }) => name))),
+  ...new Set(
+    cases.flatMap(({ stress, variant }) =>
+      [...programsFor(stress, variant)].map(({ name }) => name),
+    ),
+  ),
 ];
 const BOTH = new Set([true, false]);
 
-const text = (path: string): string => readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
+const text = (path: string): string =>
+  readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8');
 const stacks = readStacks();
 
 describe('the stress run', () => {
   it('draws the general program and every specialised form', () => {
-    expect(new Set(names.map((name) => name.split(' ')[0]))).toEqual(new Set(['general', ...FORMS]));
+    expect(new Set(names.map((name) => name.split(' ')[0]))).toEqual(
+      new Set(['general', ...FORMS]),
+    );
   });
 
   it('draws with and without each condition that changes what a program computes', () => {
@@ -56,20 +64,32 @@ describe('the stress run', () => {
     for (const condition of conditions) {
       // HAS_… leaves code out: the numbers of what is left stay.
       if (condition in ELSEWHERE || /^(HAS|STORAGE|FEATURE)_/.test(condition)) continue;
-      expect(new Set(names.map((name) => name.split(' ').includes(condition))), condition).toEqual(BOTH);
+      expect(new Set(names.map((name) => name.split(' ').includes(condition))), condition).toEqual(
+        BOTH,
+      );
     }
     const general = names.filter((name) => name.startsWith('general'));
-    expect(new Set(general.map((name) => name.includes('without'))), 'code for steep spots').toEqual(BOTH);
+    expect(
+      new Set(general.map((name) => name.includes('without'))),
+      'code for steep spots',
+    ).toEqual(BOTH);
   });
 
   it('has lights with and without each feature', () => {
-    const { powerShift, directional: _directional, point: _point, spot: _spot, ...bits } = LIGHT_FEATURES;
+    const {
+      powerShift,
+      directional: _directional,
+      point: _point,
+      spot: _spot,
+      ...bits
+    } = LIGHT_FEATURES;
     const masks = cases.flatMap(({ stress, variant }) => {
       const { features, sent } = pack(stress, variant);
       return [...features.subarray(0, sent)];
     });
-    for (const [name, bit] of Object.entries(bits))
+    for (const [name, bit] of Object.entries(bits)) {
       expect(new Set(masks.map((mask) => (mask & bit) !== 0)), name).toEqual(BOTH);
+    }
     expect(new Set(masks.map((mask) => mask >> powerShift > 0))).toEqual(BOTH);
   });
 
@@ -77,14 +97,17 @@ describe('the stress run', () => {
     const lights = cases.flatMap(({ stress }) => stress.lights);
     for (const [key, { shading }] of Object.entries(LIGHT_FIELDS)) {
       const values = new Set(lights.map((light) => String(light[key as keyof typeof light])));
-      if (typeof shading === 'object') expect(values.size, key).toBeGreaterThan(1);
+      if (typeof shading === 'object') {
+        expect(values.size, key).toBeGreaterThan(1);
+      }
     }
   });
 
   it('takes the programs that the shipped code makes for a case', () => {
     for (const { stress, variant } of cases) {
-      const texts = [programsFor(stress, variant), freshProgramsFor(stress, variant)].map((programs) =>
-        Array.from(programs, ({ name, defines }) => `${name}: ${defines.join(', ')}`).join('\n'),
+      const texts = [programsFor(stress, variant), freshProgramsFor(stress, variant)].map(
+        (programs) =>
+          Array.from(programs, ({ name, defines }) => `${name}: ${defines.join(', ')}`).join('\n'),
       );
       expect(texts[0]).toBe(texts[1]);
     }
@@ -93,8 +116,9 @@ describe('the stress run', () => {
   it('was made in every category and every form of program on one stack at least', () => {
     const whole = stacks.filter(
       (stack) =>
-        Object.values(stack.drivers).every(({ measured }) => measured.length === CATEGORIES.length) &&
-        names.every((name) => formNames([stack]).includes(name)),
+        Object.values(stack.drivers).every(
+          ({ measured }) => measured.length === CATEGORIES.length,
+        ) && names.every((name) => formNames([stack]).includes(name)),
     );
     expect(whole).not.toEqual([]);
   });
@@ -121,13 +145,20 @@ describe('the published contract', () => {
       { ...first, loop: LOOP_MARK },
     ];
     const report = reportText(both, LOOP_MARK);
-    for (const part of ['| as shipped |', '| an earlier one |', `| ${title} | ${String(bound)} | not measured here |`])
+    for (const part of [
+      '| as shipped |',
+      '| an earlier one |',
+      `| ${title} | ${String(bound)} | not measured here |`,
+    ]) {
       expect(report).toContain(part);
+    }
   });
 
   it('was measured in software and on a GPU, on at least four stacks', () => {
     expect(stacks.length).toBeGreaterThanOrEqual(4);
-    expect(stacks.map(({ renderer }) => renderer).join()).toMatch(/SwiftShader.*NVIDIA|NVIDIA.*SwiftShader/);
+    expect(stacks.map(({ renderer }) => renderer).join()).toMatch(
+      /SwiftShader.*NVIDIA|NVIDIA.*SwiftShader/,
+    );
   });
 
   describe.each(stacks)('on $name', ({ contract, drivers }) => {
@@ -136,7 +167,9 @@ describe('the published contract', () => {
       const ids = measured.map(({ id }) => id);
       const today = CATEGORIES.filter(({ id }) => ids.includes(id));
       expect(ids).toEqual(today.map(({ id }) => id));
-      measured.forEach(({ id, bound }, i) => expect(bound, id).toBeLessThanOrEqual(today[i]!.bound));
+      measured.forEach(({ id, bound }, i) =>
+        expect(bound, id).toBeLessThanOrEqual(today[i]!.bound),
+      );
       expect([contract.edge, contract.exact.share]).toEqual([CONE_EDGE, EXACT.share]);
       // What left out less, and held, holds.
       for (const key of Object.keys(BRANCHES) as (keyof typeof BRANCHES)[]) {
@@ -146,7 +179,9 @@ describe('the published contract', () => {
 
     it('holds, on its own driver and on the worst lawful ones', () => {
       expect(Object.keys(drivers).sort()).toEqual(['shipped', ...WORST_DRIVERS].sort());
-      for (const { broken } of Object.values(drivers)) expect(broken).toEqual([]);
+      for (const { broken } of Object.values(drivers)) {
+        expect(broken).toEqual([]);
+      }
     });
   });
 });

@@ -1,4 +1,5 @@
-// Which part of a text from outside does a message repeat, and which known word does a misspelled one mean?
+// Which part of a text from outside does a message repeat, and which known word does a misspelled
+// one mean?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -6,7 +7,9 @@ import { clip, clipMessage } from '../../../src/phong/fields/clip.js';
 import { nearest } from '../../../src/phong/fields/nearest.js';
 
 it('a text is clipped after 100 characters, never in the middle of a surrogate pair', () => {
-  for (const text of ['', 'red', 'x'.repeat(100), '😀'.repeat(50)]) expect(clip(text)).toBe(text);
+  for (const text of ['', 'red', 'x'.repeat(100), '😀'.repeat(50)]) {
+    expect(clip(text)).toBe(text);
+  }
   expect(clip('x'.repeat(101))).toBe(`${'x'.repeat(100)}...`);
   expect(clip('x'.repeat(1e6))).toHaveLength(103);
   expect(clip(`${'x'.repeat(99)}😀`)).toBe(`${'x'.repeat(99)}...`);
@@ -14,7 +17,9 @@ it('a text is clipped after 100 characters, never in the middle of a surrogate p
 });
 
 it('a clipped message keeps its sentence around a long word, and is bounded whatever it contains', () => {
-  const message = clipMessage(`https://example.test/${'a'.repeat(1e5)} is empty. Check the address.`);
+  const message = clipMessage(
+    `https://example.test/${'a'.repeat(1e5)} is empty. Check the address.`,
+  );
   expect(message).toMatch(/^https:\/\/example\.test\/a{79}\.\.\. is empty\. Check the address\.$/);
   expect(clipMessage('a b '.repeat(1e5))).toHaveLength(503);
   expect(clipMessage(`${'😀'.repeat(60)} `.repeat(1e3)).length).toBeLessThan(520);
@@ -28,8 +33,14 @@ function distance(a: string, b: string): number {
     table.push([]);
     for (let j = 0; j <= b.length; j++) {
       const swapped = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
-      const steps = [at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + (a[i - 1] === b[j - 1] ? 0 : 1)];
-      table[i]!.push(i + j === 0 ? 0 : Math.min(...steps, swapped ? at(i - 2, j - 2) + 1 : Infinity));
+      const steps = [
+        at(i - 1, j) + 1,
+        at(i, j - 1) + 1,
+        at(i - 1, j - 1) + (a[i - 1] === b[j - 1] ? 0 : 1),
+      ];
+      table[i]!.push(
+        i + j === 0 ? 0 : Math.min(...steps, swapped ? at(i - 2, j - 2) + 1 : Infinity),
+      );
     }
   }
   return at(a.length, b.length);
@@ -40,7 +51,9 @@ describe('the nearest word', () => {
     const words = ['shading', 'diffuse', 'position', 'scale', 'ka', 'kd', 'src', 'fov', 'radius'];
     expect(nearest('poistoin', words)).toBe('position');
     expect(nearest('scael', words)).toBe('scale');
-    for (const far of ['', 'light', 'srcset', 'x'.repeat(1e6)]) expect(nearest(far, words)).toBeUndefined();
+    for (const far of ['', 'light', 'srcset', 'x'.repeat(1e6)]) {
+      expect(nearest(far, words)).toBeUndefined();
+    }
   });
 
   it('is the one with fewer edits, whatever the order', () => {

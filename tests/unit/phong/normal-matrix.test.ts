@@ -1,5 +1,5 @@
-// Do normals get from model to shading space for every matrix that a mesh may have? Scales to 1e±12 and float32: the
-// stress categories of meshes.
+// Do normals get from model to shading space for every matrix that a mesh may have? Scales to 1e±12
+// and float32: the stress categories of meshes.
 
 import fc from 'fast-check';
 import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
@@ -35,11 +35,16 @@ const near = (a: Vector3, b: Vector3): void => {
 describe('the normal matrix', () => {
   it('agrees with the inverse transpose for every regular matrix, mirrored ones included', () => {
     fc.assert(
-      fc.property(angles, fc.tuple(factor, factor, factor), plainVector, (rotation, scale, normal) => {
-        const model = place(rotation, scale);
-        const inverse = new Matrix3().setFromMatrix4(model).invert().transpose();
-        near(through(model, normal), new Vector3(...normal).applyMatrix3(inverse).normalize());
-      }),
+      fc.property(
+        angles,
+        fc.tuple(factor, factor, factor),
+        plainVector,
+        (rotation, scale, normal) => {
+          const model = place(rotation, scale);
+          const inverse = new Matrix3().setFromMatrix4(model).invert().transpose();
+          near(through(model, normal), new Vector3(...normal).applyMatrix3(inverse).normalize());
+        },
+      ),
     );
   });
 
@@ -48,22 +53,30 @@ describe('the normal matrix', () => {
     [1, [2, 0, 3]],
     [2, [2, 3, 0]],
     [2, [-2, 3, 0]],
-  ] as const)('leaves the normals along axis %i alone where the scale %j flattens a mesh', (flat, scale) => {
-    fc.assert(
-      fc.property(angles, plainVector, (rotation, normal) => {
-        const along = normal[flat];
-        const got = new Vector3(...normal).applyMatrix3(normals(place(rotation, scale)));
-        if (along === 0) {
-          expect(got.length()).toBe(0);
-          return;
-        }
-        const turned = new Vector3().setComponent(flat, 1).transformDirection(place(rotation, [1, 1, 1]));
-        // The cofactors of the two scales that are left have their sign: it is the side that the triangles face.
-        const side = Math.sign(along) * Math.sign(scale.reduce((product, s) => (s === 0 ? product : product * s), 1));
-        near(got.normalize(), turned.multiplyScalar(side));
-      }),
-    );
-  });
+  ] as const)(
+    'leaves the normals along axis %i alone where the scale %j flattens a mesh',
+    (flat, scale) => {
+      fc.assert(
+        fc.property(angles, plainVector, (rotation, normal) => {
+          const along = normal[flat];
+          const got = new Vector3(...normal).applyMatrix3(normals(place(rotation, scale)));
+          if (along === 0) {
+            expect(got.length()).toBe(0);
+            return;
+          }
+          const turned = new Vector3()
+            .setComponent(flat, 1)
+            .transformDirection(place(rotation, [1, 1, 1]));
+          // The cofactors of the two scales that are left have their sign: it is the side that the
+          // triangles face.
+          const side =
+            Math.sign(along) *
+            Math.sign(scale.reduce((product, s) => (s === 0 ? product : product * s), 1));
+          near(got.normalize(), turned.multiplyScalar(side));
+        }),
+      );
+    },
+  );
 
   it.each([[[1, 0, 0]], [[0, 0, 1]], [[0, 0, 0]]])(
     'is zero, never NaN, where the scale %j makes a mesh a line or a point',
@@ -86,7 +99,9 @@ describe('the normal matrix', () => {
     );
     fc.assert(
       fc.property(fc.array(entry, { minLength: 16, maxLength: 16 }), (entries) => {
-        expect(normals(new Matrix4().fromArray(entries)).elements.every(Number.isFinite)).toBe(true);
+        expect(normals(new Matrix4().fromArray(entries)).elements.every(Number.isFinite)).toBe(
+          true,
+        );
       }),
     );
   });

@@ -1,5 +1,5 @@
-// Does OrbitInput turn events into camera moves, and does a drag that ends where it began leave a trace? On a surface
-// made of Node's EventTarget; tests/element uses real pointers.
+// Does OrbitInput turn events into camera moves, and does a drag that ends where it began leave a
+// trace? On a surface made of Node's EventTarget; tests/element uses real pointers.
 
 import { describe, expect, it, vi } from 'vitest';
 import { Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
@@ -34,7 +34,14 @@ class FakeSurface extends EventTarget {
   }
 }
 
-const MOUSE = { pointerId: 1, pointerType: 'mouse', button: 0, buttons: 1, clientY: 0, shiftKey: false };
+const MOUSE = {
+  pointerId: 1,
+  pointerType: 'mouse',
+  button: 0,
+  buttons: 1,
+  clientY: 0,
+  shiftKey: false,
+};
 const SECONDARY = { button: 2, buttons: 2 };
 
 function setUp() {
@@ -58,20 +65,39 @@ function setUp() {
   /** Dispatches an event and returns whether its default action was prevented. */
   const fire = (type: string, values: object = {}, on: EventTarget = surface): boolean => {
     const event = new Event(type, { cancelable: true });
-    for (const [key, value] of Object.entries(values)) Object.defineProperty(event, key, { value });
+    for (const [key, value] of Object.entries(values)) {
+      Object.defineProperty(event, key, { value });
+    }
     return !on.dispatchEvent(event);
   };
   const mouse = (type: string, clientX: number, values: object = {}): boolean =>
     fire(type, { ...MOUSE, clientX, ...values });
   const touch = (type: string, pointerId: number, clientX: number, clientY = 0): boolean =>
     mouse(type, clientX, { pointerType: 'touch', pointerId, clientY });
-  const wheel = (deltaY: number, values: object = {}): boolean => fire('wheel', { deltaY, deltaMode: 0, ...values });
-  const key = (name: string, values: object = {}): boolean => fire('keydown', { key: name, ...values });
+  const wheel = (deltaY: number, values: object = {}): boolean =>
+    fire('wheel', { deltaY, deltaMode: 0, ...values });
+  const key = (name: string, values: object = {}): boolean =>
+    fire('keydown', { key: name, ...values });
   const listening = vi.spyOn(window, 'addEventListener');
   /** Whether the next click is kept from the page. */
   const keepsClick = (): boolean => listening.mock.calls.some(([type]) => type === 'click');
   const menu = (timeStamp: number): boolean => fire('contextmenu', { timeStamp }, window);
-  return { surface, window, orbit, log, size, allows, input, fire, mouse, touch, wheel, key, menu, keepsClick };
+  return {
+    surface,
+    window,
+    orbit,
+    log,
+    size,
+    allows,
+    input,
+    fire,
+    mouse,
+    touch,
+    wheel,
+    key,
+    menu,
+    keepsClick,
+  };
 }
 
 describe('the pointer', () => {
@@ -89,16 +115,23 @@ describe('the pointer', () => {
     expect(log).toStrictEqual(['held', 'pointer', 'let go']);
   });
 
-  it.each(['pointercancel', 'lostpointercapture', 'blur', 'a move without buttons'])('ends the drag at %s', (what) => {
-    const { orbit, input, fire, mouse, window } = setUp();
-    mouse('pointerdown', 100);
-    if (what === 'blur') fire('blur', {}, window);
-    else if (what === 'a move without buttons') mouse('pointermove', 150, { buttons: 0 });
-    else mouse(what, 100);
-    expect(input.dragging).toBe(false);
-    mouse('pointermove', 200);
-    expect(orbit.version).toBe(0);
-  });
+  it.each(['pointercancel', 'lostpointercapture', 'blur', 'a move without buttons'])(
+    'ends the drag at %s',
+    (what) => {
+      const { orbit, input, fire, mouse, window } = setUp();
+      mouse('pointerdown', 100);
+      if (what === 'blur') {
+        fire('blur', {}, window);
+      } else if (what === 'a move without buttons') {
+        mouse('pointermove', 150, { buttons: 0 });
+      } else {
+        mouse(what, 100);
+      }
+      expect(input.dragging).toBe(false);
+      mouse('pointermove', 200);
+      expect(orbit.version).toBe(0);
+    },
+  );
 
   it('shifts the target with Shift or the secondary button, and ignores other buttons', () => {
     for (const values of [{ shiftKey: true }, SECONDARY]) {
@@ -232,7 +265,9 @@ describe('keys', () => {
 
   it('are ignored with Ctrl, Alt or Meta, and if they have no meaning', () => {
     const { log, key } = setUp();
-    for (const modifier of ['ctrlKey', 'altKey', 'metaKey']) expect(key('ArrowUp', { [modifier]: true })).toBe(false);
+    for (const modifier of ['ctrlKey', 'altKey', 'metaKey']) {
+      expect(key('ArrowUp', { [modifier]: true })).toBe(false);
+    }
     expect(key('a')).toBe(false);
     expect(log).toStrictEqual([]);
   });
@@ -282,16 +317,19 @@ describe('defaults of the browser', () => {
     expect(fire(type, {}, on)).toBe(false);
   });
 
-  it.each(['touchstart', 'touchmove'])('%s is prevented for two fingers that hold the picture', (type) => {
-    const { fire, touch } = setUp();
-    const fingers = (length: number): boolean => fire(type, { targetTouches: { length } });
-    expect(fingers(2)).toBe(false);
-    touch('pointerdown', 1, 0);
-    expect(fingers(1)).toBe(false);
-    expect(fingers(2)).toBe(true);
-    touch('pointerdown', 2, 50);
-    expect(fingers(3)).toBe(true);
-  });
+  it.each(['touchstart', 'touchmove'])(
+    '%s is prevented for two fingers that hold the picture',
+    (type) => {
+      const { fire, touch } = setUp();
+      const fingers = (length: number): boolean => fire(type, { targetTouches: { length } });
+      expect(fingers(2)).toBe(false);
+      touch('pointerdown', 1, 0);
+      expect(fingers(1)).toBe(false);
+      expect(fingers(2)).toBe(true);
+      touch('pointerdown', 2, 50);
+      expect(fingers(3)).toBe(true);
+    },
+  );
 
   it('the context menu opens after a press of the secondary button, but not during or once after its drag', () => {
     const { mouse, menu } = setUp();
@@ -361,14 +399,23 @@ function randomSetUp() {
   });
   /** Up to four moves; any of them can be a return to the start. */
   const wander = (more?: object): void => {
-    for (let moves = Math.ceil(4 * random()); moves > 0; moves--) pointer('pointermove', anyPlace(), more);
+    for (let moves = Math.ceil(4 * random()); moves > 0; moves--) {
+      pointer('pointermove', anyPlace(), more);
+    }
   };
-  /** Repeats `drag`, which returns the pose that it should end in, each time from the pose that the last one left. */
+  /**
+   * Repeats `drag`, which returns the pose that it should end in, each time from the pose that the
+   * last one left.
+   */
   const expectNoTrace = (drags: number, drag: () => Pose): void => {
     for (let i = 0; i < drags; i++) {
-      if (i % 1000 === 0) hand.orbit.set(anyPose());
+      if (i % 1000 === 0) {
+        hand.orbit.set(anyPose());
+      }
       const [expected, { pose }] = [drag(), hand.orbit];
-      if (JSON.stringify(pose) !== JSON.stringify(expected)) expect(pose, `drag ${i}`).toStrictEqual(expected);
+      if (JSON.stringify(pose) !== JSON.stringify(expected)) {
+        expect(pose, `drag ${i}`).toStrictEqual(expected);
+      }
     }
   };
   return { ...hand, random, from, pointer, anyPlace, anyPose, wander, expectNoTrace };
@@ -385,7 +432,9 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
       const [start, button] = [anyPlace(), buttons[Math.floor(3 * random())]];
       pointer('pointerdown', start, button);
       wander(button);
-      if (orbit.version > version) moved += 1;
+      if (orbit.version > version) {
+        moved += 1;
+      }
       pointer('pointermove', start, button);
       pointer('pointerup', start, { ...button, buttons: 0 });
       return pose;
@@ -401,7 +450,9 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
       const { pose } = orbit;
       const starts = [anyPlace(), anyPlace()];
       starts.forEach((start, i) => pointer('pointerdown', start, finger(i)));
-      for (let pair = 0; pair < 3; pair++) wander(finger(Math.floor(2 * random())));
+      for (let pair = 0; pair < 3; pair++) {
+        wander(finger(Math.floor(2 * random())));
+      }
       starts.forEach((start, i) => pointer('pointermove', start, finger(i)));
       starts.forEach((start, i) => pointer('pointerup', start, finger(i)));
       return pose;
@@ -410,19 +461,28 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
   });
 
   it('returns exactly to the pose that the wheel, a key, a resize or a property set during it', () => {
-    const { orbit, input, size, pointer, anyPlace, anyPose, random, from, wheel, key, ...hand } = randomSetUp();
+    const { orbit, input, size, pointer, anyPlace, anyPose, random, from, wheel, key, ...hand } =
+      randomSetUp();
     const KEYS = ['ArrowLeft', 'ArrowUp', 'PageUp', '-'];
     const disturbances = [
       () => wheel(from(-200, 200)),
       () => key(KEYS[Math.floor(4 * random())]!),
-      // As the element does it: the observer reports the size, and a drag in progress continues from there.
+      // As the element does it: the observer reports the size, and a drag in progress continues
+      // from there.
       () => {
-        Object.assign(size, { width: Math.round(from(1, 2000)), height: Math.round(from(1, 2000)) });
-        if (random() < 0.5) input.reanchor();
+        Object.assign(size, {
+          width: Math.round(from(1, 2000)),
+          height: Math.round(from(1, 2000)),
+        });
+        if (random() < 0.5) {
+          input.reanchor();
+        }
       },
       () => {
         orbit.set(anyPose());
-        if (random() < 0.5) input.reanchor();
+        if (random() < 0.5) {
+          input.reanchor();
+        }
       },
     ];
     const drag = (): Pose => {
@@ -444,18 +504,26 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     const { orbit, pointer, from, wheel } = randomSetUp();
     let worst = 0;
     for (let drag = 0; drag < fullOr(1e5, 1000); drag++) {
-      // Not beyond the poles: there the camera stops and the pointer goes on, and a new anchor drops the difference.
+      // Not beyond the poles: there the camera stops and the pointer goes on, and a new anchor
+      // drops the difference.
       orbit.set({ theta: from(-1000, 1000), phi: from(80, 100) });
       const { pose } = orbit;
       const start = { clientX: from(0, 600), clientY: from(0, 400) };
       pointer('pointerdown', start);
       for (let turn = 0; turn < 3; turn++) {
-        pointer('pointermove', { clientX: from(-3000, 3000), clientY: start.clientY + from(-170, 170) });
+        pointer('pointermove', {
+          clientX: from(-3000, 3000),
+          clientY: start.clientY + from(-170, 170),
+        });
         wheel(from(-200, 200));
       }
       pointer('pointermove', start);
       pointer('pointerup', start, { buttons: 0 });
-      worst = Math.max(worst, Math.abs(wrapDegrees(orbit.theta - pose.theta)), Math.abs(orbit.phi - pose.phi));
+      worst = Math.max(
+        worst,
+        Math.abs(wrapDegrees(orbit.theta - pose.theta)),
+        Math.abs(orbit.phi - pose.phi),
+      );
     }
     // Measured: 1.4e-12 degrees, for angles to 2800.
     expect(worst).toBeLessThan(5e-12);

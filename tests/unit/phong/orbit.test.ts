@@ -1,5 +1,5 @@
-// Do the orbit's state and its basis match the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ)? At poles and
-// quarter turns too, and at doubles beside them, down to the smallest.
+// Do the orbit's state and its basis match the definition eye = target + r(sinφ sinθ, cosφ, sinφ
+// cosθ)? At poles and quarter turns too, and at doubles beside them, down to the smallest.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -58,7 +58,11 @@ describe('the basis', () => {
           length(subtract(cross(back, right), up)),
         ];
         expect(Math.max(...off.map(Math.abs))).toBeLessThanOrEqual(1e-15);
-        const travel = [subtract(there.right, right), subtract(there.up, up), subtract(there.back, back)].map(length);
+        const travel = [
+          subtract(there.right, right),
+          subtract(there.up, up),
+          subtract(there.back, back),
+        ].map(length);
         // Rounding of both.
         const most = (Math.PI / 180) * Math.abs(phi - other) + 4 * Number.EPSILON;
         expect(Math.max(...travel)).toBeLessThanOrEqual(most);
@@ -68,8 +72,12 @@ describe('the basis', () => {
   });
 
   it('keeps the eye off the axis near a pole, however small the polar angle is', () => {
-    for (let phi = 1e-9; phi > 0; phi /= 10)
-      expect(basisOf({ theta: 90, phi }).back.slice(0, 2)).toStrictEqual([phi * (Math.PI / 180), 1]);
+    for (let phi = 1e-9; phi > 0; phi /= 10) {
+      expect(basisOf({ theta: 90, phi }).back.slice(0, 2)).toStrictEqual([
+        phi * (Math.PI / 180),
+        1,
+      ]);
+    }
   });
 });
 
@@ -77,13 +85,18 @@ describe('the eye', () => {
   it('lies at its definition', () => {
     const theta = fc.double({ min: -360, max: 360, noNaN: true });
     fc.assert(
-      fc.property(theta, anyPhi, fc.double({ min: 1e-3, max: 1e3, noNaN: true }), (theta, phi, radius) => {
-        const [t, p] = [(theta * Math.PI) / 180, (phi * Math.PI) / 180];
-        const back = [Math.sin(p) * Math.sin(t), Math.cos(p), Math.sin(p) * Math.cos(t)];
-        const eye = new Orbit({ theta, phi, radius, target: [1, 2, 3] }).eye();
-        const off = back.map((x, i) => Math.abs(eye[i]! - (i + 1 + radius * x)));
-        expect(Math.max(...off)).toBeLessThan(1e-14 * (radius + 10));
-      }),
+      fc.property(
+        theta,
+        anyPhi,
+        fc.double({ min: 1e-3, max: 1e3, noNaN: true }),
+        (theta, phi, radius) => {
+          const [t, p] = [(theta * Math.PI) / 180, (phi * Math.PI) / 180];
+          const back = [Math.sin(p) * Math.sin(t), Math.cos(p), Math.sin(p) * Math.cos(t)];
+          const eye = new Orbit({ theta, phi, radius, target: [1, 2, 3] }).eye();
+          const off = back.map((x, i) => Math.abs(eye[i]! - (i + 1 + radius * x)));
+          expect(Math.max(...off)).toBeLessThan(1e-14 * (radius + 10));
+        },
+      ),
     );
   });
 
@@ -136,7 +149,10 @@ describe('setting', () => {
   ])('refuses %o and changes nothing', (change) => {
     const orbit = new Orbit();
     const before = orbit.pose;
-    const refusal = { name: 'RangeError', message: expect.stringMatching(/^a camera needs .*finite/) as string };
+    const refusal = {
+      name: 'RangeError',
+      message: expect.stringMatching(/^a camera needs .*finite/) as string,
+    };
     expect(() => orbit.set({ theta: 1, ...change })).toThrow(expect.objectContaining(refusal));
     expect(orbit.pose).toBe(before);
   });

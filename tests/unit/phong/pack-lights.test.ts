@@ -1,5 +1,5 @@
-// What do the rows of packed lights contain, and which lights are left out? Over the lights' whole domains: finite,
-// consistent, and the reference's sum when read back.
+// What do the rows of packed lights contain, and which lights are left out? Over the lights' whole
+// domains: finite, consistent, and the reference's sum when read back.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -18,7 +18,15 @@ import {
 import { srgbDecode } from '../../../src/phong/math/color.js';
 import { normalize, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import { coefficientsOf, shade } from '../../../src/phong/reference/equation.js';
-import { anyLight, light, numbers, plainLight, plainVector, rotation, triple } from '../arbitraries.js';
+import {
+  anyLight,
+  light,
+  numbers,
+  plainLight,
+  plainVector,
+  rotation,
+  triple,
+} from '../arbitraries.js';
 import { loop, pack, read, WORLD } from '../packed-reader.js';
 
 const f = Math.fround;
@@ -26,21 +34,31 @@ const floats = (...numbers: number[]): number[] => numbers.map(f);
 const colors = { ambient: [51, 102, 153], diffuse: [255, 128, 0], specular: [510, 0, 1] } as const;
 const lamp = { ...colors, position: [1, 2, 3, 1] } as const satisfies Partial<LightValues>;
 const BLACK = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
-const spot = { ...lamp, axis: [0, -3, -4], aperture: 60, cutoff: 12 } as const satisfies Partial<LightValues>;
+const spot = {
+  ...lamp,
+  axis: [0, -3, -4],
+  aperture: 60,
+  cutoff: 12,
+} as const satisfies Partial<LightValues>;
 
 it('keeps colours above 255', () => {
   const [{ diffuse, specular } = {}] = read(pack([light(lamp)])).point;
-  expect([diffuse?.xyz, specular?.xyz]).toStrictEqual([floats(1, 128 / 255, 0), floats(2, 0, 1 / 255)]);
+  expect([diffuse?.xyz, specular?.xyz]).toStrictEqual([
+    floats(1, 128 / 255, 0),
+    floats(2, 0, 1 / 255),
+  ]);
 });
 
 it('makes a cone of no width as wide as float32 needs for its own axis', () => {
-  const limit = (aperture: number): number => read(pack([light({ ...spot, aperture })])).spot[0]!['ambient']!.w;
+  const limit = (aperture: number): number =>
+    read(pack([light({ ...spot, aperture })])).spot[0]!['ambient']!.w;
   expect(2 * Math.asin(Math.sqrt(limit(0)))).toBeCloseTo(1e-6, 9);
   expect(limit(1e-4)).toBe(f(coneLimit(1e-4)));
 });
 
 it('sorts lights by kind, and within a kind as declared', () => {
-  const at = (x: number, more: Partial<LightValues> = {}): LightValues => light({ position: [x, 0, 0, 1], ...more });
+  const at = (x: number, more: Partial<LightValues> = {}): LightValues =>
+    light({ position: [x, 0, 0, 1], ...more });
   const cone = { aperture: 20 };
   const toward = (y: number): LightValues => light({ position: [0, y, 0, 0] });
   const packed = pack([at(1, cone), at(2), toward(1), at(3), at(4, cone), toward(-1)]);
@@ -57,7 +75,11 @@ describe('a light is left out of the loop', () => {
   it.each<[string, Partial<LightValues>, number]>([
     ['switched off', { active: false, ambient: [255, 0, 0] }, 0],
     ['black', BLACK, 0],
-    ['a lamp with ambient colour only', { ...BLACK, position: [1, 2, 3, 1], ambient: [255, 0, 0] }, 1],
+    [
+      'a lamp with ambient colour only',
+      { ...BLACK, position: [1, 2, 3, 1], ambient: [255, 0, 0] },
+      1,
+    ],
     ['a black spot', { ...spot, ...BLACK }, 0],
     ['directional without a direction', { position: [0, 0, 0, 0], ambient: [255, 0, 0] }, 1],
     ['directional and out of its own cone', { ...behind, aperture: 170 }, 0],
@@ -72,7 +94,10 @@ describe('a light is left out of the loop', () => {
 
   it.each<[string, Partial<LightValues>]>([
     ['a light of one colour', { ...BLACK, specular: [0, 0, 5e-3] }],
-    ['a spot with ambient light alone, which its cone limits', { ...spot, ...BLACK, ambient: [0, 5, 0] }],
+    [
+      'a spot with ambient light alone, which its cone limits',
+      { ...spot, ...BLACK, ambient: [0, 5, 0] },
+    ],
     ['a spot with diffuse light alone', { ...spot, ...BLACK, diffuse: [0, 5, 0] }],
     ['a spot with specular light alone', { ...spot, ...BLACK, specular: [0, 5, 0] }],
   ])('but not %s', (_, values) => {
@@ -91,10 +116,13 @@ it('moves and rotates places, but only rotates directions and axes, even the sho
   const worldToShading = [cos, sin, 0, 0, -sin, cos, 0, 0, 0, 0, 1, 0, -100, 0, 0, 1];
   const short = [5e-324, 0, 0] as const;
   const { directional, spot: spots } = read(
-    pack([light({ position: [...short, 0] }), light({ ...spot, axis: short, position: [2, 0, 3, 1] })], {
-      ...WORLD,
-      worldToShading,
-    }),
+    pack(
+      [light({ position: [...short, 0] }), light({ ...spot, axis: short, position: [2, 0, 3, 1] })],
+      {
+        ...WORLD,
+        worldToShading,
+      },
+    ),
   );
   expect(directional[0]!['direction']!.xyz).toStrictEqual(floats(cos, sin, 0));
   expect(spots[0]!['axis']!.xyz).toStrictEqual(floats(cos, sin, 0));
@@ -120,7 +148,9 @@ describe('a pack that is used again', () => {
       cameraToShading: [...z, 0, ...x, 0, ...y, 0, 4, 5, 6, 1],
       linear,
     }));
-    const frames = fc.array(fc.tuple(fc.array(anyLight, { maxLength: 6 }), space), { maxLength: 4 });
+    const frames = fc.array(fc.tuple(fc.array(anyLight, { maxLength: 6 }), space), {
+      maxLength: 4,
+    });
     const essence = ({ data, rows, active, sent, counts, features }: PackedLights): object => ({
       ...{ rows, active, sent, counts },
       data: [...data.subarray(0, rows * 4)],
@@ -139,9 +169,13 @@ describe('a pack that is used again', () => {
 });
 
 describe('a selection of lights', () => {
-  const lights = [{}, lamp, spot, { ...spot, cutoff: 3 }, { ...lamp, diffuse: [1, 2, 3] as const }].map((one) =>
-    light(one),
-  );
+  const lights = [
+    {},
+    lamp,
+    spot,
+    { ...spot, cutoff: 3 },
+    { ...lamp, diffuse: [1, 2, 3] as const },
+  ].map((one) => light(one));
 
   it('is the same as packing these lights alone, except for ambient light, which is summed over all', () => {
     const packed = pack(lights);
@@ -167,7 +201,9 @@ describe('the cone and decay of a directional light', () => {
   it.each([1e-3, 0.5, 10, 45, 89, 91, 120, 179, 179.999])('end at %d degrees', (degrees) => {
     const angle = (degrees * Math.PI) / 180;
     const sent = (aperture: number): number =>
-      pack([light({ position: [Math.sin(angle), Math.cos(angle), 0, 0], axis: [0, -1, 0], aperture })]).sent;
+      pack([
+        light({ position: [Math.sin(angle), Math.cos(angle), 0, 0], axis: [0, -1, 0], aperture }),
+      ]).sent;
     expect([sent(degrees * (1 + 1e-9)), sent(degrees * (1 - 1e-9))]).toEqual([1, 0]);
   });
 
@@ -175,7 +211,12 @@ describe('the cone and decay of a directional light', () => {
     [0, [1, 2, 3], [-1, -2, -3], 1],
     [0, [1, 2, 3], [-0.1, -0.2, -0.3], 1],
     [60, [1, Math.sqrt(3), 0], [-1, 0, 0], 1],
-    ...[1e-3, 1e-8, 1e-10, 1e-14].map((x): [number, Vec3, Vec3, number] => [0, [x, 1, 0], [0, -1, 0], 0]),
+    ...[1e-3, 1e-8, 1e-10, 1e-14].map((x): [number, Vec3, Vec3, number] => [
+      0,
+      [x, 1, 0],
+      [0, -1, 0],
+      0,
+    ]),
     [180 - 1e-9, [0, 1, 0], [0, 1, 0], 0],
     [180 - 1e-9, [1e-12, 1, 0], [0, 1, 0], 0],
     [180 - 1e-9, [1e-10, 1, 0], [0, 1, 0], 1],
@@ -197,13 +238,20 @@ describe('the cone and decay of a directional light', () => {
 
   it('need an axis and a direction', () => {
     const open = { aperture: 0, cutoff: 9, ambient: [255, 0, 0] } as const;
-    expect(read(pack([light({ ...open, axis: [0, 0, 0] })])).directional[0]!['diffuse']!.xyz[0]).toBe(1);
+    expect(
+      read(pack([light({ ...open, axis: [0, 0, 0] })])).directional[0]!['diffuse']!.xyz[0],
+    ).toBe(1);
     expect(read(pack([light({ ...open, position: [0, 0, 0, 0] })])).ambient[0]).toBe(1);
   });
 });
 
 it('includes the same round numbers exactly at the edge as the equation', () => {
-  const surface = { ka: [255, 255, 255], kd: [255, 255, 255], ks: [255, 255, 255], shininess: 1 } as const;
+  const surface = {
+    ka: [255, 255, 255],
+    kd: [255, 255, 255],
+    ks: [255, 255, 255],
+    shininess: 1,
+  } as const;
   const whole = [-2, -1, 0, 1, 2].flatMap((x) =>
     [-2, -1, 0, 1, 2].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)),
   );
@@ -213,9 +261,12 @@ it('includes the same round numbers exactly at the edge as the equation', () => 
     for (const [x, y, z] of vectors) {
       for (const axis of vectors) {
         const spot = light({ position: [x, y, z, 0], axis, aperture });
-        const { shares } = shade({ p: [0, 0, 0], normal: [0, 1, 0], eye: [0, 1, 0] }, surface, [spot]);
-        if (shares[0]?.insideCone !== (pack([spot]).sent === 1))
+        const { shares } = shade({ p: [0, 0, 0], normal: [0, 1, 0], eye: [0, 1, 0] }, surface, [
+          spot,
+        ]);
+        if (shares[0]?.insideCone !== (pack([spot]).sent === 1)) {
           disagreeing.push(`${[x, y, z].join(' ')} | ${axis.join(' ')} | ${aperture}`);
+        }
       }
     }
   }
@@ -227,16 +278,20 @@ describe('lights that only move', () => {
 
   it('are written into the same rows, as packing them anew would', () => {
     fc.assert(
-      fc.property(fc.array(anyLight, { minLength: 1, maxLength: 6 }), rotation, (lights, [x, y, z]) => {
-        const packed = pack(lights);
-        const before = rows(packed);
-        const turned = [...x, 0, ...y, 0, ...z, 0, 1, 2, 3, 1];
-        const elsewhere = { ...WORLD, worldToShading: turned };
-        const anew = emptyPack();
-        packLights(lights, elsewhere, anew);
-        const follows = moveLights(elsewhere, packed);
-        expect(rows(packed)).toStrictEqual(follows ? rows(anew) : before);
-      }),
+      fc.property(
+        fc.array(anyLight, { minLength: 1, maxLength: 6 }),
+        rotation,
+        (lights, [x, y, z]) => {
+          const packed = pack(lights);
+          const before = rows(packed);
+          const turned = [...x, 0, ...y, 0, ...z, 0, 1, 2, 3, 1];
+          const elsewhere = { ...WORLD, worldToShading: turned };
+          const anew = emptyPack();
+          packLights(lights, elsewhere, anew);
+          const follows = moveLights(elsewhere, packed);
+          expect(rows(packed)).toStrictEqual(follows ? rows(anew) : before);
+        },
+      ),
     );
   });
 
@@ -261,7 +316,12 @@ describe('lights that only move', () => {
 
 const place = triple(numbers(-1e15, 1e15));
 
-const spaceOf = ([x, y, z]: readonly [Vec3, Vec3, Vec3], origin: Vec3, eye: Vec3, linear: boolean): PackSpace => ({
+const spaceOf = (
+  [x, y, z]: readonly [Vec3, Vec3, Vec3],
+  origin: Vec3,
+  eye: Vec3,
+  linear: boolean,
+): PackSpace => ({
   worldToShading: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -origin[0], -origin[1], -origin[2], 1],
   cameraToShading: [...x, 0, ...y, 0, ...z, 0, ...subtract(eye, origin), 1],
   linear,
@@ -277,8 +337,12 @@ describe('packed lights of any values', () => {
         const { data, rows } = packed;
         expect(data.subarray(0, rows * 4).findIndex((x) => !Number.isFinite(x))).toBe(-1);
         const { directional, point, spot, ambient, counts } = read(packed);
-        for (const light of directional) expect(Math.hypot(...light['direction']!.xyz)).toBeCloseTo(1, 6);
-        for (const light of spot) expect(Math.hypot(...light['axis']!.xyz)).toBeCloseTo(1, 6);
+        for (const light of directional) {
+          expect(Math.hypot(...light['direction']!.xyz)).toBeCloseTo(1, 6);
+        }
+        for (const light of spot) {
+          expect(Math.hypot(...light['axis']!.xyz)).toBeCloseTo(1, 6);
+        }
         const colors = [...directional, ...point, ...spot].flatMap((light) => [
           light['diffuse']!.xyz,
           light['specular']!.xyz,
@@ -287,8 +351,11 @@ describe('packed lights of any values', () => {
         const active = lights.filter((light) => light.active);
         expect(packed.active).toBe(active.length);
         expect(packed.sent).toBe(counts[0] + counts[1] + counts[2]);
-        for (const [k, kind] of KINDS.entries())
-          expect(counts[k]).toBeLessThanOrEqual(active.filter((light) => kindOf(light) === kind).length);
+        for (const [k, kind] of KINDS.entries()) {
+          expect(counts[k]).toBeLessThanOrEqual(
+            active.filter((light) => kindOf(light) === kind).length,
+          );
+        }
         const alone = pack(active, space);
         expect(data.subarray(0, rows * 4)).toStrictEqual(alone.data.subarray(0, alone.rows * 4));
       }),
@@ -298,7 +365,12 @@ describe('packed lights of any values', () => {
 });
 
 describe('packed lights read as the loop reads them', () => {
-  const surface = { ka: [200, 150, 100], kd: [255, 200, 50], ks: [128, 255, 60], shininess: 8 } as const;
+  const surface = {
+    ka: [200, 150, 100],
+    kd: [255, 200, 50],
+    ks: [128, 255, 60],
+    shininess: 8,
+  } as const;
 
   it("give the reference's sum, in every space, in linear light too", () => {
     const scene = fc.tuple(
@@ -312,17 +384,27 @@ describe('packed lights read as the loop reads them', () => {
         const scene = all.map((light) => {
           const { position, space } = light;
           if (position[3] === 0 || space === 'camera') return light;
-          return { ...light, position: [...moved([position[0], position[1], position[2]]), 1] as const };
+          return {
+            ...light,
+            position: [...moved([position[0], position[1], position[2]]), 1] as const,
+          };
         });
         const [right, up, back] = axes;
         const camera = { right, up, back };
-        const want = shade({ p: moved(p), normal, eye: moved(eye) }, surface, scene, { camera, linear });
-        // Rows are rounded to float32: a fragment within that of a cone's edge may fall on either side.
+        const want = shade({ p: moved(p), normal, eye: moved(eye) }, surface, scene, {
+          camera,
+          linear,
+        });
+        // Rows are rounded to float32: a fragment within that of a cone's edge may fall on either
+        // side.
         fc.pre(
           want.shares.every((share, i) => {
             const { aperture } = scene[i]!;
             if (share === null || aperture === 180) return true;
-            return Math.abs(Math.acos(Math.min(Math.max(share.c, -1), 1)) - (aperture * Math.PI) / 180) > 1e-4;
+            return (
+              Math.abs(Math.acos(Math.min(Math.max(share.c, -1), 1)) - (aperture * Math.PI) / 180) >
+              1e-4
+            );
           }),
         );
         fc.pre(want.shares.every((share) => share === null || share.d > 0.1));
@@ -373,7 +455,9 @@ describe("the cone's limit", () => {
         const limit = Math.fround(coneLimit(aperture));
         expect(limit < 0).toBe(aperture > 90 && aperture < 180);
         expect(Math.abs(limit)).toBeGreaterThan(2 ** -126);
-        if (aperture < 180) expect(Math.abs(limit)).toBeLessThanOrEqual(0.5);
+        if (aperture < 180) {
+          expect(Math.abs(limit)).toBeLessThanOrEqual(0.5);
+        }
         const [narrow, wide] = [Math.min(aperture, other), Math.max(aperture, other)];
         expect(included(wide)).toBeGreaterThanOrEqual(included(narrow));
       }),

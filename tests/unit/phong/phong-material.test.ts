@@ -18,7 +18,10 @@ import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
 import { FakeRenderer } from '../fake-renderer.js';
 
 /** A material on a mesh before a camera, under lights that bring every term. */
-function lit(values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }], gpu = new FakeRenderer()) {
+function lit(
+  values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }],
+  gpu = new FakeRenderer(),
+) {
   const lights = new LightSet();
   lights.assign(values.map((one) => new LightState(one)));
   const lighting = new PhongLighting(lights);
@@ -31,7 +34,14 @@ function lit(values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }],
       camera.updateMatrixWorld();
       lighting.update(camera);
       mesh.updateMatrixWorld();
-      material.onBeforeRender(gpu.renderer, new Scene(), camera, mesh.geometry, mesh, null as never);
+      material.onBeforeRender(
+        gpu.renderer,
+        new Scene(),
+        camera,
+        mesh.geometry,
+        mesh,
+        null as never,
+      );
     }
     return material.version;
   };
@@ -52,7 +62,11 @@ describe('another program', () => {
       ['the same light again', () => light!.set('active', true), 0],
       ['fewer terms', () => material.setStyle({ terms: ['diffuse'] }), 0],
       ['no specular colour', () => material.setSurface({ ks: [0, 0, 0] }), 0],
-      ['other colours and exponents to 200', () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }), 0],
+      [
+        'other colours and exponents to 200',
+        () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }),
+        0,
+      ],
       ['an exponent above 200', () => material.setSurface({ shininess: 201 }), 1],
       ['an exponent to 200 again', () => material.setSurface({ shininess: 8 }), 0],
     ];

@@ -6,7 +6,10 @@ import { describe, expect, it } from 'vitest';
 import { declaredFeatures } from '../../../src/phong/light/light-features.js';
 import { type LightValues, TERMS } from '../../../src/phong/light/light-state.js';
 import { type BaseLook, PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
-import { generalVariant, type MaterialFeatures } from '../../../src/phong/material/program/variant.js';
+import {
+  generalVariant,
+  type MaterialFeatures,
+} from '../../../src/phong/material/program/variant.js';
 import {
   DEFAULT_STYLE,
   REFLECTIONS,
@@ -15,8 +18,13 @@ import {
 } from '../../../src/phong/material/material-values.js';
 import { anyLight, light } from '../arbitraries.js';
 
-/** What differs from a plain material: fields of its look, of its style and the others, side by side. */
-type Difference = Partial<BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'mildShininess'>>;
+/**
+ * What differs from a plain material: fields of its look, of its style and the others, side by
+ * side.
+ */
+type Difference = Partial<
+  BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'mildShininess'>
+>;
 
 const materialOf = (difference: Difference = {}): MaterialFeatures => ({
   look: { ...PLAIN_LOOK, ...difference },

@@ -35,7 +35,11 @@ it('adds, subtracts, scales and multiplies by component; the cross product is ri
 it('takes places and directions through a matrix', () => {
   // Columns; primes, so that no two sums agree.
   const matrix = [2, 3, 5, 0, 7, 11, 13, 0, 17, 19, 23, 0, 29, 31, 37, 1];
-  expect(transformed(matrix, 4, 2, 3)).toStrictEqual([8 + 14 + 51 + 29, 12 + 22 + 57 + 31, 20 + 26 + 69 + 37]);
+  expect(transformed(matrix, 4, 2, 3)).toStrictEqual([
+    8 + 14 + 51 + 29,
+    12 + 22 + 57 + 31,
+    20 + 26 + 69 + 37,
+  ]);
   expect(transformed(matrix, 4, 2, 3, 0)).toStrictEqual([8 + 14 + 51, 12 + 22 + 57, 20 + 26 + 69]);
 });
 

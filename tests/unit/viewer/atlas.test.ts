@@ -1,5 +1,5 @@
-// Do the pictures of one frame find places on one canvas: apart from each other, inside it, and without much waste? And
-// do the tiles of a large one cover it?
+// Do the pictures of one frame find places on one canvas: apart from each other, inside it, and
+// without much waste? And do the tiles of a large one cover it?
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { layOutAtlas, type Region, tilesOf } from '../../../src/viewer/scene/gpu/atlas.js';
@@ -22,22 +22,33 @@ describe('an atlas of pictures', () => {
           expect(Math.min(place.x, place.y)).toBeGreaterThanOrEqual(0);
           expect(place.x + place.width).toBeLessThanOrEqual(width);
           expect(place.y + place.height).toBeLessThanOrEqual(height);
-          for (const other of places.slice(0, i)) expect(apart(place, other)).toBe(true);
+          for (const other of places.slice(0, i)) {
+            expect(apart(place, other)).toBe(true);
+          }
         });
         expect(Math.max(width, height)).toBeLessThanOrEqual(limit.side);
         // One picture alone may be larger than the area.
-        if (places.length > 1) expect(width * height).toBeLessThanOrEqual(limit.area);
+        if (places.length > 1) {
+          expect(width * height).toBeLessThanOrEqual(limit.area);
+        }
       }),
     );
   });
 
   test('uses seven tenths or more for a page of equal pictures, from nine on', () => {
     fc.assert(
-      fc.property(fc.integer({ min: 9, max: 200 }), fc.integer({ min: 1, max: 80 }), side, (count, w, h) => {
-        const one = { width: w, height: Math.min(h, 2 * w, 80) };
-        const { places, width, height } = layOutAtlas(Array.from({ length: count }, () => one), limit); // oxfmt-ignore
-        expect(places.length * one.width * one.height).toBeGreaterThanOrEqual(0.7 * width * height);
-      }),
+      fc.property(
+        fc.integer({ min: 9, max: 200 }),
+        fc.integer({ min: 1, max: 80 }),
+        side,
+        (count, w, h) => {
+          const one = { width: w, height: Math.min(h, 2 * w, 80) };
+          const { places, width, height } = layOutAtlas(Array.from({ length: count }, () => one), limit); // oxfmt-ignore
+          expect(places.length * one.width * one.height).toBeGreaterThanOrEqual(
+            0.7 * width * height,
+          );
+        },
+      ),
     );
   });
 });
@@ -46,13 +57,19 @@ test.each([
   [7, 5, 6, 4],
   [100, 3, 64, Infinity],
   [5, 5, 100, 100],
-])('tiles cover each pixel of %d × %d once, within an area of %d and a side of %d', (width, height, area, side) => {
-  const seen = new Uint8Array(width * height);
-  for (const tile of tilesOf({ width, height }, area, side)) {
-    expect(tile.width * tile.height).toBeLessThanOrEqual(area);
-    expect(Math.max(tile.width, tile.height)).toBeLessThanOrEqual(side);
-    for (let y = 0; y < tile.height; y++)
-      for (let x = 0; x < tile.width; x++) seen[(tile.y + y) * width + tile.x + x]! += 1;
-  }
-  expect(seen).toEqual(new Uint8Array(width * height).fill(1));
-});
+])(
+  'tiles cover each pixel of %d × %d once, within an area of %d and a side of %d',
+  (width, height, area, side) => {
+    const seen = new Uint8Array(width * height);
+    for (const tile of tilesOf({ width, height }, area, side)) {
+      expect(tile.width * tile.height).toBeLessThanOrEqual(area);
+      expect(Math.max(tile.width, tile.height)).toBeLessThanOrEqual(side);
+      for (let y = 0; y < tile.height; y++) {
+        for (let x = 0; x < tile.width; x++) {
+          seen[(tile.y + y) * width + tile.x + x]! += 1;
+        }
+      }
+    }
+    expect(seen).toEqual(new Uint8Array(width * height).fill(1));
+  },
+);

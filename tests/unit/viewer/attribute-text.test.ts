@@ -1,9 +1,13 @@
-// Attribute text to values, and values to text that gives them back, for every kind of field. Colours by name need a
-// browser and are tested there.
+// Attribute text to values, and values to text that gives them back, for every kind of field.
+// Colours by name need a browser and are tested there.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { attributeOf, formatValue, parseText } from '../../../src/viewer/element/fields/attribute-text.js';
+import {
+  attributeOf,
+  formatValue,
+  parseText,
+} from '../../../src/viewer/element/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../../src/viewer/element/fields/viewer-fields.js';
 import { sameValue } from '../../../src/phong/fields/field-store.js';
 import {
@@ -26,12 +30,23 @@ const number = numberField(7, { min: -10, max: 10 });
 const vector = vectorField([0, 0, 0], { min: -10, max: 10 });
 
 describe('a number', () => {
-  it.each(['5', ' 5\n', '+5', '-5', '5.', '.5', '-.5e1', '1e-3', '1E2', '007', '0.1', '1e999', '1e-999'])(
-    'written %j is what JavaScript makes of it',
-    (text) => {
-      expect(parseText(text, number)).toBe(Number(text));
-    },
-  );
+  it.each([
+    '5',
+    ' 5\n',
+    '+5',
+    '-5',
+    '5.',
+    '.5',
+    '-.5e1',
+    '1e-3',
+    '1E2',
+    '007',
+    '0.1',
+    '1e999',
+    '1e-999',
+  ])('written %j is what JavaScript makes of it', (text) => {
+    expect(parseText(text, number)).toBe(Number(text));
+  });
 
   const malformed =
     'NaN Infinity -Infinity five 5px 5, 1,5 0x10 0b1 1_000 . + - --5 +-5 1e e5 1e1.5 1.2.3 ٣ ½ 5; 5% null true';
@@ -64,12 +79,22 @@ describe('a list of numbers', () => {
     expect(parseText(text, vector)).toStrictEqual(value);
   });
 
-  it.each(['', ' ', ',', '1,,2', '1,', ',1', '1 , , 2', '1;2;3', '1 2 x', '[1,2,3]', '1 NaN 3', 'vec3(1)'])(
-    'is not %j',
-    (text) => {
-      expect(parseText(text, vector)).toBeUndefined();
-    },
-  );
+  it.each([
+    '',
+    ' ',
+    ',',
+    '1,,2',
+    '1,',
+    ',1',
+    '1 , , 2',
+    '1;2;3',
+    '1 2 x',
+    '[1,2,3]',
+    '1 NaN 3',
+    'vec3(1)',
+  ])('is not %j', (text) => {
+    expect(parseText(text, vector)).toBeUndefined();
+  });
 
   it('of a hundred thousand numbers, or more blanks, is read in one pass', () => {
     expect(parseText('1 '.repeat(100_000), vector)).toHaveLength(100_000);
@@ -107,7 +132,9 @@ describe('words', () => {
   it('of a choice are read in any case, and unknown ones are refused by the field', () => {
     const choice = choiceField('phong', ['phong', 'blinn-phong']);
     expect(choice.check(parseText(' Blinn-Phong ', choice))).toBe('blinn-phong');
-    for (const text of ['blinn', '']) expect(() => choice.check(parseText(text, choice))).toThrow(RangeError);
+    for (const text of ['blinn', '']) {
+      expect(() => choice.check(parseText(text, choice))).toThrow(RangeError);
+    }
   });
 
   it.each<[string, string[]]>([
@@ -130,24 +157,39 @@ describe('words', () => {
     ['use-credentials', 'use-credentials', VIEWER_FIELDS.crossOrigin],
     ['  The Sun ', '  The Sun ', textField()],
     ['auto', 'auto', textField()],
-  ])('written %j are %j to a field with a word, an empty value or free text', (text, value, field) => {
-    expect(parseText(text, field)).toStrictEqual(value);
-  });
+  ])(
+    'written %j are %j to a field with a word, an empty value or free text',
+    (text, value, field) => {
+      expect(parseText(text, field)).toStrictEqual(value);
+    },
+  );
 });
 
 it('gives every field of an element an attribute of its own', () => {
   const keys = ['ka', 'autoRotate', 'colorInterpolation', 'crossOrigin'];
-  expect(keys.map(attributeOf)).toEqual(['ka', 'auto-rotate', 'color-interpolation', 'crossorigin']);
+  expect(keys.map(attributeOf)).toEqual([
+    'ka',
+    'auto-rotate',
+    'color-interpolation',
+    'crossorigin',
+  ]);
   for (const table of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS]) {
     const names = Object.keys(table).map(attributeOf);
     expect(new Set(names).size).toBe(names.length);
-    for (const name of names) expect(name).toMatch(/^[a-z]+(-[a-z]+)*$/);
+    for (const name of names) {
+      expect(name).toMatch(/^[a-z]+(-[a-z]+)*$/);
+    }
   }
 });
 
-const fields = Object.entries({ light: LIGHT_FIELDS, mesh: MESH_FIELDS, viewer: VIEWER_FIELDS }).flatMap(
-  ([element, table]) =>
-    Object.entries<Field<unknown>>(table).map(([key, field]) => [`${element} ${key}`, field] as const),
+const fields = Object.entries({
+  light: LIGHT_FIELDS,
+  mesh: MESH_FIELDS,
+  viewer: VIEWER_FIELDS,
+}).flatMap(([element, table]) =>
+  Object.entries<Field<unknown>>(table).map(
+    ([key, field]) => [`${element} ${key}`, field] as const,
+  ),
 );
 
 /** Values that the field accepts: guesses by its kind, and its own choices. */
@@ -180,7 +222,10 @@ function valuesOf(field: Field<unknown>): fc.Arbitrary<unknown> {
     }
     return field.fallback;
   });
-  return fc.oneof({ weight: 9, arbitrary: inside }, { weight: 1, arbitrary: fc.constant(field.fallback) });
+  return fc.oneof(
+    { weight: 9, arbitrary: inside },
+    { weight: 1, arbitrary: fc.constant(field.fallback) },
+  );
 }
 
 describe('formatting', () => {
@@ -189,8 +234,11 @@ describe('formatting', () => {
       fc.property(valuesOf(field), (value) => {
         const text = formatValue(value, field);
         // No attribute: the default, which for these is nothing.
-        if (text === null) expect(value === null || value === false || sameValue(value, field.fallback)).toBe(true);
-        else expect(field.check(parseText(text, field))).toStrictEqual(value);
+        if (text === null) {
+          expect(value === null || value === false || sameValue(value, field.fallback)).toBe(true);
+        } else {
+          expect(field.check(parseText(text, field))).toStrictEqual(value);
+        }
       }),
     );
   });
@@ -228,7 +276,11 @@ it('any text gives an accepted value, a TypeError or RangeError, or counts as ma
       const value = parseText(attribute, field);
       if (value === undefined) return;
       try {
-        for (const x of [field.check(value)].flat()) if (typeof x === 'number') expect(Number.isFinite(x)).toBe(true);
+        for (const x of [field.check(value)].flat()) {
+          if (typeof x === 'number') {
+            expect(Number.isFinite(x)).toBe(true);
+          }
+        }
       } catch (error) {
         expect(error instanceof TypeError || error instanceof RangeError).toBe(true);
       }

@@ -16,7 +16,11 @@ import {
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { forgetBounds, measure, radiusOf } from '../../../src/viewer/scene/bounds.js';
-import { createGeometry, GEOMETRIES, roundOf } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import {
+  createGeometry,
+  GEOMETRIES,
+  roundOf,
+} from '../../../src/viewer/scene/mesh/shapes/shapes.js';
 import { Random } from '../../stress/random.js';
 
 /** Of positions in float32, relative. */
@@ -28,12 +32,14 @@ function exact(root: Group): { center: Vector3; radiusAbout(point: Vector3): num
   root.traverse((object) => {
     if (!(object instanceof Mesh)) return;
     const position = (object.geometry as BufferGeometry).getAttribute('position');
-    for (let i = 0; i < position.count; i++)
+    for (let i = 0; i < position.count; i++) {
       places.push(new Vector3().fromBufferAttribute(position, i).applyMatrix4(object.matrixWorld));
+    }
   });
   return {
     center: new Box3().setFromPoints(places).getCenter(new Vector3()),
-    radiusAbout: (point) => places.reduce((most, place) => Math.max(most, place.distanceTo(point)), 0),
+    radiusAbout: (point) =>
+      places.reduce((most, place) => Math.max(most, place.distanceTo(point)), 0),
   };
 }
 
@@ -45,7 +51,9 @@ function expectExact(scene: Group, error: number): void {
   expect(new Vector3(...center).distanceTo(truth.center)).toBeLessThan(error * radius);
   expect(Math.abs(radiusAbout(center) / radius - 1)).toBeLessThan(error);
   const beside = truth.center.clone().add(new Vector3(radius, 0, -3 * radius));
-  expect(Math.abs(radiusAbout(beside.toArray()) / truth.radiusAbout(beside) - 1)).toBeLessThan(error);
+  expect(Math.abs(radiusAbout(beside.toArray()) / truth.radiusAbout(beside) - 1)).toBeLessThan(
+    error,
+  );
 }
 
 function sceneOf(...meshes: readonly Object3D[]): Group {
@@ -65,11 +73,16 @@ function place(mesh: Mesh, random: Random): Mesh {
 
 describe('the measure of a scene', () => {
   it('stays as it is when a mesh moves that it holds at both places', async () => {
-    const [box, sphere] = [await createGeometry('box', undefined), await createGeometry('sphere', undefined)];
+    const [box, sphere] = [
+      await createGeometry('box', undefined),
+      await createGeometry('sphere', undefined),
+    ];
     const random = new Random(7);
     let held = 0;
     for (let i = 0; i < 200; i++) {
-      const meshes = Array.from({ length: 9 }, (_, k) => place(new Mesh(k % 2 === 0 ? box : sphere), random));
+      const meshes = Array.from({ length: 9 }, (_, k) =>
+        place(new Mesh(k % 2 === 0 ? box : sphere), random),
+      );
       const scene = sceneOf(...meshes);
       const before = measure(scene);
       const [moved] = meshes as [Mesh];
@@ -83,21 +96,28 @@ describe('the measure of a scene', () => {
     expect(held).toBeGreaterThan(5);
   });
 
-  it.each(GEOMETRIES)('finds centre and radius of a %s exactly, however it is turned and stretched', async (name) => {
-    const geometry = await createGeometry(name, undefined);
-    const random = new Random(name.length);
-    for (let i = 0; i < 25; i++) expectExact(sceneOf(place(new Mesh(geometry), random)), ROUNDING);
-    const still = new Mesh(geometry);
-    still.scale.set(3, 1, 2);
-    still.position.set(0.1, 5, -7);
-    // Its box is that of the round shape, which a few triangles do not reach.
-    expectExact(sceneOf(still), 2e-4);
-  });
+  it.each(GEOMETRIES)(
+    'finds centre and radius of a %s exactly, however it is turned and stretched',
+    async (name) => {
+      const geometry = await createGeometry(name, undefined);
+      const random = new Random(name.length);
+      for (let i = 0; i < 25; i++) {
+        expectExact(sceneOf(place(new Mesh(geometry), random)), ROUNDING);
+      }
+      const still = new Mesh(geometry);
+      still.scale.set(3, 1, 2);
+      still.position.set(0.1, 5, -7);
+      // Its box is that of the round shape, which a few triangles do not reach.
+      expectExact(sceneOf(still), 2e-4);
+    },
+  );
 
   it('covers several meshes together', async () => {
     const shapes = await Promise.all(GEOMETRIES.map((name) => createGeometry(name, undefined)));
     const random = new Random(3);
-    const meshes = Array.from({ length: 60 }, (_, i) => place(new Mesh(shapes[i % shapes.length]), random));
+    const meshes = Array.from({ length: 60 }, (_, i) =>
+      place(new Mesh(shapes[i % shapes.length]), random),
+    );
     expectExact(sceneOf(...meshes), 2e-4);
   });
 
@@ -128,7 +148,9 @@ describe('the measure of a scene', () => {
       geometry.computeBoundingSphere();
       expect(boundingBox).toEqual(geometry.boundingBox);
       expect(boundingSphere!.radius).toBeCloseTo(geometry.boundingSphere!.radius, 12);
-      expect(boundingSphere!.center.distanceTo(geometry.boundingSphere!.center)).toBeLessThan(1e-12);
+      expect(boundingSphere!.center.distanceTo(geometry.boundingSphere!.center)).toBeLessThan(
+        1e-12,
+      );
     },
   );
 

@@ -10,7 +10,11 @@ import { ModelBudget } from '../../../src/extras/models/model-budget.js';
 
 const { PART_LIMIT, PIXEL_LIMIT, TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } = limits;
 
-const need = (key: object | string, triangles: number) => ({ key, claims: claimsOf(triangles), flat: false });
+const need = (key: object | string, triangles: number) => ({
+  key,
+  claims: claimsOf(triangles),
+  flat: false,
+});
 const holds = (claims: Claims, key: object | string = {}) => [{ key, claims, flat: false }];
 const tooLarge: unknown = expect.objectContaining({ code: 'too-large' });
 
@@ -20,18 +24,23 @@ function budgetOf(limit: number): Budget {
   return budget;
 }
 
-it.each(GEOMETRIES)('the triangles that a %s claims are those that are built, or up to a tenth more', async (name) => {
-  for (const segments of [1, 2, 3, 7, 12, 33, 64, 100, undefined]) {
-    const geometry = await createGeometry(name, segments);
-    const corners = geometry.index!.count;
-    const needs = shapeNeeds({ name, segments, isLevel: false }, true);
-    const [smooth = 0, flat = 0] = needs.map(({ claims }) => claims.values);
-    const what = `${name} ${String(segments)}`;
-    expect(smooth / VALUES_PER_TRIANGLE, what).toBeGreaterThanOrEqual(corners / 3);
-    expect(smooth / VALUES_PER_TRIANGLE, what).toBeLessThanOrEqual((1.1 * corners) / 3);
-    expect(flat, what).toBeGreaterThanOrEqual(8 * flatGeometry(geometry).getAttribute('position').count);
-  }
-});
+it.each(GEOMETRIES)(
+  'the triangles that a %s claims are those that are built, or up to a tenth more',
+  async (name) => {
+    for (const segments of [1, 2, 3, 7, 12, 33, 64, 100, undefined]) {
+      const geometry = await createGeometry(name, segments);
+      const corners = geometry.index!.count;
+      const needs = shapeNeeds({ name, segments, isLevel: false }, true);
+      const [smooth = 0, flat = 0] = needs.map(({ claims }) => claims.values);
+      const what = `${name} ${String(segments)}`;
+      expect(smooth / VALUES_PER_TRIANGLE, what).toBeGreaterThanOrEqual(corners / 3);
+      expect(smooth / VALUES_PER_TRIANGLE, what).toBeLessThanOrEqual((1.1 * corners) / 3);
+      expect(flat, what).toBeGreaterThanOrEqual(
+        8 * flatGeometry(geometry).getAttribute('position').count,
+      );
+    }
+  },
+);
 
 describe('the budget of triangles', () => {
   it('refuses with too-large what is beyond the limit, and changes nothing then', () => {
@@ -63,7 +72,9 @@ describe('the budget of triangles', () => {
     const budget = budgetOf(10);
     const claim = budget.claim({});
     const model = new ModelBudget((claims) => claim.add(holds(claims, 'model')));
-    for (let i = 0; i < 10; i += 1) model.add({ values: VALUES_PER_TRIANGLE });
+    for (let i = 0; i < 10; i += 1) {
+      model.add({ values: VALUES_PER_TRIANGLE });
+    }
     expect(budget.used).toBe(10);
     expect(() => model.add({ values: 1 })).toThrow(tooLarge);
     claim.release();
@@ -98,7 +109,9 @@ describe('the budget of triangles', () => {
     const budget = new Budget();
     const content = { values: 1000, pixels: PIXEL_LIMIT / 2, parts: PART_LIMIT / 4 };
     const meshes = [1, 2, 3, 4].map(() => budget.claim({}));
-    for (const mesh of meshes) mesh.add(holds(content, 'model'));
+    for (const mesh of meshes) {
+      mesh.add(holds(content, 'model'));
+    }
     expect(() => budget.claim({}).add(holds(content, 'model'))).toThrow(/draws/);
     meshes[0]!.release();
     budget.claim({}).add(holds(content, 'model'));
@@ -106,8 +119,9 @@ describe('the budget of triangles', () => {
 
   it('throws for a limit that is none, and keeps the one before', () => {
     const budget = budgetOf(10);
-    for (const wrong of [-1, 1.5, NaN, Infinity, TRIANGLE_LIMIT + 1])
+    for (const wrong of [-1, 1.5, NaN, Infinity, TRIANGLE_LIMIT + 1]) {
       expect(() => (budget.limit = wrong)).toThrow(RangeError);
+    }
     expect(() => Reflect.set(budget, 'limit', '5')).toThrow(TypeError);
     expect(budget.limit).toBe(10);
     Reflect.set(budget, 'limit', null);
@@ -122,7 +136,9 @@ describe('the budget of triangles', () => {
         const budget = budgetOf(12);
         const held = Array.from({ length: 5 }, () => budget.claim({}));
         for (const { mesh: i, keys, release } of steps) {
-          if (release) held[i]!.release();
+          if (release) {
+            held[i]!.release();
+          }
           try {
             held[i]!.add(keys.map((key) => need(`k${String(key)}`, key + 1)));
           } catch {

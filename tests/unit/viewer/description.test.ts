@@ -1,4 +1,5 @@
-// How does the description put camera, lights and meshes into words, and do the page's own texts replace them?
+// How does the description put camera, lights and meshes into words, and do the page's own texts
+// replace them?
 
 import { describe, expect, test } from 'vitest';
 import {
@@ -27,7 +28,10 @@ test.each<[Partial<LightValues>, string]>([
   [{ position: [0.12345, -2, 0, 1] }, 'sun: point light, position 0.123 −2 0, diffuse 255 255 255'],
   [{ position: [0, 2, 0, 1], cutoff: 4 }, 'sun: spot light, position 0 2 0, diffuse 255 255 255'],
   [{ active: false }, 'sun (off): directional light, position 1 2 3, diffuse 255 255 255'],
-  [{ space: 'camera' }, 'sun: directional light, position 1 2 3, diffuse 255 255 255, in camera space'],
+  [
+    { space: 'camera' },
+    'sun: directional light, position 1 2 3, diffuse 255 255 255, in camera space',
+  ],
 ])('a light with %j is named with its kind, place and colour', (values, text) => {
   expect(lightText(null, 'sun', light(values))).toBe(text);
 });
@@ -57,7 +61,8 @@ describe("the page's own words", () => {
     const texts = {
       'Lights: {lights}.': 'Lichter: {lights}.',
       '{name} (off)': '{name} (aus)',
-      '{name}: point light, position {position}, diffuse {diffuse}': 'Punktlicht {name} bei {position}',
+      '{name}: point light, position {position}, diffuse {diffuse}':
+        'Punktlicht {name} bei {position}',
     };
     expect(lightsText(texts, ['a', 'b'])).toBe('Lichter: a, b.');
     expect(lightText(texts, 'a', light({ position: [1, 2, 3, 1], active: false }))).toBe(

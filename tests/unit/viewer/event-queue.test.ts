@@ -14,7 +14,9 @@ const TYPES = ['load', 'progress', 'camera-change', 'light-change'] as const;
 function queueOf(lightsChanged: (lights: readonly PhongLight[]) => void = () => undefined) {
   const element = new EventTarget();
   const seen: [string, unknown][] = [];
-  for (const type of TYPES) element.addEventListener(type, (event) => seen.push([type, (event as CustomEvent).detail]));
+  for (const type of TYPES) {
+    element.addEventListener(type, (event) => seen.push([type, (event as CustomEvent).detail]));
+  }
   const lightsReported = new Signal<readonly PhongLight[]>();
   lightsReported.listen(lightsChanged);
   return { element, queue: new EventQueue(element, lightsReported), seen };
@@ -56,7 +58,9 @@ describe('the events of a viewer', () => {
     const { element, queue, seen } = queueOf();
     element.addEventListener('progress', (event) => {
       const { totalProgress } = (event as CustomEvent<{ totalProgress: number }>).detail;
-      if (totalProgress < 1) queue.enqueue('progress', { totalProgress: 1 });
+      if (totalProgress < 1) {
+        queue.enqueue('progress', { totalProgress: 1 });
+      }
     });
     queue.enqueue('progress', { totalProgress: 0 });
     await nextTask();
@@ -71,7 +75,9 @@ describe('light-change', () => {
   it('names each light once, in the order of the first writes, in a list that nobody can change', async () => {
     const { queue, seen } = queueOf();
     const [a, b] = [lightNamed('a'), lightNamed('b')];
-    for (const light of [b, a, b, b]) queue.enqueueLight(light);
+    for (const light of [b, a, b, b]) {
+      queue.enqueueLight(light);
+    }
     await nextTask();
     expect(seen).toEqual([['light-change', { lights: [b.element, a.element] }]]);
     expect(Object.isFrozen((seen[0]![1] as { lights: unknown }).lights)).toBe(true);
@@ -82,9 +88,13 @@ describe('light-change', () => {
     const light = lightNamed('a');
     const change = ['light-change', { lights: [light.element] }];
     for (const changes of [[change], [change, change]]) {
-      for (const { queue } of viewers) queue.enqueueLight(light);
+      for (const { queue } of viewers) {
+        queue.enqueueLight(light);
+      }
       await nextTask();
-      for (const { seen } of viewers) expect(seen).toEqual(changes);
+      for (const { seen } of viewers) {
+        expect(seen).toEqual(changes);
+      }
     }
   });
 

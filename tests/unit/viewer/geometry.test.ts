@@ -1,4 +1,5 @@
-// Does every named shape have its documented size, place, normals and winding at every number of segments?
+// Does every named shape have its documented size, place, normals and winding at every number of
+// segments?
 import { Box3, type BufferAttribute, type BufferGeometry, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { cross, dot, length, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
@@ -9,7 +10,12 @@ import {
   type GeometryName,
   roundOf,
 } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
-import { acquireShape, FIXED, levelKey, shapeKey } from '../../../src/viewer/scene/mesh/shapes/shared-shapes.js';
+import {
+  acquireShape,
+  FIXED,
+  levelKey,
+  shapeKey,
+} from '../../../src/viewer/scene/mesh/shapes/shared-shapes.js';
 
 const FEW = [1, 2, 3, 4, 5, 8, 33, undefined];
 
@@ -47,14 +53,17 @@ it.each(GEOMETRIES)(
       expect(isInside, text).toBe(true);
       expect([normal!.count, uv!.count], text).toEqual([position!.count, position!.count]);
       let [worst, wrong] = [0, 0];
-      for (let i = 0; i < normal!.count; i += 1)
+      for (let i = 0; i < normal!.count; i += 1) {
         worst = Math.max(worst, Math.abs(length(vertex(geometry, 'normal', i)) - 1));
+      }
       expect(worst, text).toBeLessThan(2e-7);
       for (const { normals, area } of triangles(geometry)) {
         const size = length(area);
         if (size < 1e-12) continue;
         const sum = normals.reduce((total, N) => total + dot(N, area) / size, 0);
-        if (!(sum > 0)) wrong += 1;
+        if (!(sum > 0)) {
+          wrong += 1;
+        }
       }
       expect(wrong, text).toBe(0);
     }
@@ -84,33 +93,42 @@ describe('sizes', () => {
   it('turns the plane toward +y, and divides it into segments² squares', async () => {
     const geometry = await createGeometry('plane', 3);
     expect(geometry.getAttribute('position').count).toBe(16);
-    for (const { normals } of triangles(geometry)) expect(normals[0][1]).toBeCloseTo(1, 12);
+    for (const { normals } of triangles(geometry)) {
+      expect(normals[0][1]).toBeCloseTo(1, 12);
+    }
   });
 
   it('puts the pyramid’s corners on a circle of diameter 1, its sides of segments² triangles facing the axes', async () => {
     const geometry = await createGeometry('pyramid', 5);
     expect(geometry.index!.count).toBe(6 * 25 * 3);
     const facing = new Set<string>();
-    for (const { corners, normals } of triangles(await createGeometry('pyramid', undefined)))
+    for (const { corners, normals } of triangles(await createGeometry('pyramid', undefined))) {
       corners.forEach(([x, y, z], i) => {
-        if (y < 0) expect(Math.hypot(x, z)).toBeCloseTo(0.5, 6);
+        if (y < 0) {
+          expect(Math.hypot(x, z)).toBeCloseTo(0.5, 6);
+        }
         const [nx, , nz] = normals[i]!;
         facing.add([nx, nz].map((n) => Math.sign(Math.round(n * 1e6)) + 0).join(' '));
       });
+    }
     expect(facing).toEqual(new Set(['0 1', '1 0', '0 -1', '-1 0', '0 0']));
   });
 });
 
-/** Edges of one triangle only, and edges that other triangles meet than one on each side. Positions are compared exactly. */
+/**
+ * Edges of one triangle only, and edges that other triangles meet than one on each side. Positions
+ * are compared exactly.
+ */
 function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly odd: number } {
   const edges = new Map<string, number>();
   // Adding 0 makes -0 equal to 0.
   const key = (p: Vec3): string => p.map((v) => v + 0).join();
-  for (const { corners } of triangles(geometry))
+  for (const { corners } of triangles(geometry)) {
     corners.forEach((corner, i) => {
       const edge = `${key(corner)} ${key(corners[(i + 1) % 3]!)}`;
       edges.set(edge, (edges.get(edge) ?? 0) + 1);
     });
+  }
   const reverse = (edge: string): number => edges.get(edge.split(' ').reverse().join(' ')) ?? 0;
   const all = [...edges];
   const open = all.filter(([edge]) => reverse(edge) === 0).length;
@@ -120,24 +138,32 @@ function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly od
 const LEVELS = [16, 24, 80];
 
 describe('closed shapes', () => {
-  it.each([...CLOSED])('the %s has exactly two triangles at each edge, one in each direction', async (name) => {
-    const few = FEW.map((n) => [n, false] as const);
-    const levels = roundOf(name) === undefined ? [] : LEVELS.map((n) => [n, true] as const);
-    for (const [segments, isLevel] of [...few, ...levels]) {
-      const geometry = await createGeometry(name, segments, isLevel);
-      let volume = 0;
-      for (const { corners, area } of triangles(geometry)) volume += dot(corners[0], area) / 6;
-      expect(volume).toBeGreaterThan(0.01);
-      expect(edgesOf(geometry), `${String(segments)} segments`).toEqual({ open: 0, odd: 0 });
-    }
-  });
+  it.each([...CLOSED])(
+    'the %s has exactly two triangles at each edge, one in each direction',
+    async (name) => {
+      const few = FEW.map((n) => [n, false] as const);
+      const levels = roundOf(name) === undefined ? [] : LEVELS.map((n) => [n, true] as const);
+      for (const [segments, isLevel] of [...few, ...levels]) {
+        const geometry = await createGeometry(name, segments, isLevel);
+        let volume = 0;
+        for (const { corners, area } of triangles(geometry)) {
+          volume += dot(corners[0], area) / 6;
+        }
+        expect(volume).toBeGreaterThan(0.01);
+        expect(edgesOf(geometry), `${String(segments)} segments`).toEqual({ open: 0, odd: 0 });
+      }
+    },
+  );
 
   it('the teapot is open at its own rims alone: of body, lid, spout and handle', async () => {
-    for (const [segments, isLevel] of [12, 17, 33].flatMap((n) => [false, true].map((is) => [n, is] as const)))
+    for (const [segments, isLevel] of [12, 17, 33].flatMap((n) =>
+      [false, true].map((is) => [n, is] as const),
+    )) {
       expect(edgesOf(await createGeometry('teapot', segments, isLevel)), String(segments)).toEqual({
         open: 16 * Math.round(segments / 4), // sixteen patches have such a side
         odd: 0,
       });
+    }
   });
 
   it('are all but the plane and the teapot, whose meshes show both sides', async () => {
@@ -172,7 +198,9 @@ describe('sharing', () => {
     ] as const) {
       const contents = [await acquireShape(asked), await acquireShape(used)] as const;
       expect(contents[0]).toBe(contents[1]);
-      for (const content of contents) content.dispose();
+      for (const content of contents) {
+        content.dispose();
+      }
     }
   });
 
@@ -189,7 +217,9 @@ describe('sharing', () => {
     expect(pending).toBeInstanceOf(Promise);
     expect(fresh.acquireShape(key)).toBe(pending);
     const content = await pending;
-    for (let i = 0; i < 2; i += 1) content.dispose();
+    for (let i = 0; i < 2; i += 1) {
+      content.dispose();
+    }
     const next = fresh.acquireShape(key);
     expect(next).not.toBeInstanceOf(Promise);
     expect(next).not.toBe(content);

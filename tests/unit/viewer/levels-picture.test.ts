@@ -1,5 +1,5 @@
-// Do the levels of `segments="auto"` show what the round shapes show, at the default view? In float64, by rays. Fewer
-// sizes, lines and pixels than in a release run, which has them all.
+// Do the levels of `segments="auto"` show what the round shapes show, at the default view? In
+// float64, by rays. Fewer sizes, lines and pixels than in a release run, which has them all.
 import { expect, it } from 'vitest';
 import { fitRadius } from '../../../src/phong/camera/fit.js';
 import { basisOf, type Pose } from '../../../src/phong/camera/orbit.js';
@@ -7,7 +7,11 @@ import { dot, normalize, scale, type Vec3 } from '../../../src/phong/math/vector
 import { LightState } from '../../../src/phong/reference/index.js';
 import type { Frustum } from '../../../src/viewer/scene/frustum-clip.js';
 import { levelIn } from '../../../src/viewer/scene/mesh/levels.js';
-import { createGeometry, type GeometryName, roundOf } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import {
+  createGeometry,
+  type GeometryName,
+  roundOf,
+} from '../../../src/viewer/scene/mesh/shapes/shapes.js';
 import { outlineErrors } from '../../support/caster/outlines.js';
 import type { CastShape } from '../../support/caster/scene.js';
 import { type Sample, Tracer } from '../../support/caster/tracer.js';
@@ -31,12 +35,20 @@ async function built(name: RoundName, segments: number, isLevel: boolean): Promi
   };
 }
 
-/** A picture that a shape fills: its view, and how shapes are seen in it, of a default material but for the exponent. */
+/**
+ * A picture that a shape fills: its view, and how shapes are seen in it, of a default material but
+ * for the exponent.
+ */
 function pictureOf(name: RoundName, size: number, pose: Pick<Pose, 'theta' | 'phi'>) {
   const radius = fitRadius(roundOf(name)!.radius, FOV, 1);
   const basis = basisOf(pose);
   const eye = scale(basis.back, radius);
-  const view: Frustum = { frame: { origin: [0, 0, 0], eye, ...basis }, slopeX: SLOPE, slopeY: SLOPE, radius };
+  const view: Frustum = {
+    frame: { origin: [0, 0, 0], eye, ...basis },
+    slopeX: SLOPE,
+    slopeY: SLOPE,
+    radius,
+  };
   const tracer = (shape: CastShape, shininess: number): Tracer => {
     const material = { ka: gray(200), kd: gray(200), ks: gray(128), shininess };
     const camera = { ...basis, eye, fov: FOV };
@@ -47,7 +59,10 @@ function pictureOf(name: RoundName, size: number, pose: Pick<Pose, 'theta' | 'ph
 
 const LINES = fullOr(60, 12);
 
-/** Least share of pixels within one code. Measured at 60, 200, 400 and 800 pixels, exponents 32 and 200. */
+/**
+ * Least share of pixels within one code. Measured at 60, 200, 400 and 800 pixels, exponents 32 and
+ * 200.
+ */
 const LEAST: Readonly<Record<RoundName, number>> = {
   sphere: 0.995,
   cylinder: 0.995,
@@ -69,60 +84,74 @@ it.each([
   ...firstOf([400, 100, 1600], 1).map((size) => ['torus', size] as const),
   ...firstOf([100, 400, 1600], 1).map((size) => ['torus-knot', size] as const),
   ...firstOf([100, 400, 1600], 1).map((size) => ['teapot', size] as const),
-])('outlines of a %s of %i pixels, inner ones too, are within 1/4 of a pixel of the round ones', async (name, size) => {
-  for (const pose of name in MANY || size === 1600 ? [POSE] : [POSE, { theta: 250, phi: 50 }]) {
-    const { view, tracer } = pictureOf(name, size, pose);
-    // In a picture that may have as many triangles as the outline needs.
-    const level = levelIn(view, size, false, name, IDENTITY, Infinity)!;
-    // The last two by triangles that are 1/9 as far off as their level's.
-    const [round, drawn] = [await roundShape(name, 3 * level), await built(name, level, true)];
-    const { worst, compared, missed } = outlineErrors(tracer(round, 1), tracer(drawn, 1), LINES);
-    expect([compared > LINES, missed]).toEqual([true, 0]);
-    expect(worst).toBeLessThan(0.25);
-  }
-});
+])(
+  'outlines of a %s of %i pixels, inner ones too, are within 1/4 of a pixel of the round ones',
+  async (name, size) => {
+    for (const pose of name in MANY || size === 1600 ? [POSE] : [POSE, { theta: 250, phi: 50 }]) {
+      const { view, tracer } = pictureOf(name, size, pose);
+      // In a picture that may have as many triangles as the outline needs.
+      const level = levelIn(view, size, false, name, IDENTITY, Infinity)!;
+      // The last two by triangles that are 1/9 as far off as their level's.
+      const [round, drawn] = [await roundShape(name, 3 * level), await built(name, level, true)];
+      const { worst, compared, missed } = outlineErrors(tracer(round, 1), tracer(drawn, 1), LINES);
+      expect([compared > LINES, missed]).toEqual([true, 0]);
+      expect(worst).toBeLessThan(0.25);
+    }
+  },
+);
 
 const PIXELS = fullOr(8000, 1500);
 
 const CASES = firstOf(NAMES, 4).flatMap((name) =>
-  firstOf(name in MANY ? [800, 60, 200, 400] : [200, 60, 400, 800], 1).map((size) => [name, size] as const),
+  firstOf(name in MANY ? [800, 60, 200, 400] : [200, 60, 400, 800], 1).map(
+    (size) => [name, size] as const,
+  ),
 );
 
 /** Random pixels whose centre and corners meet one smooth face. */
-it.each(CASES)('shades a %s of %i pixels as the round shape, within one code', async (name, size) => {
-  const { view, tracer } = pictureOf(name, size, POSE);
-  const level = levelIn(view, size, false, name, IDENTITY, 2 ** 14)!;
-  const [round, drawn] = [await roundShape(name, MANY[name]!), await built(name, level, true)];
-  for (const shininess of [32, 200]) {
-    const [truth, picture] = [tracer(round, shininess), tracer(drawn, shininess)];
-    const colorOf = (of: Tracer, x: number, y: number): readonly number[] => {
-      const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
-      of.sampleAt(x, y, sample);
-      return sample.color;
-    };
-    /** Null where nothing is met. */
-    const hitAt = (x: number, y: number): { readonly t: number; readonly N: Vec3 } | null => {
-      const { t, nx, ny, nz } = truth.hitAt(x, y);
-      return t === Infinity ? null : { t, N: normalize([nx, ny, nz]) };
-    };
-    let [inside, close] = [0, 0];
-    for (let k = 0; k < PIXELS; k++) {
-      // Spread evenly: the golden ratio's multiples.
-      const x = Math.floor(size * ((k * 0.7548776662) % 1));
-      const y = Math.floor(size * ((k * 0.5698402909) % 1));
-      const center = hitAt(x + 0.5, y + 0.5);
-      const isSmooth = (i: number): boolean => {
-        const corner = hitAt(x + 0.02 + 0.96 * (i & 1), y + 0.02 + 0.96 * (i >> 1));
-        return corner !== null && dot(corner.N, center!.N) > 0.7 && Math.abs(corner.t / center!.t - 1) < 0.04;
+it.each(CASES)(
+  'shades a %s of %i pixels as the round shape, within one code',
+  async (name, size) => {
+    const { view, tracer } = pictureOf(name, size, POSE);
+    const level = levelIn(view, size, false, name, IDENTITY, 2 ** 14)!;
+    const [round, drawn] = [await roundShape(name, MANY[name]!), await built(name, level, true)];
+    for (const shininess of [32, 200]) {
+      const [truth, picture] = [tracer(round, shininess), tracer(drawn, shininess)];
+      const colorOf = (of: Tracer, x: number, y: number): readonly number[] => {
+        const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
+        of.sampleAt(x, y, sample);
+        return sample.color;
       };
-      if (center === null || ![0, 1, 2, 3].every(isSmooth)) continue;
-      const expected = colorOf(truth, x + 0.5, y + 0.5);
-      const found = colorOf(picture, x + 0.5, y + 0.5);
-      inside += 1;
-      if (found.every((code, i) => Math.abs(code - expected[i]!) <= 1)) close += 1;
+      /** Null where nothing is met. */
+      const hitAt = (x: number, y: number): { readonly t: number; readonly N: Vec3 } | null => {
+        const { t, nx, ny, nz } = truth.hitAt(x, y);
+        return t === Infinity ? null : { t, N: normalize([nx, ny, nz]) };
+      };
+      let [inside, close] = [0, 0];
+      for (let k = 0; k < PIXELS; k++) {
+        // Spread evenly: the golden ratio's multiples.
+        const x = Math.floor(size * ((k * 0.7548776662) % 1));
+        const y = Math.floor(size * ((k * 0.5698402909) % 1));
+        const center = hitAt(x + 0.5, y + 0.5);
+        const isSmooth = (i: number): boolean => {
+          const corner = hitAt(x + 0.02 + 0.96 * (i & 1), y + 0.02 + 0.96 * (i >> 1));
+          return (
+            corner !== null &&
+            dot(corner.N, center!.N) > 0.7 &&
+            Math.abs(corner.t / center!.t - 1) < 0.04
+          );
+        };
+        if (center === null || ![0, 1, 2, 3].every(isSmooth)) continue;
+        const expected = colorOf(truth, x + 0.5, y + 0.5);
+        const found = colorOf(picture, x + 0.5, y + 0.5);
+        inside += 1;
+        if (found.every((code, i) => Math.abs(code - expected[i]!) <= 1)) {
+          close += 1;
+        }
+      }
+      expect(inside, 'pixels').toBeGreaterThan(PIXELS / 20);
+      const text = `${name}, ${String(size)} pixels, exponent ${String(shininess)}: ${String(level)} segments`;
+      expect(close / inside, text).toBeGreaterThanOrEqual(LEAST[name]);
     }
-    expect(inside, 'pixels').toBeGreaterThan(PIXELS / 20);
-    const text = `${name}, ${String(size)} pixels, exponent ${String(shininess)}: ${String(level)} segments`;
-    expect(close / inside, text).toBeGreaterThanOrEqual(LEAST[name]);
-  }
-});
+  },
+);

@@ -1,10 +1,15 @@
-// Do the levels of `segments="auto"` follow the shapes' measured constants, within the viewer's limit of triangles? That
-// the constants are right: levels-picture.test.ts.
+// Do the levels of `segments="auto"` follow the shapes' measured constants, within the viewer's
+// limit of triangles? That the constants are right: levels-picture.test.ts.
 import { Euler, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { basisOf } from '../../../src/phong/camera/orbit.js';
-import { isLargeFor, levelFor, levelIn, segmentsIn } from '../../../src/viewer/scene/mesh/levels.js';
+import {
+  isLargeFor,
+  levelFor,
+  levelIn,
+  segmentsIn,
+} from '../../../src/viewer/scene/mesh/levels.js';
 import {
   createGeometry,
   GEOMETRIES,
@@ -27,8 +32,12 @@ describe('a level', () => {
       for (let segments = 0; segments < 2.5 * most; segments += 0.37) {
         const level = levelFor(segments, name);
         expect(level % 8).toBe(0);
-        if (level < segments) expect(level).toBe(most);
-        if (level > Math.max(1.25 * segments, segments + 8)) expect(level).toBe(least);
+        if (level < segments) {
+          expect(level).toBe(most);
+        }
+        if (level > Math.max(1.25 * segments, segments + 8)) {
+          expect(level).toBe(least);
+        }
       }
       expect(levelFor(Infinity, name)).toBe(most);
       expect(levelFor(NaN, name)).toBe(least);
@@ -37,7 +46,9 @@ describe('a level', () => {
 
   it('is one of few, so that a camera that comes near builds few', () => {
     const levels = new Set(Array.from({ length: 4000 }, (_, i) => levelFor(i / 10, 'sphere')));
-    expect([...levels]).toEqual([16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 360]);
+    expect([...levels]).toEqual([
+      16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 360,
+    ]);
   });
 
   it.each(NAMES)(
@@ -58,8 +69,9 @@ describe('a level', () => {
       expect(most).toBeCloseTo(distance, 6);
       expect(level.index!.array).toEqual(plain.index!.array);
       // What is drawn lies within the bounds that culling uses.
-      for (let i = 0; i < to.length; i += 1)
+      for (let i = 0; i < to.length; i += 1) {
         expect(Math.abs(to[i]!)).toBeLessThanOrEqual(half[(i % 3) as 0] + distance + 1e-7);
+      }
       expect(level.boundingSphere!.radius).toBeCloseTo(radius + distance, 12);
     },
   );
@@ -83,14 +95,17 @@ describe('the number of segments that a shape needs', () => {
   it('is 0 for a sphere whose outline is outside the picture, and not where a corner shows it', () => {
     const corner = Math.hypot(1, 4 / 3) * Math.tan(Math.PI / 8);
     const filled = 0.5 / Math.sin(Math.atan(corner));
-    const need = (share: number, x: number) => segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0));
+    const need = (share: number, x: number) =>
+      segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0));
     expect([need(0.99, 0), need(0.9, 0)]).toEqual([0, 0]);
-    for (const n of [need(1.01, 0), need(0.9, 0.2)]) expect(n).toBeGreaterThan(30);
+    for (const n of [need(1.01, 0), need(0.9, 0.2)]) {
+      expect(n).toBeGreaterThan(30);
+    }
   });
 
   it('keeps the outline of a sphere within the tolerance wherever it is in the picture', () => {
     const height = 400;
-    for (const fov of [10, 45, 120])
+    for (const fov of [10, 45, 120]) {
       for (const distance of [0.52, 0.7, 2, 30]) {
         const view = viewFrom(distance, fov);
         const pixels = height / (2 * view.slopeY);
@@ -99,22 +114,27 @@ describe('the number of segments that a shape needs', () => {
           const away = Math.hypot(x, distance);
           const n = segmentsIn(view, 4 * pixels, sphere, at(x, 0, 0));
           if (n === null || away <= 0.5) continue;
-          // Rays that touch the sphere on both sides, where they are in view, and once with the radius that is drawn.
+          // Rays that touch the sphere on both sides, where they are in view, and once with the
+          // radius that is drawn.
           for (const sign of [-1, 1]) {
             const place = (radius: number): number =>
               Math.tan(Math.atan2(x, distance) + sign * Math.asin(radius / away));
             if (Math.abs(place(0.5)) > view.slopeX) continue;
             const error = Math.abs(pixels * (place(0.5 - sphere.gap / n ** 2) - place(0.5)));
-            expect(error, `${String(fov)}° ${String(distance)} ${String(share)}`).toBeLessThan(0.251);
+            expect(error, `${String(fov)}° ${String(distance)} ${String(share)}`).toBeLessThan(
+              0.251,
+            );
           }
         }
       }
+    }
   });
 
   it('is none out of view, and bounded where the eye is on the surface', () => {
     const view = viewFrom(3);
-    for (const place of [at(0, 0, 4), at(9, 0, 0), at(0, 9, 0)])
+    for (const place of [at(0, 0, 4), at(9, 0, 0), at(0, 9, 0)]) {
       expect(segmentsIn(view, 1000, sphere, place)).toBeNull();
+    }
     expect(segmentsIn(view, 1000, sphere, at(0, 0, 2.5))).toBeLessThan(250);
     expect(segmentsIn(view, 1000, roundOf('torus')!, at(0, 0, 2.9))).toBeLessThan(300);
     expect(segmentsIn(view, 1000, sphere, at(0, 0, 3))).toBeLessThan(200);
@@ -131,16 +151,26 @@ describe('the number of segments that a shape needs', () => {
 
   it('follows the constants of each shape, and grows with the root of the resolution', () => {
     const view = viewFrom(3);
-    const needed = (name: RoundName, finest = 1000) => segmentsIn(view, finest, roundOf(name)!, at(0.1, 0, 0))!;
-    for (const name of NAMES) expect(needed(name, 4000) / needed(name)).toBeCloseTo(2, 9);
+    const needed = (name: RoundName, finest = 1000) =>
+      segmentsIn(view, finest, roundOf(name)!, at(0.1, 0, 0))!;
+    for (const name of NAMES) {
+      expect(needed(name, 4000) / needed(name)).toBeCloseTo(2, 9);
+    }
     const rounded = NAMES.map((name) => `${name} ${needed(name).toFixed(1)}`).join(', ');
-    expect(rounded).toBe('sphere 29.5, cylinder 24.1, cone 24.1, torus 36.6, torus-knot 128.3, teapot 32.6');
+    expect(rounded).toBe(
+      'sphere 29.5, cylinder 24.1, cone 24.1, torus 36.6, torus-knot 128.3, teapot 32.6',
+    );
   });
 });
 
 describe('the level of a shape', () => {
-  const level = (name: RoundName, distance: number, height: number, sampled = false, free = 2 ** 14) =>
-    levelIn(viewFrom(distance), height, sampled, name, at(0, 0, 0), free);
+  const level = (
+    name: RoundName,
+    distance: number,
+    height: number,
+    sampled = false,
+    free = 2 ** 14,
+  ) => levelIn(viewFrom(distance), height, sampled, name, at(0, 0, 0), free);
 
   it('is as fine as the shading of its faces needs where it is small, and as its outline where it is large', () => {
     expect(level('sphere', 1.37, 60)).toBe(64);
@@ -150,7 +180,7 @@ describe('the level of a shape', () => {
   });
 
   it('has at most one triangle for 16 pixels that it covers, but for those that are free', () => {
-    for (const name of NAMES)
+    for (const name of NAMES) {
       for (const height of [60, 200, 400, 1080, 2160]) {
         const distance = (1.05 * roundOf(name)!.radius) / Math.sin(Math.PI / 8);
         const covered = roundOf(name)!.cover * (Math.PI / 4) * height ** 2; // a little less than in the picture
@@ -160,6 +190,7 @@ describe('the level of a shape', () => {
           expect(trianglesOf(name, shown), `${name} ${String(height)}`).toBeLessThanOrEqual(most);
         }
       }
+    }
   });
 
   it('is the coarsest one for a dot, and the finest one that the picture can show for an eye at its surface', () => {
@@ -181,11 +212,12 @@ describe('a flat shape', () => {
   };
 
   it('is large if its longest side is more than 8 times the distance of the eye', () => {
-    for (const z of [80, -20])
+    for (const z of [80, -20]) {
       for (const side of [1, -1]) {
         expect(isLarge('plane', [80, 1, z], [5, side * 10.01, 5])).toBe(false);
         expect(isLarge('plane', [80, 1, z], [5, side * 9.99, 5])).toBe(true);
       }
+    }
   });
 
   it('is not large from afar in its plane, and around an eye only where that is close to a wall', () => {

@@ -47,7 +47,9 @@ function built({ meshes }: CoverageScene): Scene {
   for (const { geometry, position = ZERO, rotation = ZERO, scale = ONE } of meshes) {
     const mesh = new Mesh(createGeometry(geometry, undefined) as BufferGeometry);
     mesh.position.set(...position);
-    mesh.setRotationFromEuler(new Euler(radians(rotation[0]), radians(rotation[1]), radians(rotation[2])));
+    mesh.setRotationFromEuler(
+      new Euler(radians(rotation[0]), radians(rotation[1]), radians(rotation[2])),
+    );
     mesh.scale.set(...scale);
     scene.add(mesh);
   }
@@ -58,10 +60,20 @@ const SURFACE = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as
 
 /** The least depth at the centres of the pixels. */
 function leastSeen({ meshes, fov, ...pose }: CoverageScene): number {
-  const placed = meshes.map((mesh) => ({ ...SURFACE, position: ZERO, rotation: ZERO, scale: ONE, ...mesh }));
+  const placed = meshes.map((mesh) => ({
+    ...SURFACE,
+    position: ZERO,
+    rotation: ZERO,
+    scale: ONE,
+    ...mesh,
+  }));
   const cast = caster({ pose, fov, meshes: placed, lights: [], options: {} }, WIDTH, HEIGHT);
   let least = Infinity;
-  for (let y = 0; y < HEIGHT; y++) for (let x = 0; x < WIDTH; x++) least = Math.min(least, cast(x, y)?.t ?? Infinity);
+  for (let y = 0; y < HEIGHT; y++) {
+    for (let x = 0; x < WIDTH; x++) {
+      least = Math.min(least, cast(x, y)?.t ?? Infinity);
+    }
+  }
   return least;
 }
 
@@ -135,12 +147,19 @@ describe('the near plane', () => {
     const instanced = new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial(), 2);
     instanced.setMatrixAt(0, new Matrix4().makeTranslation(0, 0, 2.4));
     instanced.setMatrixAt(1, new Matrix4().makeTranslation(0, 0, 9));
-    const line = new BufferGeometry().setFromPoints([new Vector3(-50, 0, 2.9), new Vector3(50, 0, 2.9)]);
-    const points = new BufferGeometry().setFromPoints([new Vector3(0, 0, 2.9), new Vector3(50, 0, 2.99)]);
+    const line = new BufferGeometry().setFromPoints([
+      new Vector3(-50, 0, 2.9),
+      new Vector3(50, 0, 2.9),
+    ]);
+    const points = new BufferGeometry().setFromPoints([
+      new Vector3(0, 0, 2.9),
+      new Vector3(50, 0, 2.99),
+    ]);
     const sprite = new Sprite();
     sprite.position.z = 2.9;
-    for (const object of [instanced, new LineSegments(line), new Points(points), sprite])
+    for (const object of [instanced, new LineSegments(line), new Points(points), sprite]) {
       expect(nearOf(inside(object), FRONT), object.type).toBeCloseTo(0.09, 6);
+    }
   });
 
   it('lies 1e-5 of the radius before an eye inside an object whose vertices only its shader knows', () => {

@@ -1,5 +1,5 @@
-// Do meshes claim the triangles of what they show and free what they no longer show? What happens without memory, and
-// with thousands of materials? In which order are a scene's objects drawn?
+// Do meshes claim the triangles of what they show and free what they no longer show? What happens
+// without memory, and with thousands of materials? In which order are a scene's objects drawn?
 import { BoxGeometry, type BufferGeometry, Matrix4, Mesh, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
@@ -26,30 +26,33 @@ const content = (parts: number) => ({
 
 const url = new URL('https://shop.example/a.glb');
 
-it.each([1, 2])('without memory for material %i of its content, keeps what it shows and its load fails', (nth) => {
-  const ended = vi.fn();
-  const host = meshHost({ ended });
-  const scene = new Scene();
-  const { mesh } = meshOf(host, scene);
-  const [first, second] = [content(2), content(2)];
-  mesh.arrived(first, host.picture.budget.claim(mesh), url, true);
-  expect(ended).toHaveBeenLastCalledWith(mesh, url, null);
-  const [shown, ...others] = scene.children;
-  expect(others).toEqual([]);
-  const acquire = host.picture.materials.acquire.bind(host.picture.materials);
-  let calls = 0;
-  const release = vi.spyOn(host.picture.materials, 'release');
-  vi.spyOn(host.picture.materials, 'acquire').mockImplementation((appearance) => {
-    if (++calls === nth) throw new RangeError('Array buffer allocation failed');
-    return acquire(appearance);
-  });
-  mesh.arrived(second, host.picture.budget.claim(mesh), url, true);
-  expect(ended).toHaveBeenLastCalledWith(mesh, url, expect.any(RangeError));
-  expect(scene.children).toEqual([shown]);
-  expect(release).toHaveBeenCalledTimes(nth - 1);
-  expect(second.dispose).toHaveBeenCalledTimes(1);
-  expect(first.dispose).not.toHaveBeenCalled();
-});
+it.each([1, 2])(
+  'without memory for material %i of its content, keeps what it shows and its load fails',
+  (nth) => {
+    const ended = vi.fn();
+    const host = meshHost({ ended });
+    const scene = new Scene();
+    const { mesh } = meshOf(host, scene);
+    const [first, second] = [content(2), content(2)];
+    mesh.arrived(first, host.picture.budget.claim(mesh), url, true);
+    expect(ended).toHaveBeenLastCalledWith(mesh, url, null);
+    const [shown, ...others] = scene.children;
+    expect(others).toEqual([]);
+    const acquire = host.picture.materials.acquire.bind(host.picture.materials);
+    let calls = 0;
+    const release = vi.spyOn(host.picture.materials, 'release');
+    vi.spyOn(host.picture.materials, 'acquire').mockImplementation((appearance) => {
+      if (++calls === nth) throw new RangeError('Array buffer allocation failed');
+      return acquire(appearance);
+    });
+    mesh.arrived(second, host.picture.budget.claim(mesh), url, true);
+    expect(ended).toHaveBeenLastCalledWith(mesh, url, expect.any(RangeError));
+    expect(scene.children).toEqual([shown]);
+    expect(release).toHaveBeenCalledTimes(nth - 1);
+    expect(second.dispose).toHaveBeenCalledTimes(1);
+    expect(first.dispose).not.toHaveBeenCalled();
+  },
+);
 
 it('makes the materials of 400 looks before the model arrives, in more than one task', async () => {
   const host = meshHost();
@@ -61,7 +64,7 @@ it('makes the materials of 400 looks before the model arrives, in more than one 
   const acquire = materials.acquire.bind(materials);
   vi.spyOn(materials, 'acquire').mockImplementation((appearance) => {
     // As slow as on a phone.
-    for (const end = performance.now() + 0.25; performance.now() < end;);
+    for (const end = performance.now() + 0.25; performance.now() < end;) {}
     made += 1;
     return acquire(appearance);
   });
@@ -92,7 +95,10 @@ function setUp(limit: number) {
   const scene = new Scene();
   const add = (segments: number, shading: MeshValues['shading']) => {
     const made = meshOf(host, scene, { geometry: 'sphere', segments, shading });
-    return { ...made, geometry: (): BufferGeometry | undefined => made.mesh.parts[0]?.mesh.geometry };
+    return {
+      ...made,
+      geometry: (): BufferGeometry | undefined => made.mesh.parts[0]?.mesh.geometry,
+    };
   };
   return { budget, failed, add };
 }
@@ -106,7 +112,9 @@ describe('a mesh', () => {
     expect(new Set(meshes.map(({ geometry }) => geometry())).size).toBe(1);
     const disposed = vi.fn();
     a.geometry()!.addEventListener('dispose', disposed);
-    for (const { mesh } of meshes.slice(2)) mesh.dispose();
+    for (const { mesh } of meshes.slice(2)) {
+      mesh.dispose();
+    }
     a.set({ shading: 'phong' });
     expect(budget.used).toBe(SMOOTH + FLAT);
     expect(disposed).not.toHaveBeenCalled();
@@ -116,7 +124,9 @@ describe('a mesh', () => {
     b.set({ shading: 'flat' });
     expect(b.geometry()!.index).toBeNull();
     expect(budget.used).toBe(SMOOTH + FLAT);
-    for (const { mesh } of [a, b]) mesh.dispose();
+    for (const { mesh } of [a, b]) {
+      mesh.dispose();
+    }
     expect(budget.used).toBe(0);
   });
 

@@ -1,4 +1,5 @@
-// Do meshes with the same source share one download and one content, each with a motion, a look and a budget of its own?
+// Do meshes with the same source share one download and one content, each with a motion, a look and
+// a budget of its own?
 import { type BufferGeometry, Scene } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { MeshValues } from '../../../src/viewer/scene/mesh/mesh-fields.js';
@@ -37,7 +38,9 @@ beforeEach(() => {
 const added = new Set<SceneMesh>();
 
 afterEach(() => {
-  for (const mesh of added) mesh.dispose();
+  for (const mesh of added) {
+    mesh.dispose();
+  }
   added.clear();
   vi.unstubAllGlobals();
 });
@@ -59,9 +62,13 @@ function viewerOf() {
 
 const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void> =>
   expect.poll(() => meshes.filter(({ mesh }) => mesh.root === null)).toEqual([]);
-const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }): BufferGeometry => mesh.parts[0]!.mesh.geometry;
+const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }): BufferGeometry =>
+  mesh.parts[0]!.mesh.geometry;
 const positionsOf = (one: { readonly mesh: SceneMesh }): number[] =>
-  one.mesh.parts.flatMap(({ mesh }) => [...mesh.geometry.getAttribute('position').array, ...mesh.matrix.elements]);
+  one.mesh.parts.flatMap(({ mesh }) => [
+    ...mesh.geometry.getAttribute('position').array,
+    ...mesh.matrix.elements,
+  ]);
 
 describe('meshes with the same source', () => {
   it('on several viewers are one download, geometry and image, of own materials, until the last one goes', async () => {
@@ -124,7 +131,9 @@ describe('meshes with the same source', () => {
     const meshes = motions.map(([values]) => add({ src: '/bar.gltf', ...values }));
     await there(...meshes);
     expect(requests).toHaveLength(6);
-    for (const [i, [, seconds]] of motions.entries()) meshes[i]!.mesh.advance(seconds);
+    for (const [i, [, seconds]] of motions.entries()) {
+      meshes[i]!.mesh.advance(seconds);
+    }
     expect(meshes.map(positionsOf)).toEqual(alone);
     const late = add({ src: '/bar.gltf' });
     await there(late);
@@ -133,7 +142,9 @@ describe('meshes with the same source', () => {
     meshes[1]!.set({ autoplay: false });
     expect(positionsOf(meshes[1]!)).toEqual(alone[0]);
     expect(positionsOf(meshes[2]!)).toEqual(alone[2]);
-    for (const { mesh } of [...meshes, late]) mesh.dispose();
+    for (const { mesh } of [...meshes, late]) {
+      mesh.dispose();
+    }
     expect(budget.used).toBe(0);
   });
 

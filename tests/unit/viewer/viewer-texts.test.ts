@@ -1,10 +1,15 @@
-// Does the list of texts contain no text that the source does not use, are the ready sets complete, and does the
-// document list all keys? The compiler refuses texts that the list lacks.
+// Does the list of texts contain no text that the source does not use, are the ready sets complete,
+// and does the document list all keys? The compiler refuses texts that the list lacks.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, expectTypeOf, it } from 'vitest';
-import { checkedTexts, phrase, type ViewerText, type ViewerTexts } from '../../../src/viewer/element/fields/texts.js';
+import {
+  checkedTexts,
+  phrase,
+  type ViewerText,
+  type ViewerTexts,
+} from '../../../src/viewer/element/fields/texts.js';
 import { LANGUAGES } from '../../../.ci/texts.mjs';
 import { ERROR_TEXTS, readyTexts, VIEWER_TEXTS } from '../../support/texts.js';
 import type { PhongViewerProps } from '../../../src/extras/frameworks/template-types.js';
@@ -26,7 +31,9 @@ const composed = new Set<string>([
 describe('the list of texts', () => {
   it('has only texts that the viewer uses', () => {
     const unused = VIEWER_TEXTS.filter(
-      (text) => !composed.has(text) && ![`'${text}'`, `"${text}"`].some((literal) => source.includes(literal)),
+      (text) =>
+        !composed.has(text) &&
+        ![`'${text}'`, `"${text}"`].some((literal) => source.includes(literal)),
     );
     expect(unused).toEqual([]);
   });
@@ -59,16 +66,23 @@ describe.each(LANGUAGES)('the texts in %s', (language) => {
   const texts = readyTexts(language);
 
   it('keep the values in braces; a message may have its cause and address', () => {
-    for (const key of VIEWER_TEXTS) expect(bracesOf(texts[key]), key).toEqual(bracesOf(key));
-    for (const code of ERROR_TEXTS)
-      for (const value of bracesOf(texts[code])) expect(['{message}', '{url}'], code).toContain(value);
+    for (const key of VIEWER_TEXTS) {
+      expect(bracesOf(texts[key]), key).toEqual(bracesOf(key));
+    }
+    for (const code of ERROR_TEXTS) {
+      for (const value of bracesOf(texts[code])) {
+        expect(['{message}', '{url}'], code).toContain(value);
+      }
+    }
   });
 
   it('end in a full stop where the English text does, and have no space too many', () => {
     for (const [key, text] of Object.entries(texts)) {
       expect(text, key).toMatch(/^\S(.*\S)?$/su);
       expect(text, key).not.toContain('  ');
-      if (key.includes(' ') && !key.includes(': ')) expect(text.endsWith('.'), key).toBe(key.endsWith('.'));
+      if (key.includes(' ') && !key.includes(': ')) {
+        expect(text.endsWith('.'), key).toBe(key.endsWith('.'));
+      }
     }
   });
 });

@@ -1,9 +1,13 @@
-// Where meshes and textures are decompressed: in a worker, one for each decoder, which keeps the page alive and ends at
-// once with an abort. On the main thread where no worker can start: the package on another origin, a page opened from
-// disk, a policy without workers or without WebAssembly, a bundler that left the worker's file out.
+// Where meshes and textures are decompressed: in a worker, one for each decoder, which keeps the
+// page alive and ends at once with an abort. On the main thread where no worker can start: the
+// package on another origin, a page opened from disk, a policy without workers or without
+// WebAssembly, a bundler that left the worker's file out.
 import type { CreateDecoder, WorkerAnswer } from './decoder.js';
 
-/** How long a worker waits for another job: each start compiles the decoder again, but its heap never shrinks. */
+/**
+ * How long a worker waits for another job: each start compiles the decoder again, but its heap
+ * never shrinks.
+ */
 const IDLE_MS = 5000;
 
 /** A decoder that has started. */
@@ -24,16 +28,24 @@ export class DecoderThread<Job, Result> {
 
   /**
    * @param worker starts a worker with the decoder. Null: there is no worker's file.
-   * @param code the same decoder for the main thread. Its error is the caller's, where the worker did not start either.
+   * @param code the same decoder for the main thread. Its error is the caller's, where the worker
+   * did not start either.
    * @param setup passed to the decoder when it starts.
    */
-  constructor(worker: () => Worker | null, code: () => Promise<CreateDecoder<Job, Result>>, setup: string) {
+  constructor(
+    worker: () => Worker | null,
+    code: () => Promise<CreateDecoder<Job, Result>>,
+    setup: string,
+  ) {
     this.#worker = worker;
     this.#code = code;
     this.#setup = setup;
   }
 
-  /** Starts the decoder ahead of the first job, so that it is there when the job's bytes have arrived. */
+  /**
+   * Starts the decoder ahead of the first job, so that it is there when the job's bytes have
+   * arrived.
+   */
   start(): void {
     if (this.#session) return;
     this.#session = this.#open();
@@ -41,7 +53,9 @@ export class DecoderThread<Job, Result> {
     this.#rest();
   }
 
-  /** @throws what the decoder throws, by message and name, or the signal's reason after an abort. */
+  /**
+   * @throws what the decoder throws, by message and name, or the signal's reason after an abort.
+   */
   decode(job: Job, signal: AbortSignal): Promise<Result> {
     const result = this.#last.then(() => this.#decodeNow(job, signal));
     this.#last = result.catch(() => undefined);
@@ -105,14 +119,21 @@ const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
 });
 
 /** Sends a message and waits for its answer. */
-async function answerOf<Result>(worker: Worker, message: unknown, signal?: AbortSignal): Promise<Result> {
+async function answerOf<Result>(
+  worker: Worker,
+  message: unknown,
+  signal?: AbortSignal,
+): Promise<Result> {
   const done = new AbortController();
   const until = { signal: done.signal };
   try {
     return await new Promise<Result>((resolve, reject) => {
       const answered = ({ data }: MessageEvent<WorkerAnswer<Result>>): void => {
-        if ('result' in data) resolve(data.result);
-        else reject(Object.assign(new Error(data.error.message), { name: data.error.name }));
+        if ('result' in data) {
+          resolve(data.result);
+        } else {
+          reject(Object.assign(new Error(data.error.message), { name: data.error.name }));
+        }
       };
       const failed = (event: Event): void => {
         // Otherwise the browser would report it as the page's own.

@@ -1,4 +1,5 @@
-// What decoders share, in workers and on the main thread. Must not import three.js: a worker would load all of it.
+// What decoders share, in workers and on the main thread. Must not import three.js: a worker would
+// load all of it.
 
 /** Makes a decoder. @param setup what it needs to start, such as the address of its WebAssembly. */
 export type CreateDecoder<Job, Result> = (setup: string) => Promise<Decode<Job, Result>>;
@@ -39,16 +40,22 @@ export function answerJobs<Job, Result>(create: CreateDecoder<Job, Result>): voi
   });
 }
 
-const post = (message: WorkerAnswer<unknown>, transfer: Transferable[]): void => postMessage(message, { transfer });
+const post = (message: WorkerAnswer<unknown>, transfer: Transferable[]): void =>
+  postMessage(message, { transfer });
 
 /** What the factory of such a decoder is given. */
 export interface WasmOptions {
-  readonly instantiateWasm: (imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) => object;
+  readonly instantiateWasm: (
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance) => void,
+  ) => object;
   readonly print: (text: string) => void;
   readonly printErr: (text: string) => void;
 }
 
-/** The magic number and version of a module without content (WebAssembly core specification 5.5.16). */
+/**
+ * The magic number and version of a module without content (WebAssembly core specification 5.5.16).
+ */
 const EMPTY_MODULE = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
 /** @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it. */
@@ -59,7 +66,9 @@ export async function startWasm<Decoder>(
   // Throws where a policy refuses WebAssembly, before the file is fetched in vain.
   new WebAssembly.Module(EMPTY_MODULE);
   const response = await fetch(address);
-  if (!response.ok) throw new Error(`the server answered ${String(response.status)} for ${address}`);
+  if (!response.ok) {
+    throw new Error(`the server answered ${String(response.status)} for ${address}`);
+  }
   const wasm = await response.arrayBuffer();
   const silent = (): void => undefined;
   return new Promise((resolve, reject) => {

@@ -1,7 +1,16 @@
-// The accessors and buffer views of a glTF document, checked before anything is allocated. Knows the JSON only.
+// The accessors and buffer views of a glTF document, checked before anything is allocated. Knows
+// the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
-import { countAt, indexAt, objectAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
+import {
+  countAt,
+  indexAt,
+  objectAt,
+  objectsAt,
+  optionalObject,
+  textAt,
+  type JsonObject,
+} from './json.js';
 
 export interface BufferView {
   readonly buffer: number;
@@ -20,7 +29,10 @@ export interface Accessor {
   readonly components: number;
 }
 
-/** The accessors of a document. The parser reads all, so those that {@link Accessors.read} did not count are empty. */
+/**
+ * The accessors of a document. The parser reads all, so those that {@link Accessors.read} did not
+ * count are empty.
+ */
 export class Accessors {
   readonly #entries: readonly Entry[];
   readonly #budget: ModelBudget;
@@ -38,7 +50,10 @@ export class Accessors {
     slices: Slices,
   ): Promise<Accessors> {
     const definitions = objectsAt(json['accessors'], 'accessors');
-    return new Accessors(await slices.map(definitions, (accessor, i) => entryOf(accessor, i, views)), budget);
+    return new Accessors(
+      await slices.map(definitions, (accessor, i) => entryOf(accessor, i, views)),
+      budget,
+    );
   }
 
   /** The accessor that a value in the document names. */
@@ -47,9 +62,10 @@ export class Accessors {
   }
 
   /**
-   * Counts the memory that the elements take when they are read, once for all readers. A reader that converts them
-   * counts its own copy.
-   * @throws ModelError `too-large` past a limit, a plain Error if its views hold fewer bytes than it claims.
+   * Counts the memory that the elements take when they are read, once for all readers. A reader
+   * that converts them counts its own copy.
+   * @throws ModelError `too-large` past a limit, a plain Error if its views hold fewer bytes than
+   * it claims.
    */
   read({ index }: Accessor): void {
     const entry = this.#entries[index]!;
@@ -64,7 +80,9 @@ export class Accessors {
     return slices.map(this.#entries, (entry) => {
       // The parser looks up the types of attributes that Draco data hold.
       const { definition } = entry;
-      return this.#read.has(entry) ? definition : { ...definition, count: 0, bufferView: undefined, sparse: undefined };
+      return this.#read.has(entry)
+        ? definition
+        : { ...definition, count: 0, bufferView: undefined, sparse: undefined };
     });
   }
 }
@@ -73,7 +91,10 @@ interface Entry extends Accessor {
   readonly definition: JsonObject;
   /** Throws if the views hold fewer bytes than claimed. */
   readonly requireBytes: () => void;
-  /** Bytes that are allocated beside the copies of its views: zeros without a view, and sparse values put in place. */
+  /**
+   * Bytes that are allocated beside the copies of its views: zeros without a view, and sparse
+   * values put in place.
+   */
   readonly ownBytes: number;
 }
 
@@ -90,7 +111,11 @@ const COMPONENTS: ReadonlyMap<unknown, number> = new Map(
   Object.entries({ SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 }),
 );
 
-export function readBufferViews(json: JsonObject, buffers: number, slices: Slices): Promise<readonly BufferView[]> {
+export function readBufferViews(
+  json: JsonObject,
+  buffers: number,
+  slices: Slices,
+): Promise<readonly BufferView[]> {
   return slices.map(objectsAt(json['bufferViews'], 'bufferViews'), (view, i) => {
     const what = `bufferViews[${String(i)}]`;
     const byteStride = view['byteStride'] || undefined; // some exporters write 0 for "packed"
@@ -108,16 +133,23 @@ function entryOf(accessor: JsonObject, index: number, views: readonly BufferView
   const what = `accessors[${String(index)}]`;
   const components = COMPONENTS.get(accessor['type']);
   const unit = COMPONENT_BYTES.get(accessor['componentType']);
-  if (components === undefined || unit === undefined) throw new Error(`${what} has an unknown type`);
+  if (components === undefined || unit === undefined) {
+    throw new Error(`${what} has an unknown type`);
+  }
   const count = countAt(accessor['count'], `${what}.count`);
   const offset = countAt(accessor['byteOffset'], `${what}.byteOffset`, 0);
   const elements = { view: accessor['bufferView'], offset, count, item: components * unit, unit };
-  const sparse = accessor['sparse'] === undefined ? null : sparseRuns(accessor['sparse'], elements, what);
+  const sparse =
+    accessor['sparse'] === undefined ? null : sparseRuns(accessor['sparse'], elements, what);
   const requireBytes = (): void => {
     const stride = requireView(elements, views, what);
     if (sparse === null) return;
-    if (stride !== elements.item) throw new Error(`${what} is sparse and interleaved, which is not supported`);
-    for (const run of sparse) requireView(run, views, what);
+    if (stride !== elements.item) {
+      throw new Error(`${what} is sparse and interleaved, which is not supported`);
+    }
+    for (const run of sparse) {
+      requireView(run, views, what);
+    }
   };
   return {
     index,
@@ -148,7 +180,8 @@ function requireView(
   views: readonly BufferView[],
   what: string,
 ): number {
-  const view = index === undefined ? undefined : views[indexAt(index, views.length, `${what}.bufferView`)];
+  const view =
+    index === undefined ? undefined : views[indexAt(index, views.length, `${what}.bufferView`)];
   if (!view || count === 0) return item;
   const stride = view.byteStride ?? item;
   if (stride * (count - 1) + offset + item > view.byteLength) {
@@ -156,7 +189,9 @@ function requireView(
   }
   // Typed arrays cannot read numbers across their own size.
   if (offset % unit !== 0 || stride % unit !== 0) {
-    throw new Error(`${what} is not aligned: its byteOffset and byteStride must be multiples of ${String(unit)}`);
+    throw new Error(
+      `${what} is not aligned: its byteOffset and byteStride must be multiples of ${String(unit)}`,
+    );
   }
   return stride;
 }
@@ -167,7 +202,11 @@ function sparseRuns(value: unknown, elements: Run, what: string): readonly Run[]
   const indices = objectAt(sparse['indices'], `${what}.sparse.indices`);
   const values = optionalObject(sparse['values'], `${what}.sparse.values`);
   const unit = COMPONENT_BYTES.get(indices['componentType']);
-  if (unit === undefined || values['bufferView'] === undefined || indices['bufferView'] === undefined) {
+  if (
+    unit === undefined ||
+    values['bufferView'] === undefined ||
+    indices['bufferView'] === undefined
+  ) {
     throw new Error(`${what}.sparse is incomplete`);
   }
   const count = countAt(sparse['count'], `${what}.sparse.count`);
@@ -209,8 +248,13 @@ function readMeshoptView(view: JsonObject, buffers: number, what: string): Mesho
   const filter = FILTERS.find((known) => known === (textAt(packed['filter']) || 'NONE'));
   const count = countAt(packed['count'], `${what}.count`);
   const stride = countAt(packed['byteStride'], `${what}.byteStride`);
-  if (mode === undefined || filter === undefined) throw new Error(`${what} has an unknown mode or filter`);
-  const fits = mode === 'ATTRIBUTES' ? stride % 4 === 0 && stride > 0 && stride <= 256 : stride === 2 || stride === 4;
+  if (mode === undefined || filter === undefined) {
+    throw new Error(`${what} has an unknown mode or filter`);
+  }
+  const fits =
+    mode === 'ATTRIBUTES'
+      ? stride % 4 === 0 && stride > 0 && stride <= 256
+      : stride === 2 || stride === 4;
   const filtered = filter === 'NONE' || (mode === 'ATTRIBUTES' && filterFits(filter, stride));
   const whole = mode !== 'TRIANGLES' || count % 3 === 0;
   if (!fits || !filtered || !whole || count * stride !== view['byteLength']) {

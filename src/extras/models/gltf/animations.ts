@@ -1,4 +1,5 @@
-// The animations of a glTF document and what they cost; those with a mistake are left out. Knows the JSON only.
+// The animations of a glTF document and what they cost; those with a mistake are left out. Knows
+// the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
@@ -25,7 +26,12 @@ export interface GltfAnimation {
 }
 
 /** Numbers per value; weights have one for each morph target. */
-const WIDTHS: Readonly<Record<ChannelPath, number>> = { translation: 3, rotation: 4, scale: 3, weights: 0 };
+const WIDTHS: Readonly<Record<ChannelPath, number>> = {
+  translation: 3,
+  rotation: 4,
+  scale: 3,
+  weights: 0,
+};
 const INTERPOLATIONS = ['STEP', 'LINEAR', 'CUBICSPLINE'] as const;
 export type Interpolation = (typeof INTERPOLATIONS)[number];
 
@@ -39,7 +45,10 @@ interface AnimationContext {
   readonly slices: Slices;
 }
 
-export async function readAnimations(json: JsonObject, context: AnimationContext): Promise<readonly GltfAnimation[]> {
+export async function readAnimations(
+  json: JsonObject,
+  context: AnimationContext,
+): Promise<readonly GltfAnimation[]> {
   const { accessors, budget, dropped, slices } = context;
   const counted = new Set<Accessor>();
   const animations: GltfAnimation[] = [];
@@ -69,31 +78,44 @@ export async function readAnimations(json: JsonObject, context: AnimationContext
   return animations;
 }
 
-async function readChannels(animation: JsonObject, context: AnimationContext): Promise<readonly Channel[]> {
+async function readChannels(
+  animation: JsonObject,
+  context: AnimationContext,
+): Promise<readonly Channel[]> {
   const { accessors, targets, dropped, slices } = context;
   const samplers = objectsAt(animation['samplers'], 'samplers');
-  const channels = await slices.map(objectsAt(animation['channels'], 'channels'), (channel, i): Channel[] => {
-    const what = `channels[${String(i)}]`;
-    const target = objectAt(channel['target'], `${what}.target`);
-    const path = textAt(target['path']);
-    // Extensions can animate other properties, which are not named by a node.
-    for (const name of leftOutOf(target)) dropped.add(name);
-    if (target['node'] === undefined || !isPath(path)) return [];
-    const node = indexAt(target['node'], targets.length, `${what}.target.node`);
-    const sampler = samplers[indexAt(channel['sampler'], samplers.length, `${what}.sampler`)] ?? {};
-    const width = path === 'weights' ? targets[node] : WIDTHS[path];
-    if (targets[node] === undefined || width === undefined || width === 0) return [];
-    const written = textAt(sampler['interpolation']) || 'LINEAR';
-    const interpolation = INTERPOLATIONS.find((known) => known === written);
-    if (interpolation === undefined) throw new Error(`${what} has an unknown interpolation`);
-    const input = accessors.at(sampler['input'], `${what}.input`);
-    const output = accessors.at(sampler['output'], `${what}.output`);
-    const numbers = input.count * width * (interpolation === 'CUBICSPLINE' ? 3 : 1);
-    if (input.components !== 1 || input.count === 0) throw new Error(`${what} has no times`);
-    if (output.count * output.components < numbers) throw new Error(`${what} has fewer values than times`);
-    if (output.components !== (path === 'weights' ? 1 : width)) throw new Error(`${what} has values of another type`);
-    return [{ node, path, input, output, width, interpolation }];
-  });
+  const channels = await slices.map(
+    objectsAt(animation['channels'], 'channels'),
+    (channel, i): Channel[] => {
+      const what = `channels[${String(i)}]`;
+      const target = objectAt(channel['target'], `${what}.target`);
+      const path = textAt(target['path']);
+      // Extensions can animate other properties, which are not named by a node.
+      for (const name of leftOutOf(target)) {
+        dropped.add(name);
+      }
+      if (target['node'] === undefined || !isPath(path)) return [];
+      const node = indexAt(target['node'], targets.length, `${what}.target.node`);
+      const sampler =
+        samplers[indexAt(channel['sampler'], samplers.length, `${what}.sampler`)] ?? {};
+      const width = path === 'weights' ? targets[node] : WIDTHS[path];
+      if (targets[node] === undefined || width === undefined || width === 0) return [];
+      const written = textAt(sampler['interpolation']) || 'LINEAR';
+      const interpolation = INTERPOLATIONS.find((known) => known === written);
+      if (interpolation === undefined) throw new Error(`${what} has an unknown interpolation`);
+      const input = accessors.at(sampler['input'], `${what}.input`);
+      const output = accessors.at(sampler['output'], `${what}.output`);
+      const numbers = input.count * width * (interpolation === 'CUBICSPLINE' ? 3 : 1);
+      if (input.components !== 1 || input.count === 0) throw new Error(`${what} has no times`);
+      if (output.count * output.components < numbers) {
+        throw new Error(`${what} has fewer values than times`);
+      }
+      if (output.components !== (path === 'weights' ? 1 : width)) {
+        throw new Error(`${what} has values of another type`);
+      }
+      return [{ node, path, input, output, width, interpolation }];
+    },
+  );
   return channels.flat();
 }
 

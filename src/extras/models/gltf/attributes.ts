@@ -1,4 +1,5 @@
-// Turns a file's vertex attributes, of any layout, into finite floats, normals of unit length and encoded colours.
+// Turns a file's vertex attributes, of any layout, into finite floats, normals of unit length and
+// encoded colours.
 import { BufferAttribute, type InterleavedBufferAttribute } from 'three';
 import { LIMITS } from '../../../phong/light/light-state.js';
 import { srgbEncode } from '../../../phong/math/color.js';
@@ -8,7 +9,10 @@ export type Attribute = BufferAttribute | InterleavedBufferAttribute;
 export type Conversion = (source: Attribute, slices: Slices) => Promise<BufferAttribute>;
 
 /** Rejects with an Error if a coordinate is not a number or beyond ±1e15. */
-export async function requireCoordinates(coordinates: ArrayLike<number>, slices: Slices): Promise<void> {
+export async function requireCoordinates(
+  coordinates: ArrayLike<number>,
+  slices: Slices,
+): Promise<void> {
   await slices.over(coordinates.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
       const value = coordinates[i]!;
@@ -24,7 +28,10 @@ export const floatPositions: Conversion = async (source, slices) => {
   return positions;
 };
 
-/** Unit vectors, normalised in float64, or zero for one without direction (zero, NaN, Infinity). Then ±1, if `items` is 4. */
+/**
+ * Unit vectors, normalised in float64, or zero for one without direction (zero, NaN, Infinity).
+ * Then ±1, if `items` is 4.
+ */
 const unitVectors =
   (items: 3 | 4): Conversion =>
   async (source, slices) => {
@@ -35,7 +42,9 @@ const unitVectors =
         const x = source.getX(i);
         const y = source.getY(i);
         const z = source.getZ(i);
-        if (items === 4) values[at + 3] = source.getW(i) < 0 ? -1 : 1;
+        if (items === 4) {
+          values[at + 3] = source.getW(i) < 0 ? -1 : 1;
+        }
         const length = Math.hypot(x, y, z);
         if (!(length > 0 && length < Infinity)) continue;
         values[at] = x / length;
@@ -56,7 +65,11 @@ export const floatUvs: Conversion = async (source, slices) => {
   const uvs = await asFloats(source, 2, slices);
   const { array } = uvs;
   await slices.over(array.length, (from, to) => {
-    for (let i = from; i < to; i += 1) if (!Number.isFinite(array[i])) array[i] = 0;
+    for (let i = from; i < to; i += 1) {
+      if (!Number.isFinite(array[i])) {
+        array[i] = 0;
+      }
+    }
   });
   return uvs;
 };
@@ -77,8 +90,14 @@ export const encodedColors: Conversion = async (source, slices) => {
   return new BufferAttribute(values, items);
 };
 
-async function asFloats(source: Attribute, items: number, slices: Slices): Promise<BufferAttribute> {
-  if (source.itemSize < items) throw new Error(`an attribute has ${String(source.itemSize)} of ${String(items)} parts`);
+async function asFloats(
+  source: Attribute,
+  items: number,
+  slices: Slices,
+): Promise<BufferAttribute> {
+  if (source.itemSize < items) {
+    throw new Error(`an attribute has ${String(source.itemSize)} of ${String(items)} parts`);
+  }
   const plain = source instanceof BufferAttribute && source.array instanceof Float32Array;
   if (plain && source.itemSize === items && !source.normalized) return source;
   return gathered(source, null, slices, items);
@@ -96,7 +115,9 @@ export async function gathered(
   await slices.over(length, (from, to) => {
     for (let i = from; i < to; i += 1) {
       const vertex = corners === null ? i : corners[i]!;
-      for (let c = 0; c < items; c += 1) values[i * items + c] = source.getComponent(vertex, c);
+      for (let c = 0; c < items; c += 1) {
+        values[i * items + c] = source.getComponent(vertex, c);
+      }
     }
   });
   return new BufferAttribute(values, items);

@@ -1,4 +1,5 @@
-// The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
+// The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once,
+// on first use.
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { lazyCode } from '../../../viewer/model/lazy-code.js';
 import { isDataUri } from '../../../viewer/model/request-model.js';
@@ -22,9 +23,13 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
     const buffer = document.buffers[index];
     const bytes = buffer?.uri === undefined ? body : await bytesOf(buffer.uri);
     const name = `buffers[${String(index)}]`;
-    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) throw new Error(`${name} has no bytes`);
+    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) {
+      throw new Error(`${name} has no bytes`);
+    }
     if (bytes.byteLength >= buffer.byteLength) return bytes;
-    throw new Error(`${name} is truncated: ${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`);
+    throw new Error(
+      `${name} is truncated: ${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
+    );
   };
 
   const buffer = (index: number): Promise<Uint8Array<ArrayBuffer>> => {
@@ -39,7 +44,9 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
     const view = definition.meshopt ?? definition;
     const bytes = await buffer(view.buffer);
     const end = view.byteOffset + view.byteLength;
-    if (end > bytes.byteLength) throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
+    if (end > bytes.byteLength) {
+      throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
+    }
     return bytes.subarray(view.byteOffset, end);
   };
 
@@ -64,7 +71,11 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
       const type = textAt(image['mimeType']);
       if (isDataUri(uri)) return data(uri);
       if (uri !== '') return { bytes: await bytesOf(uri), type };
-      const view = indexAt(image['bufferView'], document.bufferViews.length, `images[${String(index)}].bufferView`);
+      const view = indexAt(
+        image['bufferView'],
+        document.bufferViews.length,
+        `images[${String(index)}].bufferView`,
+      );
       return { bytes: await slice(view), type };
     },
   };

@@ -5,7 +5,8 @@ import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
 
 /**
- * Whether some corner has a normal with a direction, and whether all have that can: triangles without area cannot.
+ * Whether some corner has a normal with a direction, and whether all have that can: triangles
+ * without area cannot.
  * @param corners null where each vertex is one.
  */
 export async function findNormals(
@@ -20,10 +21,13 @@ export async function findNormals(
   const [face, normal] = [new Float32Array(9), new Float32Array(9)];
   await slices.over(total, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      if (!isZero(normals, 3 * vertexOf(i))) some = true;
-      else if (all) {
+      if (!isZero(normals, 3 * vertexOf(i))) {
+        some = true;
+      } else if (all) {
         const first = i - (i % 3);
-        for (let k = 0; k < 9; k += 1) face[k] = positions[3 * vertexOf(first + Math.floor(k / 3)) + (k % 3)]!;
+        for (let k = 0; k < 9; k += 1) {
+          face[k] = positions[3 * vertexOf(first + Math.floor(k / 3)) + (k % 3)]!;
+        }
         writeFaceNormals(face, normal, 0, 1);
         all = isZero(normal, 0);
       }
@@ -32,22 +36,36 @@ export async function findNormals(
   return { some, all: some && all };
 }
 
-/** Replaces the normals of faces, a normal for each corner, by those of the file where these have a direction. */
-export async function takeFileNormals(normals: ArrayLike<number>, ofFaces: TypedArray, slices: Slices): Promise<void> {
+/**
+ * Replaces the normals of faces, a normal for each corner, by those of the file where these have a
+ * direction.
+ */
+export async function takeFileNormals(
+  normals: ArrayLike<number>,
+  ofFaces: TypedArray,
+  slices: Slices,
+): Promise<void> {
   await slices.over(ofFaces.length / 3, (from, to) => {
     for (let i = from; i < to; i += 1) {
       if (isZero(normals, 3 * i)) continue;
-      for (let k = 3 * i; k < 3 * i + 3; k += 1) ofFaces[k] = normals[k]!;
+      for (let k = 3 * i; k < 3 * i + 3; k += 1) {
+        ofFaces[k] = normals[k]!;
+      }
     }
   });
 }
 
 /**
- * Adds the attribute `tangent`, computed from the texture coordinates `uv` (Lengyel, "Computing Tangent Space Basis
- * Vectors for an Arbitrary Mesh"): along growing u. Its w says that N × T · w points up the image, as a normal map's
- * green does: against growing v, because glTF's v runs down the image.
+ * Adds the attribute `tangent`, computed from the texture coordinates `uv` (Lengyel, "Computing
+ * Tangent Space Basis Vectors for an Arbitrary Mesh"): along growing u. Its w says that N × T · w
+ * points up the image, as a normal map's green does: against growing v, because glTF's v runs down
+ * the image.
  */
-export async function addTangents(geometry: BufferGeometry, uv: string, slices: Slices): Promise<void> {
+export async function addTangents(
+  geometry: BufferGeometry,
+  uv: string,
+  slices: Slices,
+): Promise<void> {
   const positions = geometry.getAttribute('position').array;
   const normals = geometry.getAttribute('normal').array;
   const uvs = geometry.getAttribute(uv).array;
@@ -58,7 +76,9 @@ export async function addTangents(geometry: BufferGeometry, uv: string, slices: 
   const alongV = new Float64Array(3 * count);
   await slices.over(index?.count ?? count, (from, to) => {
     for (let i = from; i < to; i += 3) {
-      const [a, b, c] = index ? [index.getX(i), index.getX(i + 1), index.getX(i + 2)] : [i, i + 1, i + 2];
+      const [a, b, c] = index
+        ? [index.getX(i), index.getX(i + 1), index.getX(i + 2)]
+        : [i, i + 1, i + 2];
       const ub = uvs[2 * b]! - uvs[2 * a]!;
       const vb = uvs[2 * b + 1]! - uvs[2 * a + 1]!;
       const uc = uvs[2 * c]! - uvs[2 * a]!;
@@ -86,7 +106,9 @@ export async function addTangents(geometry: BufferGeometry, uv: string, slices: 
       const [x, y, z] = [ux - nx * along, uy - ny * along, uz - nz * along];
       const [vx, vy, vz] = [alongV[3 * i]!, alongV[3 * i + 1]!, alongV[3 * i + 2]!];
       const length = Math.hypot(x, y, z);
-      if (length > 0 && length < Infinity) values.set([x / length, y / length, z / length], 4 * i);
+      if (length > 0 && length < Infinity) {
+        values.set([x / length, y / length, z / length], 4 * i);
+      }
       const down = (ny * uz - nz * uy) * vx + (nz * ux - nx * uz) * vy + (nx * uy - ny * ux) * vz;
       values[4 * i + 3] = down > 0 ? -1 : 1;
     }

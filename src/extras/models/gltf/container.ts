@@ -1,8 +1,14 @@
-// The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of the file. A document's
-// lists can be millions of values long, so they are parsed in pieces of some objects each, with pauses in between.
+// The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of
+// the file. A document's lists can be millions of values long, so they are parsed in pieces of some
+// objects each, with pauses in between.
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
-import { JSON_LIMIT, JSON_PIECE_BYTES, JSON_PIECE_LIMIT, JSON_TEXT_LIMIT } from '../../../viewer/model/limits.js';
+import {
+  JSON_LIMIT,
+  JSON_PIECE_BYTES,
+  JSON_PIECE_LIMIT,
+  JSON_TEXT_LIMIT,
+} from '../../../viewer/model/limits.js';
 import type { ModelBudget } from '../model-budget.js';
 import type { FileBytes } from '../model-reader.js';
 import { isDataUri } from '../../../viewer/model/request-model.js';
@@ -43,7 +49,9 @@ export async function openContainer(
     return { ...(await parseText(bytes, budget, slices)), body: null };
   }
   const version = view.getUint32(4, true);
-  if (version !== 2) throw new Error(`it is a GLB of version ${String(version)}; only version 2 is supported`);
+  if (version !== 2) {
+    throw new Error(`it is a GLB of version ${String(version)}; only version 2 is supported`);
+  }
   const claimed = view.getUint32(8, true);
   if (claimed > bytes.byteLength) {
     throw new Error(`it is truncated: ${String(bytes.byteLength)} of ${String(claimed)} bytes`);
@@ -56,8 +64,12 @@ export async function openContainer(
     const start = at + CHUNK_HEADER;
     if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
     const chunk = bytes.subarray(start, start + size);
-    if (type === CHUNK_JSON) parsed ??= await parseText(chunk, budget, slices);
-    if (type === CHUNK_BIN && body === null) body = chunk;
+    if (type === CHUNK_JSON) {
+      parsed ??= await parseText(chunk, budget, slices);
+    }
+    if (type === CHUNK_BIN && body === null) {
+      body = chunk;
+    }
     at = start + size;
   }
   if (parsed === undefined) throw new Error('it has no JSON chunk');
@@ -76,7 +88,8 @@ async function parseText(
 ): Promise<Omit<Container, 'body'>> {
   const cuts: Cut[] = [];
   const lists: unknown[][] = [];
-  // The document without the items of the lists directly in it: such a list holds its place in `lists` instead.
+  // The document without the items of the lists directly in it: such a list holds its place in
+  // `lists` instead.
   let rest = '';
   let list: unknown[] | null = null;
   // What is in no piece yet: `pending`, then the bytes from `from` on.
@@ -104,7 +117,9 @@ async function parseText(
     if (at >= next) {
       next = at + STEP;
       // A text that ends no list or string is refused before all of it is read.
-      if (start < 0) requireShort(at);
+      if (start < 0) {
+        requireShort(at);
+      }
       requireAtMost(values, JSON_LIMIT, 'values in its JSON');
       await slices.pauseIfDue();
     }
@@ -123,17 +138,29 @@ async function parseText(
       continue;
     }
     const byte = bytes[at];
-    if (byte === QUOTE) start = at + 1;
+    if (byte === QUOTE) {
+      start = at + 1;
+    }
     const opens = byte === OPEN_LIST || byte === OPEN_OBJECT;
     const closes = byte === CLOSE_LIST || byte === CLOSE_OBJECT;
-    if (opens) depth += 1;
-    if (closes) depth -= 1;
-    if (opens || byte === COMMA) values += 1;
+    if (opens) {
+      depth += 1;
+    }
+    if (closes) {
+      depth -= 1;
+    }
+    if (opens || byte === COMMA) {
+      values += 1;
+    }
     const isLong = values > PIECE || at - from > PIECE_BYTES;
     if (list !== null && ((closes && depth === 1) || (byte === COMMA && depth === 2 && isLong))) {
       claim();
-      for (const item of parsed(`[${take(at)}]`) as unknown[]) list.push(item);
-      if (closes) list = null;
+      for (const item of parsed(`[${take(at)}]`) as unknown[]) {
+        list.push(item);
+      }
+      if (closes) {
+        list = null;
+      }
       from = closes ? at : at + 1;
       await slices.pauseIfDue();
     } else if (list === null && byte === OPEN_LIST && depth === 2) {
@@ -162,7 +189,9 @@ function withLists(document: unknown, lists: readonly unknown[][]): unknown {
 /** Whether the character is preceded by an odd number of backslashes. */
 function isEscaped(bytes: Uint8Array, at: number): boolean {
   let first = at;
-  while (bytes[first - 1] === BACKSLASH) first -= 1;
+  while (bytes[first - 1] === BACKSLASH) {
+    first -= 1;
+  }
   return (at - first) % 2 === 1;
 }
 

@@ -1,4 +1,5 @@
-// Meshes with joints or morph targets, deformed on the CPU: bounds, culling and picking read the drawn vertices.
+// Meshes with joints or morph targets, deformed on the CPU: bounds, culling and picking read the
+// drawn vertices.
 import {
   type Bone,
   Box3,
@@ -79,7 +80,9 @@ export class Deformation {
       return { name, stride: STRIDES[name], rest: shared.array as Float32Array, attribute };
     });
     const own = (wanted: MovingName): Float32Array | null =>
-      (this.#moving.find(({ name }) => name === wanted)?.attribute.array as Float32Array | undefined) ?? null;
+      (this.#moving.find(({ name }) => name === wanted)?.attribute.array as
+        | Float32Array
+        | undefined) ?? null;
     this.#position = own('position')!;
     this.#normal = own('normal');
     this.#tangent = own('tangent');
@@ -91,7 +94,9 @@ export class Deformation {
     this.#order = geometry.index?.array ?? null;
   }
 
-  /** The first pose, in slices. Rejects with an Error if a vertex leaves the domain of coordinates. */
+  /**
+   * The first pose, in slices. Rejects with an Error if a vertex leaves the domain of coordinates.
+   */
   async load(slices: Slices): Promise<void> {
     const count = this.#position.length / 3;
     await slices.over(count, (from, to) => this.#link(from, to));
@@ -100,13 +105,20 @@ export class Deformation {
     await slices.over(count / 3, (from, to) => this.#writeFaceNormals(from, to));
     await requireCoordinates(this.#position, slices);
     const index = this.#turnedIndex();
-    if (index !== null) await slices.over(index.length, (from, to) => this.#turnFaces(index, from, to));
+    if (index !== null) {
+      await slices.over(index.length, (from, to) => this.#turnFaces(index, from, to));
+    }
     this.#remember();
   }
 
-  /** Marks the vertices as changing: the GPU keeps them where they are quick to replace, and snapshots copy them. */
+  /**
+   * Marks the vertices as changing: the GPU keeps them where they are quick to replace, and
+   * snapshots copy them.
+   */
   keep(): void {
-    for (const { attribute } of this.#moving) attribute.setUsage(DynamicDrawUsage);
+    for (const { attribute } of this.#moving) {
+      attribute.setUsage(DynamicDrawUsage);
+    }
   }
 
   /** Updates the geometry if joints or weights have changed. */
@@ -118,9 +130,13 @@ export class Deformation {
     this.#deform(0, count);
     this.#writeFaceNormals(0, count / 3);
     const index = this.#turnedIndex();
-    if (index !== null) this.#turnFaces(index, 0, index.length);
+    if (index !== null) {
+      this.#turnFaces(index, 0, index.length);
+    }
     this.#measure();
-    for (const { attribute } of this.#moving) attribute.needsUpdate = true;
+    for (const { attribute } of this.#moving) {
+      attribute.needsUpdate = true;
+    }
     this.#remember();
   }
 
@@ -132,7 +148,9 @@ export class Deformation {
     if (this.#mirrored.length === 0) return;
     for (let face = from; face < to; face += 1) {
       if (!this.#isMirrored(3 * face, 3 * face + 1, 3 * face + 2)) continue;
-      for (let i = 9 * face; i < 9 * face + 9; i += 1) normals[i] = -normals[i]!;
+      for (let i = 9 * face; i < 9 * face + 9; i += 1) {
+        normals[i] = -normals[i]!;
+      }
     }
   }
 
@@ -156,7 +174,10 @@ export class Deformation {
     return index.array as Uint16Array | Uint32Array;
   }
 
-  /** Triangles that the joints mirror name their corners the other way round: their outside stays outside. */
+  /**
+   * Triangles that the joints mirror name their corners the other way round: their outside stays
+   * outside.
+   */
   #turnFaces(index: Uint16Array | Uint32Array, from: number, to: number): void {
     const cornerAt = (i: number): number => this.#order?.[i] ?? i;
     for (let i = from; i < to; i += 3) {
@@ -190,20 +211,30 @@ export class Deformation {
     }
   }
 
-  /** From the file's own numbers: no error accumulates. Cofactors of the blended matrix suit any scale, even 0. */
+  /**
+   * From the file's own numbers: no error accumulates. Cofactors of the blended matrix suit any
+   * scale, even 0.
+   */
   #deform(from: number, to: number): void {
     this.#morph(from, to);
     const { joints } = this.#rig;
-    if (joints !== null) this.#skin(joints.pose.matrices, from, to);
-    else if (this.#normal !== null) normalizeAll(this.#normal, 3, from, to);
-    if (this.#tangent !== null) normalizeAll(this.#tangent, 4, from, to);
+    if (joints !== null) {
+      this.#skin(joints.pose.matrices, from, to);
+    } else if (this.#normal !== null) {
+      normalizeAll(this.#normal, 3, from, to);
+    }
+    if (this.#tangent !== null) {
+      normalizeAll(this.#tangent, 4, from, to);
+    }
   }
 
   #morph(from: number, to: number): void {
     for (const { name, stride, rest, attribute } of this.#moving) {
       const values = attribute.array as Float32Array;
       values.set(rest.subarray(from * stride, to * stride), from * stride);
-      this.#rig.targets.forEach((target, i) => add(target[name], this.#rig.weights[i]!, values, stride, from, to));
+      this.#rig.targets.forEach((target, i) =>
+        add(target[name], this.#rig.weights[i]!, values, stride, from, to),
+      );
     }
   }
 
@@ -302,7 +333,9 @@ function add(
   if (source === undefined || weight === 0) return;
   const { array } = source; // plain: see MorphTarget
   for (let i = from; i < to; i += 1) {
-    for (let c = 0; c < 3; c += 1) into[i * stride + c]! += weight * array[i * 3 + c]!;
+    for (let c = 0; c < 3; c += 1) {
+      into[i * stride + c]! += weight * array[i * 3 + c]!;
+    }
   }
 }
 
@@ -318,7 +351,10 @@ function normalizeAll(values: Float32Array, stride: number, from: number, to: nu
   }
 }
 
-/** The matrices of a skeleton's joints, from the mesh's bind space to the model's. Shared by all its meshes. */
+/**
+ * The matrices of a skeleton's joints, from the mesh's bind space to the model's. Shared by all its
+ * meshes.
+ */
 export class JointPose {
   /** 16 numbers for each joint. */
   readonly matrices: Float64Array;
@@ -335,21 +371,33 @@ export class JointPose {
     this.matrices = new Float64Array(skeleton.bones.length * 16);
   }
 
-  /** World matrices must be up to date. A joint whose matrix leaves the domain of coordinates stays where it was. */
+  /**
+   * World matrices must be up to date. A joint whose matrix leaves the domain of coordinates stays
+   * where it was.
+   */
   update(): void {
     const { bones, boneInverses } = this.#skeleton;
     const { matrices } = this;
     let changes = 0;
-    for (const bone of this.#roots) bone.updateWorldMatrix(false, true);
+    for (const bone of this.#roots) {
+      bone.updateWorldMatrix(false, true);
+    }
     bones.forEach((bone, i) => {
-      const { elements } = this.#matrix.multiplyMatrices(bone.matrixWorld, boneInverses[i] ?? IDENTITY);
+      const { elements } = this.#matrix.multiplyMatrices(
+        bone.matrixWorld,
+        boneInverses[i] ?? IDENTITY,
+      );
       if (!elements.every((element) => Math.abs(element) <= LIMITS.coordinate)) return;
       for (let j = 0; j < 16; j += 1) {
-        if (matrices[i * 16 + j] !== elements[j]) changes += 1;
+        if (matrices[i * 16 + j] !== elements[j]) {
+          changes += 1;
+        }
         matrices[i * 16 + j] = elements[j]!;
       }
     });
-    if (changes > 0) this.version += 1;
+    if (changes > 0) {
+      this.version += 1;
+    }
   }
 }
 

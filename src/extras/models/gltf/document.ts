@@ -1,4 +1,5 @@
-// Reduces a glTF document to what is shown, and checks all indices and sizes for the parser. Knows the JSON only.
+// Reduces a glTF document to what is shown, and checks all indices and sizes for the parser. Knows
+// the JSON only.
 import { clip } from '../../../phong/fields/clip.js';
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { DRACO_LIMIT } from '../../../viewer/model/limits.js';
@@ -26,7 +27,10 @@ import { readMaterials, readTextures, type GltfTexture } from './materials.js';
 import { DRACO, type Primitive, type PrimitiveContext, readPrimitives } from './primitives.js';
 
 export interface GltfDocument {
-  /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
+  /**
+   * The reduced document for three's parser. It has no buffers and images: a plugin provides their
+   * bytes by index.
+   */
   readonly json: JsonObject;
   readonly bufferViews: readonly BufferView[];
   /** Claimed byte length, and address; undefined for the GLB's own chunk. */
@@ -46,14 +50,21 @@ export interface GltfDocument {
   readonly draco: ReadonlyMap<number, DracoClaims>;
 }
 
-/** Nodes inside nodes: three.js visits children by recursion, and would overflow the stack in some browsers. */
+/**
+ * Nodes inside nodes: three.js visits children by recursion, and would overflow the stack in some
+ * browsers.
+ */
 const DEPTH_LIMIT = 1000;
 
 /**
  * @param budget gets everything that the document claims, but images.
  * @throws ModelError for unsupported or too much content, a plain Error for broken content.
  */
-export async function readDocument(value: unknown, budget: ModelBudget, slices: Slices): Promise<GltfDocument> {
+export async function readDocument(
+  value: unknown,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<GltfDocument> {
   const json = objectAt(value, 'the document');
   requireReadable(json);
   budget.add({ nodes: listAt(json['nodes'], 'nodes').length });
@@ -64,7 +75,13 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
   const images = objectsAt(json['images'], 'images');
   const textures = await readTextures(json, images.length, slices);
   const materials = await readMaterials(json, textures, dropped, slices);
-  const meshes = await readMeshes(json, { accessors, materials, views: bufferViews.length, dropped, slices });
+  const meshes = await readMeshes(json, {
+    accessors,
+    materials,
+    views: bufferViews.length,
+    dropped,
+    slices,
+  });
   const skins = readSkins(json, accessors);
   const nodes = await readNodes(json, { meshes, skins, accessors, budget, dropped }, slices);
   const roots = readRoots(json, nodes);
@@ -95,12 +112,19 @@ export async function readDocument(value: unknown, budget: ModelBudget, slices: 
         name,
         primitives: primitives.map(({ definition }) => definition),
       })),
-      skins: skins.map(({ joints, inverseBindMatrices: own }) => ({ joints, inverseBindMatrices: own?.index })),
+      skins: skins.map(({ joints, inverseBindMatrices: own }) => ({
+        joints,
+        inverseBindMatrices: own?.index,
+      })),
       materials,
       textures: textures.map(() => ({})),
       accessors: await accessors.definitions(slices),
       bufferViews: bufferViews.map(({ byteLength, byteStride }) => ({ byteLength, byteStride })),
-      extensionsUsed: [...(draco.size > 0 ? [DRACO] : []), 'KHR_mesh_quantization', 'KHR_texture_transform'],
+      extensionsUsed: [
+        ...(draco.size > 0 ? [DRACO] : []),
+        'KHR_mesh_quantization',
+        'KHR_texture_transform',
+      ],
     },
     bufferViews,
     buffers: bufferDefs.map((buffer, i) => ({
@@ -141,11 +165,19 @@ function readSkins(json: JsonObject, accessors: Accessors): readonly Skin[] {
   const nodeCount = listAt(json['nodes'], 'nodes').length;
   return objectsAt(json['skins'], 'skins').map((skin, i) => {
     const what = `skins[${String(i)}]`;
-    const joints = listAt(skin['joints'], `${what}.joints`).map((joint) => indexAt(joint, nodeCount, `${what}.joints`));
-    if (skin['inverseBindMatrices'] === undefined) return { index: i, joints, inverseBindMatrices: undefined };
-    const inverseBindMatrices = accessors.at(skin['inverseBindMatrices'], `${what}.inverseBindMatrices`);
-    if (inverseBindMatrices.components !== 16 || inverseBindMatrices.count < joints.length)
+    const joints = listAt(skin['joints'], `${what}.joints`).map((joint) =>
+      indexAt(joint, nodeCount, `${what}.joints`),
+    );
+    if (skin['inverseBindMatrices'] === undefined) {
+      return { index: i, joints, inverseBindMatrices: undefined };
+    }
+    const inverseBindMatrices = accessors.at(
+      skin['inverseBindMatrices'],
+      `${what}.inverseBindMatrices`,
+    );
+    if (inverseBindMatrices.components !== 16 || inverseBindMatrices.count < joints.length) {
       throw new Error(`${what} has too few matrices`);
+    }
     return { index: i, joints, inverseBindMatrices };
   });
 }
@@ -160,7 +192,10 @@ interface GltfMesh {
   readonly bound: boolean;
 }
 
-async function readMeshes(json: JsonObject, context: PrimitiveContext): Promise<readonly GltfMesh[]> {
+async function readMeshes(
+  json: JsonObject,
+  context: PrimitiveContext,
+): Promise<readonly GltfMesh[]> {
   const meshes: GltfMesh[] = [];
   for (const mesh of objectsAt(json['meshes'], 'meshes')) {
     const primitives = await readPrimitives(mesh, context);
@@ -170,7 +205,9 @@ async function readMeshes(json: JsonObject, context: PrimitiveContext): Promise<
       primitives,
       weights: listAt(mesh['weights'], 'weights').map((weight) => numberAt(weight, 'weights', 0)),
       targets: primitives.reduce((most, { targets }) => Math.max(most, targets.length), 0),
-      bound: primitives.length > 0 && primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes),
+      bound:
+        primitives.length > 0 &&
+        primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes),
     });
   }
   return meshes;
@@ -205,18 +242,25 @@ async function readNodes(
   const defs = objectsAt(json['nodes'], 'nodes');
   const nodes = await slices.map(defs, (node, i): GltfNode => {
     const what = `nodes[${String(i)}]`;
-    const index = node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
+    const index =
+      node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
     const mesh = index === undefined ? undefined : meshes[index];
-    const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
+    const skin =
+      node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
     const instances = readInstances(node, accessors, what, dropped);
     const { targets = 0, bound = false, weights: fallback = [] } = mesh ?? {};
     const primitives = instances?.count === 0 ? [] : (mesh?.primitives ?? []);
     // A float64 each, in the file's list and in the pose.
     budget.add({ values: 4 * targets });
-    const given = node['weights'] === undefined ? fallback : listAt(node['weights'], `${what}.weights`);
-    const visible = optionalObject(optionalObject(node['extensions'], what)[VISIBILITY], what)['visible'];
+    const given =
+      node['weights'] === undefined ? fallback : listAt(node['weights'], `${what}.weights`);
+    const visible = optionalObject(optionalObject(node['extensions'], what)[VISIBILITY], what)[
+      'visible'
+    ];
     return {
-      children: listAt(node['children'], `${what}.children`).map((child) => indexAt(child, defs.length, what)),
+      children: listAt(node['children'], `${what}.children`).map((child) =>
+        indexAt(child, defs.length, what),
+      ),
       hidden: visible === false,
       mesh: primitives.length > 0 ? index : undefined,
       primitives,
@@ -237,8 +281,9 @@ async function readNodes(
 }
 
 /**
- * Counts parts and corners, gives access to the accessors of what is drawn, and returns the largest claims of what each
- * Draco buffer view holds. geometries.ts counts the numbers of what it makes as it makes it.
+ * Counts parts and corners, gives access to the accessors of what is drawn, and returns the largest
+ * claims of what each Draco buffer view holds. geometries.ts counts the numbers of what it makes as
+ * it makes it.
  * @throws ModelError `too-large` past a limit.
  */
 async function countDrawn(
@@ -251,12 +296,16 @@ async function countDrawn(
   const packed = new Map<number, DracoClaims>();
   for (const { primitives, instances, skin } of nodes) {
     if (primitives.length === 0) continue;
-    for (const accessor of Object.values(instances?.lists ?? {})) accessors.read(accessor);
+    for (const accessor of Object.values(instances?.lists ?? {})) {
+      accessors.read(accessor);
+    }
     if (skin !== undefined && !counted.has(skin)) {
       counted.add(skin);
       // A joint has a matrix in the file and one in its pose, in float64.
       budget.add({ values: skin.joints.length * 64 });
-      if (skin.inverseBindMatrices !== undefined) accessors.read(skin.inverseBindMatrices);
+      if (skin.inverseBindMatrices !== undefined) {
+        accessors.read(skin.inverseBindMatrices);
+      }
     }
     const copies = instances?.count ?? 1;
     for (const primitive of primitives) {
@@ -265,29 +314,39 @@ async function countDrawn(
       await slices.pauseIfDue();
       if (counted.has(primitive)) continue;
       counted.add(primitive);
-      for (const accessor of primitive.read) accessors.read(accessor);
+      for (const accessor of primitive.read) {
+        accessors.read(accessor);
+      }
       if (primitive.packed === undefined) continue;
       requireAtMost(Math.max(corners, vertices), DRACO_LIMIT, 'corners in one Draco mesh');
       // The decoder's numbers.
-      budget.add({ values: attributes.reduce((sum, { items }) => sum + items * vertices, corners) });
+      budget.add({
+        values: attributes.reduce((sum, { items }) => sum + items * vertices, corners),
+      });
       const most = packed.get(primitive.packed) ?? primitive;
-      const claims = { corners: Math.max(most.corners, corners), vertices: Math.max(most.vertices, vertices) };
+      const claims = {
+        corners: Math.max(most.corners, corners),
+        vertices: Math.max(most.vertices, vertices),
+      };
       packed.set(primitive.packed, claims);
     }
   }
   return packed;
 }
 
-/** The scene's nodes, or all, without those that lie below another one: they would be there twice. */
+/**
+ * The scene's nodes, or all, without those that lie below another one: they would be there twice.
+ */
 function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly number[] {
   const scenes = objectsAt(json['scenes'], 'scenes');
   const all = nodes.map((_, i) => i);
   const listed =
     scenes.length === 0
       ? all
-      : listAt(scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')]?.['nodes'], 'the scene').map((root) =>
-          indexAt(root, nodes.length, 'the scene'),
-        );
+      : listAt(
+          scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')]?.['nodes'],
+          'the scene',
+        ).map((root) => indexAt(root, nodes.length, 'the scene'));
   const children = listed.flatMap((root) => nodes[root]?.children ?? []);
   const below = withChildren(nodes, children);
   return [...new Set(listed)].filter((root) => !below.has(root));
@@ -295,7 +354,11 @@ function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly numbe
 
 function withChildren(nodes: readonly GltfNode[], roots: readonly number[]): ReadonlySet<number> {
   const reached = new Set(roots);
-  for (const index of reached) for (const child of nodes[index]?.children ?? []) reached.add(child);
+  for (const index of reached) {
+    for (const child of nodes[index]?.children ?? []) {
+      reached.add(child);
+    }
+  }
   return reached;
 }
 
@@ -303,11 +366,18 @@ function withChildren(nodes: readonly GltfNode[], roots: readonly number[]): Rea
 function withJoints(drawn: readonly GltfNode[], inScene: ReadonlySet<number>): ReadonlySet<number> {
   const shown = new Set(inScene);
   const skins = new Set(drawn.map(({ skin }) => skin));
-  for (const skin of skins) for (const joint of skin?.joints ?? []) shown.add(joint);
+  for (const skin of skins) {
+    for (const joint of skin?.joints ?? []) {
+      shown.add(joint);
+    }
+  }
   return shown;
 }
 
-/** The parser would wait for ever on a cycle. @throws ModelError `too-large` if nodes are nested too deeply. */
+/**
+ * The parser would wait for ever on a cycle. @throws ModelError `too-large` if nodes are nested too
+ * deeply.
+ */
 function requireTree(children: readonly (readonly number[])[]): void {
   const below = new Set<number>();
   for (const child of children.flat()) {
@@ -318,7 +388,9 @@ function requireTree(children: readonly (readonly number[])[]): void {
   let level = [...children.keys()].filter((node) => !below.has(node));
   for (let depth = 1; level.length > 0; depth += 1) {
     requireAtMost(depth, DEPTH_LIMIT, 'levels of nodes inside nodes');
-    for (const node of level) reached.add(node);
+    for (const node of level) {
+      reached.add(node);
+    }
     level = level.flatMap((node) => children[node]!);
   }
   const cyclic = [...children.keys()].find((node) => !reached.has(node));

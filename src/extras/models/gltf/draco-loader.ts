@@ -13,9 +13,9 @@ import type { DracoJob, DracoMesh } from './draco-mesh.js';
 const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
 
 /**
- * For meshes of any size: the bunny blocks the main thread for 42 ms of processor time, a million triangles for 870 ms.
- * More workers are no faster: each warms the decoder up again, and three of them took 180 ms each for 34 meshes that
- * one unpacks in 190 ms.
+ * For meshes of any size: the bunny blocks the main thread for 42 ms of processor time, a million
+ * triangles for 870 ms. More workers are no faster: each warms the decoder up again, and three of
+ * them took 180 ms each for 34 meshes that one unpacks in 190 ms.
  */
 const thread = /* @__PURE__ */ new DecoderThread<DracoJob, DracoMesh>(
   () => new Worker(new URL('./draco-worker.ts', import.meta.url), { type: 'module' }),
@@ -34,8 +34,9 @@ export function dracoLoader(slices: Slices, signal: AbortSignal): DracoLoader {
     const { index, attributes } = await thread.decode(job, signal);
     const geometry = new BufferGeometry();
     geometry.setIndex(new BufferAttribute(index, 1));
-    for (const [name, { array, itemSize }] of Object.entries(attributes))
+    for (const [name, { array, itemSize }] of Object.entries(attributes)) {
       geometry.setAttribute(name, new BufferAttribute(array, itemSize));
+    }
     return geometry;
   };
   const loader = {
@@ -60,12 +61,14 @@ export interface DracoClaims {
   readonly vertices: number;
 }
 
-/** Encoders merge or split vertices and do not update the accessors. We have seen no factor near 2. */
+/**
+ * Encoders merge or split vertices and do not update the accessors. We have seen no factor near 2.
+ */
 const TOLERANCE = 2;
 
 /**
- * Throws if the header says more than the document, or is no header of a mesh. Follows the Draco bitstream specification
- * 2.2, sections 3.2 to 5, and its differences in older versions.
+ * Throws if the header says more than the document, or is no header of a mesh. Follows the Draco
+ * bitstream specification 2.2, sections 3.2 to 5, and its differences in older versions.
  */
 export function checkDracoHeader(bytes: Uint8Array, { corners, vertices }: DracoClaims): void {
   const { faces, points } = meshSize(bytes);
@@ -86,12 +89,16 @@ function meshSize(bytes: Uint8Array): { readonly faces: number; readonly points:
   const version = reader.uint(1) * 256 + reader.uint(1);
   if (reader.uint(1) !== MESH) throw new Error('it contains no Draco mesh');
   const edgebreaker = reader.uint(1) === 1;
-  if (reader.uint(2) & HAS_METADATA) skipMetadata(reader);
+  if (reader.uint(2) & HAS_METADATA) {
+    skipMetadata(reader);
+  }
   const fixed = version < (edgebreaker ? 0x200 : 0x202);
   const number = (): number => (fixed ? reader.uint(4) : reader.varint());
   if (!edgebreaker) return { faces: number(), points: number() };
   reader.skip(1); // traversal
-  if (version < 0x202) number(); // new vertices
+  if (version < 0x202) {
+    number(); // new vertices
+  }
   const vertices = number();
   const faces = number();
   reader.skip(1); // attributes

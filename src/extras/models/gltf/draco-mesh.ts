@@ -12,7 +12,9 @@ export interface DracoJob {
 
 export interface DracoMesh {
   readonly index: Uint32Array<ArrayBuffer>;
-  readonly attributes: Readonly<Record<string, { readonly array: DracoArray; readonly itemSize: number }>>;
+  readonly attributes: Readonly<
+    Record<string, { readonly array: DracoArray; readonly itemSize: number }>
+  >;
 }
 
 type DracoArray = InstanceType<ArrayType>;
@@ -32,9 +34,13 @@ function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: Dr
   const decoder = new draco.Decoder();
   const mesh = new draco.Mesh();
   try {
-    if (decoder.GetEncodedGeometryType(bytes) !== draco.TRIANGULAR_MESH) throw new Error('it contains no Draco mesh');
+    if (decoder.GetEncodedGeometryType(bytes) !== draco.TRIANGULAR_MESH) {
+      throw new Error('it contains no Draco mesh');
+    }
     const status = decoder.DecodeArrayToMesh(bytes, bytes.byteLength, mesh);
-    if (!status.ok() || mesh.ptr === 0) throw new Error(`its Draco data is broken (${status.error_msg()})`);
+    if (!status.ok() || mesh.ptr === 0) {
+      throw new Error(`its Draco data is broken (${status.error_msg()})`);
+    }
     const corners = mesh.num_faces() * 3;
     const index = copyOut(draco, Uint32Array, corners, (size, pointer) =>
       decoder.GetTrianglesUInt32Array(mesh, size, pointer),
@@ -43,7 +49,9 @@ function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: Dr
     for (const [name, id] of Object.entries(idByName)) {
       const attribute = decoder.GetAttributeByUniqueId(mesh, id);
       const wanted = arrayTypeByName[name];
-      if (attribute.ptr === 0 || !wanted) throw new Error(`its Draco data lacks the attribute ${name}`);
+      if (attribute.ptr === 0 || !wanted) {
+        throw new Error(`its Draco data lacks the attribute ${name}`);
+      }
       const [type, number] = TYPES[wanted];
       const itemSize = attribute.num_components();
       const array = copyOut(draco, type, mesh.num_points() * itemSize, (size, pointer) =>

@@ -18,11 +18,17 @@ export const unreadable = (json: JsonObject): string | undefined =>
     .map(String)
     .find((name) => !READABLE.test(name));
 
-/** The names of the extensions in use that are left out. Those of textures are reported with their images. */
+/**
+ * The names of the extensions in use that are left out. Those of textures are reported with their
+ * images.
+ */
 export function* extensionsLeftOut(json: JsonObject): Iterable<string> {
   yield* leftOutOf(json);
-  for (const name of ['scenes', 'nodes', 'meshes', 'materials'])
-    for (const object of objectsAt(json[name], name)) yield* leftOutOf(object);
+  for (const name of ['scenes', 'nodes', 'meshes', 'materials']) {
+    for (const object of objectsAt(json[name], name)) {
+      yield* leftOutOf(object);
+    }
+  }
 }
 
 /** As {@link extensionsLeftOut}, of one object. */

@@ -1,4 +1,5 @@
-// Turns the geometries from three's glTF loader into those that are drawn, in the file's pose. Shared ones stay shared.
+// Turns the geometries from three's glTF loader into those that are drawn, in the file's pose.
+// Shared ones stay shared.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -25,7 +26,14 @@ import type { Accessor } from './accessors.js';
 import { Deformation, type MorphTarget, JointPose } from './deformation.js';
 import type { Instances } from './instances.js';
 import { addTangents, findNormals, takeFileNormals } from './computed-vectors.js';
-import { cornersOf, FANS, type MorphAccessors, type Primitive, STRIPS, TRIANGLES } from './primitives.js';
+import {
+  cornersOf,
+  FANS,
+  type MorphAccessors,
+  type Primitive,
+  STRIPS,
+  TRIANGLES,
+} from './primitives.js';
 import { mapsOf, uvNameOf } from './materials.js';
 
 /** Where the file describes an object. */
@@ -51,7 +59,10 @@ export interface GeometrySource {
 }
 
 /** The index of the node that an object is, or is part of. */
-export function nodeOf(object: Object3D, source: Pick<GeometrySource, 'indicesOf'>): number | undefined {
+export function nodeOf(
+  object: Object3D,
+  source: Pick<GeometrySource, 'indicesOf'>,
+): number | undefined {
   for (let node: Object3D | null = object; node !== null; node = node.parent) {
     const index = source.indicesOf(node)?.nodes;
     if (index !== undefined) return index;
@@ -59,7 +70,10 @@ export function nodeOf(object: Object3D, source: Pick<GeometrySource, 'indicesOf
   return undefined;
 }
 
-/** The loader makes a mesh skinned for all nodes that share it. Those without a skin have no skeleton. */
+/**
+ * The loader makes a mesh skinned for all nodes that share it. Those without a skin have no
+ * skeleton.
+ */
 export const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
   mesh instanceof SkinnedMesh && (mesh.skeleton as Skeleton | undefined) !== undefined;
 
@@ -79,7 +93,9 @@ export class Geometries {
 
   async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BufferGeometry> {
     const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
-    const uvs = [...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : [])))];
+    const uvs = [
+      ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
+    ];
     const tangents = normalMap === null ? null : uvNameOf(normalMap);
     const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
     const { meshes = -1, primitives = -1 } = this.#source.indicesOf(mesh) ?? {};
@@ -106,46 +122,74 @@ export class Geometries {
     const attributes = await this.#attributesOf(source, uvs, tangents !== null);
     const { count = 0, array: positions = [] } = attributes.get('position') ?? {};
     const shown = [...attributes.keys()];
-    if (isSkinned(mesh)) for (const name of JOINTS) attributes.set(name, source.getAttribute(name));
+    if (isSkinned(mesh)) {
+      for (const name of JOINTS) {
+        attributes.set(name, source.getAttribute(name));
+      }
+    }
     for (const [i, target] of targets.entries()) {
       for (const [name, accessor] of Object.entries(target)) {
         const vectors = await this.#source.accessor(accessor);
         attributes.set(morphName(i, name), await this.#convert(vectors, floatPositions, 3));
       }
     }
-    for (const [name, attribute] of attributes)
+    for (const [name, attribute] of attributes) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
+    }
     let corners = await this.#cornersOf(source.index, mode, count);
     const moves = isSkinned(mesh) || targets.length > 0;
     const total = corners?.length ?? count;
     const own = attributes.get('normal');
-    const { some, all } = own ? await findNormals(own.array, positions, corners, total, this.#slices) : NO_NORMALS;
+    const { some, all } = own
+      ? await findNormals(own.array, positions, corners, total, this.#slices)
+      : NO_NORMALS;
     // Without any normal that has a direction they count as absent.
     const flat = !some;
-    if (flat) for (const name of ['normal', 'tangent']) attributes.delete(name);
+    if (flat) {
+      for (const name of ['normal', 'tangent']) {
+        attributes.delete(name);
+      }
+    }
     const computed = tangents !== null && !attributes.has('tangent');
     // A copy of the vertices for each corner, where they cannot be shared, or few of them are used.
     const separate = corners && (!all || corners.length * 2 < count) ? corners : null;
     const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
-    const each = (separate ? items : 0) + (all ? 0 : 3) + (moves ? MOVING_VALUES : 0) + (computed ? TANGENT_VALUES : 0);
+    const each =
+      (separate ? items : 0) +
+      (all ? 0 : 3) +
+      (moves ? MOVING_VALUES : 0) +
+      (computed ? TANGENT_VALUES : 0);
     // An index, and one of its own where joints mirror it.
     const indices = separate ? 0 : (corners?.length ?? 0) * (isSkinned(mesh) ? 2 : 1);
     this.#source.budget.add({ values: (separate?.length ?? count) * each + indices });
     if (separate) {
-      for (const [name, attribute] of attributes)
+      for (const [name, attribute] of attributes) {
         attributes.set(name, await gathered(attribute, separate, this.#slices));
+      }
       corners = null;
     }
     const geometry = new BufferGeometry();
-    for (const name of shown) if (attributes.has(name)) geometry.setAttribute(name, attributes.get(name)!);
+    for (const name of shown) {
+      if (attributes.has(name)) {
+        geometry.setAttribute(name, attributes.get(name)!);
+      }
+    }
     if (!all) {
       const normals = await faceNormals(geometry.getAttribute('position').array, this.#slices);
-      if (!flat) await takeFileNormals(geometry.getAttribute('normal').array, normals.array, this.#slices);
+      if (!flat) {
+        await takeFileNormals(geometry.getAttribute('normal').array, normals.array, this.#slices);
+      }
       geometry.setAttribute('normal', normals);
     }
-    if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
-    if (computed) await addTangents(geometry, tangents, this.#slices);
-    if (moves) await this.#deform(mesh, geometry, flat, attributes, targets);
+    if (corners) {
+      geometry.setIndex(new BufferAttribute(corners, 1));
+    }
+    if (computed) {
+      await addTangents(geometry, tangents, this.#slices);
+    }
+    if (moves) {
+      await this.#deform(mesh, geometry, flat, attributes, targets);
+    }
     return geometry;
   }
 
@@ -187,8 +231,9 @@ export class Geometries {
       for (let i = from; i < to; i += 1) {
         const at = cornerOf === undefined ? i : cornerOf(i);
         const vertex = index ? index.getX(at) : at;
-        if (!(vertex < vertices))
+        if (!(vertex < vertices)) {
           throw new Error(`a triangle refers to vertex ${String(vertex)} of ${String(vertices)}`);
+        }
         corners[i] = vertex;
       }
     });
@@ -205,13 +250,20 @@ export class Geometries {
   ): Promise<void> {
     const [indices, weights] = JOINTS.map((name) => attributes.get(name));
     const joints =
-      isSkinned(mesh) && indices && weights ? { pose: this.#poseOf(mesh.skeleton), indices, weights } : null;
+      isSkinned(mesh) && indices && weights
+        ? { pose: this.#poseOf(mesh.skeleton), indices, weights }
+        : null;
     const deformation = new Deformation(geometry, {
       joints,
       flat,
       weights: this.#weightsOf(mesh, targets.length),
       targets: targets.map((target, i): MorphTarget =>
-        Object.fromEntries(Object.keys(target).map((name) => [name.toLowerCase(), attributes.get(morphName(i, name))])),
+        Object.fromEntries(
+          Object.keys(target).map((name) => [
+            name.toLowerCase(),
+            attributes.get(morphName(i, name)),
+          ]),
+        ),
       ),
     });
     await deformation.load(this.#slices);
@@ -237,7 +289,11 @@ export class Geometries {
   }
 
   /** @param items numbers per vertex that it makes. */
-  async #convert(source: Attribute, conversion: Conversion, items: number): Promise<BufferAttribute> {
+  async #convert(
+    source: Attribute,
+    conversion: Conversion,
+    items: number,
+  ): Promise<BufferAttribute> {
     const known = this.#converted.get(conversion) ?? new Map<Attribute, BufferAttribute>();
     this.#converted.set(conversion, known);
     const present = known.get(source);
@@ -252,17 +308,24 @@ export class Geometries {
 const NO_NORMALS = { some: false, all: false };
 const JOINTS = ['skinIndex', 'skinWeight'] as const;
 
-/** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
+/**
+ * What a computed tangent costs, in values: itself, and two sums in float64 while it is computed.
+ */
 const TANGENT_VALUES = 16;
 
-/** What a vertex that moves costs, in values: position, normal, tangent, joints, weights, whether it is mirrored. */
+/**
+ * What a vertex that moves costs, in values: position, normal, tangent, joints, weights, whether it
+ * is mirrored.
+ */
 const MOVING_VALUES = 17;
 
 const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
 
 /** The vertex of a corner of triangle t, as strips and fans count. */
 const CORNER_OF: Readonly<Record<number, (corner: number) => number>> = {
-  /** t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same side. */
+  /**
+   * t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same side.
+   */
   [STRIPS]: (corner) => {
     const within = corner % 3;
     const triangle = (corner - within) / 3;

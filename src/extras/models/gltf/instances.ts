@@ -12,10 +12,16 @@ export interface Instances {
   readonly lists: Readonly<Partial<Record<keyof typeof LISTS, Accessor>>>;
 }
 
-/** Numbers per instance, at least and at most. The colour is no part of the extension, but files have it. */
+/**
+ * Numbers per instance, at least and at most. The colour is no part of the extension, but files
+ * have it.
+ */
 const LISTS = { TRANSLATION: [3, 3], ROTATION: [4, 4], SCALE: [3, 3], _COLOR_0: [3, 4] } as const;
 
-/** Undefined for a node without instances. @param dropped receives lists that are longer than others. */
+/**
+ * Undefined for a node without instances. @param dropped receives lists that are longer than
+ * others.
+ */
 export function readInstances(
   node: JsonObject,
   accessors: Accessors,
@@ -24,20 +30,29 @@ export function readInstances(
 ): Instances | undefined {
   const extension = optionalObject(node['extensions'], `${what}.extensions`)[INSTANCING];
   if (extension === undefined) return undefined;
-  const attributes = optionalObject(optionalObject(extension, what)['attributes'], `${what}.attributes`);
+  const attributes = optionalObject(
+    optionalObject(extension, what)['attributes'],
+    `${what}.attributes`,
+  );
   const lists: Partial<Record<keyof typeof LISTS, Accessor>> = {};
-  for (const [name, [least, most]] of Object.entries(LISTS) as [keyof typeof LISTS, readonly [number, number]][]) {
+  for (const [name, [least, most]] of Object.entries(LISTS) as [
+    keyof typeof LISTS,
+    readonly [number, number],
+  ][]) {
     if (attributes[name] === undefined) continue;
     const accessor = accessors.at(attributes[name], `${what}.${name}`);
     const { components } = accessor;
-    if (components < least || components > most)
+    if (components < least || components > most) {
       throw new Error(`${what}.${name} has ${String(components)} numbers for each instance`);
+    }
     lists[name] = accessor;
   }
   const counts = Object.values(lists).map(({ count }) => count);
   if (counts.length === 0) return undefined;
   const count = Math.min(...counts);
-  if (count < Math.max(...counts)) dropped.add(`instances of ${what} that lack some of their values`);
+  if (count < Math.max(...counts)) {
+    dropped.add(`instances of ${what} that lack some of their values`);
+  }
   return { count, lists };
 }
 
@@ -54,18 +69,31 @@ export async function placeInstances(
   numbers: (accessor: Accessor) => Promise<Attribute>,
   slices: Slices,
 ): Promise<readonly Instance[]> {
-  const read = (name: keyof typeof LISTS): Promise<Attribute> | null => (lists[name] ? numbers(lists[name]) : null);
-  const [translations, rotations, scales] = [await read('TRANSLATION'), await read('ROTATION'), await read('SCALE')];
+  const read = (name: keyof typeof LISTS): Promise<Attribute> | null =>
+    lists[name] ? numbers(lists[name]) : null;
+  const [translations, rotations, scales] = [
+    await read('TRANSLATION'),
+    await read('ROTATION'),
+    await read('SCALE'),
+  ];
   const colors = await read('_COLOR_0');
   const position = new Vector3();
   const rotation = new Quaternion();
   const scale = new Vector3(1, 1, 1);
   return slices.map(Array.from({ length: count }), (_, i) => {
-    if (translations !== null) position.fromBufferAttribute(translations, i);
-    if (rotations !== null) setRotation(rotation, rotations, i);
-    if (scales !== null) scale.fromBufferAttribute(scales, i);
+    if (translations !== null) {
+      position.fromBufferAttribute(translations, i);
+    }
+    if (rotations !== null) {
+      setRotation(rotation, rotations, i);
+    }
+    if (scales !== null) {
+      scale.fromBufferAttribute(scales, i);
+    }
     const matrix = new Matrix4().compose(position, rotation, scale);
-    if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of an instance is not finite');
+    if (!matrix.elements.every(Number.isFinite)) {
+      throw new Error('the transform of an instance is not finite');
+    }
     return { matrix, color: colors === null ? null : colorOf(colors, i) };
   });
 }
@@ -74,14 +102,18 @@ export async function placeInstances(
 function setRotation(rotation: Quaternion, source: Attribute, i: number): void {
   const [x, y, z, w] = [source.getX(i), source.getY(i), source.getZ(i), source.getW(i)];
   const length = Math.hypot(x, y, z, w);
-  if (length > 0 && length < Infinity) rotation.set(x / length, y / length, z / length, w / length);
-  else rotation.identity();
+  if (length > 0 && length < Infinity) {
+    rotation.set(x / length, y / length, z / length, w / length);
+  } else {
+    rotation.identity();
+  }
 }
 
 function colorOf(source: Attribute, i: number): readonly number[] {
   // Integers stand for 0 to 1, whether the file says so or not.
   const { array, normalized } = source;
-  const full = normalized || array instanceof Float32Array ? 1 : 2 ** (8 * array.BYTES_PER_ELEMENT) - 1;
+  const full =
+    normalized || array instanceof Float32Array ? 1 : 2 ** (8 * array.BYTES_PER_ELEMENT) - 1;
   return Array.from({ length: 4 }, (_, c) => {
     const value = c < source.itemSize ? source.getComponent(i, c) / full : 1;
     return value > 0 ? Math.min(value, 1) : 0;

@@ -45,10 +45,16 @@ export function indexAt(value: unknown, length: number, what: string): number {
 }
 
 /** Exactly `length` finite numbers, or undefined if absent. */
-export function numbersAt(value: unknown, length: number, what: string): readonly number[] | undefined {
+export function numbersAt(
+  value: unknown,
+  length: number,
+  what: string,
+): readonly number[] | undefined {
   if (value === undefined) return undefined;
   const list = listAt(value, what);
-  const finite = list.every((item): item is number => typeof item === 'number' && Number.isFinite(item));
+  const finite = list.every(
+    (item): item is number => typeof item === 'number' && Number.isFinite(item),
+  );
   if (finite && list.length === length) return list;
   throw new Error(`${what} is not ${String(length)} numbers`);
 }

@@ -1,5 +1,6 @@
-// The parts of a glTF material that the equation uses: read and checked in the JSON, and turned into the equation's
-// terms when three's loader has made the material. See BaseLook for their meaning.
+// The parts of a glTF material that the equation uses: read and checked in the JSON, and turned
+// into the equation's terms when three's loader has made the material. See BaseLook for their
+// meaning.
 import { type BufferGeometry, DoubleSide, type MeshStandardMaterial, type Texture } from 'three';
 import { LIMITS } from '../../../phong/light/light-state.js';
 import { exponentOfRoughness } from '../../../phong/material/file-surface.js';
@@ -8,7 +9,15 @@ import { srgbEncode } from '../../../phong/math/color.js';
 import { clamp, map, multiply, type Vec3 } from '../../../phong/math/vector.js';
 import type { ContentPart } from '../../../viewer/model/model.js';
 import type { Slices } from '../slices.js';
-import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
+import {
+  indexAt,
+  numberAt,
+  numbersAt,
+  objectsAt,
+  optionalObject,
+  textAt,
+  type JsonObject,
+} from './json.js';
 
 export interface GltfTexture {
   /** Undefined if there is no image in a supported format. */
@@ -20,10 +29,17 @@ export interface GltfTexture {
 
 /** Mostly smaller than the plain `source`, which is the fallback. */
 const WEBP = 'EXT_texture_webp';
-/** Used where there is no other image: those need no transcoder, and have more of the original's colours. */
+/**
+ * Used where there is no other image: those need no transcoder, and have more of the original's
+ * colours.
+ */
 const KTX2 = 'KHR_texture_basisu';
 
-export function readTextures(json: JsonObject, images: number, slices: Slices): Promise<readonly GltfTexture[]> {
+export function readTextures(
+  json: JsonObject,
+  images: number,
+  slices: Slices,
+): Promise<readonly GltfTexture[]> {
   const samplers = objectsAt(json['samplers'], 'samplers');
   return slices.map(objectsAt(json['textures'], 'textures'), (texture, i) => {
     const what = `textures[${String(i)}]`;
@@ -34,7 +50,8 @@ export function readTextures(json: JsonObject, images: number, slices: Slices): 
     return {
       image: source === undefined ? undefined : indexAt(source, images, `${what}.source`),
       needs: Object.keys(extensions)[0],
-      sampler: sampler === undefined ? {} : (samplers[indexAt(sampler, samplers.length, what)] ?? {}),
+      sampler:
+        sampler === undefined ? {} : (samplers[indexAt(sampler, samplers.length, what)] ?? {}),
     };
   });
 }
@@ -48,11 +65,17 @@ interface MaterialValues {
   /** Factor of the specular coefficient; null for none. */
   readonly specular: readonly number[] | null;
   readonly normalScale: number;
-  /** Whether the file names these maps: where their image is missing, the factors that multiply it mean nothing. */
+  /**
+   * Whether the file names these maps: where their image is missing, the factors that multiply it
+   * mean nothing.
+   */
   readonly mapped: { readonly emissive: boolean; readonly metalRough: boolean };
 }
 
-/** For the parser, with {@link MaterialValues} as `extras.surface`. @param dropped gets textures that are left out. */
+/**
+ * For the parser, with {@link MaterialValues} as `extras.surface`. @param dropped gets textures
+ * that are left out.
+ */
 export function readMaterials(
   json: JsonObject,
   textures: readonly GltfTexture[],
@@ -65,9 +88,17 @@ export function readMaterials(
     const extensions = optionalObject(material['extensions'], what);
     const glossy = optionalObject(extensions['KHR_materials_pbrSpecularGlossiness'], what);
     const specular = optionalObject(extensions['KHR_materials_specular'], what);
-    if ('occlusionTexture' in material) dropped.add('occlusionTexture');
-    if ('specularGlossinessTexture' in glossy) dropped.add('specularGlossinessTexture');
-    for (const name of ['specularTexture', 'specularColorTexture']) if (name in specular) dropped.add(name);
+    if ('occlusionTexture' in material) {
+      dropped.add('occlusionTexture');
+    }
+    if ('specularGlossinessTexture' in glossy) {
+      dropped.add('specularGlossinessTexture');
+    }
+    for (const name of ['specularTexture', 'specularColorTexture']) {
+      if (name in specular) {
+        dropped.add(name);
+      }
+    }
     const use = (value: unknown): JsonObject | undefined =>
       value === undefined ? undefined : readTextureUse(value, textures, what);
     const normal = optionalObject(material['normalTexture'], what);
@@ -90,7 +121,10 @@ export function readMaterials(
           metalRough: readMetalRough(metallic, glossy, what),
           specular: readSpecular(specular, glossy, what),
           normalScale: numberAt(normal['scale'], `${what}.normalTexture.scale`, 1),
-          mapped: { emissive: 'emissiveTexture' in material, metalRough: 'metallicRoughnessTexture' in metallic },
+          mapped: {
+            emissive: 'emissiveTexture' in material,
+            metalRough: 'metallicRoughnessTexture' in metallic,
+          },
         } satisfies MaterialValues,
       },
     };
@@ -100,27 +134,44 @@ export function readMaterials(
 const BLACK = [0, 0, 0];
 const WHITE = [1, 1, 1];
 
-function readEmissive(material: JsonObject, extensions: JsonObject, what: string): readonly number[] {
+function readEmissive(
+  material: JsonObject,
+  extensions: JsonObject,
+  what: string,
+): readonly number[] {
   const factor = numbersAt(material['emissiveFactor'], 3, `${what}.emissiveFactor`) ?? BLACK;
   const { emissiveStrength } = optionalObject(extensions['KHR_materials_emissive_strength'], what);
   const strength = numberAt(emissiveStrength, `${what}.emissiveStrength`, 1);
   return factor.map((c) => c * strength);
 }
 
-function readMetalRough(metallic: JsonObject, glossy: JsonObject, what: string): MaterialValues['metalRough'] {
+function readMetalRough(
+  metallic: JsonObject,
+  glossy: JsonObject,
+  what: string,
+): MaterialValues['metalRough'] {
   const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = metallic;
   const glossiness = share(glossy['glossinessFactor'], `${what}.glossinessFactor`);
   if (glossiness < 1) return { metalness: 0, roughness: 1 - glossiness };
   const metalness = share(metallicFactor, `${what}.metallicFactor`);
   const roughness = share(roughnessFactor, `${what}.roughnessFactor`);
   if (metallicRoughnessTexture !== undefined) return { metalness, roughness };
-  return metalness === 1 && roughness === 1 ? null : { metalness: Math.min(metalness, MOST_METAL), roughness };
+  return metalness === 1 && roughness === 1
+    ? null
+    : { metalness: Math.min(metalness, MOST_METAL), roughness };
 }
 
-/** Metalness without a texture: half of Kd stands for the surroundings, which are not in the equation. */
+/**
+ * Metalness without a texture: half of Kd stands for the surroundings, which are not in the
+ * equation.
+ */
 const MOST_METAL = 0.5;
 
-function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): readonly number[] | null {
+function readSpecular(
+  specular: JsonObject,
+  glossy: JsonObject,
+  what: string,
+): readonly number[] | null {
   const color = specular['specularColorFactor'] ?? glossy['specularFactor'];
   if (color === undefined && specular['specularFactor'] === undefined) return null;
   const factor = share(specular['specularFactor'], `${what}.specularFactor`);
@@ -130,7 +181,11 @@ function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): r
 /** A number clamped to 0–1; 1 by default. */
 const share = (value: unknown, what: string): number => clamp(numberAt(value, what, 1), 0, 1);
 
-function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: string): JsonObject {
+function readTextureUse(
+  value: unknown,
+  textures: readonly GltfTexture[],
+  what: string,
+): JsonObject {
   const use = optionalObject(value, what);
   const extensions = optionalObject(use['extensions'], what);
   const transform = extensions['KHR_texture_transform'];
@@ -138,7 +193,8 @@ function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: 
   return {
     index: indexAt(use['index'], textures.length, `${what}'s texture`),
     texCoord: indexAt(use['texCoord'] ?? 0, UV_SETS, `${what}'s texCoord`),
-    extensions: transform === undefined ? undefined : { KHR_texture_transform: readTransform(moved, what) },
+    extensions:
+      transform === undefined ? undefined : { KHR_texture_transform: readTransform(moved, what) },
   };
 }
 
@@ -150,12 +206,16 @@ function readTransform(transform: JsonObject, what: string): JsonObject {
   return {
     offset: numbersAt(transform['offset'], 2, what),
     scale: numbersAt(transform['scale'], 2, what),
-    rotation: transform['rotation'] === undefined ? undefined : numberAt(transform['rotation'], what, 0),
+    rotation:
+      transform['rotation'] === undefined ? undefined : numberAt(transform['rotation'], what, 0),
     texCoord: texCoord === undefined ? undefined : indexAt(texCoord, UV_SETS, `${what}'s texCoord`),
   };
 }
 
-/** The maps of a material that are drawn, with those that the geometry has no coordinates for left out. */
+/**
+ * The maps of a material that are drawn, with those that the geometry has no coordinates for left
+ * out.
+ */
 export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry) {
   const usable = (map: Texture | null): Texture | null =>
     map !== null && geometry.hasAttribute(uvNameOf(map)) ? map : null;
@@ -169,7 +229,8 @@ export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry)
 }
 
 /** The attribute of a map's texture coordinates. */
-export const uvNameOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${String(channel)}`);
+export const uvNameOf = ({ channel }: Texture): string =>
+  channel === 0 ? 'uv' : `uv${String(channel)}`;
 
 /** @param color of the instance: linear, with opacity; multiplies base colour and opacity. */
 export function lookOf(
@@ -183,7 +244,8 @@ export function lookOf(
   const vertexColors = geometry.hasAttribute('color');
   const vertexAlpha = vertexColors && geometry.getAttribute('color').itemSize === 4;
   const opacity = material.opacity * alpha;
-  // Exporters often mark opaque materials as blended. Unsorted and without depth, those would show their backs.
+  // Exporters often mark opaque materials as blended. Unsorted and without depth, those would show
+  // their backs.
   const blends = transparent && (opacity < 1 || maps.map !== null || vertexAlpha);
   const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
   // The usual factors are 1: without the images, all of it would glow, or be metal.

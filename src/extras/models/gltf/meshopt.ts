@@ -1,4 +1,5 @@
-// Decodes meshopt data by three's WebAssembly decoder, on the main thread: about a gigabyte per second. A chunk.
+// Decodes meshopt data by three's WebAssembly decoder, on the main thread: about a gigabyte per
+// second. A chunk.
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 import { ModelError } from '../../../viewer/model/model.js';
 import type { MeshoptView } from './accessors.js';
@@ -14,7 +15,9 @@ export async function decodeMeshopt(
   });
   const decoded = new Uint8Array(count * stride);
   // An empty view has nothing to decode, and the decoder wants a header.
-  if (decoded.length > 0) MeshoptDecoder.decodeGltfBuffer(decoded, count, stride, bytes, mode, filter);
+  if (decoded.length > 0) {
+    MeshoptDecoder.decodeGltfBuffer(decoded, count, stride, bytes, mode, filter);
+  }
   return decoded;
 }
 
@@ -22,5 +25,8 @@ const refused = (cause: unknown): ModelError =>
   new ModelError(
     'csp',
     'The model is compressed by meshopt, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks it.',
-    { cause, advice: "Add 'wasm-unsafe-eval' to script-src, or save the model without that compression." },
+    {
+      cause,
+      advice: "Add 'wasm-unsafe-eval' to script-src, or save the model without that compression.",
+    },
   );

@@ -1,4 +1,5 @@
-// The motion of a glTF model: float64 keyframes set nodes, nodes move parts and joints, joints deform geometries.
+// The motion of a glTF model: float64 keyframes set nodes, nodes move parts and joints, joints
+// deform geometries.
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import type { ContentPart, Motion } from '../../../viewer/model/model.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
@@ -15,7 +16,9 @@ export interface Movable {
   readonly rigid: readonly RigidPart[];
   readonly joints: readonly JointPose[];
   readonly deformations: readonly Deformation[];
-  /** The weights of each node with morph targets, by the node's index; overwritten when it moves. */
+  /**
+   * The weights of each node with morph targets, by the node's index; overwritten when it moves.
+   */
   readonly weights: ReadonlyMap<number, Float64Array>;
 }
 
@@ -57,16 +60,28 @@ export async function readMotion(
       const values = await numbersOf(channel.output);
       if (!times.ordered || !values.finite) break;
       const rotation = path === 'rotation';
-      const keyframes = { times: times.array, values: values.array, width, interpolation, rotation };
+      const keyframes = {
+        times: times.array,
+        values: values.array,
+        width,
+        interpolation,
+        rotation,
+      };
       const node = await source.node(channel.node);
       const weights = movable.weights.get(channel.node) ?? new Float64Array(width);
       const target = targetOf(node, path, weights);
       tracks.push({ keyframes, ...target, value: target.rest.slice() });
       await slices.pauseIfDue();
     }
-    const duration = tracks.reduce((end, { keyframes }) => Math.max(end, keyframes.times.at(-1) ?? 0), 0);
-    if (tracks.length === channels.length) clips.push({ name, tracks, duration });
-    else dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
+    const duration = tracks.reduce(
+      (end, { keyframes }) => Math.max(end, keyframes.times.at(-1) ?? 0),
+      0,
+    );
+    if (tracks.length === channels.length) {
+      clips.push({ name, tracks, duration });
+    } else {
+      dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
+    }
   }
   return clips.length === 0 ? null : motionOf(file, clips, movable);
 }
@@ -75,9 +90,13 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
   const { scene, rigid, joints, deformations } = movable;
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
-    if (object instanceof Mesh) object.geometry = EMPTY;
+    if (object instanceof Mesh) {
+      object.geometry = EMPTY;
+    }
   });
-  for (const deformation of deformations) deformation.keep();
+  for (const deformation of deformations) {
+    deformation.keep();
+  }
   const tracks = clips.flatMap(({ tracks: own }) => own);
   const matrix = new Matrix4();
   let posed: Clip | null = null;
@@ -87,7 +106,9 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
     const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
     if (found === undefined && !unknown.has(wanted)) {
       const names = listed(clips.map(({ name }) => quoted(name)));
-      console.warn(`${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`);
+      console.warn(
+        `${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`,
+      );
       unknown.add(wanted);
     }
     return found ?? clips[0]!;
@@ -97,7 +118,11 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
     durationOf: (name) => clipOf(name).duration,
     pose: (name, seconds) => {
       const next = name === null ? null : clipOf(name);
-      if (next !== posed) for (const { rest, set } of tracks) set(rest);
+      if (next !== posed) {
+        for (const { rest, set } of tracks) {
+          set(rest);
+        }
+      }
       posed = next;
       if (next !== null) {
         const time = next.duration > 0 ? seconds % next.duration : 0;
@@ -108,13 +133,22 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
       }
       scene.updateMatrixWorld();
       for (const { part, mesh, within } of rigid) {
-        if (within === null) matrix.copy(mesh.matrixWorld);
-        else matrix.multiplyMatrices(mesh.matrixWorld, within);
+        if (within === null) {
+          matrix.copy(mesh.matrixWorld);
+        } else {
+          matrix.multiplyMatrices(mesh.matrixWorld, within);
+        }
         // Scales inside scales can leave the range of numbers. The part then stays where it was.
-        if (matrix.elements.every(Number.isFinite)) part.matrix.copy(matrix);
+        if (matrix.elements.every(Number.isFinite)) {
+          part.matrix.copy(matrix);
+        }
       }
-      for (const pose of joints) pose.update();
-      for (const deformation of deformations) deformation.update();
+      for (const pose of joints) {
+        pose.update();
+      }
+      for (const deformation of deformations) {
+        deformation.update();
+      }
     },
   };
 }
@@ -136,9 +170,15 @@ interface Clip {
   readonly duration: number;
 }
 
-function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Pick<Track, 'rest' | 'set'> {
+function targetOf(
+  node: Object3D,
+  path: ChannelPath,
+  weights: Float64Array,
+): Pick<Track, 'rest' | 'set'> {
   if (path === 'weights') return { rest: weights.slice(), set: (value) => weights.set(value) };
-  const property = { translation: node.position, rotation: node.quaternion, scale: node.scale }[path];
+  const property = { translation: node.position, rotation: node.quaternion, scale: node.scale }[
+    path
+  ];
   return { rest: Float64Array.from(property.toArray()), set: (value) => property.fromArray(value) };
 }
 
@@ -166,7 +206,10 @@ async function readNumbers(source: Attribute, slices: Slices): Promise<Numbers> 
 interface Keyframes {
   /** Seconds, none smaller than the one before; at least one. */
   readonly times: Float32Array;
-  /** `width` numbers per keyframe; with `CUBICSPLINE` in-tangent, value and out-tangent, `width` numbers each. */
+  /**
+   * `width` numbers per keyframe; with `CUBICSPLINE` in-tangent, value and out-tangent, `width`
+   * numbers each.
+   */
   readonly values: Float32Array;
   readonly width: number;
   readonly interpolation: Interpolation;
@@ -184,8 +227,12 @@ function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): 
   const to = from + 1;
   if (from < 0 || to >= times.length || interpolation === 'STEP') {
     const at = first + Math.max(from, 0) * stride;
-    for (let c = 0; c < width; c += 1) out[c] = values[at + c]!;
-    if (rotation) normalize(out);
+    for (let c = 0; c < width; c += 1) {
+      out[c] = values[at + c]!;
+    }
+    if (rotation) {
+      normalize(out);
+    }
     return;
   }
   const step = times[to]! - times[from]!;
@@ -201,9 +248,13 @@ function sampleTrack(keyframes: Keyframes, seconds: number, out: Float64Array): 
     }
   } else {
     const [p, q] = rotation ? slerp(values, a, b, t) : ([1 - t, t] as const);
-    for (let c = 0; c < width; c += 1) out[c] = p * values[a + c]! + q * values[b + c]!;
+    for (let c = 0; c < width; c += 1) {
+      out[c] = p * values[a + c]! + q * values[b + c]!;
+    }
   }
-  if (rotation) normalize(out);
+  if (rotation) {
+    normalize(out);
+  }
 }
 
 /** The index of the last time that is not after `seconds`; −1 if all are. */
@@ -212,8 +263,11 @@ function lastAtOrBefore(times: Float32Array, seconds: number): number {
   let high = times.length;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (times[middle]! <= seconds) low = middle;
-    else high = middle;
+    if (times[middle]! <= seconds) {
+      low = middle;
+    } else {
+      high = middle;
+    }
   }
   return low;
 }
@@ -225,13 +279,18 @@ function hermite(t: number, step: number): readonly [number, number, number, num
   return [2 * t3 - 3 * t2 + 1, step * (t3 - 2 * t2 + t), 3 * t2 - 2 * t3, step * (t3 - t2)];
 }
 
-/** Rotations closer than this, as the sine of half the angle between them, are blended linearly: equal to 1e-12. */
+/**
+ * Rotations closer than this, as the sine of half the angle between them, are blended linearly:
+ * equal to 1e-12.
+ */
 const NEARLY_EQUAL = 1e-6;
 
 /** Factors of two quaternions for the shorter way between them (glTF 2.0, appendix C.4). */
 function slerp(values: Float32Array, a: number, b: number, t: number): readonly [number, number] {
   let dot = 0;
-  for (let c = 0; c < 4; c += 1) dot += values[a + c]! * values[b + c]!;
+  for (let c = 0; c < 4; c += 1) {
+    dot += values[a + c]! * values[b + c]!;
+  }
   const sign = dot < 0 ? -1 : 1;
   const angle = Math.acos(Math.min(Math.abs(dot), 1));
   const sine = Math.sin(angle);
@@ -242,8 +301,13 @@ function slerp(values: Float32Array, a: number, b: number, t: number): readonly 
 /** A quaternion without length becomes no rotation. */
 function normalize(q: Float64Array): void {
   const length = Math.hypot(q[0]!, q[1]!, q[2]!, q[3]!);
-  if (!(length > 0)) q.set(NO_ROTATION);
-  else for (let c = 0; c < 4; c += 1) q[c]! /= length;
+  if (!(length > 0)) {
+    q.set(NO_ROTATION);
+  } else {
+    for (let c = 0; c < 4; c += 1) {
+      q[c]! /= length;
+    }
+  }
 }
 
 const NO_ROTATION = [0, 0, 0, 1];

@@ -1,4 +1,5 @@
-// The primitives of a glTF mesh that are drawn: triangles, and the attributes that are used. Knows the JSON only.
+// The primitives of a glTF mesh that are drawn: triangles, and the attributes that are used. Knows
+// the JSON only.
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';
@@ -7,7 +8,10 @@ import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject 
 export const DRACO = 'KHR_draco_mesh_compression';
 
 export interface Primitive {
-  /** For the parser, which gets triangles: it would turn strips into arrays of numbers and copy their vertices. */
+  /**
+   * For the parser, which gets triangles: it would turn strips into arrays of numbers and copy
+   * their vertices.
+   */
   readonly definition: {
     readonly attributes: Readonly<Record<string, number>>;
     readonly extensions: JsonObject;
@@ -21,7 +25,11 @@ export interface Primitive {
   readonly corners: number;
   readonly vertices: number;
   /** The attributes, each with the numbers per vertex that it becomes. */
-  readonly attributes: readonly { readonly accessor: Accessor; readonly items: number; readonly name: string }[];
+  readonly attributes: readonly {
+    readonly accessor: Accessor;
+    readonly items: number;
+    readonly name: string;
+  }[];
   /** Accessors that are read: all but those whose numbers are in Draco data. */
   readonly read: readonly Accessor[];
   /** Accessors of its morph targets, by their attributes' names. */
@@ -30,7 +38,9 @@ export interface Primitive {
   readonly packed: number | undefined;
 }
 
-/** Absent where a target leaves an attribute as it is. As many elements as the mesh has vertices. */
+/**
+ * Absent where a target leaves an attribute as it is. As many elements as the mesh has vertices.
+ */
 export type MorphAccessors = Readonly<Partial<Record<(typeof MORPHED)[number], Accessor>>>;
 
 export interface PrimitiveContext {
@@ -59,35 +69,53 @@ export const FANS = 6;
 export const cornersOf = (mode: number, count: number): number =>
   mode === TRIANGLES ? count - (count % 3) : Math.max(count - 2, 0) * 3;
 
-export async function readPrimitives(mesh: JsonObject, context: PrimitiveContext): Promise<readonly Primitive[]> {
-  const primitives = await context.slices.map(objectsAt(mesh['primitives'], 'primitives'), (primitive) =>
-    isDrawn(primitive, context.dropped) ? readPrimitive(primitive, context) : null,
+export async function readPrimitives(
+  mesh: JsonObject,
+  context: PrimitiveContext,
+): Promise<readonly Primitive[]> {
+  const primitives = await context.slices.map(
+    objectsAt(mesh['primitives'], 'primitives'),
+    (primitive) => (isDrawn(primitive, context.dropped) ? readPrimitive(primitive, context) : null),
   );
-  return primitives.flatMap((primitive) => (primitive !== null && primitive.corners > 0 ? primitive : []));
+  return primitives.flatMap((primitive) =>
+    primitive !== null && primitive.corners > 0 ? primitive : [],
+  );
 }
 
 function isDrawn(primitive: JsonObject, dropped: Set<string>): boolean {
   const mode = countAt(primitive['mode'], 'mode', TRIANGLES);
   const attributes = optionalObject(primitive['attributes'], 'attributes');
-  if (mode < TRIANGLES) dropped.add(mode === 0 ? 'points' : 'lines');
-  for (const name of leftOutOf(primitive)) dropped.add(name);
-  if ('JOINTS_1' in attributes) dropped.add('JOINTS_1');
+  if (mode < TRIANGLES) {
+    dropped.add(mode === 0 ? 'points' : 'lines');
+  }
+  for (const name of leftOutOf(primitive)) {
+    dropped.add(name);
+  }
+  if ('JOINTS_1' in attributes) {
+    dropped.add('JOINTS_1');
+  }
   return mode >= TRIANGLES && mode <= FANS && 'POSITION' in attributes;
 }
 
 function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
   const { accessors } = context;
-  const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(([name, value]) => {
-    const least = ATTRIBUTES.get(name);
-    if (least === undefined) return [];
-    const accessor = accessors.at(value, name);
-    return [{ name, accessor, items: Math.max(least, accessor.components) }];
-  });
-  const indexes = Object.fromEntries(attributes.map(({ name, accessor }) => [name, accessor.index]));
-  const order = primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
+  const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(
+    ([name, value]) => {
+      const least = ATTRIBUTES.get(name);
+      if (least === undefined) return [];
+      const accessor = accessors.at(value, name);
+      return [{ name, accessor, items: Math.max(least, accessor.components) }];
+    },
+  );
+  const indexes = Object.fromEntries(
+    attributes.map(({ name, accessor }) => [name, accessor.index]),
+  );
+  const order =
+    primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
   const material = primitive['material'];
   const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
-  const packed = extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
+  const packed =
+    extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
   const vertices = attributes.find(({ name }) => name === 'POSITION')?.accessor.count ?? 0;
   const count = (order ?? { count: vertices }).count;
   // The Draco decoder returns separate triangles, whatever the mode was.
@@ -95,12 +123,15 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   const definition = {
     attributes: indexes,
     indices: order?.index,
-    material: material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
+    material:
+      material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
     mode: TRIANGLES,
     extensions: packed ? { [DRACO]: packed } : {},
   };
   const targets = readTargets(primitive, vertices, context);
-  const unpacked = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
+  const unpacked = attributes.filter(
+    ({ name }) => !(packed && Object.hasOwn(packed.attributes, name)),
+  );
   return {
     definition,
     mode,
@@ -123,31 +154,45 @@ function readTargets(
   { accessors, dropped }: PrimitiveContext,
 ): readonly MorphAccessors[] {
   return objectsAt(primitive['targets'], 'targets').map((target, i) => {
-    for (const name of Object.keys(target))
-      if (!(MORPHED as readonly string[]).includes(name)) dropped.add(`morph targets of ${name}`);
+    for (const name of Object.keys(target)) {
+      if (!(MORPHED as readonly string[]).includes(name)) {
+        dropped.add(`morph targets of ${name}`);
+      }
+    }
     const read: Partial<Record<(typeof MORPHED)[number], Accessor>> = {};
     for (const name of MORPHED) {
       if (target[name] === undefined) continue;
       const what = `targets[${String(i)}].${name}`;
       const accessor = accessors.at(target[name], what);
-      if (accessor.components !== 3) throw new Error(`${what} is not made of vectors of three numbers`);
+      if (accessor.components !== 3) {
+        throw new Error(`${what} is not made of vectors of three numbers`);
+      }
       const { count } = accessor;
-      if (count !== vertices)
-        throw new Error(`${what} has ${String(count)} elements, but its mesh has ${String(vertices)} vertices`);
+      if (count !== vertices) {
+        throw new Error(
+          `${what} has ${String(count)} elements, but its mesh has ${String(vertices)} vertices`,
+        );
+      }
       read[name] = accessor;
     }
     return read;
   });
 }
 
-/** @param wanted attributes. One that only the extension lists has no accessor type, so it is ignored. */
+/**
+ * @param wanted attributes. One that only the extension lists has no accessor type, so it is
+ * ignored.
+ */
 function readDraco(
   extension: JsonObject,
   wanted: JsonObject,
   context: PrimitiveContext,
 ): { bufferView: number; attributes: JsonObject } {
   const attributes: Record<string, number> = {};
-  for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO)))
-    if (Object.hasOwn(wanted, name)) attributes[name] = countAt(id, `${DRACO}.${name}`);
+  for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
+    if (Object.hasOwn(wanted, name)) {
+      attributes[name] = countAt(id, `${DRACO}.${name}`);
+    }
+  }
   return { bufferView: indexAt(extension['bufferView'], context.views, DRACO), attributes };
 }

@@ -1,4 +1,5 @@
-// Reads glTF 2 and GLB by three's loader, which gets a checked document, and bytes by index, not by address. A chunk.
+// Reads glTF 2 and GLB by three's loader, which gets a checked document, and bytes by index, not by
+// address. A chunk.
 import {
   type BufferGeometry,
   Matrix4,
@@ -8,7 +9,11 @@ import {
   type Object3D,
   type Texture,
 } from 'three';
-import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
+import {
+  GLTFLoader,
+  type GLTFLoaderPlugin,
+  type GLTFParser,
+} from 'three/addons/loaders/GLTFLoader.js';
 import { ImageTextures } from '../image.js';
 import type { ContentPart } from '../../../viewer/model/model.js';
 import { mapsOfLook, type ModelReader, ownedModel } from '../model-reader.js';
@@ -20,7 +25,13 @@ import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
 import { checkDracoHeader, dracoLoader } from './draco-loader.js';
-import { type FileIndices, Geometries, type GeometrySource, isSkinned, nodeOf } from './geometries.js';
+import {
+  type FileIndices,
+  Geometries,
+  type GeometrySource,
+  isSkinned,
+  nodeOf,
+} from './geometries.js';
 import { type Instance, placeInstances } from './instances.js';
 import { lookOf } from './materials.js';
 import { type Movable, readMotion, type RigidPart } from './motion.js';
@@ -42,7 +53,9 @@ export const read: ModelReader = async (source) => {
     loadBufferView: async (index) => {
       const view = await bytes.view(index);
       const claims = document.draco.get(index);
-      if (claims) checkDracoHeader(new Uint8Array(view), claims);
+      if (claims) {
+        checkDracoHeader(new Uint8Array(view), claims);
+      }
       return view;
     },
     // The loader leaves a texture out that is null, although its types do not say so.
@@ -51,7 +64,9 @@ export const read: ModelReader = async (source) => {
   const loader = new GLTFLoader();
   loader.register(pluginOf);
   try {
-    if (document.draco.size > 0) loader.setDRACOLoader(dracoLoader(slices, source.signal));
+    if (document.draco.size > 0) {
+      loader.setDRACOLoader(dracoLoader(slices, source.signal));
+    }
     source.signal.throwIfAborted();
     // It takes a parsed document too, whatever its types say: a text would be parsed in one task.
     const { scene, parser } = await loader.parseAsync(document.json as unknown as string, '');
@@ -59,13 +74,18 @@ export const read: ModelReader = async (source) => {
     const { animations, primitives, weights, instances } = document;
     const accessor = ({ index }: Accessor): Promise<Attribute> =>
       parser.getDependency('accessor', index) as Promise<Attribute>;
-    const node = (index: number): Promise<Object3D> => parser.getDependency('node', index) as Promise<Object3D>;
-    const indicesOf = (object: Object3D): FileIndices | undefined => parser.associations.get(object);
+    const node = (index: number): Promise<Object3D> =>
+      parser.getDependency('node', index) as Promise<Object3D>;
+    const indicesOf = (object: Object3D): FileIndices | undefined =>
+      parser.associations.get(object);
     const file = { indicesOf, accessor, primitives, weights, instances, budget };
     const { parts, movable } = await collectParts(scene, file, slices);
     const dropped = new Set(document.dropped);
     const place = nameOf(source.url);
-    const motion = await readMotion(place, animations, { node, accessor }, movable, { dropped, slices });
+    const motion = await readMotion(place, animations, { node, accessor }, movable, {
+      dropped,
+      slices,
+    });
     source.signal.throwIfAborted();
     return { ...ownedModel(parts, () => void images.close()), motion, dropped };
   } catch (error) {
@@ -74,13 +94,19 @@ export const read: ModelReader = async (source) => {
   }
 };
 
-/** A promise for each item of a list that the loader starts at once: they resolve in turn, with pauses in between. */
+/**
+ * A promise for each item of a list that the loader starts at once: they resolve in turn, with
+ * pauses in between.
+ */
 function turnsOf(slices: Slices): () => Promise<void> {
   let last = Promise.resolve();
   return () => (last = last.then(() => slices.pauseIfDue()));
 }
 
-/** Turns the scene from three's loader into a model's parts: names, places, and looks in terms of the equation. */
+/**
+ * Turns the scene from three's loader into a model's parts: names, places, and looks in terms of
+ * the equation.
+ */
 async function collectParts(
   scene: Object3D,
   source: GeometrySource,
@@ -93,34 +119,45 @@ async function collectParts(
   const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
   const looks = new Map<string, ReturnType<typeof lookOf>>();
   scene.traverse((object) => {
-    if (object instanceof Mesh) meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
+    if (object instanceof Mesh) {
+      meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
+    }
   });
   for (const mesh of meshes) {
     await slices.pauseIfDue();
     const placed = source.instances[nodeOf(mesh, source) ?? -1];
-    const instances = placed === undefined ? ITSELF : await placeInstances(placed, source.accessor, slices);
+    const instances =
+      placed === undefined ? ITSELF : await placeInstances(placed, source.accessor, slices);
     if (instances.length === 0) continue;
     const geometry = await geometries.of(mesh);
     const name = originalName(mesh);
     const { material } = mesh;
     await slices.map(instances, ({ matrix: within, color }) => {
       const matrix = isSkinned(mesh) ? new Matrix4() : mesh.matrixWorld.clone();
-      if (within !== null) matrix.multiply(within);
-      if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
+      if (within !== null) {
+        matrix.multiply(within);
+      }
+      if (!matrix.elements.every(Number.isFinite)) {
+        throw new Error('the transform of a node is not finite');
+      }
       // Equal looks are one object: materials are compared by it.
       const key = [material.uuid, geometry.uuid, color].join(' ');
       const look = looks.get(key) ?? lookOf(material, geometry, color ?? WHITE);
       looks.set(key, look);
       const part = { name, geometry, matrix, ...look };
       parts.push(part);
-      if (!isSkinned(mesh)) rigid.push({ part, mesh, within });
+      if (!isSkinned(mesh)) {
+        rigid.push({ part, mesh, within });
+      }
     });
   }
   if (parts.length === 0) throw new Error('it has no triangles');
   // Last, because parts can share a map and each has read its channel above.
   for (const map of parts.flatMap(({ look }) => mapsOfLook(look))) {
     map.colorSpace = NoColorSpace; // the loader says what it expects
-    if (map.matrixAutoUpdate) map.updateMatrix();
+    if (map.matrixAutoUpdate) {
+      map.updateMatrix();
+    }
   }
   const { deformations, weights, joints } = geometries;
   return { parts, movable: { scene, rigid, joints: [...joints.values()], deformations, weights } };

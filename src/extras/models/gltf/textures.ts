@@ -22,7 +22,10 @@ import type { GltfBytes } from './bytes.js';
 import type { GltfDocument } from './document.js';
 import { type JsonObject, textAt } from './json.js';
 
-const MAG: Readonly<Record<number, MagnificationTextureFilter>> = { 9728: NearestFilter, 9729: LinearFilter };
+const MAG: Readonly<Record<number, MagnificationTextureFilter>> = {
+  9728: NearestFilter,
+  9729: LinearFilter,
+};
 const MIN: Readonly<Record<number, MinificationTextureFilter>> = {
   9728: NearestFilter,
   9729: LinearFilter,
@@ -53,7 +56,12 @@ export function gltfTexture(
   }
   // Exporters repeat the definition of an image that several textures use.
   const { uri, bufferView } = document.images[image] ?? {};
-  return images.of(uri ?? bufferView, nameOfImage(document, image), () => bytes.image(image), samplerOf(sampler));
+  return images.of(
+    uri ?? bufferView,
+    nameOfImage(document, image),
+    () => bytes.image(image),
+    samplerOf(sampler),
+  );
 }
 
 /** For reports: the path of its file, else its name or place in the document. */

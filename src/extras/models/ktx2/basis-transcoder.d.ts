@@ -6,7 +6,12 @@ declare module 'three/examples/jsm/libs/basis/basis_transcoder.js' {
     getWidth(): number;
     getHeight(): number;
     startTranscoding(): boolean;
-    getImageTranscodedSizeInBytes(level: number, layer: number, face: number, format: number): number;
+    getImageTranscodedSizeInBytes(
+      level: number,
+      layer: number,
+      face: number,
+      format: number,
+    ): number;
     /** The last three: no flags, and channels by default. */
     transcodeImage(
       pixels: Uint8Array,

@@ -1,4 +1,5 @@
-// Decodes a KTX2 file to an image. Checked here, decoded by code that is fetched with the first such file.
+// Decodes a KTX2 file to an image. Checked here, decoded by code that is fetched with the first
+// such file.
 import transcoder from 'three/examples/jsm/libs/basis/basis_transcoder.wasm?url';
 import { lazyCode } from '../../../viewer/model/lazy-code.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
@@ -12,15 +13,18 @@ const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
   () => new Worker(new URL('./ktx2-worker.ts', import.meta.url), { type: 'module' }),
   async () => {
     // The script for pages opened from disk has no WebAssembly beside it.
-    if (transcoder === '')
+    if (transcoder === '') {
       throw new ModelError('bad-model', 'KTX2 textures cannot be shown by phong-viewer.classic.js.', { advice: 'Use the module, from a server.' }); // oxfmt-ignore
+    }
     const { createDecoder } = await neededCode(decoderCode(), DECODER);
     return (address) => neededCode(createDecoder(address).catch(notAllowed), DECODER);
   },
   transcoder,
 );
 
-/** @throws ModelError, or Error for a file that cannot be shown: its message continues a sentence. */
+/**
+ * @throws ModelError, or Error for a file that cannot be shown: its message continues a sentence.
+ */
 export function decodeKtx2(
   bytes: Uint8Array<ArrayBuffer>,
   scale: ImageBitmapOptions,
@@ -38,7 +42,11 @@ function notAllowed(cause: unknown): never {
   throw new ModelError(
     'csp',
     'The model has KTX2 textures, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks them.',
-    { cause, advice: "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures." },
+    {
+      cause,
+      advice:
+        "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures.",
+    },
   );
 }
 
@@ -54,20 +62,28 @@ const MOST_LEVELS = 16;
 const BLOCK_BYTES = 16;
 
 /**
- * Checks the header before the transcoder allocates for it (KTX File Format Specification 2.0, sections 3 and 4).
- * @throws Error for a file that is no single picture in a format of Basis Universal, or that claims too much.
+ * Checks the header before the transcoder allocates for it (KTX File Format Specification 2.0,
+ * sections 3 and 4).
+ * @throws Error for a file that is no single picture in a format of Basis Universal, or that claims
+ * too much.
  */
 export function checkKtx2(bytes: Uint8Array): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (view.byteLength < HEADER) throw new Error('is a KTX2 file that ends inside its header');
   const uint = (at: number): number => view.getUint32(at, true);
   const [format, width, height, depth, layers, faces] = [12, 20, 24, 28, 32, 36].map(uint);
-  if (format !== 0)
-    throw new Error('is a KTX2 file in a format of its own; only those of Basis Universal can be shown');
-  if (depth !== 0 || (layers ?? 0) > 1 || faces !== 1) throw new Error('is a KTX2 file that holds no single picture');
+  if (format !== 0) {
+    throw new Error(
+      'is a KTX2 file in a format of its own; only those of Basis Universal can be shown',
+    );
+  }
+  if (depth !== 0 || (layers ?? 0) > 1 || faces !== 1) {
+    throw new Error('is a KTX2 file that holds no single picture');
+  }
   const levels = Math.max(uint(40), 1);
-  if (levels > MOST_LEVELS || HEADER + 24 * levels > view.byteLength)
+  if (levels > MOST_LEVELS || HEADER + 24 * levels > view.byteLength) {
     throw new Error('is a KTX2 file that is cut short');
+  }
   const most = Math.ceil((width ?? 0) / 4) * Math.ceil((height ?? 0) / 4) * BLOCK_BYTES;
   for (let level = 0; level < levels; level += 1) {
     const long = (at: number): number => Number(view.getBigUint64(HEADER + 24 * level + at, true));

@@ -1,5 +1,6 @@
-// Turns KTX2 textures into pixels by the Basis Universal transcoder, as RGBA: exact, for every GPU, and readable by
-// `shadeAt`. The file's values are kept as they are. A separate chunk, and the same in a worker's file.
+// Turns KTX2 textures into pixels by the Basis Universal transcoder, as RGBA: exact, for every GPU,
+// and readable by `shadeAt`. The file's values are kept as they are. A separate chunk, and the same
+// in a worker's file.
 import createBasis, { type Basis } from 'three/examples/jsm/libs/basis/basis_transcoder.js';
 import type { Decoded } from '../decoders/decoder.js';
 import { startWasm } from '../decoders/decoder.js';
@@ -15,7 +16,9 @@ export interface Ktx2Job {
 const RGBA32 = 13;
 
 /** @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it. */
-export async function createDecoder(address: string): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
+export async function createDecoder(
+  address: string,
+): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
   const basis = await startWasm(createBasis, address);
   basis.initializeBasis();
   return async ({ bytes, scale }) => {

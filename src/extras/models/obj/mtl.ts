@@ -1,5 +1,5 @@
-// Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are kept as written (encoded sRGB), except an Ns of 0. Other
-// statements are skipped, and named if they would change the picture.
+// Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are kept as written (encoded sRGB),
+// except an Ns of 0. Other statements are skipped, and named if they would change the picture.
 import { clamp, scale, type Vec3 } from '../../../phong/math/vector.js';
 import type { SurfaceValues } from '../../../phong/material/material-values.js';
 import { LIMITS } from '../../../phong/light/light-state.js';
@@ -45,7 +45,13 @@ interface Draft {
   dissolved: boolean;
 }
 
-const emptyDraft = (): Draft => ({ colors: {}, maps: {}, leftOut: new Set(), opacity: 1, dissolved: false });
+const emptyDraft = (): Draft => ({
+  colors: {},
+  maps: {},
+  leftOut: new Set(),
+  opacity: 1,
+  dissolved: false,
+});
 
 const COLOR_KEYS = ['ka', 'kd', 'ks', 'ke'] as const;
 type ColorKey = (typeof COLOR_KEYS)[number];
@@ -73,22 +79,35 @@ export async function readMtl(
     } else if (material !== null) {
       readStatement(keyword, scanner, material, folder);
     }
-    if (slices.took(1 + (scanner.at - at) / 8)) await slices.pause();
+    if (slices.took(1 + (scanner.at - at) / 8)) {
+      await slices.pause();
+    }
     ({ at } = scanner);
   }
-  return new Map(await slices.map([...materials], ([name, draft]) => [name, finished(draft)] as const));
+  return new Map(
+    await slices.map([...materials], ([name, draft]) => [name, finished(draft)] as const),
+  );
 }
 
 /** Longest name of a material in bytes, as in the OBJ file. */
 const NAME_LENGTH = 256;
 
-function readStatement(keyword: string, scanner: TextScanner, material: Draft, folder: string): void {
+function readStatement(
+  keyword: string,
+  scanner: TextScanner,
+  material: Draft,
+  folder: string,
+): void {
   if (isColor(keyword)) {
     const color = readColor(scanner);
-    if (color !== null) material.colors[keyword] = color;
+    if (color !== null) {
+      material.colors[keyword] = color;
+    }
   } else if (keyword === 'ns') {
     const exponent = scanner.number();
-    if (exponent >= 0) material.shininess = Math.min(exponent, LIMITS.exponent);
+    if (exponent >= 0) {
+      material.shininess = Math.min(exponent, LIMITS.exponent);
+    }
   } else if (keyword === 'd') {
     // `-halo` changes the opacity with the angle, which the equation does not.
     const words = scanner.rest().split(/\s+/);
@@ -106,14 +125,28 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft, f
     material.maps[keyword] = readMap(scanner.rest(), folder);
   } else {
     const name = LEFT_OUT.get(keyword);
-    if (name !== undefined && !NEUTRAL.get(name)?.test(scanner.rest())) material.leftOut.add(name);
+    if (name !== undefined && !NEUTRAL.get(name)?.test(scanner.rest())) {
+      material.leftOut.add(name);
+    }
   }
 }
 
 /** Statements that change the picture in other programs, by their lower-case keywords. */
 const LEFT_OUT: ReadonlyMap<string, string> = new Map(
   [
-    ...['map_Ks', 'map_Ns', 'map_d', 'map_Tr', 'map_bump', 'bump', 'norm', 'disp', 'decal', 'refl', 'map_refl'],
+    ...[
+      'map_Ks',
+      'map_Ns',
+      'map_d',
+      'map_Tr',
+      'map_bump',
+      'bump',
+      'norm',
+      'disp',
+      'decal',
+      'refl',
+      'map_refl',
+    ],
     ...['Tf', 'Pr', 'Pm', 'Ps', 'Pc', 'Pcr', 'aniso', 'map_Pr', 'map_Pm', 'map_Ps'],
   ].map((name) => [name.toLowerCase(), name]),
 );
@@ -125,14 +158,15 @@ const NEUTRAL: ReadonlyMap<string, RegExp> = new Map([
   ['Tf', /^(1(\.0*)?\s*)*$/],
 ]);
 
-/** Three numbers, or one for grey. Null for the spectral and CIE XYZ forms, which exporters do not write. */
+/**
+ * Three numbers, or one for grey. Null for the spectral and CIE XYZ forms, which exporters do not
+ * write.
+ */
 function readColor(scanner: TextScanner): Vec3 | null {
   const limit = LIMITS.color / 255;
-  const [r, g, b] = [scanner.number(), scanner.number(), scanner.number()].map((value) => clamp(value, 0, limit)) as [
-    number,
-    number,
-    number,
-  ];
+  const [r, g, b] = [scanner.number(), scanner.number(), scanner.number()].map((value) =>
+    clamp(value, 0, limit),
+  ) as [number, number, number];
   if (Number.isNaN(r)) return null;
   return Number.isNaN(g) || Number.isNaN(b) ? [r, r, r] : [r, g, b];
 }
@@ -142,15 +176,21 @@ const VECTORS = ['-o', '-s', '-t'];
 
 /** Options before the file's name, with the most numbers or words that they take. */
 const OPTIONS: ReadonlyMap<string, number> = new Map([
-  ...'-blendu -blendv -bm -boost -cc -clamp -imfchan -texres -type'.split(' ').map((option) => [option, 1] as const),
+  ...'-blendu -blendv -bm -boost -cc -clamp -imfchan -texres -type'
+    .split(' ')
+    .map((option) => [option, 1] as const),
   ['-mm', 2],
   ...VECTORS.map((option) => [option, 3] as const),
 ]);
 
 /** An option and what may be its values. */
 const OPTION = /^\s*(-[a-z]+)(?=\s)/i;
-/** An option behind the name. A name may contain what looks like one, but not with a number or a switch behind it. */
-const TRAILING = /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
+/**
+ * An option behind the name. A name may contain what looks like one, but not with a number or a
+ * switch behind it.
+ */
+const TRAILING =
+  /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
 
 function readMap(text: string, folder: string): MtlMap | null {
   const options: Options = { scale: [1, 1], offset: [0, 0], clamped: false };
@@ -177,18 +217,30 @@ function takeOptions(text: string, options: Options): string {
     while (values.length < most) {
       const value = /^\s*(\S+)/.exec(rest)?.[1];
       // The name of a file may follow after one or two numbers.
-      if (value === undefined || (VECTORS.includes(option) && values.length > 0 && Number.isNaN(Number(value)))) break;
+      if (
+        value === undefined ||
+        (VECTORS.includes(option) && values.length > 0 && Number.isNaN(Number(value)))
+      ) {
+        break;
+      }
       values.push(value);
       rest = rest.trimStart().slice(value.length);
     }
     const [u = NaN, v = NaN] = values.map(Number);
-    if (option === '-s') options.scale = [finite(u, 1), finite(v, 1)];
-    if (option === '-o') options.offset = [finite(u, 0), finite(v, 0)];
-    if (option === '-clamp') options.clamped = values[0]?.toLowerCase() === 'on';
+    if (option === '-s') {
+      options.scale = [finite(u, 1), finite(v, 1)];
+    }
+    if (option === '-o') {
+      options.offset = [finite(u, 0), finite(v, 0)];
+    }
+    if (option === '-clamp') {
+      options.clamped = values[0]?.toLowerCase() === 'on';
+    }
   }
 }
 
-const finite = (value: number, fallback: number): number => (Number.isFinite(value) ? value : fallback);
+const finite = (value: number, fallback: number): number =>
+  Number.isFinite(value) ? value : fallback;
 
 function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMaterial {
   const map = maps.map_kd ?? null;
@@ -196,11 +248,13 @@ function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMate
   // A texture without a colour is shown as it is.
   const kd = colors.kd ?? (map === null ? undefined : WHITE);
   const ka = colors.ka ?? kd;
-  // `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for plain surfaces. As an
-  // exponent it would add all of Ks to every lit point.
+  // `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for
+  // plain surfaces. As an exponent it would add all of Ks to every lit point.
   const ks = shininess === 0 ? BLACK : colors.ks;
   // The map of Kd is that of Ka too.
-  if (maps.map_ka && maps.map_ka.file !== map?.file) leftOut.add('map_Ka');
+  if (maps.map_ka && maps.map_ka.file !== map?.file) {
+    leftOut.add('map_Ka');
+  }
   return {
     surface: {
       ...(ka && { ka: scale(ka, 255) }),
@@ -224,7 +278,10 @@ export const NO_MATERIAL = /* @__PURE__ */ finished(emptyDraft());
 /** Without the quotes around it, if there are any. */
 export const unquoted = (name: string): string => /^"([^"]*)"$/.exec(name)?.[1]?.trim() ?? name;
 
-/** A name as it is compared if it is not found as written: without quotes and a comment, but `#` may be in it. */
+/**
+ * A name as it is compared if it is not found as written: without quotes and a comment, but `#` may
+ * be in it.
+ */
 export const plainName = (name: string): string => unquoted(name.replace(/\s#.*$/, '').trim());
 
 /** An image's name without quotes, or a comment behind its extension. */

@@ -1,5 +1,6 @@
-// Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material each belongs to. Lines,
-// points, curves and surfaces are skipped, and so is a face that refers to what is not there.
+// Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material
+// each belongs to. Lines, points, curves and surfaces are skipped, and so is a face that refers to
+// what is not there.
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import type { LeftOut, LeftOutKind } from '../left-out.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../../../viewer/model/limits.js';
@@ -32,7 +33,10 @@ export interface ObjText {
   readonly libraries: readonly string[];
 }
 
-/** Most changes of object or material: drawings of plants have tens of thousands. More would block the page. */
+/**
+ * Most changes of object or material: drawings of plants have tens of thousands. More would block
+ * the page.
+ */
 const RUN_LIMIT = 2 ** 17;
 /** Material libraries that are read. Files have one, seldom two. */
 const LIBRARY_LIMIT = 16;
@@ -43,9 +47,17 @@ const SLASH = 47;
 const HASH = 35;
 
 /** @throws ModelError `too-large`. */
-export async function readObjText(bytes: Uint8Array, leftOut: LeftOut, slices: Slices): Promise<ObjText> {
+export async function readObjText(
+  bytes: Uint8Array,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<ObjText> {
   const reader = new ObjReader(bytes, leftOut);
-  while (reader.readPiece()) if (slices.took(reader.work)) await slices.pause();
+  while (reader.readPiece()) {
+    if (slices.took(reader.work)) {
+      await slices.pause();
+    }
+  }
   const text = reader.finish();
   await keepSoundFaces(text.lists, leftOut, slices);
   return text;
@@ -65,13 +77,20 @@ class ObjReader {
   #inFace = false;
   /** What the last piece took, as {@link Slices.took} counts it. */
   work = 0;
-  /** Names in force, or where they are: those without a face are not read. Millions of strings stop the collector. */
+  /**
+   * Names in force, or where they are: those without a face are not read. Millions of strings stop
+   * the collector.
+   */
   readonly #names: Record<'o' | 'g' | 'usemtl', string | number> = { o: '', g: '', usemtl: '' };
   #smoothing = UNSTATED;
   /** First corner of the run. */
   #runStart = 0;
   /** The largest numbers used, and where. Lists may follow the polygons that use them. */
-  readonly #highest = { face: { index: -1, at: 0 }, uv: { index: -1, at: 0 }, normal: { index: -1, at: 0 } };
+  readonly #highest = {
+    face: { index: -1, at: 0 },
+    uv: { index: -1, at: 0 },
+    normal: { index: -1, at: 0 },
+  };
 
   constructor(bytes: Uint8Array, leftOut: LeftOut) {
     this.#scanner = new TextScanner(bytes);
@@ -83,8 +102,11 @@ class ObjReader {
     const { at } = this.#scanner;
     const { steps } = this.#polygons;
     const more = this.#inFace || this.#nextLine();
-    if (this.#inFace) this.#corners();
-    else if (more) this.#statement();
+    if (this.#inFace) {
+      this.#corners();
+    } else if (more) {
+      this.#statement();
+    }
     this.work = (this.#scanner.at - at) / 8 + (this.#polygons.steps - steps) / 16;
     return more;
   }
@@ -131,7 +153,9 @@ class ObjReader {
         break;
       default: {
         const kind = LEFT_OUT.get(word);
-        if (kind !== undefined) this.#leftOut.add(kind);
+        if (kind !== undefined) {
+          this.#leftOut.add(kind);
+        }
       }
     }
   }
@@ -139,7 +163,11 @@ class ObjReader {
   finish(): ObjText {
     this.#endRun();
     const lists = this.#lists;
-    const counts = { face: lists.places.count, uv: lists.uvs.length / 2, normal: lists.normals.length / 3 };
+    const counts = {
+      face: lists.places.count,
+      uv: lists.uvs.length / 2,
+      normal: lists.normals.length / 3,
+    };
     for (const [kind, what] of KINDS) {
       const { index, at } = this.#highest[kind];
       if (index < counts[kind]) continue;
@@ -156,16 +184,26 @@ class ObjReader {
     const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
     if (!places.push(x, y, z)) {
       this.#leftOut.add('vertex');
-      this.#leftOut.because('vertex', () => scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z), this.#lineStart);
+      this.#leftOut.because(
+        'vertex',
+        () => scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z),
+        this.#lineStart,
+      );
     }
     // Four numbers are x y z w, and w matters to curves only. Six are x y z r g b.
-    const [red, green, blue] = scanner.atLineEnd() ? NO_COLOR : [scanner.number(), scanner.number(), scanner.number()];
+    const [red, green, blue] = scanner.atLineEnd()
+      ? NO_COLOR
+      : [scanner.number(), scanner.number(), scanner.number()];
     if (Number.isNaN(blue)) {
-      if (colors.length > 0) pushColor(colors, 1, 1, 1);
+      if (colors.length > 0) {
+        pushColor(colors, 1, 1, 1);
+      }
       return;
     }
     // Vertices before the first coloured one are white.
-    while (colors.length < 3 * (places.count - 1)) pushColor(colors, 1, 1, 1);
+    while (colors.length < 3 * (places.count - 1)) {
+      pushColor(colors, 1, 1, 1);
+    }
     pushColor(colors, red, green, blue);
   }
 
@@ -208,12 +246,16 @@ class ObjReader {
   #endCorner(): boolean {
     const scanner = this.#scanner;
     const hasSlash = scanner.take(SLASH);
-    while (scanner.take(SLASH)); // with nothing behind it, it does no harm
+    while (scanner.take(SLASH)) {
+      // with nothing behind it, it does no harm
+    }
     if (hasSlash && scanner.atBreak) return false;
     const word = scanner.quotedWord();
     const why = `${word} is not written as v, v/vt, v//vn or v/vt/vn`;
     this.#leftOut.because(hasSlash ? 'corner' : 'face', () => why, this.#lineStart);
-    if (hasSlash) this.#leftOut.add('corner');
+    if (hasSlash) {
+      this.#leftOut.add('corner');
+    }
     return !hasSlash;
   }
 
@@ -244,7 +286,9 @@ class ObjReader {
     for (const [, written = ''] of text.matchAll(names)) {
       if (this.#libraries.length >= LIBRARY_LIMIT) return;
       const name = unquoted(written.trim()).replace(/\\/g, '/');
-      if (name !== '' && !name.startsWith('#') && !this.#libraries.includes(name)) this.#libraries.push(name);
+      if (name !== '' && !name.startsWith('#') && !this.#libraries.includes(name)) {
+        this.#libraries.push(name);
+      }
     }
   }
 
@@ -298,6 +342,11 @@ function smoothingOf(word: string): number {
 
 const NO_COLOR = [NaN, NaN, NaN] as const;
 
-function pushColor(colors: Growing<Float32Array>, ...channels: readonly [r: number, g: number, b: number]): void {
-  for (const value of channels) colors.push(value > 0 ? Math.min(value, 1) : 0);
+function pushColor(
+  colors: Growing<Float32Array>,
+  ...channels: readonly [r: number, g: number, b: number]
+): void {
+  for (const value of channels) {
+    colors.push(value > 0 ? Math.min(value, 1) : 0);
+  }
 }

@@ -1,6 +1,13 @@
-// Reads an OBJ file with its MTL libraries. One part per object and material; the material's coefficients are those of
-// the equation. Corners without a normal get one by smoothing group. A separate chunk.
-import { ClampToEdgeWrapping, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, type Texture } from 'three';
+// Reads an OBJ file with its MTL libraries. One part per object and material; the material's
+// coefficients are those of the equation. Corners without a normal get one by smoothing group. A
+// separate chunk.
+import {
+  ClampToEdgeWrapping,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  RepeatWrapping,
+  type Texture,
+} from 'three';
 import { type BaseLook, emits, PLAIN_LOOK } from '../../../phong/material/file-surface.js';
 import { clip } from '../../../phong/fields/clip.js';
 import { type FileBytes, type ModelReader, type ModelSource, ownedModel } from '../model-reader.js';
@@ -33,11 +40,18 @@ export const read: ModelReader = async (source) => {
       const geometry = await geometries.of(ranges, withUvs);
       if (geometry === null) continue;
       const plain = lookOf(definition, geometry.hasAttribute('color'));
-      const textureOf = (named: MtlMap | null) => (named && withUvs ? mtlTexture(named, textures, source) : null);
-      const look = { ...plain, map: await textureOf(map), emissiveMap: emits(plain) ? await textureOf(keMap) : null };
+      const textureOf = (named: MtlMap | null) =>
+        named && withUvs ? mtlTexture(named, textures, source) : null;
+      const look = {
+        ...plain,
+        map: await textureOf(map),
+        emissiveMap: emits(plain) ? await textureOf(keMap) : null,
+      };
       const { matrix } = text.lists.places;
       parts.push({ name, geometry, matrix, look, sides: 'double', surface });
-      if (slices.took(16)) await slices.pause();
+      if (slices.took(16)) {
+        await slices.pause();
+      }
     }
     text.lists.free();
     if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
@@ -56,10 +70,18 @@ function mtlTexture(
   { linked }: ModelSource,
 ): Promise<Texture | null> {
   const wrap = clamped ? ClampToEdgeWrapping : RepeatWrapping;
-  const sampler = { magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, wrapS: wrap, wrapT: wrap } as const;
+  const sampler = {
+    magFilter: LinearFilter,
+    minFilter: LinearMipmapLinearFilter,
+    wrapS: wrap,
+    wrapT: wrap,
+  } as const;
   const load = async (): Promise<FileBytes> => ({ bytes: await linked(addressOf(file)), type: '' });
   // The file's v points up, the geometry's points down: 1 − (v·s + o) = (1 − v)·s + (1 − s − o).
-  return textures.of(file, file, load, sampler, { scale, offset: [offset[0], 1 - scale[1] - offset[1]] });
+  return textures.of(file, file, load, sampler, {
+    scale,
+    offset: [offset[0], 1 - scale[1] - offset[1]],
+  });
 }
 
 /** OBJ and MTL files name files by paths, not by addresses. */
@@ -71,7 +93,10 @@ type Materials = ReadonlyMap<string, MtlMaterial>;
 const materialNamed = (materials: Materials, name: string): MtlMaterial | undefined =>
   materials.get(name) ?? materials.get(plainName(name));
 
-/** Names what the materials in use leave out, and those that are in no library. A missing library names itself. */
+/**
+ * Names what the materials in use leave out, and those that are in no library. A missing library
+ * names itself.
+ */
 async function readLibraries(
   { libraries, runs }: ObjText,
   { linked, optional, budget }: ModelSource,
@@ -94,8 +119,11 @@ async function readLibraries(
   const plain = entries.map(([name, material]) => [plainName(name), material] as const);
   const materials = new Map([...plain, ...entries]);
   const unknown = [...used].filter((name) => name !== '' && !materialNamed(materials, name));
-  for (const name of used)
-    for (const statement of materialNamed(materials, name)?.leftOut ?? []) leftOut.feature(statement);
+  for (const name of used) {
+    for (const statement of materialNamed(materials, name)?.leftOut ?? []) {
+      leftOut.feature(statement);
+    }
+  }
   if (unknown.length > 0 && !found.includes(null)) {
     leftOut.add('material', unknown.length);
     leftOut.because('material', () => clip(unknown[0]!, 40));
@@ -109,13 +137,25 @@ interface Group {
   readonly ranges: CornerRange[];
 }
 
-/** Most parts that keep their objects apart. Plans from CAD have an object per screw, slow to draw one by one. */
+/**
+ * Most parts that keep their objects apart. Plans from CAD have an object per screw, slow to draw
+ * one by one.
+ */
 const OBJECT_LIMIT = 1000;
 
-/** Runs by object and material. Past {@link OBJECT_LIMIT} objects of the same material become one part. */
+/**
+ * Runs by object and material. Past {@link OBJECT_LIMIT} objects of the same material become one
+ * part.
+ */
 async function groupsOf(runs: readonly ObjRun[], slices: Slices): Promise<readonly Group[]> {
-  const byObject = await groupedBy(runs, ({ object, material }) => JSON.stringify([object, material]), slices);
-  return byObject.length <= OBJECT_LIMIT ? byObject : groupedBy(runs, ({ material }) => material, slices);
+  const byObject = await groupedBy(
+    runs,
+    ({ object, material }) => JSON.stringify([object, material]),
+    slices,
+  );
+  return byObject.length <= OBJECT_LIMIT
+    ? byObject
+    : groupedBy(runs, ({ material }) => material, slices);
 }
 
 async function groupedBy(
@@ -126,14 +166,26 @@ async function groupedBy(
   const groups = new Map<string, Group>();
   for (const run of runs) {
     const key = keyOf(run);
-    const group = groups.get(key) ?? { name: run.object || run.material, material: run.material, ranges: [] };
+    const group = groups.get(key) ?? {
+      name: run.object || run.material,
+      material: run.material,
+      ranges: [],
+    };
     groups.set(key, group);
     group.ranges.push(run);
-    if (slices.took(2)) await slices.pause();
+    if (slices.took(2)) {
+      await slices.pause();
+    }
   }
   return [...groups.values()];
 }
 
 function lookOf({ opacity, ke }: MtlMaterial, vertexColors: boolean): BaseLook {
-  return { ...PLAIN_LOOK, opacity, alphaMode: opacity < 1 ? 'blend' : 'opaque', emissive: ke, vertexColors };
+  return {
+    ...PLAIN_LOOK,
+    opacity,
+    alphaMode: opacity < 1 ? 'blend' : 'opaque',
+    emissive: ke,
+    vertexColors,
+  };
 }

@@ -1,4 +1,5 @@
-// Reads the header of a PLY file: elements with their counts and properties, and how the values are written.
+// Reads the header of a PLY file: elements with their counts and properties, and how the values are
+// written.
 import type { Slices } from '../slices.js';
 import { lineOf, TextScanner } from '../text/text-scanner.js';
 
@@ -7,7 +8,10 @@ type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
 export interface PlyType {
   readonly names: readonly string[];
   readonly bytes: number;
-  /** The number that means full intensity of a colour. Whole numbers of other widths are written for bytes. */
+  /**
+   * The number that means full intensity of a colour. Whole numbers of other widths are written for
+   * bytes.
+   */
   readonly full: number;
   readonly read: (view: DataView, at: number, isLittleEndian: boolean) => number;
 }
@@ -41,12 +45,42 @@ export const countOf = (elements: readonly PlyElement[], name: string): number =
 const TYPES: readonly PlyType[] = [
   { names: ['char', 'int8'], bytes: 1, full: 255, read: (view, at) => view.getInt8(at) },
   { names: ['uchar', 'uint8'], bytes: 1, full: 255, read: (view, at) => view.getUint8(at) },
-  { names: ['short', 'int16'], bytes: 2, full: 255, read: (view, at, little) => view.getInt16(at, little) },
-  { names: ['ushort', 'uint16'], bytes: 2, full: 65535, read: (view, at, little) => view.getUint16(at, little) },
-  { names: ['int', 'int32'], bytes: 4, full: 255, read: (view, at, little) => view.getInt32(at, little) },
-  { names: ['uint', 'uint32'], bytes: 4, full: 255, read: (view, at, little) => view.getUint32(at, little) },
-  { names: ['float', 'float32'], bytes: 4, full: 1, read: (view, at, little) => view.getFloat32(at, little) },
-  { names: ['double', 'float64'], bytes: 8, full: 1, read: (view, at, little) => view.getFloat64(at, little) },
+  {
+    names: ['short', 'int16'],
+    bytes: 2,
+    full: 255,
+    read: (view, at, little) => view.getInt16(at, little),
+  },
+  {
+    names: ['ushort', 'uint16'],
+    bytes: 2,
+    full: 65535,
+    read: (view, at, little) => view.getUint16(at, little),
+  },
+  {
+    names: ['int', 'int32'],
+    bytes: 4,
+    full: 255,
+    read: (view, at, little) => view.getInt32(at, little),
+  },
+  {
+    names: ['uint', 'uint32'],
+    bytes: 4,
+    full: 255,
+    read: (view, at, little) => view.getUint32(at, little),
+  },
+  {
+    names: ['float', 'float32'],
+    bytes: 4,
+    full: 1,
+    read: (view, at, little) => view.getFloat32(at, little),
+  },
+  {
+    names: ['double', 'float64'],
+    bytes: 8,
+    full: 1,
+    read: (view, at, little) => view.getFloat64(at, little),
+  },
 ];
 
 const ENCODINGS: ReadonlyMap<string, PlyEncoding> = new Map([
@@ -70,7 +104,10 @@ interface Draft {
   declarations: number;
 }
 
-/** @throws Error for a header that is broken, or that claims more values than the file has bytes for. */
+/**
+ * @throws Error for a header that is broken, or that claims more values than the file has bytes
+ * for.
+ */
 export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<PlyHeader> {
   const scanner = new TextScanner(bytes.subarray(0, HEADER_LIMIT));
   scanner.word(); // `ply`
@@ -85,7 +122,9 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
       requireBytes(header, bytes.byteLength - header.end);
       return header;
     }
-    if (slices.took(1 / 2)) await slices.pause();
+    if (slices.took(1 / 2)) {
+      await slices.pause();
+    }
     try {
       readDeclaration(keyword, scanner, draft);
     } catch (cause) {
@@ -98,8 +137,12 @@ export async function readPlyHeader(bytes: Uint8Array, slices: Slices): Promise<
 
 /** Comments, and what other programs add, are skipped. */
 function readDeclaration(keyword: string, scanner: TextScanner, draft: Draft): void {
-  if (/^(element|property)$/.test(keyword)) draft.declarations += 1;
-  if (draft.declarations > DECLARATION_LIMIT) throw new Error('its header has over 1,000 elements and properties');
+  if (/^(element|property)$/.test(keyword)) {
+    draft.declarations += 1;
+  }
+  if (draft.declarations > DECLARATION_LIMIT) {
+    throw new Error('its header has over 1,000 elements and properties');
+  }
   if (keyword === 'format') {
     const written = scanner.word();
     draft.encoding = ENCODINGS.get(written) ?? null;
@@ -130,9 +173,13 @@ function typeNamed(written: string): PlyType {
 /** Where CR alone ends lines, a following LF is the first byte of the data. */
 function afterLineEnd(bytes: Uint8Array, at: number): number {
   let end = at;
-  while (end < bytes.length && bytes[end] !== LF && bytes[end] !== CR) end += 1;
+  while (end < bytes.length && bytes[end] !== LF && bytes[end] !== CR) {
+    end += 1;
+  }
   const loneReturns = bytes[3] === CR && bytes[4] !== LF;
-  if (bytes[end] === CR && !loneReturns) end += 1;
+  if (bytes[end] === CR && !loneReturns) {
+    end += 1;
+  }
   return end + (bytes[end] === LF || loneReturns ? 1 : 0);
 }
 
@@ -140,7 +187,9 @@ function requireBytes({ encoding, elements }: PlyHeader, available: number): voi
   let needed = 0;
   for (const { count, properties } of elements) {
     // In text, each value takes at least a digit and a blank; only the last needs no blank.
-    const sizes = properties.map(({ type, countType }) => (encoding === 'text' ? 2 : (countType ?? type).bytes));
+    const sizes = properties.map(({ type, countType }) =>
+      encoding === 'text' ? 2 : (countType ?? type).bytes,
+    );
     needed += count * sizes.reduce((sum, size) => sum + size, 0);
   }
   if (needed <= available + 1) return;

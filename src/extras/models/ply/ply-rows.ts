@@ -4,12 +4,20 @@ import type { LeftOut } from '../left-out.js';
 import { CORNER_LIMIT } from '../../../viewer/model/limits.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { CornerLists, type Growing, NONE, NOT_THERE, UNSTATED, wrongCoordinate } from '../triangles/corner-lists.js';
+import {
+  CornerLists,
+  type Growing,
+  NONE,
+  NOT_THERE,
+  UNSTATED,
+  wrongCoordinate,
+} from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
 import { countOf, type PlyElement, type PlyHeader, type PlyType } from './ply-header.js';
 
 /**
- * @param byLines whether each row of a text is a line, and may have more values than its header names.
+ * @param byLines whether each row of a text is a line, and may have more values than its header
+ * names.
  * @throws Error for broken data; ModelError `too-large`.
  */
 export async function readRows(
@@ -20,15 +28,26 @@ export async function readRows(
   slices: Slices,
 ): Promise<CornerLists> {
   const values =
-    encoding === 'text' ? textValues(bytes, end, byLines) : binaryValues(bytes, end, encoding === 'little-endian');
+    encoding === 'text'
+      ? textValues(bytes, end, byLines)
+      : binaryValues(bytes, end, encoding === 'little-endian');
   const rows = new PlyRows(elements, values, leftOut, slices);
-  for (const element of elements) if (element.properties.length > 0) await rows.read(element);
+  for (const element of elements) {
+    if (element.properties.length > 0) {
+      await rows.read(element);
+    }
+  }
   return rows.finish();
 }
 
-/** The numbers of a row that are used, by property. x y z come first, then the normal, then the colour. */
+/**
+ * The numbers of a row that are used, by property. x y z come first, then the normal, then the
+ * colour.
+ */
 const SLOTS: ReadonlyMap<string, number> = new Map([
-  ...['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'].map((name, slot) => [name, slot] as const),
+  ...['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'].map(
+    (name, slot) => [name, slot] as const,
+  ),
   ...['r', 'g', 'b', 'a'].map((name, i) => [name, 6 + i] as const),
   ...['diffuse_red', 'diffuse_green', 'diffuse_blue'].map((name, i) => [name, 6 + i] as const),
 ]);
@@ -60,7 +79,12 @@ class PlyRows {
   #at = 0;
   #steps = 0;
 
-  constructor(elements: readonly PlyElement[], values: PlyValues, leftOut: LeftOut, slices: Slices) {
+  constructor(
+    elements: readonly PlyElement[],
+    values: PlyValues,
+    leftOut: LeftOut,
+    slices: Slices,
+  ) {
     this.#values = values;
     this.#leftOut = leftOut;
     this.#slices = slices;
@@ -78,7 +102,13 @@ class PlyRows {
     const taker = this.#takerOf(element, row);
     const columns = element.properties.map(({ name, type, countType }) => {
       const slot = SLOTS.get(name) ?? UNUSED;
-      return { type, countType, slot, full: slot < COLOR ? 1 : type.full, taken: taker.list?.test(name) === true };
+      return {
+        type,
+        countType,
+        slot,
+        full: slot < COLOR ? 1 : type.full,
+        taken: taker.list?.test(name) === true,
+      };
     });
     for (let i = 0; i < element.count;) {
       if (values.beginRow()) {
@@ -87,21 +117,33 @@ class PlyRows {
           if (countType === null) {
             const value = values.next(type);
             row[slot] = value / full;
-            if (slot < NORMAL && Number.isNaN(value)) this.#leftOut.because('vertex', () => values.problem());
+            if (slot < NORMAL && Number.isNaN(value)) {
+              this.#leftOut.because('vertex', () => values.problem());
+            }
             continue;
           }
           for (let left = this.#listLength(countType); left > 0; left -= 1) {
             const value = values.next(type);
-            if (taken) taker.item?.(value);
-            if (this.#took()) await slices.pause();
+            if (taken) {
+              taker.item?.(value);
+            }
+            if (this.#took()) {
+              await slices.pause();
+            }
           }
-          if (taken) taker.endList?.();
+          if (taken) {
+            taker.endList?.();
+          }
         }
         taker.end?.();
-        if (values.endRow()) this.#leftOut.add('surplus');
+        if (values.endRow()) {
+          this.#leftOut.add('surplus');
+        }
         i += 1;
       }
-      if (this.#took()) await slices.pause();
+      if (this.#took()) {
+        await slices.pause();
+      }
     }
   }
 
@@ -119,13 +161,19 @@ class PlyRows {
     this.#chooseColors();
     const { count } = this.#lists.places;
     const highest = this.#highestVertex;
-    if (highest >= count)
-      this.#leftOut.because('face', () => `a face refers to vertex ${String(highest)} of ${String(count)}`);
+    if (highest >= count) {
+      this.#leftOut.because(
+        'face',
+        () => `a face refers to vertex ${String(highest)} of ${String(count)}`,
+      );
+    }
     return this.#lists;
   }
 
   #takerOf({ name, count, properties }: PlyElement, row: Row): RowTaker {
-    const found = new Set(properties.map((property) => (property.countType === null ? SLOTS.get(property.name) : -1)));
+    const found = new Set(
+      properties.map((property) => (property.countType === null ? SLOTS.get(property.name) : -1)),
+    );
     const has = (first: number): boolean => [0, 1, 2].every((i) => found.has(first + i));
     if (name === 'vertex') {
       if (!has(PLACE)) throw new Error('its vertices have no x, y and z');
@@ -133,7 +181,9 @@ class PlyRows {
     }
     if (name === 'face') return this.#faces(row, has(COLOR));
     if (name === 'tristrips') return this.#strips();
-    if (count > 0) this.#leftOut.feature(`the element ${clip(name, 40)}`);
+    if (count > 0) {
+      this.#leftOut.feature(`the element ${clip(name, 40)}`);
+    }
     return {};
   }
 
@@ -145,8 +195,12 @@ class PlyRows {
         this.#leftOut.add('vertex');
         this.#leftOut.because('vertex', () => wrongCoordinate(x, y, z));
       }
-      if (withNormals) this.#lists.pushNormal(row[NORMAL]!, row[NORMAL + 1]!, row[NORMAL + 2]!);
-      if (withColors) this.#ofVertices.push(row);
+      if (withNormals) {
+        this.#lists.pushNormal(row[NORMAL]!, row[NORMAL + 1]!, row[NORMAL + 2]!);
+      }
+      if (withColors) {
+        this.#ofVertices.push(row);
+      }
     };
     return { end };
   }
@@ -163,7 +217,10 @@ class PlyRows {
     };
   }
 
-  /** Each vertex makes a triangle with the two before it, every second one turned around; -1 begins a new strip. */
+  /**
+   * Each vertex makes a triangle with the two before it, every second one turned around; -1 begins
+   * a new strip.
+   */
   #strips(): RowTaker {
     const lists = this.#lists;
     let length = 0;
@@ -206,14 +263,23 @@ class PlyRows {
     throw new Error('a list has no length');
   }
 
-  /** A geometry has one kind of colours: those of faces, unless those of vertices say more, as in other viewers. */
+  /**
+   * A geometry has one kind of colours: those of faces, unless those of vertices say more, as in
+   * other viewers.
+   */
   #chooseColors(): void {
     const [ofVertices, ofFaces] = [this.#ofVertices, this.#ofFaces];
     const both = ofVertices.count > 0 && ofFaces.count > 0;
     const byFace = ofFaces.count > 0 && !(both && ofVertices.differ);
-    if (both) this.#leftOut.feature(byFace ? 'the colours of its vertices' : 'the colours of its faces');
-    if (!byFace) this.#lists.faceColors.length = this.#lists.triangleColors.length = 0;
-    if ((byFace ? ofFaces : ofVertices).hasAlpha) this.#leftOut.feature('alpha');
+    if (both) {
+      this.#leftOut.feature(byFace ? 'the colours of its vertices' : 'the colours of its faces');
+    }
+    if (!byFace) {
+      this.#lists.faceColors.length = this.#lists.triangleColors.length = 0;
+    }
+    if ((byFace ? ofFaces : ofVertices).hasAlpha) {
+      this.#leftOut.feature('alpha');
+    }
   }
 }
 
@@ -251,11 +317,17 @@ class Colors {
 interface PlyValues {
   /** Position of the next byte. */
   readonly at: number;
-  /** Goes to the next row. False where it is not there yet: call again. @throws Error at the end of the file. */
+  /**
+   * Goes to the next row. False where it is not there yet: call again. @throws Error at the end of
+   * the file.
+   */
   beginRow(): boolean;
   /** Whether values are left that no property names. */
   endRow(): boolean;
-  /** @throws Error at the end of the file, or of the row if rows are lines. Text that is no number is NaN. */
+  /**
+   * @throws Error at the end of the file, or of the row if rows are lines. Text that is no number
+   * is NaN.
+   */
   next(type: PlyType): number;
   /** Why the last value is no number, in words. */
   problem(): string;

@@ -1,5 +1,6 @@
-// Reads a PLY file, text or binary: vertices with normals and colours, faces as lists or strips. Vertices that the file
-// gives no normals are smoothed, with edges where faces meet at a sharp angle. A separate chunk.
+// Reads a PLY file, text or binary: vertices with normals and colours, faces as lists or strips.
+// Vertices that the file gives no normals are smoothed, with edges where faces meet at a sharp
+// angle. A separate chunk.
 import { PLAIN_LOOK } from '../../../phong/material/file-surface.js';
 import { type ModelReader, ownedModel } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
@@ -17,7 +18,9 @@ export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal, budget);
   const header = await readPlyHeader(bytes, slices);
   requireFaces(header.elements);
-  if (header.encoding === 'text') budget.add({ text: bytes.byteLength });
+  if (header.encoding === 'text') {
+    budget.add({ text: bytes.byteLength });
+  }
   let leftOut = new LeftOut();
   let lists: CornerLists;
   try {
@@ -41,11 +44,16 @@ export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const geometry = await new IndexedGeometries(lists, budget, slices).of(ranges, false);
   lists.free();
   if (geometry === null) throw await leftOut.error(bytes, slices, 'it has no triangles');
-  if (header.hasTexture) leftOut.feature('TextureFile');
+  if (header.hasTexture) {
+    leftOut.feature('TextureFile');
+  }
   const dropped = await leftOut.names(bytes, slices);
   const look = { ...PLAIN_LOOK, vertexColors: geometry.hasAttribute('color') };
   const { matrix } = lists.places;
-  return { ...ownedModel([{ name: '', geometry, matrix, look, sides: 'double', surface: {} }]), dropped };
+  return {
+    ...ownedModel([{ name: '', geometry, matrix, look, sides: 'double', surface: {} }]),
+    dropped,
+  };
 };
 
 function requireFaces(elements: readonly PlyElement[]): void {

@@ -1,5 +1,6 @@
-// Reads an STL file, binary or text. Each triangle has its own normal, taken from its corners: the normals in files are
-// often zero or stale. Colours of the two 15-bit conventions. A separate chunk.
+// Reads an STL file, binary or text. Each triangle has its own normal, taken from its corners: the
+// normals in files are often zero or stale. Colours of the two 15-bit conventions. A separate
+// chunk.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { faceNormals, type ModelReader, ownedModel } from '../model-reader.js';
@@ -18,12 +19,20 @@ export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal, budget);
   const leftOut = new LeftOut();
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
-  if (asText) budget.add({ text: bytes.byteLength });
-  const solids = asText ? await readStlText(bytes, leftOut, slices) : [await readBinary(bytes, leftOut, slices)];
+  if (asText) {
+    budget.add({ text: bytes.byteLength });
+  }
+  const solids = asText
+    ? await readStlText(bytes, leftOut, slices)
+    : [await readBinary(bytes, leftOut, slices)];
   const parts: ContentPart[] = [];
   for (const solid of solids) {
-    if (solid.places.count > 0) parts.push(await partOf(solid, budget, slices));
-    if (slices.took(16)) await slices.pause();
+    if (solid.places.count > 0) {
+      parts.push(await partOf(solid, budget, slices));
+    }
+    if (slices.took(16)) {
+      await slices.pause();
+    }
   }
   if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no triangles');
   return { ...ownedModel(parts), dropped: await leftOut.names(bytes, slices) };
@@ -42,7 +51,11 @@ interface StlSolid {
   readonly opacity: number;
 }
 
-async function readBinary(bytes: Uint8Array<ArrayBuffer>, leftOut: LeftOut, slices: Slices): Promise<StlSolid> {
+async function readBinary(
+  bytes: Uint8Array<ArrayBuffer>,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<StlSolid> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = countOf(view);
   // Before anything is allocated.
@@ -55,7 +68,9 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, leftOut: LeftOut, slic
   let colored = false;
   let anyBits = 0;
   for (let i = 0; i < count; i += 1) {
-    if (slices.took(1 / 4)) await slices.pause();
+    if (slices.took(1 / 4)) {
+      await slices.pause();
+    }
     const at = STL_HEADER + i * STL_TRIANGLE;
     const kept = places.count;
     for (let corner = at + 12; corner < at + 48; corner += 12) {
@@ -78,13 +93,18 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, leftOut: LeftOut, slic
   return {
     name: '',
     places,
-    colorOf: colored ? (triangle) => triangleColor(bits[triangle] ?? 0, header !== null) ?? color : null,
+    colorOf: colored
+      ? (triangle) => triangleColor(bits[triangle] ?? 0, header !== null) ?? color
+      : null,
     color: colored ? WHITE : color,
     opacity: header?.opacity ?? 1,
   };
 }
 
-/** The number of triangles. 0 in files whose writer did not go back to fill it in: then as many as there are. */
+/**
+ * The number of triangles. 0 in files whose writer did not go back to fill it in: then as many as
+ * there are.
+ */
 function countOf(view: DataView): number {
   if (view.byteLength < STL_HEADER) throw new Error('it ends inside its header');
   const there = Math.floor((view.byteLength - STL_HEADER) / STL_TRIANGLE);
@@ -93,7 +113,9 @@ function countOf(view: DataView): number {
   if (count <= there) return count;
   const size = STL_HEADER + count * STL_TRIANGLE;
   const { byteLength } = view;
-  throw new Error(`it is truncated: ${String(byteLength)} of ${String(size)} bytes for ${String(count)} triangles`);
+  throw new Error(
+    `it is truncated: ${String(byteLength)} of ${String(size)} bytes for ${String(count)} triangles`,
+  );
 }
 
 const WHITE: Vec3 = [1, 1, 1];
@@ -104,18 +126,23 @@ const SPACE = 0x20;
 function headerColor(view: DataView): { readonly color: Vec3; readonly opacity: number } | null {
   const word = 'COLOR=';
   for (let at = 0; at + word.length + 4 <= STL_HEADER - 4; at += 1) {
-    if (!Array.from(word).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0))) continue;
+    if (
+      !Array.from(word).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0))
+    ) {
+      continue;
+    }
     const [r = 0, g = 0, b = 0] = [6, 7, 8].map((i) => view.getUint8(at + i) / 255);
     const alpha = view.getUint8(at + 9);
-    // Some writers leave it 0, and do not mean an invisible body. Others write three bytes and a space.
+    // Some writers leave it 0, and do not mean an invisible body. Others write three bytes and a
+    // space.
     return { color: [r, g, b], opacity: alpha === 0 || alpha === SPACE ? 1 : alpha / 255 };
   }
   return null;
 }
 
 /**
- * A triangle's colour, five bits per channel; null if it has none. Magics (files with `COLOR=`): red in the low bits,
- * bit 15 clear. VisCAM and SolidView: blue in the low bits, bit 15 set.
+ * A triangle's colour, five bits per channel; null if it has none. Magics (files with `COLOR=`):
+ * red in the low bits, bit 15 clear. VisCAM and SolidView: blue in the low bits, bit 15 set.
  */
 function triangleColor(bits: number, magics: boolean): Vec3 | null {
   if (((bits & 0x8000) === 0) !== magics) return null;
@@ -130,7 +157,11 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
   const geometry = new BufferGeometry();
   const filled = places.array.length === 3 * corners;
   const positions = filled ? places.array : new Float32Array(3 * corners);
-  if (!filled) await slices.over(3 * corners, (from, to) => positions.set(places.array.subarray(from, to), from));
+  if (!filled) {
+    await slices.over(3 * corners, (from, to) =>
+      positions.set(places.array.subarray(from, to), from),
+    );
+  }
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', await faceNormals(positions, slices));
   if (colorOf !== null) {
@@ -138,25 +169,40 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
     await slices.over(corners / 3, (from, to) => {
       for (let triangle = from; triangle < to; triangle += 1) {
         const own = colorOf(triangle);
-        for (let corner = 0; corner < 3; corner += 1) colors.set(own, 9 * triangle + 3 * corner);
+        for (let corner = 0; corner < 3; corner += 1) {
+          colors.set(own, 9 * triangle + 3 * corner);
+        }
       }
     });
     geometry.setAttribute('color', new BufferAttribute(colors, 3));
   }
   const alphaMode = opacity < 1 ? 'blend' : 'opaque';
-  const look: BaseLook = { ...PLAIN_LOOK, baseColor: color, opacity, alphaMode, vertexColors: colorOf !== null };
+  const look: BaseLook = {
+    ...PLAIN_LOOK,
+    baseColor: color,
+    opacity,
+    alphaMode,
+    vertexColors: colorOf !== null,
+  };
   return { name, geometry, matrix: places.matrix, look, sides: 'double', surface: {} };
 }
 
 /**
- * The triangles of a text: `solid name`, then `facet` … `vertex x y z` … `endfacet`, then `endsolid`. Stated normals are
- * skipped, and a facet without three sound vertices is left out. Words may be upper case, and anywhere on a line.
+ * The triangles of a text: `solid name`, then `facet` … `vertex x y z` … `endfacet`, then
+ * `endsolid`. Stated normals are skipped, and a facet without three sound vertices is left out.
+ * Words may be upper case, and anywhere on a line.
  * @throws Error for a file that ends inside a facet; ModelError `too-large`.
  */
-async function readStlText(bytes: Uint8Array, leftOut: LeftOut, slices: Slices): Promise<readonly StlSolid[]> {
+async function readStlText(
+  bytes: Uint8Array,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<readonly StlSolid[]> {
   const reader = new StlTextReader(bytes, leftOut);
   for (let { at, names } = reader; reader.readWord(); { at, names } = reader) {
-    if (slices.took((reader.at - at) / 8 + (reader.names - names) * NAME_WORK)) await slices.pause();
+    if (slices.took((reader.at - at) / 8 + (reader.names - names) * NAME_WORK)) {
+      await slices.pause();
+    }
   }
   return reader.finish();
 }
@@ -209,7 +255,9 @@ class StlTextReader {
         this.#isSound = true;
         break;
       case 'vertex':
-        if (this.#corners !== null) this.#vertex(at);
+        if (this.#corners !== null) {
+          this.#vertex(at);
+        }
         break;
       case 'endfacet':
         this.#endFacet(at);
@@ -226,14 +274,18 @@ class StlTextReader {
 
   #vertex(at: number): void {
     const scanner = this.#scanner;
-    if (this.#corners === 3) this.#spoil('a facet has more than three vertices', at);
+    if (this.#corners === 3) {
+      this.#spoil('a facet has more than three vertices', at);
+    }
     if (!this.#isSound) return;
     requireAtMost(this.#total + 1, CORNER_LIMIT, 'triangle corners');
     const start = scanner.at;
     const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
     this.#corners = (this.#corners ?? 0) + 1;
     this.#total += 1;
-    if (!this.#places.push(x, y, z)) this.#spoil(scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z), at);
+    if (!this.#places.push(x, y, z)) {
+      this.#spoil(scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z), at);
+    }
   }
 
   #spoil(why: string, at: number): void {
@@ -243,7 +295,9 @@ class StlTextReader {
 
   #endFacet(at: number): void {
     if (this.#corners === null) return;
-    if (this.#isSound && this.#corners < 3) this.#spoil('a facet has fewer than three vertices', at);
+    if (this.#isSound && this.#corners < 3) {
+      this.#spoil('a facet has fewer than three vertices', at);
+    }
     if (!this.#isSound) {
       this.#leftOut.add('triangle');
       this.#places.cut(this.#places.count - this.#corners);
@@ -254,12 +308,21 @@ class StlTextReader {
 
   #endSolid(): void {
     if (this.#places.count === 0) return;
-    this.#solids.push({ name: this.#name, places: this.#places, colorOf: null, color: WHITE, opacity: 1 });
+    this.#solids.push({
+      name: this.#name,
+      places: this.#places,
+      colorOf: null,
+      color: WHITE,
+      opacity: 1,
+    });
     requireAtMost(this.#solids.length, PART_LIMIT, 'solids');
     this.#places = new Positions();
   }
 
-  /** The rest of the line, which may be made of the format's words; where the file has no lines, a part of it. */
+  /**
+   * The rest of the line, which may be made of the format's words; where the file has no lines, a
+   * part of it.
+   */
   #readName(): string {
     const scanner = this.#scanner;
     if (scanner.atLineEnd()) return '';
@@ -272,12 +335,18 @@ class StlTextReader {
   }
 }
 
-/** Bytes of a line in which the end of a name is looked for, and what that takes, as {@link Slices.took} counts it. */
+/**
+ * Bytes of a line in which the end of a name is looked for, and what that takes, as {@link
+ * Slices.took} counts it.
+ */
 const NAME_SEARCH = 1024;
 const NAME_WORK = 4;
 
 /** Longest name of a solid in bytes. */
 const NAME_LENGTH = 256;
 
-/** What ends a name where the file has no lines: words of the format that no name would have in this order. */
+/**
+ * What ends a name where the file has no lines: words of the format that no name would have in this
+ * order.
+ */
 const AFTER_NAME = /\b(?:facet\s+normal\s+\S+\s+\S+\s+\S+\s+outer\s+loop|endsolid|solid)\b/i;

@@ -1,8 +1,12 @@
-// Recognises STL files of both kinds. Many binary files begin with `solid` too: the size decides first.
+// Recognises STL files of both kinds. Many binary files begin with `solid` too: the size decides
+// first.
 
 /** Bytes before the first triangle: a comment of 80 bytes and the number of triangles. */
 export const STL_HEADER = 84;
-/** Bytes of a triangle: normal and corners as 12 floats, and 16 bits that some programs use for a colour. */
+/**
+ * Bytes of a triangle: normal and corners as 12 floats, and 16 bits that some programs use for a
+ * colour.
+ */
 export const STL_TRIANGLE = 50;
 
 /** Whether the size is exactly that of the triangles it claims. */
@@ -16,7 +20,9 @@ export function isBinaryStl(bytes: Uint8Array): boolean {
 const TEXT =
   /^(ï»¿)?(\s*(#|;|!|\/\/)[^\r\n]*[\r\n])*\s*solid\b[^\r\n]*([\r\n]\s*(facet|endsolid)|\s(facet\s+normal|endsolid))\b/i;
 
-/** Whether it begins as a text file does, with a byte order mark or without, with lines or in one. */
+/**
+ * Whether it begins as a text file does, with a byte order mark or without, with lines or in one.
+ */
 export function isTextStl(bytes: Uint8Array): boolean {
   // A byte order mark of UTF-8 reads as three characters.
   return TEXT.test(new TextDecoder('latin1').decode(bytes.subarray(0, 4096)));

@@ -1,5 +1,6 @@
-// Words and numbers of a text file's bytes, read in one pass without turning the file into strings. Numbers are read
-// exactly as `Number` reads them. Lines end with LF, CR LF or CR; a backslash at the end of a line continues it.
+// Words and numbers of a text file's bytes, read in one pass without turning the file into strings.
+// Numbers are read exactly as `Number` reads them. Lines end with LF, CR LF or CR; a backslash at
+// the end of a line continues it.
 import { clip } from '../../../phong/fields/clip.js';
 import type { Slices } from '../slices.js';
 
@@ -12,7 +13,9 @@ const NOTHING = -1;
 const latin1 = new TextDecoder('latin1');
 const utf8 = new TextDecoder();
 
-/** 10^0 to 10^22, which float64 holds exactly: one product or quotient with them is rounded once. */
+/**
+ * 10^0 to 10^22, which float64 holds exactly: one product or quotient with them is rounded once.
+ */
 const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${String(exponent)}`));
 /** Most digits of a whole number that float64 always holds exactly. */
 const EXACT_DIGITS = 15;
@@ -40,13 +43,16 @@ export class TextScanner {
   }
 
   /**
-   * Goes to the first word of the next line that has one; false at the end. Comments may end with a backslash, so it
-   * does not continue a line here. A line or gap of over 16 KiB comes in pieces: all but the first are as empty lines.
+   * Goes to the first word of the next line that has one; false at the end. Comments may end with a
+   * backslash, so it does not continue a line here. A line or gap of over 16 KiB comes in pieces:
+   * all but the first are as empty lines.
    */
   nextLine(): boolean {
     if (this.#pending !== 'blanks') {
       const end = this.#pieceEnd;
-      while (this.at < end && !isLineEnd(this.#bytes[this.at] ?? NOTHING)) this.at += 1;
+      while (this.at < end && !isLineEnd(this.#bytes[this.at] ?? NOTHING)) {
+        this.at += 1;
+      }
       this.#pending = this.#stoppedAt(end) ? 'line' : 'nothing';
       if (this.#pending === 'line') return true;
     }
@@ -79,7 +85,9 @@ export class TextScanner {
 
   /** Whether no word follows on this line. Skips the blanks before it. */
   atLineEnd(): boolean {
-    if (this.#pending === 'nothing') this.#skipBlanks();
+    if (this.#pending === 'nothing') {
+      this.#skipBlanks();
+    }
     if (this.#pending !== 'nothing') return true;
     const byte = this.#bytes[this.at];
     return byte === undefined || isLineEnd(byte);
@@ -100,13 +108,18 @@ export class TextScanner {
       : this.#latin1From(start, most);
   }
 
-  /** The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before the line's end. */
+  /**
+   * The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before
+   * the line's end.
+   */
   rest(most = 4096): string {
     if (this.atLineEnd()) return '';
     const bytes = this.#bytes;
     const start = this.at;
     const end = this.#pieceEnd;
-    while (this.at < end && !isLineEnd(bytes[this.at] ?? NOTHING)) this.at += 1;
+    while (this.at < end && !isLineEnd(bytes[this.at] ?? NOTHING)) {
+      this.at += 1;
+    }
     return this.textFrom(start, most);
   }
 
@@ -117,21 +130,27 @@ export class TextScanner {
     const start = this.at;
     let i = start;
     const sign = bytes[i];
-    if (sign === 45 || sign === 43) i += 1;
+    if (sign === 45 || sign === 43) {
+      i += 1;
+    }
     let mantissa = 0;
     let digits = 0;
     let seen = 0;
     let exponent = 0;
     let digit = digitOf(bytes[i]);
     for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
-      if (mantissa > 0 || digit > 0) digits += 1;
+      if (mantissa > 0 || digit > 0) {
+        digits += 1;
+      }
       mantissa = mantissa * 10 + digit;
       seen += 1;
     }
     if (bytes[i] === 46) {
       digit = digitOf(bytes[++i]);
       for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
-        if (mantissa > 0 || digit > 0) digits += 1;
+        if (mantissa > 0 || digit > 0) {
+          digits += 1;
+        }
         mantissa = mantissa * 10 + digit;
         exponent -= 1;
         seen += 1;
@@ -178,7 +197,9 @@ export class TextScanner {
   quotedWord(): string {
     let start = this.at;
     const least = Math.max(0, start - NUMBER_LENGTH);
-    while (start > least && !isBreak(this.#bytes[start - 1])) start -= 1;
+    while (start > least && !isBreak(this.#bytes[start - 1])) {
+      start -= 1;
+    }
     this.#skipToken();
     return this.#quoted(start);
   }
@@ -192,7 +213,9 @@ export class TextScanner {
     if (digit < 0) return NaN;
     let value = 0;
     const end = i + NUMBER_LENGTH;
-    for (; digit >= 0 && i < end; digit = digitOf(bytes[++i])) value = value * 10 + digit;
+    for (; digit >= 0 && i < end; digit = digitOf(bytes[++i])) {
+      value = value * 10 + digit;
+    }
     this.at = i;
     return negative ? -value : value;
   }
@@ -214,12 +237,19 @@ export class TextScanner {
   }
 
   #quoted(start: number): string {
-    return JSON.stringify(clip(utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + 4096)))));
+    return JSON.stringify(
+      clip(utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + 4096)))),
+    );
   }
 
-  /** The text from `start` to the next byte as UTF-8 without blanks at its ends, cut after `most` bytes. */
+  /**
+   * The text from `start` to the next byte as UTF-8 without blanks at its ends, cut after `most`
+   * bytes.
+   */
   textFrom(start: number, most: number): string {
-    return most === 0 ? '' : utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
+    return most === 0
+      ? ''
+      : utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
   }
 
   /** The next bytes of this line, a character each. Stays before them. */
@@ -233,7 +263,9 @@ export class TextScanner {
   #latin1From(start: number, most: number): string {
     const bytes = this.#bytes.subarray(start, Math.min(this.at, start + most));
     // A call of the decoder takes as long as reading ten numbers.
-    return bytes.length > SHORT ? latin1.decode(bytes) : String.fromCharCode.apply(null, bytes as never);
+    return bytes.length > SHORT
+      ? latin1.decode(bytes)
+      : String.fromCharCode.apply(null, bytes as never);
   }
 
   #slowNumber(): number {
@@ -248,8 +280,12 @@ export class TextScanner {
   #skipToken(): void {
     const bytes = this.#bytes;
     const end = this.#pieceEnd;
-    while (this.at < end && !isBreak(bytes[this.at])) this.at += 1;
-    if (this.#stoppedAt(end)) this.#pending = 'line';
+    while (this.at < end && !isBreak(bytes[this.at])) {
+      this.at += 1;
+    }
+    if (this.#stoppedAt(end)) {
+      this.#pending = 'line';
+    }
   }
 
   #skipBlanks(): void {
@@ -264,9 +300,13 @@ export class TextScanner {
       }
       if (byte === BACKSLASH) {
         const next = bytes[this.at + 1];
-        if (next === LF) this.at += 2;
-        else if (next === CR) this.at += bytes[this.at + 2] === LF ? 3 : 2;
-        else return;
+        if (next === LF) {
+          this.at += 2;
+        } else if (next === CR) {
+          this.at += bytes[this.at + 2] === LF ? 3 : 2;
+        } else {
+          return;
+        }
       } else if (byte <= SPACE && !isLineEnd(byte)) {
         this.at += 1;
       } else {
@@ -276,7 +316,10 @@ export class TextScanner {
   }
 }
 
-/** Most lines begin with a word of one or two letters. Decoding each would make as much garbage as the file is long. */
+/**
+ * Most lines begin with a word of one or two letters. Decoding each would make as much garbage as
+ * the file is long.
+ */
 const shortWords = new Map<number, string>();
 
 function shortWord(first = 0, second = 0, length = 1): string {
@@ -301,7 +344,11 @@ function digitOf(byte: number | undefined): number {
 export async function lineOf(bytes: Uint8Array, position: number, slices: Slices): Promise<number> {
   let line = 1;
   await slices.over(Math.min(position, bytes.length), (from, to) => {
-    for (let i = from; i < to; i += 1) if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) line += 1;
+    for (let i = from; i < to; i += 1) {
+      if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) {
+        line += 1;
+      }
+    }
   });
   return line;
 }

@@ -1,4 +1,5 @@
-// A file's triangles while they are read: corners refer to lists of positions, uvs and normals, as OBJ writes them.
+// A file's triangles while they are read: corners refer to lists of positions, uvs and normals, as
+// OBJ writes them.
 import { Matrix4, type TypedArray } from 'three';
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { LIMITS } from '../../../phong/light/light-state.js';
@@ -20,18 +21,29 @@ export class CornerLists {
   readonly colors: Growing<Float32Array>;
   /** u v; the first row of an image is at v = 0, as in glTF. */
   readonly uvs = new Growing(Float32Array);
-  /** r g b of each face that has a colour, after a white one. Empty, or the colours of positions are. */
+  /**
+   * r g b of each face that has a colour, after a white one. Empty, or the colours of positions
+   * are.
+   */
   readonly faceColors: Growing<Float32Array>;
   /** x y z; unit length, or zero for one without a direction. */
   readonly normals: Growing<Float32Array>;
 
   /** Number of the position of each corner, or {@link NOT_THERE}; three corners are a triangle. */
   readonly corners: Growing<Uint32Array>;
-  /** Number of the texture coordinates of each corner, or {@link NONE}. Shorter if the last corners have none. */
+  /**
+   * Number of the texture coordinates of each corner, or {@link NONE}. Shorter if the last corners
+   * have none.
+   */
   readonly cornerUvs = new Growing(Int32Array, 0, 1);
-  /** Number of the normal of each corner, or {@link NONE}. Shorter if the last corners have none. */
+  /**
+   * Number of the normal of each corner, or {@link NONE}. Shorter if the last corners have none.
+   */
   readonly cornerNormals: Growing<Int32Array>;
-  /** Smoothing group of each triangle: {@link UNSTATED} beyond the end, {@link FACETED}, or a number above 0. */
+  /**
+   * Smoothing group of each triangle: {@link UNSTATED} beyond the end, {@link FACETED}, or a number
+   * above 0.
+   */
   readonly groups = new Growing(Int32Array, 0, 3);
   /** Number of each triangle's colour among those of faces, or {@link NONE}. */
   readonly triangleColors: Growing<Int32Array>;
@@ -52,7 +64,11 @@ export class CornerLists {
 
   /** Call when the geometries are made. */
   free(): void {
-    for (const list of Object.values(this)) if (list instanceof Growing) free(list.array as Uint8Array);
+    for (const list of Object.values(this)) {
+      if (list instanceof Growing) {
+        free(list.array as Uint8Array);
+      }
+    }
     free(this.places.array);
   }
 
@@ -84,7 +100,9 @@ export class CornerLists {
 
 /** Sets an item of a list that may be shorter, filling it up with {@link NONE}. */
 export function setItem(list: Growing<Int32Array>, index: number, value: number): void {
-  if (index < list.length) list.array[index] = value;
+  if (index < list.length) {
+    list.array[index] = value;
+  }
   if (index < list.length || value === NONE) return;
   list.fillTo(index, NONE);
   list.push(value);
@@ -94,7 +112,10 @@ export function setItem(list: Growing<Int32Array>, index: number, value: number)
 export const itemAt = (list: Growing<Int32Array>, index: number): number =>
   index < list.length ? (list.array[index] ?? NONE) : NONE;
 
-/** A first vertex farther out becomes the origin: maps go to 1e7 metres, and float32 keeps steps of 3 cm at 5e5. */
+/**
+ * A first vertex farther out becomes the origin: maps go to 1e7 metres, and float32 keeps steps of
+ * 3 cm at 5e5.
+ */
 const FAR_OUT = 1024;
 
 /** A file's vertex positions, as float32 relative to an origin that keeps their precision. */
@@ -127,7 +148,9 @@ export class Positions {
   push(x: number, y: number, z: number): boolean {
     const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
     const sound = largest <= LIMITS.coordinate;
-    if (sound) this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
+    if (sound) {
+      this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
+    }
     const values = this.#values;
     const [x0, y0, z0] = sound ? (this.#origin ?? NOWHERE) : NOWHERE;
     values.push(x - x0);
@@ -159,7 +182,10 @@ const FIRST_LENGTH = 1024;
 /** Longest list: 11 million vertices, 3.7 million STL triangles. Moving half of it takes 30 ms. */
 const LONGEST = 2 ** 25;
 
-/** A list of numbers of unknown length: a typed array, doubled when it is full. What is not written takes no memory. */
+/**
+ * A list of numbers of unknown length: a typed array, doubled when it is full. What is not written
+ * takes no memory.
+ */
 export class Growing<A extends TypedArray> {
   readonly #make: new (length: number) => A;
   readonly #first: number;
@@ -167,7 +193,10 @@ export class Growing<A extends TypedArray> {
   array: A;
   length = 0;
 
-  /** @param lane lists that are written together have different ones: they are not moved in the same task. */
+  /**
+   * @param lane lists that are written together have different ones: they are not moved in the same
+   * task.
+   */
   constructor(make: new (length: number) => A, capacity = 0, lane = 0) {
     this.#make = make;
     this.#first = Math.max(capacity, FIRST_LENGTH + 128 * lane);
@@ -175,14 +204,18 @@ export class Growing<A extends TypedArray> {
   }
 
   push(value: number): void {
-    if (this.length === this.array.length) this.#grow(this.length + 1);
+    if (this.length === this.array.length) {
+      this.#grow(this.length + 1);
+    }
     this.array[this.length] = value;
     this.length += 1;
   }
 
   /** Makes the list at least that long, by items of this value. */
   fillTo(length: number, value: number): void {
-    if (length > this.array.length) this.#grow(length);
+    if (length > this.array.length) {
+      this.#grow(length);
+    }
     this.array.fill(value, this.length, length);
     this.length = Math.max(this.length, length);
   }

@@ -1,4 +1,5 @@
-// Turns corners into a geometry that the GPU reads. Corners that agree in everything share a vertex.
+// Turns corners into a geometry that the GPU reads. Corners that agree in everything share a
+// vertex.
 import { BufferAttribute, BufferGeometry } from 'three';
 import { free } from '../../../viewer/model/limits.js';
 import type { ModelBudget } from '../model-budget.js';
@@ -48,13 +49,16 @@ export class IndexedGeometries {
     let length = 0;
     for (const { start, end } of ranges) {
       for (let corner = start; corner < end; corner += 1) {
-        if (slices.took(1 / 4)) await slices.pause();
+        if (slices.took(1 / 4)) {
+          await slices.pause();
+        }
         const position = lists.corners.array[corner] ?? 0;
         if (position === NOT_THERE) continue;
         const latest = this.#latest[position] ?? 0;
         let known = latest - this.#before - 1;
-        for (let i = 0; known >= 0 && !this.#agree(firsts[known] ?? 0, corner, withUvs); i += 1)
+        for (let i = 0; known >= 0 && !this.#agree(firsts[known] ?? 0, corner, withUvs); i += 1) {
           known = i < MOST_COMPARED ? (chain[known] ?? 0) - this.#before - 1 : NONE;
+        }
         if (known < 0) {
           known = length++;
           firsts[known] = corner;
@@ -76,13 +80,20 @@ export class IndexedGeometries {
       numberOf: (corner: number) => number,
       size: number,
     ): Promise<void> => {
-      geometry.setAttribute(name, await gathered(array, firsts.subarray(0, length), numberOf, size, slices));
+      geometry.setAttribute(
+        name,
+        await gathered(array, firsts.subarray(0, length), numberOf, size, slices),
+      );
     };
     const positionOf = (corner: number): number => lists.corners.array[corner] ?? 0;
     await set('position', lists.places, positionOf, 3);
     await set('normal', lists.normals, (corner) => itemAt(lists.cornerNormals, corner), 3);
-    if (withUvs) await set('uv', lists.uvs, (corner) => itemAt(lists.cornerUvs, corner), 2);
-    if (colored) await set('color', colors, this.#byFace ? this.#faceColorOf : positionOf, 3);
+    if (withUvs) {
+      await set('uv', lists.uvs, (corner) => itemAt(lists.cornerUvs, corner), 2);
+    }
+    if (colored) {
+      await set('color', colors, this.#byFace ? this.#faceColorOf : positionOf, 3);
+    }
     const used = index.subarray(0, next);
     geometry.setIndex(new BufferAttribute(length > 0xffff ? used : new Uint16Array(used), 1));
     free(firsts, chain);
@@ -114,10 +125,14 @@ async function gathered(
 ): Promise<BufferAttribute> {
   const values = new Float32Array(corners.length * size);
   for (let i = 0; i < corners.length; i += 1) {
-    if (slices.took(1 / 16)) await slices.pause();
+    if (slices.took(1 / 16)) {
+      await slices.pause();
+    }
     const from = numberOf(corners[i] ?? 0) * size;
     if (from < 0) continue;
-    for (let c = 0; c < size; c += 1) values[i * size + c] = source[from + c] ?? 0;
+    for (let c = 0; c < size; c += 1) {
+      values[i * size + c] = source[from + c] ?? 0;
+    }
   }
   return new BufferAttribute(values, size);
 }

@@ -1,23 +1,39 @@
-// Normals for corners that have none: the mean, in float64, of the faces around a vertex that are smoothed together,
-// weighted by their angles there, so that it does not depend on how polygons are cut into triangles.
+// Normals for corners that have none: the mean, in float64, of the faces around a vertex that are
+// smoothed together, weighted by their angles there, so that it does not depend on how polygons are
+// cut into triangles.
 import { free } from '../../../viewer/model/limits.js';
 import type { Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
 
-/** Faces without a group are smoothed below 40°: icosahedra keep edges (41.8°), ten-sided cylinders (36°) are round. */
+/**
+ * Faces without a group are smoothed below 40°: icosahedra keep edges (41.8°), ten-sided cylinders
+ * (36°) are round.
+ */
 const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
-/** Faces that are less than half of that from their mean are all smoothed together. A little less, for rounding. */
+/**
+ * Faces that are less than half of that from their mean are all smoothed together. A little less,
+ * for rounding.
+ */
 const HALF_CREASE_COSINE = Math.cos((19.9 * Math.PI) / 180);
 
-/** Most corners at a vertex that are compared in pairs. With more, each triangle has its own normal there. */
+/**
+ * Most corners at a vertex that are compared in pairs. With more, each triangle has its own normal
+ * there.
+ */
 const FAN_LIMIT = 256;
 
-/** Pairs in one model, about a second, after which only as many corners are compared as a vertex usually has. */
+/**
+ * Pairs in one model, about a second, after which only as many corners are compared as a vertex
+ * usually has.
+ */
 const PAIR_LIMIT = 2 ** 28;
 const USUAL_FAN = 16;
 
-/** Faces whose sum is no longer than this share of its terms cancel: what is left is rounding of float32 normals. */
+/**
+ * Faces whose sum is no longer than this share of its terms cancel: what is left is rounding of
+ * float32 normals.
+ */
 const CANCELLED = 1e-5;
 
 /** Appends normals to `lists.normals` and sets them in `lists.cornerNormals`. */
@@ -31,14 +47,20 @@ export async function smoothNormals(lists: CornerLists, slices: Slices): Promise
     const start = starts[vertex] ?? 0;
     const end = starts[vertex + 1] ?? 0;
     const smoothed = end - start <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
-    if (smoothed) pairs += (end - start) ** 2;
+    if (smoothed) {
+      pairs += (end - start) ** 2;
+    }
     for (let from = start; from < end; from += FAN_LIMIT) {
       const corners = around.subarray(from, Math.min(from + FAN_LIMIT, end));
-      if (slices.took(corners.length * (1 + corners.length / 64))) await slices.pause();
+      if (slices.took(corners.length * (1 + corners.length / 64))) {
+        await slices.pause();
+      }
       fan.load(corners, lists, faces);
       fan.write(corners, lists, smoothed);
     }
-    if (start === end && slices.took(1 / 64)) await slices.pause();
+    if (start === end && slices.took(1 / 64)) {
+      await slices.pause();
+    }
   }
   free(starts, around, faces.normals, faces.angles);
 }
@@ -67,19 +89,26 @@ class Fan {
     }
   }
 
-  /** Gives each of the corners a normal. @param smoothed whether it may be that of several faces. */
+  /**
+   * Gives each of the corners a normal. @param smoothed whether it may be that of several faces.
+   */
   write(corners: Uint32Array, lists: CornerLists, smoothed: boolean): void {
     const first = lists.normals.length / 3;
     const sum = this.#sum;
     let isOne = false;
     for (let i = 0; i < corners.length; i += 1) {
       if (!isOne) {
-        if (smoothed) this.#smooth(i, corners.length);
-        else this.#takeOwn(i);
+        if (smoothed) {
+          this.#smooth(i, corners.length);
+        } else {
+          this.#takeOwn(i);
+        }
         lists.pushNormal(sum.x, sum.y, sum.z);
       }
       lists.cornerNormals.array[corners[i] ?? 0] = isOne ? first : mergedWithLast(lists, first);
-      if (i === 0) isOne = smoothed && this.#areOne(corners.length);
+      if (i === 0) {
+        isOne = smoothed && this.#areOne(corners.length);
+      }
     }
   }
 
@@ -119,7 +148,8 @@ class Fan {
       sumZ += angle * otherZ;
       weights += angle;
     }
-    // Faces of both sides in one group cancel, and a face that is folded over would be lit from behind.
+    // Faces of both sides in one group cancel, and a face that is folded over would be lit from
+    // behind.
     const along = sumX * x + sumY * y + sumZ * z;
     if (x * x + y * y + z * z > 0 && !(along > CANCELLED * weights)) {
       this.#takeOwn(i);
@@ -137,7 +167,10 @@ class Fan {
   }
 }
 
-/** The corners without a normal, sorted by vertex: those of vertex i are from `starts[i]` to `starts[i + 1]`. */
+/**
+ * The corners without a normal, sorted by vertex: those of vertex i are from `starts[i]` to
+ * `starts[i + 1]`.
+ */
 async function cornersByVertex(
   lists: CornerLists,
   slices: Slices,
@@ -146,9 +179,13 @@ async function cornersByVertex(
   const starts = new Uint32Array(places.count + 1);
   let missing = 0;
   for (let corner = 0; corner < corners.length; corner += 1) {
-    if (slices.took(1 / 16)) await slices.pause();
+    if (slices.took(1 / 16)) {
+      await slices.pause();
+    }
     // Every corner gets an item, to be overwritten.
-    if (corner >= cornerNormals.length) cornerNormals.push(NONE);
+    if (corner >= cornerNormals.length) {
+      cornerNormals.push(NONE);
+    }
     const vertex = corners.array[corner] ?? 0;
     if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
     starts[vertex] = (starts[vertex] ?? 0) + 1;
@@ -157,12 +194,16 @@ async function cornersByVertex(
   const around = new Uint32Array(missing);
   if (missing === 0) return { starts, around };
   for (let vertex = 1; vertex < starts.length; vertex += 1) {
-    if (slices.took(1 / 64)) await slices.pause();
+    if (slices.took(1 / 64)) {
+      await slices.pause();
+    }
     starts[vertex] = (starts[vertex] ?? 0) + (starts[vertex - 1] ?? 0);
   }
   // `starts` holds the ends now. Filling from the last corner down moves them to the starts.
   for (let corner = corners.length - 1; corner >= 0; corner -= 1) {
-    if (slices.took(1 / 16)) await slices.pause();
+    if (slices.took(1 / 16)) {
+      await slices.pause();
+    }
     const vertex = corners.array[corner] ?? 0;
     if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
     const place = (starts[vertex] ?? 0) - 1;
@@ -186,7 +227,9 @@ async function measuredFaces({ corners, places }: CornerLists, slices: Slices): 
   const position = places.array;
   const face: FaceVector = { x: 0, y: 0, z: 0 };
   for (let i = 0; i < count; i += 1) {
-    if (slices.took(1 / 4)) await slices.pause();
+    if (slices.took(1 / 4)) {
+      await slices.pause();
+    }
     const a = 3 * (corners.array[3 * i] ?? 0);
     const b = 3 * (corners.array[3 * i + 1] ?? 0);
     const c = 3 * (corners.array[3 * i + 2] ?? 0);

@@ -1,16 +1,29 @@
-// Leaves out what faces refer to and is not there, and turns around corners that run against their normals.
+// Leaves out what faces refer to and is not there, and turns around corners that run against their
+// normals.
 import type { LeftOut } from '../left-out.js';
 import { isZero } from '../model-reader.js';
 import type { Slices } from '../slices.js';
-import { type CornerLists, type Growing, itemAt, NONE, NOT_THERE, setItem } from './corner-lists.js';
+import {
+  type CornerLists,
+  type Growing,
+  itemAt,
+  NONE,
+  NOT_THERE,
+  setItem,
+} from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
 
 /**
- * Marks all corners of a face with a vertex that is missing or no number as {@link NOT_THERE}. Texture coordinates that
- * are missing, and normals that are missing or have no direction, become {@link NONE}. OBJ and PLY have no rule of
- * winding, so that the normals tell which side is outside: where they point the other way, two corners are exchanged.
+ * Marks all corners of a face with a vertex that is missing or no number as {@link NOT_THERE}.
+ * Texture coordinates that are missing, and normals that are missing or have no direction, become
+ * {@link NONE}. OBJ and PLY have no rule of winding, so that the normals tell which side is
+ * outside: where they point the other way, two corners are exchanged.
  */
-export async function keepSoundFaces(lists: CornerLists, leftOut: LeftOut, slices: Slices): Promise<void> {
+export async function keepSoundFaces(
+  lists: CornerLists,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<void> {
   const { joined, triangles } = lists;
   /** What the face refers to although it is not there. */
   const misses = { uv: 0, normal: 0 };
@@ -18,15 +31,24 @@ export async function keepSoundFaces(lists: CornerLists, leftOut: LeftOut, slice
     let end = first;
     let isSound = true;
     do {
-      if (slices.took(1 / 4)) await slices.pause();
+      if (slices.took(1 / 4)) {
+        await slices.pause();
+      }
       isSound &&= areThere(lists, 3 * end);
       end += 1;
     } while (end < triangles && joined.array[end] === 1);
-    if (!isSound) leftOut.add('face');
+    if (!isSound) {
+      leftOut.add('face');
+    }
     for (let triangle = first; triangle < end; triangle += 1) {
-      if (slices.took(1 / 4)) await slices.pause();
-      if (!isSound) lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
-      else settle(lists, 3 * triangle, misses);
+      if (slices.took(1 / 4)) {
+        await slices.pause();
+      }
+      if (!isSound) {
+        lists.corners.array.fill(NOT_THERE, 3 * triangle, 3 * triangle + 3);
+      } else {
+        settle(lists, 3 * triangle, misses);
+      }
     }
     leftOut.add('uv', misses.uv);
     leftOut.add('normal', misses.normal);
@@ -52,8 +74,12 @@ function settle(lists: CornerLists, at: number, misses: { uv: number; normal: nu
     const normal = itemAt(cornerNormals, corner);
     if (normal === NONE) continue;
     const isThere = normal < normals.length / 3;
-    if (!isThere) misses.normal = 1;
-    if (!isThere || isZero(normals.array, 3 * normal)) cornerNormals.array[corner] = NONE;
+    if (!isThere) {
+      misses.normal = 1;
+    }
+    if (!isThere || isZero(normals.array, 3 * normal)) {
+      cornerNormals.array[corner] = NONE;
+    }
   }
   if (normals.length === 0 || !isTurned(lists, at)) return;
   const { array } = lists.corners;
@@ -64,7 +90,10 @@ function settle(lists: CornerLists, at: number, misses: { uv: number; normal: nu
 
 const face: FaceVector = { x: 0, y: 0, z: 0 };
 
-/** Whether the normals of its corners point away from the side where the corners run counter-clockwise. */
+/**
+ * Whether the normals of its corners point away from the side where the corners run
+ * counter-clockwise.
+ */
 function isTurned({ corners, cornerNormals, normals, places }: CornerLists, at: number): boolean {
   const { array } = corners;
   faceVector(places.array, 3 * array[at]!, 3 * array[at + 1]!, 3 * array[at + 2]!, face);

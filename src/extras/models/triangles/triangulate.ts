@@ -1,17 +1,29 @@
 // Cuts polygons into triangles: a fan for convex ones; ears are cut off others.
 import { type CornerLists, NONE, setItem, UNSTATED } from './corner-lists.js';
 
-/** Corners of the largest polygon whose ears are cut, which takes up to n³ steps. Larger ones become fans. */
+/**
+ * Corners of the largest polygon whose ears are cut, which takes up to n³ steps. Larger ones become
+ * fans.
+ */
 const EAR_LIMIT = 256;
 
-/** Steps of cutting ears in one polygon, and in all of a model, after which any triangle is cut off: 5 ms, 1 s. */
+/**
+ * Steps of cutting ears in one polygon, and in all of a model, after which any triangle is cut off:
+ * 5 ms, 1 s.
+ */
 const POLYGON_STEPS = 2 ** 20;
 const MODEL_STEPS = 2 ** 27;
 
-/** Takes the corners of a file's polygons, one after the other, and adds their triangles to its lists. */
+/**
+ * Takes the corners of a file's polygons, one after the other, and adds their triangles to its
+ * lists.
+ */
 export class Polygons {
   readonly #lists: CornerLists;
-  /** Position, texture coordinates and normal of each corner; of a fan, the first and the last corner only. */
+  /**
+   * Position, texture coordinates and normal of each corner; of a fan, the first and the last
+   * corner only.
+   */
   readonly #v = new Int32Array(EAR_LIMIT + 1);
   readonly #t = new Int32Array(EAR_LIMIT + 1);
   readonly #n = new Int32Array(EAR_LIMIT + 1);
@@ -46,7 +58,9 @@ export class Polygons {
     this.#fan();
     this.#isFan = true;
     // The next triangle needs the first and the last corner.
-    for (const list of [this.#v, this.#t, this.#n]) list[1] = list[this.#count - 1]!;
+    for (const list of [this.#v, this.#t, this.#n]) {
+      list[1] = list[this.#count - 1]!;
+    }
     this.#count = 2;
   }
 
@@ -62,13 +76,19 @@ export class Polygons {
   }
 
   #fan(): void {
-    for (let i = 2; i < this.#count; i += 1) this.#emit(0, i - 1, i);
+    for (let i = 2; i < this.#count; i += 1) {
+      this.#emit(0, i - 1, i);
+    }
   }
 
   #emit(a: number, b: number, c: number): void {
     const lists = this.#lists;
-    if (this.#group !== UNSTATED) setItem(lists.groups, lists.triangles, this.#group);
-    if (this.#color !== NONE) setItem(lists.triangleColors, lists.triangles, this.#color);
+    if (this.#group !== UNSTATED) {
+      setItem(lists.groups, lists.triangles, this.#group);
+    }
+    if (this.#color !== NONE) {
+      setItem(lists.triangleColors, lists.triangles, this.#color);
+    }
     lists.beginTriangle(this.#begun);
     this.#begun = true;
     this.#corner(a);
@@ -80,7 +100,10 @@ export class Polygons {
     this.#lists.pushCorner(this.#v[i]!, this.#t[i], this.#n[i]);
   }
 
-  /** Whether every corner turns the same way. Also true if a vertex is missing: nothing is better than a fan then. */
+  /**
+   * Whether every corner turns the same way. Also true if a vertex is missing: nothing is better
+   * than a fan then.
+   */
   #isConvex(size: number): boolean {
     const { array, count } = this.#lists.places;
     const vertices = this.#v;
@@ -113,7 +136,9 @@ export class Polygons {
         this.steps += rest.length;
         return this.steps > most || isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1));
       });
-      if (ear < 0) ear = 1; // it crosses itself: any triangle will do
+      if (ear < 0) {
+        ear = 1; // it crosses itself: any triangle will do
+      }
       this.#emit(at(ear + rest.length - 1), at(ear), at(ear + 1));
       rest.splice(ear, 1);
     }
@@ -123,7 +148,10 @@ export class Polygons {
 
 const turned: FaceVector = { x: 0, y: 0, z: 0 };
 
-/** x y of each corner in the plane of the coordinate axes that the polygon faces most, counter-clockwise. */
+/**
+ * x y of each corner in the plane of the coordinate axes that the polygon faces most,
+ * counter-clockwise.
+ */
 function flattened(positions: Float32Array, vertices: Int32Array): Float64Array {
   const count = vertices.length;
   const at = (i: number, axis: number): number => positions[3 * (vertices[i] ?? 0) + axis] ?? NaN;
@@ -153,11 +181,18 @@ function turn(flat: Float64Array, a: number, b: number, c: number): number {
   const x = flat[2 * a] ?? 0;
   const y = flat[2 * a + 1] ?? 0;
   return (
-    ((flat[2 * b] ?? 0) - x) * ((flat[2 * c + 1] ?? 0) - y) - ((flat[2 * b + 1] ?? 0) - y) * ((flat[2 * c] ?? 0) - x)
+    ((flat[2 * b] ?? 0) - x) * ((flat[2 * c + 1] ?? 0) - y) -
+    ((flat[2 * b + 1] ?? 0) - y) * ((flat[2 * c] ?? 0) - x)
   );
 }
 
-function isEar(flat: Float64Array, rest: readonly number[], a: number, b: number, c: number): boolean {
+function isEar(
+  flat: Float64Array,
+  rest: readonly number[],
+  a: number,
+  b: number,
+  c: number,
+): boolean {
   if (!(turn(flat, a, b, c) > 0)) return false;
   return rest.every(
     (p) =>
@@ -178,10 +213,17 @@ export interface FaceVector {
 }
 
 /**
- * Writes the cross product of two edges to `out`, in float64, and returns its length: twice the area of the triangle.
- * The side from which its corners turn left is outside. `a`, `b` and `c` are the corners' indices in `positions`.
+ * Writes the cross product of two edges to `out`, in float64, and returns its length: twice the
+ * area of the triangle. The side from which its corners turn left is outside. `a`, `b` and `c` are
+ * the corners' indices in `positions`.
  */
-export function faceVector(positions: Float32Array, a: number, b: number, c: number, out: FaceVector): number {
+export function faceVector(
+  positions: Float32Array,
+  a: number,
+  b: number,
+  c: number,
+  out: FaceVector,
+): number {
   const ax = positions[a] ?? 0;
   const ay = positions[a + 1] ?? 0;
   const az = positions[a + 2] ?? 0;

@@ -1,10 +1,19 @@
-// Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a
-// strict CSP refuses. The same looks as svg-layer.ts.
-import { coreOf, DASHES, type Disc, type DrawnItem, HALO, haloWidth, labelFont, type Stroke } from './display-list.js';
+// Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or
+// `data:` address, which a strict CSP refuses. The same looks as svg-layer.ts.
+import {
+  coreOf,
+  DASHES,
+  type Disc,
+  type DrawnItem,
+  HALO,
+  haloWidth,
+  labelFont,
+  type Stroke,
+} from './display-list.js';
 
 /**
- * A layer of this height in a picture file. `width` and `height` are the picture's in the layer's pixels, `scale` how
- * many of the picture's pixels are one of them.
+ * A layer of this height in a picture file. `width` and `height` are the picture's in the layer's
+ * pixels, `scale` how many of the picture's pixels are one of them.
  */
 export function fileSize(
   picture: HTMLCanvasElement,
@@ -14,7 +23,10 @@ export function fileSize(
   return { width: picture.width / scale, height: picture.height / scale, scale };
 }
 
-/** `scale`: how many of the canvas's pixels are one of the list's; `fontSize`: of labels, in pixels of the list. */
+/**
+ * `scale`: how many of the canvas's pixels are one of the list's; `fontSize`: of labels, in pixels
+ * of the list.
+ */
 export function drawList(
   context: CanvasRenderingContext2D,
   list: readonly DrawnItem[],
@@ -67,7 +79,9 @@ function pathOf(shape: Stroke | Disc): Path2D {
   }
   for (const line of shape.lines) {
     line.forEach(({ x, y }, i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
-    if (shape.filled === true) path.closePath();
+    if (shape.filled === true) {
+      path.closePath();
+    }
   }
   return path;
 }

@@ -1,4 +1,5 @@
-// Places names one after the other so that none covers another and all stay inside. CSS pixels of the layer.
+// Places names one after the other so that none covers another and all stay inside. CSS pixels of
+// the layer.
 import { type DrawnItem, type Label, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
 
@@ -32,8 +33,9 @@ export interface Rect {
 }
 
 /**
- * One list of several drawings, the first ones lowest, with their names on top, and what these cover. Names stay inside
- * `room` and avoid each other, `boxes` and, if they can, what is covered; those without a place are left out.
+ * One list of several drawings, the first ones lowest, with their names on top, and what these
+ * cover. Names stay inside `room` and avoid each other, `boxes` and, if they can, what is covered;
+ * those without a place are left out.
  */
 export function listOf(
   drawings: readonly Drawing[],
@@ -76,7 +78,10 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
   [-1, 1],
 ];
 
-/** Font sizes by which a label moves away from its centre if something is in its way, in the order tried. */
+/**
+ * Font sizes by which a label moves away from its centre if something is in its way, in the order
+ * tried.
+ */
 const FARTHER = [0, 0.7];
 
 /** The first place of those that cover least of `avoided`; null where there is none. */
@@ -90,7 +95,7 @@ function bestBox(
 ): Rect | null {
   let [best, least]: [Rect | null, number] = [null, Infinity];
   const height = LINE.height * fontSize;
-  for (const by of FARTHER)
+  for (const by of FARTHER) {
     for (const [across, down] of SIDES) {
       const gap = name.gap + by * fontSize;
       const left = name.center.x + across * gap - ((1 - across) / 2) * width;
@@ -99,13 +104,19 @@ function bestBox(
       if (!isInside(box, room) || overlap(box, taken) > 0) continue;
       const covered = overlap(box, avoided);
       if (covered === 0) return box;
-      if (covered < least) [best, least] = [box, covered];
+      if (covered < least) {
+        [best, least] = [box, covered];
+      }
     }
+  }
   return best;
 }
 
 const isInside = ({ left, top, right, bottom }: Rect, room: Rect): boolean =>
-  left >= room.left + MARGIN && top >= room.top && right <= room.right - MARGIN && bottom <= room.bottom;
+  left >= room.left + MARGIN &&
+  top >= room.top &&
+  right <= room.right - MARGIN &&
+  bottom <= room.bottom;
 
 /** Square pixels that a box shares with others. */
 function overlap(box: Rect, others: readonly Rect[]): number {
@@ -113,7 +124,9 @@ function overlap(box: Rect, others: readonly Rect[]): number {
   for (const other of others) {
     const width = Math.min(box.right, other.right) - Math.max(box.left, other.left);
     const height = Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top);
-    if (width > 0 && height > 0) sum += width * height;
+    if (width > 0 && height > 0) {
+      sum += width * height;
+    }
   }
   return sum;
 }
@@ -126,7 +139,13 @@ export const boxAround = ({ x, y }: Point, half: number): Rect => ({
 });
 
 /** All of a layer or a picture. */
-export const whole = ({ width, height }: { readonly width: number; readonly height: number }): Rect => ({
+export const whole = ({
+  width,
+  height,
+}: {
+  readonly width: number;
+  readonly height: number;
+}): Rect => ({
   left: 0,
   top: 0,
   right: width,
@@ -140,7 +159,10 @@ export function boxesAlong(points: readonly Point[], half: number): Rect[] {
     const count = Math.max(Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / (2 * half)), 1);
     return Array.from({ length: count }, (_, k) => {
       const share = (k + 1) / count;
-      return boxAround({ x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) }, half);
+      return boxAround(
+        { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) },
+        half,
+      );
     });
   });
 }

@@ -1,8 +1,17 @@
-// Projects points of the scene to the layer over the picture, and back, in float64. World space to CSS pixels.
+// Projects points of the scene to the layer over the picture, and back, in float64. World space to
+// CSS pixels.
 import { basisOf, type Basis, type Pose } from '../../../phong/camera/orbit.js';
 import type { Viewport } from '../../../viewer/scene/viewport.js';
 import { radians } from '../../../phong/math/angle.js';
-import { add, clamp, dot, normalize, scale, subtract, type Vec3 } from '../../../phong/math/vector.js';
+import {
+  add,
+  clamp,
+  dot,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../../phong/math/vector.js';
 
 /** CSS pixels of the layer, right and down from its top left corner. */
 export interface Point {
@@ -25,7 +34,10 @@ export interface Sight {
   /** CSS pixels of the layer, both above 0. */
   readonly width: number;
   readonly height: number;
-  /** Of the picture in device pixels, which rounding makes slightly different. Default: that of the layer. */
+  /**
+   * Of the picture in device pixels, which rounding makes slightly different. Default: that of the
+   * layer.
+   */
   readonly aspect?: number;
 }
 
@@ -43,10 +55,16 @@ export const projectionOf = (
   aspect = width > 0 && height > 0 ? width / height : size.width / size.height,
 ): Projection => new Projection({ pose: orbit.pose, fov: fit.fov, ...size, aspect });
 
-/** Nearer to the eye than this share of the orbit's radius, places on the layer would overflow: they count as behind. */
+/**
+ * Nearer to the eye than this share of the orbit's radius, places on the layer would overflow: they
+ * count as behind.
+ */
 const NEAREST = 1e-4;
 
-/** Widths and heights outside the picture at which lines are cut. Far ends would make dashes slow to draw. */
+/**
+ * Widths and heights outside the picture at which lines are cut. Far ends would make dashes slow to
+ * draw.
+ */
 const OUTSIDE = 1;
 
 export class Projection {
@@ -105,7 +123,9 @@ export class Projection {
   pointInside(place: Vec3): Point | null {
     const point = this.point(place);
     const within = (at: number, size: number): boolean => at >= 0 && at < size;
-    return point !== null && within(point.x, this.width) && within(point.y, this.height) ? point : null;
+    return point !== null && within(point.x, this.width) && within(point.y, this.height)
+      ? point
+      : null;
   }
 
   /** The world place on the layer's point at this depth in front of the eye. */
@@ -124,7 +144,9 @@ export class Projection {
     return this.#scaleY / Math.max(Math.abs(depth), this.#near);
   }
 
-  /** The part of a segment that is in front of the eye and not far outside the layer; null for none. */
+  /**
+   * The part of a segment that is in front of the eye and not far outside the layer; null for none.
+   */
   segment(from: Vec3, to: Vec3): readonly [Point, Point] | null {
     return this.#segment(this.toCamera(from), this.toCamera(to));
   }
@@ -139,8 +161,11 @@ export class Projection {
       if (part === null) continue;
       const [from, to] = part;
       const last = pieces.at(-1)?.at(-1);
-      if (last !== undefined && last.x === from.x && last.y === from.y) pieces.at(-1)!.push(to);
-      else pieces.push([from, to]);
+      if (last !== undefined && last.x === from.x && last.y === from.y) {
+        pieces.at(-1)!.push(to);
+      } else {
+        pieces.push([from, to]);
+      }
     }
     return pieces;
   }
@@ -151,10 +176,16 @@ export class Projection {
     if (da < 0 && db < 0) return null;
     const from = da < 0 ? this.#cut(a, b, da / (da - db)) : a;
     const to = db < 0 ? this.#cut(a, b, da / (da - db)) : b;
-    return this.#clipped(this.#onLayer(from[0], from[1], -from[2]), this.#onLayer(to[0], to[1], -to[2]));
+    return this.#clipped(
+      this.#onLayer(from[0], from[1], -from[2]),
+      this.#onLayer(to[0], to[1], -to[2]),
+    );
   }
 
-  /** The end at the near plane. Its depth is set: rounding would lose the difference of large coordinates. */
+  /**
+   * The end at the near plane. Its depth is set: rounding would lose the difference of large
+   * coordinates.
+   */
   #cut(a: Vec3, b: Vec3, share: number): Vec3 {
     const [x, y] = add(a, scale(subtract(b, a), share));
     return [x, y, -this.#near];
@@ -180,8 +211,11 @@ export class Projection {
     for (const [step, room] of sides) {
       if (step === 0) {
         if (room < 0) return null;
-      } else if (step < 0) from = Math.max(from, room / step);
-      else to = Math.min(to, room / step);
+      } else if (step < 0) {
+        from = Math.max(from, room / step);
+      } else {
+        to = Math.min(to, room / step);
+      }
     }
     if (!(from <= to)) return null;
     // Rounding moves an end that is far away by up to hundreds of pixels.
@@ -193,8 +227,15 @@ export class Projection {
   }
 }
 
-/** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
-export function inside({ x, y }: Point, { width, height }: { width: number; height: number }, margin: number): Point {
+/**
+ * The nearest point that is at least `margin` pixels inside the layer; the middle of a layer
+ * smaller than that.
+ */
+export function inside(
+  { x, y }: Point,
+  { width, height }: { width: number; height: number },
+  margin: number,
+): Point {
   const within = (value: number, size: number): number =>
     size <= 2 * margin ? size / 2 : clamp(value, margin, size - margin);
   return { x: within(x, width), y: within(y, height) };

@@ -1,5 +1,6 @@
-// The free rectangle of the layer over the picture, the boxes in it, and its text size. The style sheets lay it out
-// (phong-viewer.css, and panel.css for the panel). Observers follow them after layout, so that no frame forces one.
+// The free rectangle of the layer over the picture, the boxes in it, and its text size. The style
+// sheets lay it out (phong-viewer.css, and panel.css for the panel). Observers follow them after
+// layout, so that no frame forces one.
 import { create } from '../../../viewer/element/dom.js';
 import type { ViewerTree } from '../../../viewer/element/viewer/display.js';
 import type { Rect } from './label-layout.js';
@@ -18,7 +19,10 @@ export class Room {
   /** Follows what changes the boxes' places but not their sizes. */
   readonly #arrivals: MutationObserver | null;
 
-  /** `changed`: room, boxes or text have another size or place. `namePart`: of names outside {@link boxes}, if any. */
+  /**
+   * `changed`: room, boxes or text have another size or place. `namePart`: of names outside {@link
+   * boxes}, if any.
+   */
   constructor(tree: ViewerTree, changed: () => void, namePart: string | null = null) {
     this.#tree = tree;
     this.#em = create('i', { class: 'corner', 'aria-hidden': 'true', part: namePart });
@@ -30,8 +34,12 @@ export class Room {
       this.#read();
       changed();
     });
-    for (const each of [this.#em, tree.room, tree.free]) this.#observer.observe(each);
-    if (this.#arrivals !== null) this.#observeBoxes();
+    for (const each of [this.#em, tree.room, tree.free]) {
+      this.#observer.observe(each);
+    }
+    if (this.#arrivals !== null) {
+      this.#observeBoxes();
+    }
   }
 
   dispose(): void {

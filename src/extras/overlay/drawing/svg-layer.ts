@@ -1,4 +1,5 @@
-// Shows a display list on the page as SVG. Elements are kept from list to list, and only what differs is written.
+// Shows a display list on the page as SVG. Elements are kept from list to list, and only what
+// differs is written.
 import { createSvg, set, write } from '../../../viewer/element/dom.js';
 import { coreOf, DASHES, type DrawnItem, HALO, haloWidth, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
@@ -12,7 +13,12 @@ interface ShownItem {
 }
 
 export class SvgLayer {
-  readonly element = createSvg('svg', { width: '100%', height: '100%', 'aria-hidden': 'true', focusable: 'false' });
+  readonly element = createSvg('svg', {
+    width: '100%',
+    height: '100%',
+    'aria-hidden': 'true',
+    focusable: 'false',
+  });
   #shown: ShownItem[] = [];
 
   /** Labels are as large as the text around it. */
@@ -20,28 +26,43 @@ export class SvgLayer {
     this.element.style.font = labelFont('1em');
   }
 
-  /** The picture's size, CSS pixels. On paper, which is laid out without scripts, both are scaled alike. */
+  /**
+   * The picture's size, CSS pixels. On paper, which is laid out without scripts, both are scaled
+   * alike.
+   */
   over({ width, height }: { readonly width: number; readonly height: number }): void {
     set(this.element, { viewBox: `0 0 ${String(width)} ${String(height)}` });
   }
 
-  /** Shows exactly this. What is the same object as before at its place in the list costs nothing. */
+  /**
+   * Shows exactly this. What is the same object as before at its place in the list costs nothing.
+   */
   show(list: readonly DrawnItem[]): void {
     list.forEach((item, i) => {
       const shown = this.#shown[i];
       if (shown?.item === item) return;
-      const elements = shown?.item.kind === item.kind ? shown.elements : this.#add(item.kind, shown?.elements);
+      const elements =
+        shown?.item.kind === item.kind ? shown.elements : this.#add(item.kind, shown?.elements);
       this.#shown[i] = { item, elements };
       draw(elements, item);
     });
-    for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
+    for (const { elements } of this.#shown.splice(list.length)) {
+      for (const each of elements) {
+        each.remove();
+      }
+    }
   }
 
   #add(kind: DrawnItem['kind'], replaced: readonly SVGElement[] = []): readonly SVGElement[] {
     const elements = TAGS[kind].map((tag) => createSvg(tag));
-    if (replaced[0] === undefined) this.element.append(...elements);
-    else replaced[0].before(...elements);
-    for (const each of replaced) each.remove();
+    if (replaced[0] === undefined) {
+      this.element.append(...elements);
+    } else {
+      replaced[0].before(...elements);
+    }
+    for (const each of replaced) {
+      each.remove();
+    }
     return elements;
   }
 }
@@ -52,7 +73,12 @@ function draw([halo, core]: readonly SVGElement[], item: DrawnItem): void {
     const { at, text, color, part = null } = item;
     const place = { part, x: round(at.x), y: round(at.y), fill: color, opacity };
     // As attributes: a style attribute is text that a strict CSP refuses.
-    const outline = { stroke: HALO, 'stroke-width': '3', 'paint-order': 'stroke', 'stroke-linejoin': 'round' };
+    const outline = {
+      stroke: HALO,
+      'stroke-width': '3',
+      'paint-order': 'stroke',
+      'stroke-linejoin': 'round',
+    };
     write(set(halo!, { ...place, ...outline }), text);
     return;
   }
@@ -66,11 +92,21 @@ function draw([halo, core]: readonly SVGElement[], item: DrawnItem): void {
   };
   const { fill, stroke } = coreOf(item);
   set(halo!, { ...shape, fill: 'none', stroke: HALO, 'stroke-width': String(haloWidth(item)) });
-  set(core!, { ...shape, fill: fill ?? 'none', stroke: stroke ?? 'none', 'stroke-width': String(item.width) });
+  set(core!, {
+    ...shape,
+    fill: fill ?? 'none',
+    stroke: stroke ?? 'none',
+    'stroke-width': String(item.width),
+  });
 }
 
 const pathOf = (lines: readonly (readonly Point[])[], closed: boolean): string =>
-  lines.map((line) => `M${line.map(({ x, y }) => `${round(x)} ${round(y)}`).join('L')}${closed ? 'Z' : ''}`).join('');
+  lines
+    .map(
+      (line) =>
+        `M${line.map(({ x, y }) => `${round(x)} ${round(y)}`).join('L')}${closed ? 'Z' : ''}`,
+    )
+    .join('');
 
 /** A hundredth of a pixel is less than any screen shows. */
 const round = (value: number): string => String(Math.round(100 * value) / 100);

@@ -1,8 +1,14 @@
-// The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape
-// restores; pointers drag. Places elements over what is drawn, and reports what the user does.
+// The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends
+// moving, Escape restores; pointers drag. Places elements over what is drawn, and reports what the
+// user does.
 import { alongAxes } from '../../../phong/camera/gesture.js';
 import { create, set, write } from '../../../viewer/element/dom.js';
-import { localNumber, phrase, type ViewerText, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import {
+  localNumber,
+  phrase,
+  type ViewerText,
+  type ViewerTexts,
+} from '../../../viewer/element/fields/texts.js';
 import { fieldsOf } from '../../../viewer/element/internals.js';
 import { followDrag } from '../../../viewer/element/page/followed-drag.js';
 import { pictureBox } from '../../../viewer/element/page/picture-box.js';
@@ -13,7 +19,13 @@ import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
 import { historyOf, undoKey } from '../../../viewer/element/viewer/history.js';
 import { ARROWS, inside, type Projection } from '../drawing/projection.js';
 import { clamp } from '../../../phong/math/vector.js';
-import { EDGE, type Handle, type LightMarks, type HandlePart, type SceneBall } from './light-marks.js';
+import {
+  EDGE,
+  type Handle,
+  type LightMarks,
+  type HandlePart,
+  type SceneBall,
+} from './light-marks.js';
 import { LightMove } from './light-move.js';
 
 interface HandleEntry {
@@ -26,11 +38,17 @@ interface HandleEntry {
   texts: ViewerTexts | null;
 }
 
-/** CSS pixels of the page. A press that moves less is a click. Less than the camera's, so that lights move a little. */
+/**
+ * CSS pixels of the page. A press that moves less is a click. Less than the camera's, so that
+ * lights move a little.
+ */
 const SLOP = 3;
 
 /** What handles of parts add to the light's name. */
-const PART_TEXTS = { axis: '{name}: axis', aperture: '{name}: edge of the cone, {degrees}°' } as const;
+const PART_TEXTS = {
+  axis: '{name}: axis',
+  aperture: '{name}: edge of the cone, {degrees}°',
+} as const;
 
 export class Handles {
   readonly #host: ExtraHost;
@@ -60,39 +78,64 @@ export class Handles {
     this.#list.addEventListener('pointerdown', (event) => this.#press(event));
   }
 
-  show(lights: readonly PhongLight[], marks: readonly LightMarks[], view: Projection, scene: SceneBall): void {
+  show(
+    lights: readonly PhongLight[],
+    marks: readonly LightMarks[],
+    view: Projection,
+    scene: SceneBall,
+  ): void {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, { 'aria-label': phrase(texts, 'Lights in the picture') });
     const handlesOf = (light: PhongLight, index: number) =>
       marks[index]!.handles.map((handle) => {
-        return { handle, index, shown: this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part) };
+        return {
+          handle,
+          index,
+          shown: this.#byLight[handle.part].get(light) ?? this.#add(light, handle.part),
+        };
       });
     const entries = lights.flatMap(handlesOf);
     const kept = new Set(entries.map(({ shown }) => shown));
     const hadFocus = this.#list.matches(':focus-within');
     // First: an element that moves in the tree loses focus and pointer.
-    for (const shown of this.#shown.values()) if (!kept.has(shown)) this.#remove(shown);
+    for (const shown of this.#shown.values()) {
+      if (!kept.has(shown)) {
+        this.#remove(shown);
+      }
+    }
     let before: Element | null = null;
     for (const { handle, index, shown } of entries) {
-      const expected: Element | null = before === null ? this.#list.firstElementChild : before.nextElementSibling;
-      if (expected !== shown.element) this.#list.insertBefore(shown.element, expected);
+      const expected: Element | null =
+        before === null ? this.#list.firstElementChild : before.nextElementSibling;
+      if (expected !== shown.element) {
+        this.#list.insertBefore(shown.element, expected);
+      }
       before = shown.element;
       this.#place(shown, handle, index, view);
     }
     this.#list.hidden = kept.size === 0;
-    if (this.#current === null) this.#choose(this.#shown.values().next().value);
+    if (this.#current === null) {
+      this.#choose(this.#shown.values().next().value);
+    }
     // All lights were replaced by others.
-    if (hadFocus && !this.#list.matches(':focus-within')) this.#current?.element.focus({ preventScroll: true });
+    if (hadFocus && !this.#list.matches(':focus-within')) {
+      this.#current?.element.focus({ preventScroll: true });
+    }
   }
 
   hide(): void {
     this.#end();
-    for (const shown of this.#shown.values()) this.#remove(shown);
+    for (const shown of this.#shown.values()) {
+      this.#remove(shown);
+    }
     this.#list.hidden = true;
   }
 
-  /** Travel is along the axes of the picture's surface, which CSS transforms may turn. One pointer at a time. */
+  /**
+   * Travel is along the axes of the picture's surface, which CSS transforms may turn. One pointer
+   * at a time.
+   */
   #press(event: PointerEvent): void {
     const shown = this.#shown.get(event.target!);
     if (this.#drag !== null || event.button !== 0 || shown === undefined) return;
@@ -114,7 +157,12 @@ export class Handles {
 
   #add(light: PhongLight, part: HandlePart): HandleEntry {
     const className = `handle ${part}`;
-    const element = create('div', { class: className, role: 'option', tabindex: '-1', 'aria-selected': 'false' });
+    const element = create('div', {
+      class: className,
+      role: 'option',
+      tabindex: '-1',
+      'aria-selected': 'false',
+    });
     const shown: HandleEntry = { element, light, part, handle: null, index: 0, texts: null };
     this.#shown.set(element, shown);
     this.#byLight[part].set(light, shown);
@@ -127,8 +175,11 @@ export class Handles {
     this.#shown.delete(element);
     this.#byLight[part].delete(light);
     // Removed, it gets no event at the end of its drag.
-    if (this.#drag?.element === element) this.#drag.end();
-    else if (element.classList.contains('moving')) this.#end();
+    if (this.#drag?.element === element) {
+      this.#drag.end();
+    } else if (element.classList.contains('moving')) {
+      this.#end();
+    }
     const next = element.nextElementSibling ?? element.previousElementSibling;
     element.remove();
     if (this.#current === shown) {
@@ -136,7 +187,9 @@ export class Handles {
       this.#choose(next === null ? undefined : this.#shown.get(next));
     }
     // Otherwise the focus would be lost with the element.
-    if (hadFocus) (this.#current?.element ?? this.#host.tree.surface).focus({ preventScroll: true });
+    if (hadFocus) {
+      (this.#current?.element ?? this.#host.tree.surface).focus({ preventScroll: true });
+    }
   }
 
   #place(shown: HandleEntry, handle: Handle, index: number, view: Projection): void {
@@ -154,13 +207,21 @@ export class Handles {
     const label =
       part === 'place'
         ? lightText(texts, name, values)
-        : phrase(texts, PART_TEXTS[part], { name, degrees: localNumber(String(values.aperture), texts) });
-    set(element, { 'aria-label': label, 'aria-description': phrase(texts, 'Enter starts moving.') });
+        : phrase(texts, PART_TEXTS[part], {
+            name,
+            degrees: localNumber(String(values.aperture), texts),
+          });
+    set(element, {
+      'aria-label': label,
+      'aria-description': phrase(texts, 'Enter starts moving.'),
+    });
   }
 
   #choose(shown: HandleEntry | undefined): void {
     if (shown === undefined || shown === this.#current) return;
-    if (this.#current !== null) set(this.#current.element, { tabindex: '-1', 'aria-selected': 'false' });
+    if (this.#current !== null) {
+      set(this.#current.element, { tabindex: '-1', 'aria-selected': 'false' });
+    }
     set(shown.element, { tabindex: '0', 'aria-selected': 'true' });
     this.#current = shown;
   }
@@ -189,12 +250,17 @@ export class Handles {
       return true;
     }
     if (key === 'Enter' || key === ' ') {
-      if (this.#move.active) this.#endKeys();
-      else if (this.#start(current, true)) this.#say(MOVING);
+      if (this.#move.active) {
+        this.#endKeys();
+      } else if (this.#start(current, true)) {
+        this.#say(MOVING);
+      }
       return true;
     }
     if (this.#move.active) {
-      if (arrow !== undefined && this.#move.byKeys) this.#move.step(arrow[0], arrow[1], shiftKey);
+      if (arrow !== undefined && this.#move.byKeys) {
+        this.#move.step(arrow[0], arrow[1], shiftKey);
+      }
       return arrow !== undefined;
     }
     if (key === 'Home' || key === 'End') return this.#focus(key === 'Home' ? -Infinity : Infinity);
@@ -220,7 +286,9 @@ export class Handles {
 
   #end(): void {
     this.#move.end();
-    for (const { element } of this.#shown.values()) element.classList.remove('moving');
+    for (const { element } of this.#shown.values()) {
+      element.classList.remove('moving');
+    }
   }
 
   #endKeys(): void {
@@ -235,7 +303,9 @@ export class Handles {
 
   #passOn(event: WheelEvent): void {
     const copy = new WheelEvent('wheel', event);
-    if (!this.#host.tree.surface.dispatchEvent(copy)) event.preventDefault();
+    if (!this.#host.tree.surface.dispatchEvent(copy)) {
+      event.preventDefault();
+    }
   }
 }
 

@@ -1,4 +1,5 @@
-// Draws the helpers over a viewer's picture after each frame, as SVG, or in a picture file as the same list.
+// Draws the helpers over a viewer's picture after each frame, as SVG, or in a picture file as the
+// same list.
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { create as createElement } from '../../../viewer/element/dom.js';
 import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
@@ -51,8 +52,12 @@ class Helpers implements Extra {
     const helpers = view === null ? [] : this.#host.values.helpers;
     const hasLights = helpers.includes('lights');
     const hasObjects = helpers.some((name) => name !== 'lights');
-    if (!hasLights) this.#lights.hide();
-    if (!hasObjects) this.#objects.hide();
+    if (!hasLights) {
+      this.#lights.hide();
+    }
+    if (!hasObjects) {
+      this.#objects.hide();
+    }
     const objects = hasObjects ? this.#objects.show(view!, this.#scene, helpers) : NO_DRAWING;
     const lights = hasLights ? this.#lights.show(view!, this.#scene, isFrame) : NO_DRAWING;
     const { box, fontSize, boxes } = this.#room;
@@ -90,7 +95,10 @@ class Helpers implements Extra {
     removeStyles(this.#root, styles);
   }
 
-  /** The projection of the picture as it is now; the same object while that stays. Null without a picture. */
+  /**
+   * The projection of the picture as it is now; the same object while that stays. Null without a
+   * picture.
+   */
   #look(): Projection | null {
     const size = this.#host.size();
     if (!(size.width > 0 && size.height > 0)) return null;

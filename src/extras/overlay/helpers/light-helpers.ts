@@ -1,4 +1,5 @@
-// The helpers of a viewer's lights: their marks, names and handles. Marks are computed again only after changes.
+// The helpers of a viewer's lights: their marks, names and handles. Marks are computed again only
+// after changes.
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { fieldsOf } from '../../../viewer/element/internals.js';
 import type { PhongLight } from '../../../viewer/element/elements.js';
@@ -27,7 +28,10 @@ export class LightHelpers {
   /** Distances along the axes of spots to the first surface. */
   readonly #surfaces: RayTests<PhongLight, number>;
   /** With what they were computed from. */
-  readonly #marks = new WeakMap<PhongLight, { readonly seen: readonly unknown[]; readonly marks: LightMarks }>();
+  readonly #marks = new WeakMap<
+    PhongLight,
+    { readonly seen: readonly unknown[]; readonly marks: LightMarks }
+  >();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
@@ -37,7 +41,10 @@ export class LightHelpers {
     this.#surfaces = new RayTests(host, changed);
   }
 
-  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn, in which a mesh may have moved. */
+  /**
+   * Shows the handles, and gives what to draw. `isFrame`: a frame was drawn, in which a mesh may
+   * have moved.
+   */
   show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
     const { lights } = this.#host.viewer;
     const marks = this.#marksOf(lights, view, scene);
@@ -48,7 +55,9 @@ export class LightHelpers {
       lights.forEach((light, i) => {
         const { spot, place } = marks[i]!.placed;
         places.set(light, isBehind(place, view));
-        if (spot !== null) axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
+        if (spot !== null) {
+          axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
+        }
       });
       this.#hidden.follow(places);
       this.#surfaces.follow(axes);

@@ -1,5 +1,6 @@
-// The marks of a light: its place in its own colour, the direction in which it shines, its cone, and where it has
-// halved. From its values to places in world space, and to a display list in CSS pixels with the handles.
+// The marks of a light: its place in its own colour, the direction in which it shines, its cone,
+// and where it has halved. From its values to places in world space, and to a display list in CSS
+// pixels with the handles.
 import { isSpot } from '../../../phong/light/light-features.js';
 import type { LightValues } from '../../../phong/light/light-state.js';
 import { radians } from '../../../phong/math/angle.js';
@@ -25,7 +26,10 @@ export interface SceneBall {
 }
 
 export interface PlacedLight {
-  /** A directional light is placed in its direction, at {@link DIRECTIONAL_AT} radii from the scene's centre. */
+  /**
+   * A directional light is placed in its direction, at {@link DIRECTIONAL_AT} radii from the
+   * scene's centre.
+   */
   readonly place: Vec3;
   /** A spot's cone; null for other lights. */
   readonly spot: PlacedSpot | null;
@@ -41,8 +45,9 @@ interface PlacedSpot {
   /** As far as {@link reach}, and far enough from the light for a handle. */
   readonly grip: number;
   /**
-   * The place at `degrees` from the axis, on the circle across it at `reach`; nearer to the light where that circle would
-   * be too wide, as it is from 90 degrees on. By 0 and π `around` the axis is the outline as the eye sees it.
+   * The place at `degrees` from the axis, on the circle across it at `reach`; nearer to the light
+   * where that circle would be too wide, as it is from 90 degrees on. By 0 and π `around` the axis
+   * is the outline as the eye sees it.
    */
   readonly onCone: (reach: number, degrees: number, around?: number) => Vec3;
 }
@@ -56,7 +61,9 @@ export interface Handle {
   readonly at: Point;
   /** Where it is in the scene. */
   readonly place: Vec3;
-  /** It is drawn elsewhere than where it is, because that is outside the layer or behind the eye. */
+  /**
+   * It is drawn elsewhere than where it is, because that is outside the layer or behind the eye.
+   */
   readonly outside: boolean;
 }
 
@@ -72,17 +79,26 @@ export const DIRECTIONAL_AT = 1.2;
 /** Length of a directional light's arrow, in radii of the scene. */
 const ARROW = 0.35;
 
-/** Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the scene. */
+/**
+ * Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the
+ * scene.
+ */
 const LONGEST_ARROW = 0.6;
 const LEAST_GRIP = 0.25;
 
-/** In radii of the scene: circles of wider cones are nearer to the light, so that they stay in the picture. */
+/**
+ * In radii of the scene: circles of wider cones are nearer to the light, so that they stay in the
+ * picture.
+ */
 const WIDEST = 2;
 
 /** Pixels from the layer's edge to the handle of a light outside. */
 export const EDGE = 14;
 
-/** From the disc of a light outside to the tip that points at it, CSS pixels; less than {@link EDGE}. */
+/**
+ * From the disc of a light outside to the tip that points at it, CSS pixels; less than {@link
+ * EDGE}.
+ */
 const POINTER = 12;
 
 /** Radii in CSS pixels. */
@@ -95,8 +111,8 @@ const SEGMENTS = 48;
 const DIMMED = 0.55;
 
 /**
- * `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first surface; Infinity if there is
- * none, or while that is not known.
+ * `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first
+ * surface; Infinity if there is none, or while that is not known.
  */
 export function lightMarks(
   values: Readonly<LightValues>,
@@ -108,42 +124,67 @@ export function lightMarks(
   const placed = placedLight(values, view, scene, surface);
   const { place, spot } = placed;
   const own = scale(values.diffuse, 1 / 255);
-  const look = { color: cssRgb(coreColor(own)), dashed: hidden, opacity: values.active ? 1 : DIMMED };
+  const look = {
+    color: cssRgb(coreColor(own)),
+    dashed: hidden,
+    opacity: values.active ? 1 : DIMMED,
+  };
   const list: DrawnItem[] = [];
   const handles: Handle[] = [];
   const stroke = (lines: Stroke['lines'], width: number, dashed = hidden): void => {
-    if (lines.length > 0) list.push({ ...look, kind: 'stroke', lines, width, dashed });
+    if (lines.length > 0) {
+      list.push({ ...look, kind: 'stroke', lines, width, dashed });
+    }
   };
   const arrowTo = (tip: Vec3): void => {
     const ends = view.segment(place, tip);
-    if (ends !== null) list.push(...arrow(...ends, { ...look, width: 2 }));
+    if (ends !== null) {
+      list.push(...arrow(...ends, { ...look, width: 2 }));
+    }
   };
   if (isDirectional(values)) {
     // Without a direction its place is the centre.
     arrowTo(add(place, scale(subtract(scene.center, place), ARROW / DIRECTIONAL_AT)));
   } else {
     const distance = halfDistance(values.attenuation);
-    if (distance !== null) stroke(view.line(facingCircle(place, distance, view)), 1, true);
+    if (distance !== null) {
+      stroke(view.line(facingCircle(place, distance, view)), 1, true);
+    }
   }
   if (spot !== null) {
     const { aperture } = values;
     const { onCone, reach, grip, axis } = spot;
-    const rim = (degrees: number): Stroke['lines'] => view.line(circle((around) => onCone(reach, degrees, around)));
+    const rim = (degrees: number): Stroke['lines'] =>
+      view.line(circle((around) => onCone(reach, degrees, around)));
     const half = halfAngle(values.cutoff);
-    if (half !== null && half < aperture) stroke(rim(half), 1, true);
-    const sides = [0, Math.PI].flatMap((around) => view.line([place, onCone(reach, aperture, around)]));
-    if (aperture < 180) stroke([...sides, ...rim(aperture)], 1.5);
+    if (half !== null && half < aperture) {
+      stroke(rim(half), 1, true);
+    }
+    const sides = [0, Math.PI].flatMap((around) =>
+      view.line([place, onCone(reach, aperture, around)]),
+    );
+    if (aperture < 180) {
+      stroke([...sides, ...rim(aperture)], 1.5);
+    }
     const tip = add(place, scale(axis, spot.arrow));
     handles.push(handleAt('axis', tip, view));
-    if (aperture < 180) handles.push(handleAt('aperture', onCone(grip, aperture), view));
-    for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
+    if (aperture < 180) {
+      handles.push(handleAt('aperture', onCone(grip, aperture), view));
+    }
+    for (const { at, outside } of handles) {
+      if (!outside) {
+        list.push(disc(at, RADIUS.part, '#fff', look));
+      }
+    }
     // Over its handle, which would hide the head.
     arrowTo(tip);
   }
   const handle = handleAt('place', place, view);
   handles.unshift(handle);
   const fill = values.active ? cssRgb(own) : null;
-  if (handle.outside) list.push(...pointerTo(handle.at, view, look));
+  if (handle.outside) {
+    list.push(...pointerTo(handle.at, view, look));
+  }
   list.push(disc(handle.at, handle.outside ? RADIUS.outside : RADIUS.place, fill, look));
   return { placed, list, handles };
 }
@@ -182,7 +223,10 @@ export function placedLight(
   };
 }
 
-/** Distance along the axis to where it leaves the scene's ball. Beside it, the distance to its centre. */
+/**
+ * Distance along the axis to where it leaves the scene's ball. Beside it, the distance to its
+ * centre.
+ */
 function reachOf(place: Vec3, axis: Vec3, { center, radius }: SceneBall): number {
   const toCenter = subtract(center, place);
   const along = dot(toCenter, axis);
@@ -197,13 +241,18 @@ function coneOf(place: Vec3, axis: Vec3, widest: number, view: Projection): Plac
   const sightline = subtract(view.eye, place);
   const facing = cross(axis, sightline);
   // Along the axis the outline is a circle, and any direction will do.
-  const across = length(facing) > 1e-6 * length(sightline) ? normalize(facing) : perpendicular(axis);
+  const across =
+    length(facing) > 1e-6 * length(sightline) ? normalize(facing) : perpendicular(axis);
   const aside = cross(axis, across);
   return (reach, degrees, around = 0) => {
     const angle = radians(degrees);
-    const distance = degrees < 90 ? Math.min(reach / Math.cos(angle), widest / Math.sin(angle)) : widest;
+    const distance =
+      degrees < 90 ? Math.min(reach / Math.cos(angle), widest / Math.sin(angle)) : widest;
     const side = add(scale(across, Math.cos(around)), scale(aside, Math.sin(around)));
-    return add(place, scale(add(scale(axis, Math.cos(angle)), scale(side, Math.sin(angle))), distance));
+    return add(
+      place,
+      scale(add(scale(axis, Math.cos(angle)), scale(side, Math.sin(angle))), distance),
+    );
   };
 }
 
@@ -231,7 +280,9 @@ const disc = (center: Point, radius: number, fill: string | null, look: Look): D
 /** A circle that faces the eye: the outline of a sphere without perspective. */
 function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3[] {
   const { right, up } = basis;
-  return circle((t) => add(center, add(scale(right, radius * Math.cos(t)), scale(up, radius * Math.sin(t)))));
+  return circle((t) =>
+    add(center, add(scale(right, radius * Math.cos(t)), scale(up, radius * Math.sin(t)))),
+  );
 }
 
 const circle = (at: (around: number) => Vec3): Vec3[] =>
@@ -240,12 +291,16 @@ const circle = (at: (around: number) => Vec3): Vec3[] =>
 function handleAt(part: HandlePart, place: Vec3, view: Projection): Handle {
   const point = view.point(place);
   const shown = point === null ? null : inside(point, view, EDGE);
-  if (point !== null && shown !== null && shown.x === point.x && shown.y === point.y)
+  if (point !== null && shown !== null && shown.x === point.x && shown.y === point.y) {
     return { part, at: point, place, outside: false };
+  }
   return { part, at: onEdge(place, view), place, outside: true };
 }
 
-/** Where the line from the picture's middle toward the place crosses the edge. Behind the eye: to the place's side. */
+/**
+ * Where the line from the picture's middle toward the place crosses the edge. Behind the eye: to
+ * the place's side.
+ */
 function onEdge(place: Vec3, view: Projection): Point {
   const { width, height } = view;
   const point = view.point(place);
@@ -263,5 +318,7 @@ function pointerTo(at: Point, { width, height }: Projection, look: Look): DrawnI
   const [dx, dy] = [at.x - width / 2, at.y - height / 2];
   const share = POINTER / Math.hypot(dx, dy);
   const head = arrowHead(at, { x: at.x + share * dx, y: at.y + share * dy });
-  return head === null ? [] : [{ ...look, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
+  return head === null
+    ? []
+    : [{ ...look, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
 }

@@ -1,5 +1,6 @@
-// Moves a light by one of its handles, as one step that undo takes back. New values follow from those at the start and
-// the whole travel since then, so that going back restores. Travel in CSS pixels of the layer, right and down.
+// Moves a light by one of its handles, as one step that undo takes back. New values follow from
+// those at the start and the whole travel since then, so that going back restores. Travel in CSS
+// pixels of the layer, right and down.
 import { LIMITS, type LightValues } from '../../../phong/light/light-state.js';
 import {
   add,
@@ -91,12 +92,17 @@ export class LightMove {
     return this.#move?.byKeys === true;
   }
 
-  /** Call when the view changes: a dragged light stays under the pointer while something else moves the camera. */
+  /**
+   * Call when the view changes: a dragged light stays under the pointer while something else moves
+   * the camera.
+   */
   see(view: Projection, scene: SceneBall): void {
     const isNew = view !== this.#seen?.view;
     this.#seen = { view, scene };
     const move = this.#move;
-    if (isNew && move?.byKeys === false && move.travel !== START) this.#go(move, move.travel, move.along);
+    if (isNew && move?.byKeys === false && move.travel !== START) {
+      this.#go(move, move.travel, move.along);
+    }
   }
 
   /** False if another move is in progress, or there is nothing to move. */
@@ -121,7 +127,9 @@ export class LightMove {
 
   /** The pointer's whole travel since the start, CSS pixels of the layer. */
   to(x: number, y: number, along: boolean): void {
-    if (this.#move !== null) this.#go(this.#move, { x, y }, along);
+    if (this.#move !== null) {
+      this.#go(this.#move, { x, y }, along);
+    }
   }
 
   /** One press of a key: right and down are 1. */
@@ -138,13 +146,17 @@ export class LightMove {
 
   restore(): void {
     const move = this.#move;
-    if (move !== null) move.subject.restore(move.subject.read(), move.before);
+    if (move !== null) {
+      move.subject.restore(move.subject.read(), move.before);
+    }
   }
 
   end(): void {
     const move = this.#move;
     this.#move = null;
-    if (move !== null) historyOf(this.#viewer).record(move.subject, move.before);
+    if (move !== null) {
+      historyOf(this.#viewer).record(move.subject, move.before);
+    }
   }
 
   #go(move: Move, travel: Point, along: boolean): void {
@@ -160,12 +172,22 @@ export class LightMove {
     }
     move.travel = travel;
     const { anchor, from } = move;
-    const change = moved(anchor, view, { dx: travel.x - from.x, dy: travel.y - from.y, along, byKeys });
-    for (const [key, value] of Object.entries(change)) fieldsOf(light).set(key as keyof Change, value);
+    const change = moved(anchor, view, {
+      dx: travel.x - from.x,
+      dy: travel.y - from.y,
+      along,
+      byKeys,
+    });
+    for (const [key, value] of Object.entries(change)) {
+      fieldsOf(light).set(key as keyof Change, value);
+    }
     move.last = { ...values };
   }
 
-  /** The light by its current values. What is drawn may be older, because keys can be faster than frames. */
+  /**
+   * The light by its current values. What is drawn may be older, because keys can be faster than
+   * frames.
+   */
   #anchor(light: PhongLight, part: HandlePart): Anchor | null {
     const { view, scene } = this.#seen!;
     const values = { ...fieldsOf(light).store.values };
@@ -190,7 +212,10 @@ export function moved(anchor: Anchor, view: Projection, travel: Travel): Change 
     const [x, y, z] = values.position;
     const ball = { center: scene.center, radius: DIRECTIONAL_AT * scene.radius };
     // Without a direction it has no length that it could keep.
-    const vector = scale(turned(directionAfter(anchor, ball, view, travel)), length([x, y, z]) || 1);
+    const vector = scale(
+      turned(directionAfter(anchor, ball, view, travel)),
+      length([x, y, z]) || 1,
+    );
     return isUsable(vector) ? { position: [...vector, 0] } : {};
   }
   const place = placeAfter(anchor, view, travel);
@@ -205,32 +230,49 @@ function rounded(value: number, radius: number): number {
   const step = 10 ** (Math.floor(Math.log10(radius)) - 4);
   // By division where the step is below 1: it has no exact binary form, its inverse has.
   return (
-    (step < 1 ? Math.round(value * Math.round(1 / step)) / Math.round(1 / step) : Math.round(value / step) * step) + 0
+    (step < 1
+      ? Math.round(value * Math.round(1 / step)) / Math.round(1 / step)
+      : Math.round(value / step) * step) + 0
   );
 }
 
 /** Pixels along the view that change the distance by a factor of e. */
 const ALONG_PIXELS = 150;
 
-/** Share of the orbit's radius at which a pixel's worth is measured for places beside or behind the eye. */
+/**
+ * Share of the orbit's radius at which a pixel's worth is measured for places beside or behind the
+ * eye.
+ */
 const LEAST_DEPTH = 0.1;
 
-function placeAfter({ placed: { place }, handle, view: start }: Anchor, view: Projection, travel: Travel): Vec3 {
+function placeAfter(
+  { placed: { place }, handle, view: start }: Anchor,
+  view: Projection,
+  travel: Travel,
+): Vec3 {
   const { dx, dy } = travel;
   const depth = start.depthOf(place);
   const isAhead = start.point(place) !== null;
   const { right, up, back } = view.basis;
-  const perPixel = 1 / view.pixelsPerUnit(Math.max(Math.abs(depth), LEAST_DEPTH * view.pose.radius));
+  const perPixel =
+    1 / view.pixelsPerUnit(Math.max(Math.abs(depth), LEAST_DEPTH * view.pose.radius));
   if (travel.along) {
     if (!isAhead) return add(place, scale(back, dy * perPixel));
     return add(view.eye, scale(subtract(place, view.eye), Math.exp(-dy / ALONG_PIXELS)));
   }
-  if (isAhead && !travel.byKeys) return view.placeAt({ x: handle.at.x + dx, y: handle.at.y + dy }, depth);
+  if (isAhead && !travel.byKeys) {
+    return view.placeAt({ x: handle.at.x + dx, y: handle.at.y + dy }, depth);
+  }
   return add(place, add(scale(right, dx * perPixel), scale(up, -dy * perPixel)));
 }
 
 /** Unit vector in world space, from the ball's centre to the handle, which stays on the ball. */
-function directionAfter({ handle, view: start }: Anchor, ball: SceneBall, view: Projection, travel: Travel): Vec3 {
+function directionAfter(
+  { handle, view: start }: Anchor,
+  ball: SceneBall,
+  view: Projection,
+  travel: Travel,
+): Vec3 {
   const offset = subtract(handle.place, ball.center);
   const from = length(offset) > 0 ? normalize(offset) : start.basis.back;
   const isOutside = length(subtract(view.eye, ball.center)) > ball.radius;
@@ -259,10 +301,15 @@ function isNearSide(place: Vec3, { center }: SceneBall, { eye }: Projection): bo
 }
 
 /**
- * Where a ray from outside meets a ball, as a unit vector from its centre. A ray that misses the ball goes on around it:
- * from the outline, one radius from the centre, to the middle of the other side at two radii.
+ * Where a ray from outside meets a ball, as a unit vector from its centre. A ray that misses the
+ * ball goes on around it: from the outline, one radius from the centre, to the middle of the other
+ * side at two radii.
  */
-function onBall({ origin, direction }: Ray, { center, radius }: SceneBall, nearSide: boolean): Vec3 {
+function onBall(
+  { origin, direction }: Ray,
+  { center, radius }: SceneBall,
+  nearSide: boolean,
+): Vec3 {
   const toCenter = subtract(center, origin);
   const aside = subtract(scale(direction, dot(toCenter, direction)), toCenter);
   const passed = length(aside) / radius;
@@ -298,7 +345,11 @@ const COARSE = 2;
 const WIDEST = 179;
 
 /** In degrees, to a tenth: the cone whose edge passes nearest to the pointer. */
-function apertureAfter({ placed: { spot }, handle, values }: Anchor, view: Projection, travel: Travel): number {
+function apertureAfter(
+  { placed: { spot }, handle, values }: Anchor,
+  view: Projection,
+  travel: Travel,
+): number {
   const allowed = (degrees: number): number => clamp(Math.round(10 * degrees) / 10, 0, WIDEST);
   if (spot === null) return values.aperture;
   if (travel.byKeys) return allowed(values.aperture + (travel.dx - travel.dy) / PIXELS_PER_DEGREE);
@@ -309,7 +360,11 @@ function apertureAfter({ placed: { spot }, handle, values }: Anchor, view: Proje
   };
   const nearest = (from: number, to: number, step: number): number => {
     let best = from;
-    for (let degrees = from; degrees <= to; degrees += step) if (distanceAt(degrees) < distanceAt(best)) best = degrees;
+    for (let degrees = from; degrees <= to; degrees += step) {
+      if (distanceAt(degrees) < distanceAt(best)) {
+        best = degrees;
+      }
+    }
     return best;
   };
   const coarse = nearest(0, WIDEST, COARSE);

@@ -1,12 +1,15 @@
-// Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one. Nothing
-// waits for them: marks are drawn as before until the answers are known.
+// Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis
+// meets one. Nothing waits for them: marks are drawn as before until the answers are known.
 import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { pick } from '../../explain/pick.js';
 import type { SceneSnapshot } from '../../../viewer/scene/scene-snapshot.js';
 import type { Projection } from '../drawing/projection.js';
 
-/** Milliseconds between a change and the rays: several changes in a row, as in a drag, cost one series. */
+/**
+ * Milliseconds between a change and the rays: several changes in a row, as in a drag, cost one
+ * series.
+ */
 const PAUSE = 100;
 
 /** Milliseconds of rays in one task. */
@@ -39,7 +42,9 @@ export class RayTests<Key, Answer> {
 
   follow(tests: ReadonlyMap<Key, RayTest<Answer>>): void {
     this.#waiting = tests;
-    if (this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
+    if (this.#timer === 0) {
+      this.#timer = window.setTimeout(this.#start, PAUSE);
+    }
   }
 
   stop(): void {
@@ -55,25 +60,43 @@ export class RayTests<Key, Answer> {
     this.#waiting = null;
     const { scene } = this.#host.snapshot();
     if (tests === null || scene === null) return;
-    for (const key of this.#answers.keys()) if (!tests.has(key)) this.#answers.delete(key);
+    for (const key of this.#answers.keys()) {
+      if (!tests.has(key)) {
+        this.#answers.delete(key);
+      }
+    }
     this.#slice(scene, [...tests], false);
   };
 
-  /** Answers a slice of the questions that are left; `differs`: some answers before were found to differ. */
+  /**
+   * Answers a slice of the questions that are left; `differs`: some answers before were found to
+   * differ.
+   */
   #slice(scene: SceneSnapshot, left: (readonly [Key, RayTest<Answer>])[], differs: boolean): void {
     this.#timer = 0;
     const end = performance.now() + SLICE;
     let differ = differs;
-    for (let next = left.pop(); next !== undefined; next = performance.now() < end ? left.pop() : undefined) {
+    for (
+      let next = left.pop();
+      next !== undefined;
+      next = performance.now() < end ? left.pop() : undefined
+    ) {
       const [key, test] = next;
       const answer = test(scene);
-      if (answer !== this.#answers.get(key)) differ = true;
+      if (answer !== this.#answers.get(key)) {
+        differ = true;
+      }
       this.#answers.set(key, answer);
     }
-    if (left.length > 0) this.#timer = window.setTimeout(() => this.#slice(scene, left, differ));
-    else {
-      if (this.#waiting !== null) this.follow(this.#waiting);
-      if (differ) this.#changed();
+    if (left.length > 0) {
+      this.#timer = window.setTimeout(() => this.#slice(scene, left, differ));
+    } else {
+      if (this.#waiting !== null) {
+        this.follow(this.#waiting);
+      }
+      if (differ) {
+        this.#changed();
+      }
     }
   }
 }
@@ -84,6 +107,10 @@ export const isBehind =
     const point = view.point(place);
     if (point === null) return false;
     const { width, height } = scene;
-    const hit = pick(scene, (point.x / view.width) * width - 0.5, (point.y / view.height) * height - 0.5);
+    const hit = pick(
+      scene,
+      (point.x / view.width) * width - 0.5,
+      (point.y / view.height) * height - 0.5,
+    );
     return hit !== null && hit.depth < view.depthOf(place) * (1 - TOLERANCE);
   };

@@ -1,5 +1,6 @@
-// The helpers of the scene itself: axes, the grid on the ground, the boxes and the normals of meshes. World space to CSS
-// pixels of the layer. Computed again only where the view, the ball, a mesh, or what hides something has changed.
+// The helpers of the scene itself: axes, the grid on the ground, the boxes and the normals of
+// meshes. World space to CSS pixels of the layer. Computed again only where the view, the ball, a
+// mesh, or what hides something has changed.
 import { Matrix3, type Mesh, type Object3D } from 'three';
 import type { Helper } from '../../../viewer/element/fields/viewer-fields.js';
 import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
@@ -24,7 +25,10 @@ import { inside, type Point, type Projection } from '../drawing/projection.js';
 import type { SceneBall } from './light-marks.js';
 import { isBehind, type RayTest, RayTests } from './occlusion.js';
 
-/** Whether something is in front of a place; undefined while that is not known. `key`: the place's, across frames. */
+/**
+ * Whether something is in front of a place; undefined while that is not known. `key`: the place's,
+ * across frames.
+ */
 type Hiding = (key: string, place: Vec3) => boolean | undefined;
 
 export class SceneHelpers {
@@ -51,7 +55,9 @@ export class SceneHelpers {
     this.#seen = seen;
     const tests = new Map<string, RayTest<boolean>>();
     this.#drawing = this.drawingAt(view, scene, helpers, tests);
-    if (!isSame) this.#hidden.follow(tests);
+    if (!isSame) {
+      this.#hidden.follow(tests);
+    }
     return this.#drawing;
   }
 
@@ -74,10 +80,18 @@ export class SceneHelpers {
     };
     const list: DrawnItem[] = [];
     const names: Name[] = [];
-    if (helpers.includes('grid')) list.push(...gridMarks(view, scene, hiding));
-    if (helpers.includes('bounds')) list.push(...boundsMarks(this.#meshes, view));
-    if (helpers.includes('normals')) list.push(...normalMarks(this.#meshes, view, scene, hiding));
-    if (helpers.includes('axes')) list.push(...axesMarks(view, scene, hiding, names));
+    if (helpers.includes('grid')) {
+      list.push(...gridMarks(view, scene, hiding));
+    }
+    if (helpers.includes('bounds')) {
+      list.push(...boundsMarks(this.#meshes, view));
+    }
+    if (helpers.includes('normals')) {
+      list.push(...normalMarks(this.#meshes, view, scene, hiding));
+    }
+    if (helpers.includes('axes')) {
+      list.push(...axesMarks(view, scene, hiding, names));
+    }
     return { list, names, covered: [] };
   }
 
@@ -86,7 +100,9 @@ export class SceneHelpers {
     const meshes: Mesh[] = [];
     this.#host.viewport.picture.scene.traverseVisible((object: Object3D) => {
       // By its mark, not its class: another copy of three.js may have made it.
-      if ((object as Partial<Mesh>).isMesh === true) meshes.push(object as Mesh);
+      if ((object as Partial<Mesh>).isMesh === true) {
+        meshes.push(object as Mesh);
+      }
     });
     return meshes;
   }
@@ -120,7 +136,12 @@ const AXIS_PIECES = 24;
 const GRID_PIECES = 16;
 
 /** From the origin along x, y and z; adds their `names`. */
-function axesMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding, names: Name[]): DrawnItem[] {
+function axesMarks(
+  view: Projection,
+  { center, radius }: SceneBall,
+  hiding: Hiding,
+  names: Name[],
+): DrawnItem[] {
   const reach = length(center) + AXIS * radius;
   const list: DrawnItem[] = [];
   for (const [i, name] of (['x', 'y', 'z'] as const).entries()) {
@@ -131,9 +152,13 @@ function axesMarks(view: Projection, { center, radius }: SceneBall, hiding: Hidi
     const ends = view.segment([0, 0, 0], tip);
     if (ends === null) continue;
     const head = arrowHead(...ends);
-    if (head !== null) list.push(...strokes([head], { ...look, filled: true }));
+    if (head !== null) {
+      list.push(...strokes([head], { ...look, filled: true }));
+    }
     const last = lastInside(tip, view);
-    if (last !== null) names.push({ text: name, center: last, gap: NAME_GAP });
+    if (last !== null) {
+      names.push({ text: name, center: last, gap: NAME_GAP });
+    }
   }
   return list;
 }
@@ -155,7 +180,10 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
   return null;
 }
 
-/** Lines of the plane y = 0 at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are left out. */
+/**
+ * Lines of the plane y = 0 at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes
+ * are left out.
+ */
 function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): DrawnItem[] {
   const step = niceCeil(radius / 4);
   const lowX = Math.floor((center[0] - GRID * radius) / step);
@@ -168,8 +196,12 @@ function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hidi
   const draw = (key: string, from: Vec3, to: Vec3): void => {
     lines.push(...pieces(from, to, GRID_PIECES, key, view, hiding).shown);
   };
-  for (let x = lowX; x <= highX; x++) draw(`grid x ${x}`, [x * step, 0, lowZ * step], [x * step, 0, highZ * step]);
-  for (let z = lowZ; z <= highZ; z++) draw(`grid z ${z}`, [lowX * step, 0, z * step], [highX * step, 0, z * step]);
+  for (let x = lowX; x <= highX; x++) {
+    draw(`grid x ${x}`, [x * step, 0, lowZ * step], [x * step, 0, highZ * step]);
+  }
+  for (let z = lowZ; z <= highZ; z++) {
+    draw(`grid z ${z}`, [lowX * step, 0, z * step], [highX * step, 0, z * step]);
+  }
   return strokes(lines, { color: COLORS.grid, width: 1, outline: 0.5, opacity: 0.7 });
 }
 
@@ -196,7 +228,9 @@ function pieces(
     const side = sideOf(i);
     if (i + 1 < count && sideOf(i + 1) === side) continue;
     const piece = view.segment(at(first / count), at((i + 1) / count));
-    if (piece !== null) result[side].push(piece);
+    if (piece !== null) {
+      result[side].push(piece);
+    }
     first = i + 1;
   }
   return result;
@@ -206,7 +240,9 @@ function pieces(
 function boundsMarks(meshes: readonly Mesh[], view: Projection): DrawnItem[] {
   const front: (readonly Point[])[] = [];
   const back: (readonly Point[])[] = [];
-  for (const mesh of meshes.slice(0, MOST_BOXES)) boxEdges(mesh, view, front, back);
+  for (const mesh of meshes.slice(0, MOST_BOXES)) {
+    boxEdges(mesh, view, front, back);
+  }
   const look = { color: COLORS.bounds, width: 1.5 };
   return [...strokes(back, { ...look, dashed: true }), ...strokes(front, look)];
 }
@@ -214,23 +250,40 @@ function boundsMarks(meshes: readonly Mesh[], view: Projection): DrawnItem[] {
 /** More would run into each other. */
 const MOST_BOXES = 200;
 
-function boxEdges(mesh: Mesh, view: Projection, front: (readonly Point[])[], back: (readonly Point[])[]): void {
+function boxEdges(
+  mesh: Mesh,
+  view: Projection,
+  front: (readonly Point[])[],
+  back: (readonly Point[])[],
+): void {
   const { geometry, matrixWorld } = mesh;
-  if (geometry.boundingBox === null) geometry.computeBoundingBox();
+  if (geometry.boundingBox === null) {
+    geometry.computeBoundingBox();
+  }
   const box = geometry.boundingBox;
   if (box === null || box.isEmpty()) return;
   const [low, high] = [box.min.toArray(), box.max.toArray()];
   const e = matrixWorld.elements;
   const corner = (bits: number): Vec3 => {
-    const [x, y, z] = [0, 1, 2].map((i) => ((bits >> i) & 1 ? high[i]! : low[i]!)) as [number, number, number];
+    const [x, y, z] = [0, 1, 2].map((i) => ((bits >> i) & 1 ? high[i]! : low[i]!)) as [
+      number,
+      number,
+      number,
+    ];
     return transformed(e, x, y, z);
   };
-  /** A face is in front if the eye is on its outer side: farther along its axis than the opposite one. */
+  /**
+   * A face is in front if the eye is on its outer side: farther along its axis than the opposite
+   * one.
+   */
   const isFront = (axis: number, bit: number): boolean => {
     const [u, v] = [1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3)];
     const base = bit << axis;
     const outward = subtract(corner(base), corner(base ^ (1 << axis)));
-    const normal = cross(subtract(corner(base | u), corner(base)), subtract(corner(base | v), corner(base)));
+    const normal = cross(
+      subtract(corner(base | u), corner(base)),
+      subtract(corner(base | v), corner(base)),
+    );
     const side = dot(normal, outward) < 0 ? -1 : 1;
     return side * dot(normal, subtract(view.eye, corner(base))) > 0;
   };
@@ -254,17 +307,25 @@ const NORMAL_PIXELS = 300;
 /** Length of a drawn normal, in radii of the scene. */
 const NORMAL = 0.09;
 
-/** Takes vertices in an order without a pattern: steps of a fixed size would follow the rows of a sphere. */
+/**
+ * Takes vertices in an order without a pattern: steps of a fixed size would follow the rows of a
+ * sphere.
+ */
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
-/** Normals at a sample of the vertices, or of the triangles under flat shading; of double-sided surfaces, toward the eye. */
+/**
+ * Normals at a sample of the vertices, or of the triangles under flat shading; of double-sided
+ * surfaces, toward the eye.
+ */
 function normalMarks(
   meshes: readonly Mesh[],
   view: Projection,
   { center, radius }: SceneBall,
   hiding: Hiding,
 ): DrawnItem[] {
-  const drawn = meshes.filter(({ geometry }) => geometry.hasAttribute('normal') && geometry.hasAttribute('position'));
+  const drawn = meshes.filter(
+    ({ geometry }) => geometry.hasAttribute('normal') && geometry.hasAttribute('position'),
+  );
   const pixels = Math.PI * (radius * view.pixelsPerUnit(view.depthOf(center))) ** 2;
   const each = Math.min(MOST_NORMALS, pixels / NORMAL_PIXELS) / drawn.length;
   const lines: (readonly Point[])[] = [];
@@ -285,7 +346,9 @@ function normalMarks(
       if (ends === null) continue;
       lines.push(ends);
       const head = arrowHead(...ends, 5);
-      if (head !== null) heads.push(head);
+      if (head !== null) {
+        heads.push(head);
+      }
     }
   }
   const look = { color: COLORS.normals, width: 1, outline: 1 };
@@ -313,7 +376,9 @@ function normalsOf(
       m[2] * x + m[5] * y + m[8] * z,
     ]);
     const first = vertex - (vertex % 3);
-    const p = isFlat ? scale(add(add(placeOf(first), placeOf(first + 1)), placeOf(first + 2)), 1 / 3) : placeOf(vertex);
+    const p = isFlat
+      ? scale(add(add(placeOf(first), placeOf(first + 1)), placeOf(first + 2)), 1 / 3)
+      : placeOf(vertex);
     return { p, N };
   };
 }

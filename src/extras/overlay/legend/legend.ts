@@ -1,10 +1,15 @@
-// Shows a view: what the picture draws in place of the shaded colours, and the legend over it: title, lights, scale.
-// Follows `view` and `view-light`.
+// Shows a view: what the picture draws in place of the shaded colours, and the legend over it:
+// title, lights, scale. Follows `view` and `view-light`.
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
 import { clipMessage, listed } from '../../../phong/fields/clip.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { create as createElement } from '../../../viewer/element/dom.js';
-import { localNumber, phrase, type ViewerText, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import {
+  localNumber,
+  phrase,
+  type ViewerText,
+  type ViewerTexts,
+} from '../../../viewer/element/fields/texts.js';
 import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extras.js';
 import { lightName } from '../../../viewer/element/phong-light.js';
@@ -48,14 +53,22 @@ class ViewExtra implements Extra {
       viewport.holder.classList.toggle('outlined', viewEntry(values.view).scale === 'unit');
     }
     this.#showLegend();
-    if (!this.#warned.has(values.viewLight) && unknownLightText(this.#host) !== null) this.#warnLater();
+    if (!this.#warned.has(values.viewLight) && unknownLightText(this.#host) !== null) {
+      this.#warnLater();
+    }
   }
 
-  /** After the task and its microtasks, in which frameworks add the lights, and after the page's markup. Once per value. */
+  /**
+   * After the task and its microtasks, in which frameworks add the lights, and after the page's
+   * markup. Once per value.
+   */
   #warnLater(): void {
     this.#warning ??= setTimeout(() => {
-      if (document.readyState !== 'loading') this.#warn();
-      else document.addEventListener('DOMContentLoaded', () => this.#warn(), { once: true });
+      if (document.readyState !== 'loading') {
+        this.#warn();
+      } else {
+        document.addEventListener('DOMContentLoaded', () => this.#warn(), { once: true });
+      }
     });
   }
 
@@ -88,7 +101,12 @@ class ViewExtra implements Extra {
       : SCALES[viewEntry(view).scale].map((bar) => barTemplate(bar, texts));
     this.#scale = key;
     const title = phrase(texts, viewTitle(view, reflection === 'blinn-phong'));
-    const legend = html`<div class="legend" part="legend" role="group" aria-label=${phrase(texts, 'Legend')}>
+    const legend = html`<div
+      class="legend"
+      part="legend"
+      role="group"
+      aria-label=${phrase(texts, 'Legend')}
+    >
       <p class="legend-title" aria-live="polite">${title}</p>
       <p class="legend-lights" dir="auto">${lightsText(this.#host)}</p>
       <div class="legend-scale">${scale}</div>
@@ -97,7 +115,8 @@ class ViewExtra implements Extra {
   }
 }
 
-const lightsOf = ({ viewport }: ExtraHost): readonly LightState[] => viewport.picture.lighting.lights.lights;
+const lightsOf = ({ viewport }: ExtraHost): readonly LightState[] =>
+  viewport.picture.lighting.lights.lights;
 
 /** Index of the light that `view-light` names; -1 if it is empty or no light has this name. */
 function namedIndex(host: ExtraHost): number {
@@ -110,14 +129,16 @@ function namedIndex(host: ExtraHost): number {
 }
 
 /**
- * Indices of the lights that the view is limited to: `view-light` by name, without it the first active light where a
- * view is of one light, or all. None if no light has the name: the view is black.
+ * Indices of the lights that the view is limited to: `view-light` by name, without it the first
+ * active light where a view is of one light, or all. None if no light has the name: the view is
+ * black.
  */
 function chosenIndices(host: ExtraHost): number[] {
   const lights = lightsOf(host);
   const { view, viewLight } = host.values;
   if (viewLight === '' && viewEntry(view).lights !== 'one') return lights.map((_, i) => i);
-  const index = viewLight === '' ? lights.findIndex(({ values }) => values.active) : namedIndex(host);
+  const index =
+    viewLight === '' ? lights.findIndex(({ values }) => values.active) : namedIndex(host);
   return index < 0 ? [] : [index];
 }
 
@@ -129,10 +150,11 @@ function lightsText(host: ExtraHost): string {
   if (part === 'none') return '';
   if (viewLight === '' && part !== 'one') return phrase(texts, 'all lights');
   const [index] = chosenIndices(host);
-  if (index === undefined)
+  if (index === undefined) {
     return viewLight === ''
       ? phrase(texts, 'no light is active')
       : phrase(texts, 'no light has the name {name}', { name: viewLight });
+  }
   const state = lightsOf(host)[index]!;
   const light = lightName(state, index, texts);
   return state.values.active ? light : phrase(texts, '{light} (not active)', { light });
@@ -151,7 +173,8 @@ function unknownLightText(host: ExtraHost): string | null {
 
 /** The title of a view's legend: a key of `texts`. */
 export function viewTitle(view: View, blinn: boolean): ViewerText {
-  const { blinnTitle, title }: { readonly title: ViewerText; readonly blinnTitle?: ViewerText } = VIEW_TABLE[view];
+  const { blinnTitle, title }: { readonly title: ViewerText; readonly blinnTitle?: ViewerText } =
+    VIEW_TABLE[view];
   return (blinn ? blinnTitle : undefined) ?? title;
 }
 
@@ -174,7 +197,10 @@ const SCALES: Readonly<Record<ViewEntry['scale'], readonly Bar[]>> = {
 };
 
 // Styles as properties: a strict CSP refuses style attributes.
-const barTemplate = ({ label, color, marks }: Bar, texts: ViewerTexts | null): TemplateResult => html`
+const barTemplate = (
+  { label, color, marks }: Bar,
+  texts: ViewerTexts | null,
+): TemplateResult => html`
   <div class="legend-bar">
     ${label === '' ? nothing : html`<span class="legend-label">${label}</span>`}
     <div

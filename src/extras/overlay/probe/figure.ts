@@ -1,5 +1,6 @@
-// The figure at a probed point, and its display list: N, L of the lights that add most, R or H of one of them and their
-// angles. V is a point, because it points at the eye, so the angle between R and V has no arc: it would lie on R itself.
+// The figure at a probed point, and its display list: N, L of the lights that add most, R or H of
+// one of them and their angles. V is a point, because it points at the eye, so the angle between R
+// and V has no arc: it would lie on R itself.
 import type { FragmentExplanation } from '../../../viewer/element/explanation.js';
 import type { ViewerTexts } from '../../../viewer/element/fields/texts.js';
 import { radians } from '../../../phong/math/angle.js';
@@ -23,7 +24,10 @@ import { byShare, degreesOf, type Sum, type SumRow, lobeWords, normalWords } fro
 /** Most lights with arrows. More would be unreadable. */
 export const MOST_LIGHTS = 6;
 
-/** Points of an arc. Between two of them an arc of 180 degrees and 40 pixels strays by less than a pixel. */
+/**
+ * Points of an arc. Between two of them an arc of 180 degrees and 40 pixels strays by less than a
+ * pixel.
+ */
 const ARC_STEPS = 24;
 
 /** Shares of an arrow's length at which the arcs from N to L and to H are drawn. */
@@ -52,7 +56,10 @@ export interface Figure {
   readonly arcs: readonly Arc[];
 }
 
-/** `chosen`: the row whose R or H and angles are drawn, alone if `alone`. Null where no light shines. */
+/**
+ * `chosen`: the row whose R or H and angles are drawn, alone if `alone`. Null where no light
+ * shines.
+ */
 export function figureOf(
   fragment: FragmentExplanation,
   sum: Sum,
@@ -65,7 +72,9 @@ export function figureOf(
   const vectors: Vector[] = hasNormal ? [plain('N', N)] : [];
   const arcs: Arc[] = [];
   const rows = alone && chosen !== null ? [chosen] : byShare(sum.rows).slice(0, MOST_LIGHTS);
-  if (chosen !== null && !rows.includes(chosen)) rows.push(chosen);
+  if (chosen !== null && !rows.includes(chosen)) {
+    rows.push(chosen);
+  }
   for (const row of rows) {
     if (row.absence === 'no direction') continue;
     const name = sum.rows.length === 1 ? 'L' : `L ${row.name}`;
@@ -88,7 +97,12 @@ export function figureOf(
   return { vectors, arcs };
 }
 
-const plain = (name: string, direction: Vec3): Vector => ({ name, direction, color: WHITE, dashed: false });
+const plain = (name: string, direction: Vec3): Vector => ({
+  name,
+  direction,
+  color: WHITE,
+  dashed: false,
+});
 
 /** The colour of the light's brightest term; white for one whose terms are all black. */
 function colorOf({ light }: SumRow): Vec3 {
@@ -97,19 +111,26 @@ function colorOf({ light }: SumRow): Vec3 {
   return brightest === undefined ? WHITE : map(brightest, (x) => x / 255);
 }
 
-/** From one unit vector to another, at a distance from their common foot. Of opposite ones: a straight line. */
+/**
+ * From one unit vector to another, at a distance from their common foot. Of opposite ones: a
+ * straight line.
+ */
 function arc(from: Vec3, to: Vec3, radius: number): Vec3[] {
   const angle = radians(degreesOf(dot(from, to)));
   const sine = Math.sin(angle);
   return Array.from({ length: ARC_STEPS + 1 }, (_, i) => {
     const t = i / ARC_STEPS;
     // Slerp; nearly equal or opposite vectors span no plane.
-    const [a, b] = sine < 1e-6 ? [1 - t, t] : [Math.sin((1 - t) * angle) / sine, Math.sin(t * angle) / sine];
+    const [a, b] =
+      sine < 1e-6 ? [1 - t, t] : [Math.sin((1 - t) * angle) / sine, Math.sin(t * angle) / sine];
     return scale(add(scale(from, a), scale(to, b)), radius);
   });
 }
 
-/** The corners of the fragment's triangle in world space, as drawn now. Empty if the geometry has changed. */
+/**
+ * The corners of the fragment's triangle in world space, as drawn now. Empty if the geometry has
+ * changed.
+ */
 export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[] {
   const { geometry, matrixWorld } = object;
   const { index } = geometry;
@@ -122,10 +143,15 @@ export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[
   });
 }
 
-/** Length of a vector across the line of sight: a share of the layer's smaller side, within limits in CSS pixels. */
+/**
+ * Length of a vector across the line of sight: a share of the layer's smaller side, within limits
+ * in CSS pixels.
+ */
 const ARROW = { share: 0.24, least: 22, most: 110 };
 
-/** Radius of the mark, CSS pixels. Shorter arrows point at the eye or away from it and have no line. */
+/**
+ * Radius of the mark, CSS pixels. Shorter arrows point at the eye or away from it and have no line.
+ */
 const MARK = 6;
 
 /** Half the width that labels keep clear of an arrow, CSS pixels. */
@@ -180,11 +206,20 @@ export function drawingOf(
     if (tip === null) continue;
     const css = cssRgb(coreColor(color));
     covered.push(...boxesAlong([at, tip], LINE_HALF));
-    if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK) list.push(...arrow(at, tip, { color: css, width: 2.5, dashed }));
+    if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK) {
+      list.push(...arrow(at, tip, { color: css, width: 2.5, dashed }));
+    }
     labels.push({ text: name, center: tip, gap: 7, color: css });
   }
   // The ring, and in it the tip of V, which points at the eye.
-  list.push(...markOf(at, false), { kind: 'disc', center: at, radius: 1, fill: '#fff', color: '#fff', width: 1 });
+  list.push(...markOf(at, false), {
+    kind: 'disc',
+    center: at,
+    radius: 1,
+    fill: '#fff',
+    color: '#fff',
+    width: 1,
+  });
   // The names of vectors come before those of angles.
   labels.sort((a, b) => Number(a.text.endsWith('°')) - Number(b.text.endsWith('°')));
   const hasRoom = width >= NAMED.width && height >= NAMED.height;

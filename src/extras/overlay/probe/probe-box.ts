@@ -1,5 +1,6 @@
-// The probe's box: the colour, the table of its sum, and the steps of one light. A column in wide pictures, else a strip,
-// away from the point. The style sheet gives its size; what does not fit is left out in a fixed order, by trying.
+// The probe's box: the colour, the table of its sum, and the steps of one light. A column in wide
+// pictures, else a strip, away from the point. The style sheet gives its size; what does not fit is
+// left out in a fixed order, by trying.
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
 import { create } from '../../../viewer/element/dom.js';
 import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
@@ -10,7 +11,15 @@ import type { Room } from '../drawing/room.js';
 import type { AnswerDetail } from '../../../viewer/element/events.js';
 import type { Equation } from './equations.js';
 import { type Sum, type SumRow, tripleText, FILTERED, GOURAUD, stepsText, UNLIT } from './sum.js';
-import { type Chosen, columnsOf, MOST_LEFT, NO_AMBIENT, STEPS, SumTable, type TableShape } from './sum-table.js';
+import {
+  type Chosen,
+  columnsOf,
+  MOST_LEFT,
+  NO_AMBIENT,
+  STEPS,
+  SumTable,
+  type TableShape,
+} from './sum-table.js';
 import { Tutor } from './tutor.js';
 
 /** A fragment with its sum. */
@@ -32,7 +41,10 @@ export interface BoxState {
   readonly content: BoxContent | string | null;
   /** The point on the layer. */
   readonly at: Point;
-  /** The point stays where it is. The box takes the pointer then; otherwise the picture below it can be reached. */
+  /**
+   * The point stays where it is. The box takes the pointer then; otherwise the picture below it can
+   * be reached.
+   */
   readonly pinned: boolean;
   /** The user has pinned it. */
   readonly releasable: boolean;
@@ -49,7 +61,10 @@ interface Form {
   readonly steps: boolean;
 }
 
-/** What is left out, in this order, where room lacks. `least`: lights with a row of their own; the others share one. */
+/**
+ * What is left out, in this order, where room lacks. `least`: lights with a row of their own; the
+ * others share one.
+ */
 const LEVELS = [
   { note: true, steps: true, least: Infinity },
   { note: false, steps: true, least: Infinity },
@@ -60,7 +75,10 @@ const LEVELS = [
 /** Width of the picture's free part from which on the box is a column, CSS pixels. */
 const WIDE = 560;
 
-/** Pixels by which the point has to cross the middle before the box changes sides: it does not jump back and forth. */
+/**
+ * Pixels by which the point has to cross the middle before the box changes sides: it does not jump
+ * back and forth.
+ */
 const GAIN = 4;
 
 export class ProbeBox {
@@ -75,8 +93,15 @@ export class ProbeBox {
   #isAtStart = false;
   #isAbove = true;
 
-  /** `changed`: another light was chosen. `release`: the button that takes the pin away was pressed. */
-  constructor(room: Room, changed: () => void, release: () => void, report: (detail: AnswerDetail) => void) {
+  /**
+   * `changed`: another light was chosen. `release`: the button that takes the pin away was pressed.
+   */
+  constructor(
+    room: Room,
+    changed: () => void,
+    release: () => void,
+    report: (detail: AnswerDetail) => void,
+  ) {
     this.#tutor = new Tutor(changed, report);
     this.#room = room;
     this.#release = release;
@@ -92,13 +117,18 @@ export class ProbeBox {
     const { left, right, top, bottom } = this.#room.box;
     const across = (state.at.x - (left + right) / 2) * (this.place.matches(':dir(rtl)') ? -1 : 1);
     const down = state.at.y - (top + bottom) / 2;
-    if (Math.abs(across) > GAIN) this.#isAtStart = across < 0;
-    if (Math.abs(down) > GAIN) this.#isAbove = down < 0;
+    if (Math.abs(across) > GAIN) {
+      this.#isAtStart = across < 0;
+    }
+    if (Math.abs(down) > GAIN) {
+      this.#isAbove = down < 0;
+    }
     this.#isColumn = right - left >= WIDE;
     const { content } = state;
     const hasSum = content !== null && typeof content !== 'string' && content.equations === null;
-    if (!hasSum || !this.#fits(state, content))
+    if (!hasSum || !this.#fits(state, content)) {
       this.#render(state, { shape: null, lights: 0, note: true, steps: true });
+    }
     return this.#room.rectOf(this.#element);
   }
 
@@ -125,16 +155,26 @@ export class ProbeBox {
       if (low > high || !fits({ ...form, lights: low })) return false;
       while (low < high) {
         const middle = Math.ceil((low + high) / 2);
-        if (fits({ ...form, lights: middle })) low = middle;
-        else high = middle - 1;
+        if (fits({ ...form, lights: middle })) {
+          low = middle;
+        } else {
+          high = middle - 1;
+        }
       }
       return fits({ ...form, lights: low });
     };
-    const rows = [shape(0, 1), ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0))];
+    const rows = [
+      shape(0, 1),
+      ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0)),
+    ];
     const full = { ...LEVELS[0], lights: all };
-    const widest = this.#isColumn ? shape(NO_AMBIENT, 0) : rows.find((each) => fits({ ...full, shape: each }, true));
+    const widest = this.#isColumn
+      ? shape(NO_AMBIENT, 0)
+      : rows.find((each) => fits({ ...full, shape: each }, true));
     const fewest = [...(widest === undefined ? [] : [widest]), shape(NO_AMBIENT, 0, true)];
-    const most = this.#isColumn ? [...rows.slice(0, 2), shape(0, 1, true), shape(0, 0, true)] : fewest.slice(0, -1);
+    const most = this.#isColumn
+      ? [...rows.slice(0, 2), shape(0, 1, true), shape(0, 0, true)]
+      : fewest.slice(0, -1);
     const fitsAt = ({ least, ...level }: (typeof LEVELS)[number]): boolean =>
       (least === Infinity ? most : fewest).some((each) => {
         const form = { ...level, lights: all, shape: each };
@@ -184,7 +224,11 @@ export class ProbeBox {
           @click=${this.#release}
         ></button>
       </p>
-      <p class="note" dir="auto" .textContent=${isEmpty ? (content ?? '') : noteOf(content, texts)}></p>
+      <p
+        class="note"
+        dir="auto"
+        .textContent=${isEmpty ? (content ?? '') : noteOf(content, texts)}
+      ></p>
       ${
         !isEmpty && content.equations !== null
           ? this.#tutor.template(content.equations, content.asks, texts)
@@ -195,11 +239,21 @@ export class ProbeBox {
     </div>`;
   }
 
-  #sumTemplate(content: BoxContent, texts: ViewerTexts | null, shape: TableShape, lights: number): TemplateResult {
+  #sumTemplate(
+    content: BoxContent,
+    texts: ViewerTexts | null,
+    shape: TableShape,
+    lights: number,
+  ): TemplateResult {
     const { sum, row } = content;
     return html`
       ${this.#table.template(sum, row, texts, shape, lights)}
-      <p class="steps" id=${STEPS} dir="auto" .textContent=${row === null ? '' : stepsOf(content, row, texts)}></p>
+      <p
+        class="steps"
+        id=${STEPS}
+        dir="auto"
+        .textContent=${row === null ? '' : stepsOf(content, row, texts)}
+      ></p>
     `;
   }
 }
@@ -211,14 +265,23 @@ const classMap = (kinds: Readonly<Record<string, boolean>>): string =>
 
 function noteOf({ fragment, gouraud }: BoxContent, texts: ViewerTexts | null): string {
   const notes: string[] = [];
-  if (fragment.unlit) notes.push(phrase(texts, UNLIT));
-  else if (gouraud) notes.push(phrase(texts, GOURAUD));
-  if (fragment.filtered) notes.push(phrase(texts, FILTERED));
+  if (fragment.unlit) {
+    notes.push(phrase(texts, UNLIT));
+  } else if (gouraud) {
+    notes.push(phrase(texts, GOURAUD));
+  }
+  if (fragment.filtered) {
+    notes.push(phrase(texts, FILTERED));
+  }
   return notes.join(' ');
 }
 
 /** Under Gouraud shading the row has the corners' terms, so the steps say whose they are. */
-function stepsOf({ fragment, halfway, gouraud }: BoxContent, row: SumRow, texts: ViewerTexts | null): string {
+function stepsOf(
+  { fragment, halfway, gouraud }: BoxContent,
+  row: SumRow,
+  texts: ViewerTexts | null,
+): string {
   const steps = stepsText(texts, row, fragment, halfway);
   return gouraud ? phrase(texts, 'At the point itself, {steps}', { steps }) : steps;
 }
@@ -229,7 +292,12 @@ const colorTemplate = (
   texts: ViewerTexts | null,
   digits: number,
 ): TemplateResult => html`
-  <span class="swatch" .style=${`background-color: rgb(${color.map((x) => x.toFixed(2)).join(' ')})`}></span>
-  <span class="codes" dir="ltr">${fragment.filtered ? '≈ ' : ''}${tripleText(color, digits, texts)}</span>
+  <span
+    class="swatch"
+    .style=${`background-color: rgb(${color.map((x) => x.toFixed(2)).join(' ')})`}
+  ></span>
+  <span class="codes" dir="ltr"
+    >${fragment.filtered ? '≈ ' : ''}${tripleText(color, digits, texts)}</span
+  >
   <span class="scale" aria-hidden="true">${phrase(texts, 'of 255')}</span>
 `;

@@ -1,4 +1,5 @@
-// Shows a probed point: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and announcements.
+// Shows a probed point: arrows over the picture, a cross-hair for the keyboard, a box with the sum,
+// and announcements.
 import { html, render } from 'lit';
 import { create, write } from '../../../viewer/element/dom.js';
 import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
@@ -30,7 +31,8 @@ export interface ProbedPoint {
 /** Milliseconds between two announcements. */
 const PAUSE = 1000;
 
-const KEYS = 'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
+const KEYS =
+  'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export class ProbeView {
   /** What is drawn, below boxes and notices. */
@@ -111,14 +113,22 @@ export class ProbeView {
     const focused = this.hasFocus && this.#focus !== this.cursor;
     this.#show();
     // The focused row, button or box may have been removed.
-    const gone = shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();
-    if (focused && gone) this.cursor.focus({ preventScroll: true });
+    const gone =
+      shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();
+    if (focused && gone) {
+      this.cursor.focus({ preventScroll: true });
+    }
   }
 
-  /** Says what is shown to screen readers: the first change at once, then the newest at most once a second. */
+  /**
+   * Says what is shown to screen readers: the first change at once, then the newest at most once a
+   * second.
+   */
   announce(): void {
     this.#unsaid = true;
-    if (this.#pause === undefined) this.#say();
+    if (this.#pause === undefined) {
+      this.#say();
+    }
   }
 
   dispose(): void {
@@ -149,7 +159,10 @@ export class ProbeView {
     const { fragment = null, message = '' } = this.shown ?? {};
     // It would tell the answers.
     if (fragment !== null && this.#host.values.probe === 'ask') return;
-    write(this.#region, fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)));
+    write(
+      this.#region,
+      fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)),
+    );
   };
 
   #show(): void {
@@ -164,9 +177,11 @@ export class ProbeView {
       texts,
     });
     this.#drawing.over(this.size);
-    if (at === null) this.#drawing.show([]);
-    else if (fragment === null) this.#drawing.show(markOf(at, true));
-    else {
+    if (at === null) {
+      this.#drawing.show([]);
+    } else if (fragment === null) {
+      this.#drawing.show(markOf(at, true));
+    } else {
       const space = { room: this.#room.box, boxes: [covered, ...this.#host.names.placed] };
       this.#drawing.show(this.#drawingOf(fragment, at, this.projection, space));
     }
@@ -193,10 +208,16 @@ export class ProbeView {
     const gouraud = this.#isGouraud(fragment);
     const content = { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
     // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
-    if (typeof probe === 'boolean' || fragment.unlit || gouraud) return { ...content, equations: null, asks: false };
+    if (typeof probe === 'boolean' || fragment.unlit || gouraud) {
+      return { ...content, equations: null, asks: false };
+    }
     const lights = this.#host.snapshot().lights.map(({ values }) => values);
     const options = { lights, linear: colorInterpolation === 'linear', halfway, terms };
-    return { ...content, equations: equationsOf(fragment, options, this.#texts), asks: probe === 'ask' };
+    return {
+      ...content,
+      equations: equationsOf(fragment, options, this.#texts),
+      asks: probe === 'ask',
+    };
   }
 
   /** The arrows at `at`, with labels in the space. */
@@ -217,7 +238,9 @@ export class ProbeView {
   /** The row that the figure shows. */
   #rowOf({ rows }: Sum): SumRow | null {
     const { chosen } = this.#box;
-    return (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null;
+    return (
+      (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null
+    );
   }
 
   #isHalfway({ mesh }: FragmentExplanation): boolean {

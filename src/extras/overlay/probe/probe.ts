@@ -1,5 +1,6 @@
-// The probe: the point that a viewer explains, under the mouse or the cross-hair, or pinned in the scene. The camera
-// takes the same events. Explains at most once a frame, and never while nothing changes.
+// The probe: the point that a viewer explains, under the mouse or the cross-hair, or pinned in the
+// scene. The camera takes the same events. Explains at most once a frame, and never while nothing
+// changes.
 import { SLOP } from '../../../phong/camera/kept-drag.js';
 import { zoomOf } from '../../../viewer/element/dom.js';
 import type { ProbeDetail } from '../../../viewer/element/events.js';
@@ -14,8 +15,9 @@ import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
 
 /**
- * Another surface hides a pinned point if it is nearer to the eye by more than so many pixels are wide there. Nearer by
- * less, it is the same surface at the centre of the pixel, at most 0.71 pixels away: it can lean by 80 degrees.
+ * Another surface hides a pinned point if it is nearer to the eye by more than so many pixels are
+ * wide there. Nearer by less, it is the same surface at the centre of the pixel, at most 0.71
+ * pixels away: it can lean by 80 degrees.
  */
 const IN_FRONT = 4;
 
@@ -34,7 +36,10 @@ class Probe implements Extra {
   #free: Point | null = null;
   /** The fragment here gets pinned with its explanation. */
   #toPin: Point | null = null;
-  /** The user has pointed or pressed something since the last explanation. Only such explanations are announced. */
+  /**
+   * The user has pointed or pressed something since the last explanation. Only such explanations
+   * are announced.
+   */
   #acted = false;
   #busy = false;
   #again = false;
@@ -62,13 +67,17 @@ class Probe implements Extra {
     if (helpers !== true) return;
     const draw = this.#view.drawerOf(picture);
     const fragment = (await this.#chosen())?.fragment ?? null;
-    if (fragment !== null) draw(fragment);
+    if (fragment !== null) {
+      draw(fragment);
+    }
   }
 
   dispose(): void {
     this.#listening.abort();
     // Like the camera, the pin stays with a viewer that leaves the page.
-    if (this.#host.values.probe === false) viewerPins.delete(this.#host.viewer);
+    if (this.#host.values.probe === false) {
+      viewerPins.delete(this.#host.viewer);
+    }
     this.#view.dispose();
   }
 
@@ -84,7 +93,10 @@ class Probe implements Extra {
       type: K,
       listener: (event: HTMLElementEventMap[K]) => void,
     ): void => target.addEventListener(type, listener, { signal });
-    const placeOf = ({ offsetX, offsetY }: MouseEvent): Point => ({ x: offsetX / this.#zoom, y: offsetY / this.#zoom });
+    const placeOf = ({ offsetX, offsetY }: MouseEvent): Point => ({
+      x: offsetX / this.#zoom,
+      y: offsetY / this.#zoom,
+    });
 
     on(surface, 'pointerdown', ({ clientX, clientY, isPrimary }) => {
       pressed = { x: clientX, y: clientY };
@@ -93,16 +105,22 @@ class Probe implements Extra {
     on(surface, 'pointermove', (event) => {
       const { clientX, clientY, buttons, pointerType } = event;
       if (buttons === 0) {
-        if (pointerType !== 'touch') this.#look(placeOf(event));
+        if (pointerType !== 'touch') {
+          this.#look(placeOf(event));
+        }
         return;
       }
       const slop = pointerType === 'touch' ? SLOP.touch : SLOP.mouse;
       steady &&= Math.hypot(clientX - pressed.x, clientY - pressed.y) <= slop;
-      if (!steady) this.#look(null);
+      if (!steady) {
+        this.#look(null);
+      }
     });
     on(surface, 'pointerleave', () => this.#look(null));
     on(surface, 'click', (event) => {
-      if (steady) this.#pinAt(placeOf(event));
+      if (steady) {
+        this.#pinAt(placeOf(event));
+      }
       steady = false;
     });
 
@@ -111,27 +129,40 @@ class Probe implements Extra {
       this.#free ??= this.#view.middle;
       this.#follow();
     });
-    for (const box of boxes)
+    for (const box of boxes) {
       on(box, 'focusout', ({ relatedTarget }) => {
-        if (!boxes.some((each) => each.contains(relatedTarget as Node | null))) this.#look(null);
+        if (!boxes.some((each) => each.contains(relatedTarget as Node | null))) {
+          this.#look(null);
+        }
       });
+    }
     on(cursor, 'keydown', (event) => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
       const arrow = ARROWS[event.key];
       const pixels = event.shiftKey ? STEP.coarse : STEP.fine;
-      if (arrow !== undefined) this.#step(arrow[0] * pixels, arrow[1] * pixels);
-      else if (event.key !== 'Enter') return;
-      else if (this.#free !== null) this.#pinAt(this.#free);
+      if (arrow !== undefined) {
+        this.#step(arrow[0] * pixels, arrow[1] * pixels);
+      } else if (event.key !== 'Enter') {
+        return;
+      } else if (this.#free !== null) {
+        this.#pinAt(this.#free);
+      }
       event.preventDefault();
     });
     // Escape that removes a pin must do nothing else, such as closing a dialog around the viewer.
-    for (const target of [surface, ...boxes])
+    for (const target of [surface, ...boxes]) {
       on(target, 'keydown', (event) => {
-        if (event.key === 'Escape' && this.#release()) event.preventDefault();
+        if (event.key === 'Escape' && this.#release()) {
+          event.preventDefault();
+        }
       });
+    }
   }
 
-  /** `at`: where the mouse is; null once it has left, or drags, or neither cross-hair nor table has the focus any more. */
+  /**
+   * `at`: where the mouse is; null once it has left, or drags, or neither cross-hair nor table has
+   * the focus any more.
+   */
   #look(at: Point | null): void {
     if (this.#pin !== null || (at === null && this.#free === null)) return;
     // The cross-hair stays where it is while it has the focus.
@@ -149,7 +180,8 @@ class Probe implements Extra {
   #release(): boolean {
     if (this.#pin === null) return false;
     this.#pin = null;
-    this.#free = this.#view.hasFocus && this.#declared === null ? (this.#view.shown?.at ?? null) : null;
+    this.#free =
+      this.#view.hasFocus && this.#declared === null ? (this.#view.shown?.at ?? null) : null;
     this.#follow();
     return true;
   }
@@ -169,8 +201,11 @@ class Probe implements Extra {
   }
 
   set #pin(p: Vec3 | null) {
-    if (p === null) viewerPins.delete(this.#host.viewer);
-    else viewerPins.set(this.#host.viewer, p);
+    if (p === null) {
+      viewerPins.delete(this.#host.viewer);
+    } else {
+      viewerPins.set(this.#host.viewer, p);
+    }
   }
 
   /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. */
@@ -192,14 +227,20 @@ class Probe implements Extra {
       if (this.#listening.signal.aborted) return;
       const before = this.#view.shown;
       this.#view.show(shown, this.#pin !== null);
-      if (this.#acted) this.#view.announce();
+      if (this.#acted) {
+        this.#view.announce();
+      }
       this.#acted = false;
-      if (shown !== before) this.#notify(shown);
-      // Not at once: a listener may have changed the viewer, which would never end. By the frames of the window that
-      // shows the viewer: the opener of a popup may be hidden.
+      if (shown !== before) {
+        this.#notify(shown);
+      }
+      // Not at once: a listener may have changed the viewer, which would never end. By the frames
+      // of the window that shows the viewer: the opener of a popup may be hidden.
       this.#host.viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
         this.#busy = false;
-        if (this.#again && !this.#listening.signal.aborted) this.#explain();
+        if (this.#again && !this.#listening.signal.aborted) {
+          this.#explain();
+        }
       });
     });
   }
@@ -212,7 +253,9 @@ class Probe implements Extra {
     if (toPin !== null) {
       const shown = await this.#at(toPin);
       if (this.#listening.signal.aborted) return null;
-      if (this.#toPin === toPin) this.#toPin = null;
+      if (this.#toPin === toPin) {
+        this.#toPin = null;
+      }
       this.#pin = shown.fragment?.p ?? null;
       // A press beside the shape takes the pin away.
       this.#free = this.#pin === null && this.#view.hasFocus ? toPin : null;
@@ -226,7 +269,9 @@ class Probe implements Extra {
     if (this.#pin === null && this.#free !== null) {
       const shown = await this.#at(this.#free);
       if (shown.fragment !== null || shown.message !== '') return shown;
-      if (this.#view.hasFocus) return { ...shown, message: phrase(this.#host.viewer.texts, NO_SURFACE) };
+      if (this.#view.hasFocus) {
+        return { ...shown, message: phrase(this.#host.viewer.texts, NO_SURFACE) };
+      }
     }
     const point = this.#pin ?? this.#declared;
     return point === null ? null : this.#ofPoint(point);
@@ -236,7 +281,10 @@ class Probe implements Extra {
   async #at(at: Point): Promise<ProbedPoint> {
     const shown = { at, fragment: null, message: '', pinned: false };
     try {
-      return { ...shown, fragment: await this.#host.viewer.shadeAt(at.x * this.#zoom, at.y * this.#zoom) };
+      return {
+        ...shown,
+        fragment: await this.#host.viewer.shadeAt(at.x * this.#zoom, at.y * this.#zoom),
+      };
     } catch (error) {
       return { ...shown, message: (error as Error).message };
     }
@@ -256,9 +304,13 @@ class Probe implements Extra {
     if (at === null) return without(OUTSIDE);
     const shown = { ...(await this.#at(at)), pinned: true };
     const { fragment, message } = shown;
-    if (fragment === null) return message !== '' ? shown : viewer.loaded ? without(NO_SURFACE) : null;
+    if (fragment === null) {
+      return message !== '' ? shown : viewer.loaded ? without(NO_SURFACE) : null;
+    }
     const depth = projection.depthOf(point);
-    if (projection.depthOf(fragment.p) < depth - IN_FRONT / projection.pixelsPerUnit(depth)) return without(HIDDEN);
+    if (projection.depthOf(fragment.p) < depth - IN_FRONT / projection.pixelsPerUnit(depth)) {
+      return without(HIDDEN);
+    }
     // Who asks for numbers gets those of the very point: the pixel's centre is beside it.
     const exact = this.#host.values.probe === true ? null : await viewer.explain(point);
     return exact === null ? shown : { ...shown, fragment: exact };

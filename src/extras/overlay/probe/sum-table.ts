@@ -1,11 +1,20 @@
-// Shows a sum as a table. A light is chosen by the pointer on its row or by its button's focus, and kept by a press.
+// Shows a sum as a table. A light is chosen by the pointer on its row or by its button's focus, and
+// kept by a press.
 import { html, nothing, type TemplateResult } from 'lit';
 import { localNumber, phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
 import type { PhongLight } from '../../../viewer/element/elements.js';
 import { type Term, TERMS } from '../../../phong/light/light-state.js';
 import { isBlack } from '../../../phong/math/color.js';
 import { add } from '../../../phong/math/vector.js';
-import { byShare, shortNumber, shownAbsence, type Sum, type SumRow, termText, tripleText } from './sum.js';
+import {
+  byShare,
+  shortNumber,
+  shownAbsence,
+  type Sum,
+  type SumRow,
+  termText,
+  tripleText,
+} from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
@@ -42,11 +51,19 @@ export class SumTable {
 
   /** The light whose row the user has chosen. */
   get chosen(): Chosen {
-    return [this.#pointed, this.#kept].find((light) => light !== undefined && this.#lights.includes(light));
+    return [this.#pointed, this.#kept].find(
+      (light) => light !== undefined && this.#lights.includes(light),
+    );
   }
 
   /** `shown`: the light that the figure is about. `most`: lights with a row of their own. */
-  template(sum: Sum, shown: SumRow | null, texts: ViewerTexts | null, shape: TableShape, most: number): TemplateResult {
+  template(
+    sum: Sum,
+    shown: SumRow | null,
+    texts: ViewerTexts | null,
+    shape: TableShape,
+    most: number,
+  ): TemplateResult {
     const { columns, digits } = shape;
     const own = this.#own(sum.rows, most);
     const others = sum.rows.filter((row) => !own.has(row));
@@ -114,7 +131,9 @@ export class SumTable {
         ${sum.totals.map(
           ({ label, color }) =>
             html`<tr role="row">
-              <th role="rowheader" scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
+              <th role="rowheader" scope="row" colspan=${columns.length}>
+                ${phrase(texts, label)}
+              </th>
               <td role="cell" dir="ltr">${tripleText(color, digits, texts)}</td>
             </tr>`,
         )}
@@ -125,7 +144,9 @@ export class SumTable {
   /** The lights that add most. A press on the row of the others shows the next ones. */
   #own(rows: readonly SumRow[], most: number): ReadonlySet<SumRow> {
     const order = byShare(rows);
-    return new Set([...order.slice(this.#turned % Math.max(rows.length, 1)), ...order].slice(0, most));
+    return new Set(
+      [...order.slice(this.#turned % Math.max(rows.length, 1)), ...order].slice(0, most),
+    );
   }
 
   #turn(by: number): void {
@@ -178,7 +199,9 @@ export class SumTable {
     event.preventDefault();
     const sibling = step[event.key as keyof typeof step];
     let next = row[sibling];
-    while (next !== null && (next as HTMLElement).hidden) next = next[sibling];
+    while (next !== null && (next as HTMLElement).hidden) {
+      next = next[sibling];
+    }
     next?.querySelector('button')?.focus();
   };
 }
@@ -196,23 +219,31 @@ const addedRow = ([first, ...rest]: readonly SumRow[]): SumRow =>
     { ...first!, att: NaN, decay: NaN },
   );
 
-/** What is in a cell: numbers, which keep their order in languages that are written from the right. */
+/**
+ * What is in a cell: numbers, which keep their order in languages that are written from the right.
+ */
 export function cellText(
   row: SumRow,
   column: Column,
   { columns, digits }: TableShape,
   texts: ViewerTexts | null,
 ): string {
-  if (column === '…') return TERMS.some((term) => !columns.includes(term) && !isBlack(row[term])) ? column : '';
+  if (column === '…') {
+    return TERMS.some((term) => !columns.includes(term) && !isBlack(row[term])) ? column : '';
+  }
   if (column === 'sum') return termText(row.total, digits, texts);
   if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
   // 1 for most lights.
-  return Number.isNaN(row[column]) ? '' : shortNumber(row[column], row[column] === 1 ? 0 : 2, texts);
+  return Number.isNaN(row[column])
+    ? ''
+    : shortNumber(row[column], row[column] === 1 ? 0 : 2, texts);
 }
 
 /** A number that a stacked table leaves out. */
 const isIdle = (row: SumRow, column: Column): boolean =>
-  column === 'ambient' ? isBlack(row.ambient) : (column === 'att' || column === 'decay') && row[column] === 1;
+  column === 'ambient'
+    ? isBlack(row.ambient)
+    : (column === 'att' || column === 'decay') && row[column] === 1;
 
 const columnTitle = (column: Column, texts: ViewerTexts | null): string =>
   column === '…' ? column : phrase(texts, column);
@@ -220,11 +251,16 @@ const columnTitle = (column: Column, texts: ViewerTexts | null): string =>
 /** The first one is left out first. */
 const DISPENSABLE: readonly Column[] = ['decay', 'att', 'ambient', 'specular', 'diffuse'];
 
-/** All columns but the first `left` of the dispensable ones. `factors`: att and decay belong to the terms. */
+/**
+ * All columns but the first `left` of the dispensable ones. `factors`: att and decay belong to the
+ * terms.
+ */
 export function columnsOf({ rows }: Sum, left: number, factors: boolean): readonly Column[] {
   const all: readonly Column[] = [...TERMS, ...(factors ? (['att', 'decay'] as const) : []), 'sum'];
   const columns = all.filter((column) => !DISPENSABLE.slice(0, left).includes(column));
-  const hasMore = TERMS.some((term) => !columns.includes(term) && rows.some((row) => !isBlack(row[term])));
+  const hasMore = TERMS.some(
+    (term) => !columns.includes(term) && rows.some((row) => !isBlack(row[term])),
+  );
   return hasMore ? ['…', ...columns] : columns;
 }
 

@@ -1,5 +1,6 @@
-// The sum at a fragment: its rows, with colours in codes (255 is full), its numbers as text, and the words for screen
-// readers, which see neither arrows nor table, and for the line below the table.
+// The sum at a fragment: its rows, with colours in codes (255 is full), its numbers as text, and
+// the words for screen readers, which see neither arrows nor table, and for the line below the
+// table.
 import type { FragmentExplanation, LightExplanation } from '../../../viewer/element/explanation.js';
 import { localNumber, phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
 import { LEAST_EXPONENT } from '../../../phong/light/precision.js';
@@ -7,12 +8,22 @@ import { cosDegrees, radians } from '../../../phong/math/angle.js';
 import { isBlack, srgbDecode } from '../../../phong/math/color.js';
 import { add, clamp, length, map, type Vec3 } from '../../../phong/math/vector.js';
 
-/** Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular terms. */
-export type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | 'no normal' | null;
+/**
+ * Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular
+ * terms.
+ */
+export type Absence =
+  | 'outside its cone'
+  | 'behind the surface'
+  | 'no direction'
+  | 'no normal'
+  | null;
 
 /** One active light's row: its explanation, with the three terms in codes. */
 export interface SumRow extends LightExplanation {
-  /** At the point itself, whatever the terms: under Gouraud shading they are those of the corners. */
+  /**
+   * At the point itself, whatever the terms: under Gouraud shading they are those of the corners.
+   */
   readonly absence: Absence;
   /** Sum of the three terms. */
   readonly total: Vec3;
@@ -31,26 +42,44 @@ export interface Sum {
   readonly color: Vec3;
 }
 
-/** `linear`: the viewer shades in linear light, so terms and sum are decoded and the sum is encoded last. */
+/**
+ * `linear`: the viewer shades in linear light, so terms and sum are decoded and the sum is encoded
+ * last.
+ */
 export function probeSum(fragment: FragmentExplanation, linear: boolean): Sum {
   const { shares, unlit, emissive, sum, color } = fragment;
   const hasNormal = length(fragment.N) > 0;
-  const rows = unlit ? [] : shares.filter((share) => share !== null).map((share) => rowOf(share, hasNormal));
+  const rows = unlit
+    ? []
+    : shares.filter((share) => share !== null).map((share) => rowOf(share, hasNormal));
   const own = map(unlit ? fragment.baseColor : emissive, (x) => 255 * (linear ? srgbDecode(x) : x));
   const totals: TotalRow[] = [];
-  if (unlit) totals.push({ label: 'base colour', color: own });
-  else if (own.some((x) => x > 0)) totals.push({ label: 'emissive', color: own });
+  if (unlit) {
+    totals.push({ label: 'base colour', color: own });
+  } else if (own.some((x) => x > 0)) {
+    totals.push({ label: 'emissive', color: own });
+  }
   const added = rows.reduce((total, row) => add(total, row.total), own);
-  if (!unlit) totals.push({ label: 'sum', color: added });
+  if (!unlit) {
+    totals.push({ label: 'sum', color: added });
+  }
   const encoded = codes(sum);
-  if (linear) totals.push({ label: 'encoded', color: encoded });
+  if (linear) {
+    totals.push({ label: 'encoded', color: encoded });
+  }
   const shown = codes(color);
-  if (shown.some((x, i) => x !== encoded[i])) totals.push({ label: 'clamped', color: shown });
+  if (shown.some((x, i) => x !== encoded[i])) {
+    totals.push({ label: 'clamped', color: shown });
+  }
   return { rows, totals, color: shown };
 }
 
 function rowOf(share: LightExplanation, hasNormal: boolean): SumRow {
-  const [ambient, diffuse, specular] = [codes(share.ambient), codes(share.diffuse), codes(share.specular)];
+  const [ambient, diffuse, specular] = [
+    codes(share.ambient),
+    codes(share.diffuse),
+    codes(share.specular),
+  ];
   const total = add(add(ambient, diffuse), specular);
   return { ...share, ambient, diffuse, specular, total, absence: absenceOf(share, hasNormal) };
 }
@@ -62,9 +91,12 @@ function absenceOf({ insideCone, L, NoL }: LightExplanation, hasNormal: boolean)
   return NoL > 0 ? null : 'behind the surface';
 }
 
-/** The absence that a row's terms show; null where they show another one than the point itself has. */
+/**
+ * The absence that a row's terms show; null where they show another one than the point itself has.
+ */
 export function shownAbsence({ absence, ambient, diffuse, specular }: SumRow): Absence {
-  const missing = absence === 'outside its cone' ? [ambient, diffuse, specular] : [diffuse, specular];
+  const missing =
+    absence === 'outside its cone' ? [ambient, diffuse, specular] : [diffuse, specular];
   return missing.every(isBlack) ? absence : null;
 }
 
@@ -86,7 +118,9 @@ export function shortNumber(value: number, digits: number, texts: ViewerTexts | 
 
 /** Three numbers with a space between: a wider one where a comma would run into it. */
 export const tripleText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
-  color.map((x) => shortNumber(x, digits, texts)).join(digits > 0 && localNumber('.', texts) === ',' ? '\u2002' : ' ');
+  color
+    .map((x) => shortNumber(x, digits, texts))
+    .join(digits > 0 && localNumber('.', texts) === ',' ? '\u2002' : ' ');
 
 /** A term that adds nothing is one zero: most are, and the others are easier to find. */
 export const termText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
@@ -102,18 +136,32 @@ export const degreesText = (cosine: number, digits: number, texts: ViewerTexts |
 const NAMED = 3;
 
 /** The point, its colour, and the sum of the lights that add most. */
-export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplanation, sum: Sum): string {
+export function fragmentText(
+  texts: ViewerTexts | null,
+  fragment: FragmentExplanation,
+  sum: Sum,
+): string {
   const [red = '', green = '', blue = ''] = sum.color.map((x) => shortNumber(x, 0, texts));
   const parts = [
     phrase(texts, 'Point {point}.', { point: placeText(texts, fragment) }),
     phrase(texts, 'Colour: red {red}, green {green}, blue {blue}.', { red, green, blue }),
   ];
-  if (fragment.unlit) parts.push(phrase(texts, UNLIT));
-  if (fragment.filtered) parts.push(phrase(texts, FILTERED));
+  if (fragment.unlit) {
+    parts.push(phrase(texts, UNLIT));
+  }
+  if (fragment.filtered) {
+    parts.push(phrase(texts, FILTERED));
+  }
   const shown = byShare(sum.rows).slice(0, NAMED);
-  for (const row of shown) parts.push(rowText(texts, row));
+  for (const row of shown) {
+    parts.push(rowText(texts, row));
+  }
   const more = sum.rows.length - shown.length;
-  if (more > 0) parts.push(`${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`);
+  if (more > 0) {
+    parts.push(
+      `${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`,
+    );
+  }
   return parts.join(' ');
 }
 
@@ -132,7 +180,11 @@ function rowText(texts: ViewerTexts | null, row: SumRow): string {
     diffuse: tripleText(row.diffuse, 0, texts),
     specular: tripleText(row.specular, 0, texts),
   };
-  const text = phrase(texts, '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}', values);
+  const text = phrase(
+    texts,
+    '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}',
+    values,
+  );
   const absence = shownAbsence(row);
   return absence === null ? `${text}.` : `${text}, ${phrase(texts, absence)}.`;
 }
@@ -149,28 +201,44 @@ export function stepsText(
 ): string {
   const { light, name, absence, c } = row;
   if (absence === 'outside its cone') {
-    const isOutside = (digits: number): boolean => light === null || rounded(degreesOf(c), digits) > light.aperture;
+    const isOutside = (digits: number): boolean =>
+      light === null || rounded(degreesOf(c), digits) > light.aperture;
     return phrase(texts, '{name}: {angle} from its axis, outside its cone, so it adds nothing.', {
       name,
       angle: degreesText(c, decimals(0, isOutside), texts),
     });
   }
-  if (absence === 'no direction') return phrase(texts, '{name}: no direction, so only ambient.', { name });
-  if (absence === 'no normal') return phrase(texts, '{name}: no normal here, so only ambient.', { name });
+  if (absence === 'no direction') {
+    return phrase(texts, '{name}: no direction, so only ambient.', { name });
+  }
+  if (absence === 'no normal') {
+    return phrase(texts, '{name}: no normal here, so only ambient.', { name });
+  }
   const normal = { name, ...normalWords(texts, row) };
-  if (absence !== null)
-    return phrase(texts, '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.', normal);
+  if (absence !== null) {
+    return phrase(
+      texts,
+      '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.',
+      normal,
+    );
+  }
   return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, row.RoV, shininess, halfway)}`;
 }
 
-function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, halfway: boolean): string {
+function lobeText(
+  texts: ViewerTexts | null,
+  cosine: number,
+  shininess: number,
+  halfway: boolean,
+): string {
   const cosines = halfway ? 'N·H' : 'R·V';
   const exponent = exponentOf(shininess);
-  if (exponent > 0 && cosine <= 0)
+  if (exponent > 0 && cosine <= 0) {
     return phrase(texts, '{cosines} = {cosine} is not above 0: no highlight.', {
       cosines,
       cosine: shortNumber(cosine, 3, texts),
     });
+  }
   return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
     cosines,
     ...lobeWords(texts, cosine, shininess),
@@ -180,15 +248,21 @@ function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, 
 }
 
 /** As the equation's table of limits has it: x^0 is 1 for every x. */
-export const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
+export const exponentOf = (shininess: number): number =>
+  shininess < LEAST_EXPONENT ? 0 : shininess;
 
 export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>
   cosineWords(texts, NoL, 3);
 
 /** R·V or N·H, and its angle. A large exponent magnifies what the cosine is rounded by. */
-export function lobeWords(texts: ViewerTexts | null, cosine: number, shininess: number): CosineWords {
+export function lobeWords(
+  texts: ViewerTexts | null,
+  cosine: number,
+  shininess: number,
+): CosineWords {
   const exponent = exponentOf(shininess);
-  const isNear = (n: number): boolean => Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
+  const isNear = (n: number): boolean =>
+    Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
   return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
 }
 
@@ -208,7 +282,9 @@ function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number):
 /** The fewest decimals, from `least` to nine, that make a statement of rounded numbers true. */
 export function decimals(least: number, isTrue: (digits: number) => boolean): number {
   let digits = least;
-  while (digits < 9 && !isTrue(digits)) digits += 1;
+  while (digits < 9 && !isTrue(digits)) {
+    digits += 1;
+  }
   return digits;
 }
 

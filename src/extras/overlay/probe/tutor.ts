@@ -1,4 +1,5 @@
-// The probe's equations, as MathML with numbers or with fields for answers, and as text and LaTeX for the clipboard.
+// The probe's equations, as MathML with numbers or with fields for answers, and as text and LaTeX
+// for the clipboard.
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { AnswerDetail } from '../../../viewer/element/events.js';
 import { phrase, type ViewerText, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
@@ -21,7 +22,11 @@ export class Tutor {
     this.#report = report;
   }
 
-  template(equations: readonly Equation[], asks: boolean, texts: ViewerTexts | null): TemplateResult {
+  template(
+    equations: readonly Equation[],
+    asks: boolean,
+    texts: ViewerTexts | null,
+  ): TemplateResult {
     const before = this.#attempts;
     this.#attempts = new Map();
     const lines = equations.map((equation, i) => {
@@ -39,7 +44,9 @@ export class Tutor {
         ${asks && !attempt.shown ? this.#question(equation, attempt, texts) : nothing}
       </li>`;
     });
-    const written = equations.map(({ symbols, numbers, result }) => `${symbols} = ${numbers} = ${result}`).join('\n');
+    const written = equations
+      .map(({ symbols, numbers, result }) => `${symbols} = ${numbers} = ${result}`)
+      .join('\n');
     return html`<ul class="equations">
         ${lines}
       </ul>
@@ -47,7 +54,8 @@ export class Tutor {
         asks
           ? nothing
           : html`<p>
-              ${copyButton('Copy as text', written, texts)} ${copyButton('Copy as LaTeX', latexOf(written), texts)}
+              ${copyButton('Copy as text', written, texts)}
+              ${copyButton('Copy as LaTeX', latexOf(written), texts)}
             </p>`
       }`;
   }
@@ -59,7 +67,16 @@ export class Tutor {
       attempt.verdict = judge(attempt.typed, equation, texts);
       const { value, correct, mistake } = attempt.verdict;
       const { term, light, channel, value: expected } = equation;
-      this.#report({ term, light, channel, text: attempt.typed, expected, value, correct, mistake });
+      this.#report({
+        term,
+        light,
+        channel,
+        text: attempt.typed,
+        expected,
+        value,
+        correct,
+        mistake,
+      });
       this.#changed();
     };
     const show = (): void => {
@@ -91,12 +108,15 @@ function copyButton(label: ViewerText, text: string, texts: ViewerTexts | null):
 }
 
 const equationTitle = ({ name, term, channel }: Equation, texts: ViewerTexts | null): string =>
-  [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)].filter((part) => part !== '').join(' · ');
+  [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)]
+    .filter((part) => part !== '')
+    .join(' · ');
 
 const TOKENS = /[KI][ads](?![a-z])|[\p{L}]+|[\d.,\u066b]*\d(?:e[+−]?\d+)?%?|\S/gu;
 
 /** An equation, such as "Kd · max(N · L, 0)^8". */
-const mathOf = (text: string): TemplateResult => html`<math alttext=${text}>${rowOf(text.match(TOKENS) ?? [])}</math>`;
+const mathOf = (text: string): TemplateResult =>
+  html`<math alttext=${text}>${rowOf(text.match(TOKENS) ?? [])}</math>`;
 
 function rowOf(tokens: readonly string[]): TemplateResult {
   const parts: TemplateResult[] = [];
@@ -111,15 +131,21 @@ function rowOf(tokens: readonly string[]): TemplateResult {
       continue;
     }
     base = parts.length;
-    if (token === '(') open.push(/^m(ax|in)$/.test(tokens[i - 1] ?? '') ? base - 1 : base);
-    if (token === ')') base = open.pop() ?? base;
+    if (token === '(') {
+      open.push(/^m(ax|in)$/.test(tokens[i - 1] ?? '') ? base - 1 : base);
+    }
+    if (token === ')') {
+      base = open.pop() ?? base;
+    }
     parts.push(atomOf(token));
   }
   return mathml`<mrow>${parts}</mrow>`;
 }
 
 function atomOf(token: string): TemplateResult {
-  if (/^[KI][ads]$/.test(token)) return mathml`<msub><mi>${token[0]}</mi><mi>${token[1]}</mi></msub>`;
+  if (/^[KI][ads]$/.test(token)) {
+    return mathml`<msub><mi>${token[0]}</mi><mi>${token[1]}</mi></msub>`;
+  }
   if (/^\d/.test(token)) return mathml`<mn>${token}</mn>`;
   return /^\p{L}/u.test(token) ? mathml`<mi>${token}</mi>` : mathml`<mo>${token}</mo>`;
 }

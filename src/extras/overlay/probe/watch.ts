@@ -14,17 +14,22 @@ export function create(host: ExtraHost): Extra {
     if (isBusy || probeAt === null || viewer.stats.frames === 0) return;
     isBusy = true;
     const explained = viewer.explain(probeAt).catch((error: unknown) => {
-      if (!isReported) reportMissing(error);
+      if (!isReported) {
+        reportMissing(error);
+      }
       isReported = true;
     });
     void explained.then((fragment) => {
       // As in the probe.
       viewer.ownerDocument.defaultView?.requestAnimationFrame(() => {
         isBusy = false;
-        if (again && !isGone) update();
+        if (again && !isGone) {
+          update();
+        }
       });
       if (isGone || fragment === undefined) return;
-      const at = fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
+      const at =
+        fragment === null ? null : projectionOf(host.viewport, host.size()).pointInside(probeAt);
       const zoom = zoomOf(host.tree.layer);
       const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
       const detail: ProbeDetail = { fragment, x, y, pinned: true };

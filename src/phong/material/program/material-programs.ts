@@ -1,5 +1,5 @@
-// The programs of one material: its general variant, and a specialised one where the program cache has it. Code that
-// was needed once stays, so that turning something off and on compiles nothing.
+// The programs of one material: its general variant, and a specialised one where the program cache
+// has it. Code that was needed once stays, so that turning something off and on compiles nothing.
 import { isBlack } from '../../math/color.js';
 import { isIntegerPower, isMildPower } from '../../light/precision.js';
 import { usesRoughnessMap, type BaseLook } from '../file-surface.js';
@@ -8,7 +8,13 @@ import type { PhongLighting } from '../lighting.js';
 import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../material-values.js';
 import type { Term } from '../../light/light-state.js';
 import type { Draw } from './program-cache.js';
-import { type Form, generalVariant, type MaterialTerms, specialisedVariant, type Variant } from './variant.js';
+import {
+  type Form,
+  generalVariant,
+  type MaterialTerms,
+  specialisedVariant,
+  type Variant,
+} from './variant.js';
 
 export class MaterialPrograms {
   readonly #lighting: PhongLighting;
@@ -39,7 +45,9 @@ export class MaterialPrograms {
       terms: style.terms.filter((term) => term !== 'specular' || !isBlack(ks)),
       integerShininess: !varies && isIntegerPower(shininess) ? shininess : null,
     };
-    if (varies || !isMildPower(shininess)) this.#mildShininess = false;
+    if (varies || !isMildPower(shininess)) {
+      this.#mildShininess = false;
+    }
     this.#general = null;
   }
 
@@ -62,13 +70,20 @@ export class MaterialPrograms {
     return special ? { variant: special, lights: grid ?? lights } : { variant: general, lights };
   }
 
-  /** The program for any number of lights of the declared features. `capacity` as in {@link generalVariant}. */
+  /**
+   * The program for any number of lights of the declared features. `capacity` as in {@link
+   * generalVariant}.
+   */
   #generalFor(capacity: number): Variant {
     const { linear, declared } = this.#lighting;
     const made = this.#general;
-    if (made?.declared === declared && made.capacity === capacity && made.linear === linear) return made.variant;
+    if (made?.declared === declared && made.capacity === capacity && made.linear === linear) {
+      return made.variant;
+    }
     const { terms, integerShininess } = this.#terms;
-    for (const term of terms) this.#everTerms.add(term);
+    for (const term of terms) {
+      this.#everTerms.add(term);
+    }
     const style = { ...this.#style, terms: [...this.#everTerms] };
     const material = { look: this.#look, style, linear, mildShininess: this.#mildShininess };
     const variant = generalVariant(material, declared, capacity);
@@ -77,12 +92,17 @@ export class MaterialPrograms {
     return variant;
   }
 
-  /** Inlined numbers are those of one revision of the lights; other forms depend on counts and features alone. */
+  /**
+   * Inlined numbers are those of one revision of the lights; other forms depend on counts and
+   * features alone.
+   */
   #keyOf(form: Form, { revision, featureKey }: LightBuffer): string {
     const lights = form === 'inlined' ? revision : featureKey;
     const materialKey = this.#materialKey;
     const last = this.#last;
-    if (last.materialKey === materialKey && last.form === form && last.lights === lights) return last.key;
+    if (last.materialKey === materialKey && last.form === form && last.lights === lights) {
+      return last.key;
+    }
     const key = `${materialKey} ${form} ${lights}`;
     this.#last = { materialKey, form, lights, key };
     return key;

@@ -1,5 +1,6 @@
-// The program that draws a mesh: the general one first; a specialised one, compiled in the background, once the same
-// lights and material were drawn for a while. One cache for each PhongLighting; it counts programs, not meshes.
+// The program that draws a mesh: the general one first; a specialised one, compiled in the
+// background, once the same lights and material were drawn for a while. One cache for each
+// PhongLighting; it counts programs, not meshes.
 import {
   type Camera,
   GLSL3,
@@ -10,10 +11,16 @@ import {
 } from 'three';
 import type { Variant } from './variant.js';
 
-/** Drawn frames with the same key before a specialised program is requested: a third of a second of motion. */
+/**
+ * Drawn frames with the same key before a specialised program is requested: a third of a second of
+ * motion.
+ */
 const SETTLED_FRAMES = 20;
 
-/** Frames after which a program counts as linked if the browser cannot say. A query then no longer blocks. */
+/**
+ * Frames after which a program counts as linked if the browser cannot say. A query then no longer
+ * blocks.
+ */
 const UNKNOWN_LINK_FRAMES = 4;
 
 /** Most entries kept. Those of lights and materials that are no longer drawn go first. */
@@ -27,8 +34,8 @@ export interface Draw {
 }
 
 /**
- * general → compiling → linked → specialised, or failed. `linked` waits for its turn: the first draw with a program may
- * still compile, so a page takes over one program in a frame.
+ * general → compiling → linked → specialised, or failed. `linked` waits for its turn: the first
+ * draw with a program may still compile, so a page takes over one program in a frame.
  */
 type State =
   | { readonly name: 'general'; readonly frames: number }
@@ -42,14 +49,19 @@ interface Entry {
   frame: number;
 }
 
-/** A material that holds a program for three.js's own cache: a PhongMaterial of the same variant then shares it. */
+/**
+ * A material that holds a program for three.js's own cache: a PhongMaterial of the same variant
+ * then shares it.
+ */
 interface Probe {
   readonly material: RawShaderMaterial;
   readonly variant: Variant;
   readonly renderer: WebGLRenderer;
 }
 
-/** Programs compiled in the background and not drawn yet. A query of their link status could block. */
+/**
+ * Programs compiled in the background and not drawn yet. A query of their link status could block.
+ */
 const compilingPrograms = new WeakSet<object>();
 
 /** Take-overs of the page so far: see {@link ProgramCache.begin}. */
@@ -68,12 +80,18 @@ export class ProgramCache {
   begin(): void {
     this.#frame += 1;
     this.#seen = { now: takeOvers, before: this.#seen.now };
-    if (this.#compiling !== null) this.#poll(this.#compiling);
-    else if (this.#request !== null) this.#compile();
+    if (this.#compiling !== null) {
+      this.#poll(this.#compiling);
+    } else if (this.#request !== null) {
+      this.#compile();
+    }
     this.#request = null;
   }
 
-  /** The specialised variant for a draw, made by `specialise`; null if it is not there. `key` is all it depends on. */
+  /**
+   * The specialised variant for a draw, made by `specialise`; null if it is not there. `key` is all
+   * it depends on.
+   */
   choose(key: string, draw: Draw, specialise: () => Variant): Variant | null {
     const entry = this.#entries.get(key) ?? this.#add(key);
     const isFirst = entry.frame !== this.#frame;
@@ -85,13 +103,17 @@ export class ProgramCache {
     if (state.name === 'general' && isFirst) {
       const frames = isStreak ? state.frames + 1 : 1;
       entry.state = { name: 'general', frames };
-      if (frames >= SETTLED_FRAMES) this.#request ??= { entry, draw, specialise };
+      if (frames >= SETTLED_FRAMES) {
+        this.#request ??= { entry, draw, specialise };
+      }
     }
     return null;
   }
 
   dispose(): void {
-    for (const entry of this.#entries.values()) disposeOf(entry);
+    for (const entry of this.#entries.values()) {
+      disposeOf(entry);
+    }
     this.#entries.clear();
     this.#compiling = null;
     this.#request = null;
@@ -101,7 +123,9 @@ export class ProgramCache {
   #add(key: string): Entry {
     for (const [other, entry] of this.#entries) {
       if (this.#entries.size < MOST_ENTRIES || entry.frame >= this.#frame - 1) continue;
-      if (this.#compiling === entry) this.#compiling = null;
+      if (this.#compiling === entry) {
+        this.#compiling = null;
+      }
       disposeOf(entry);
       this.#entries.delete(other);
     }
@@ -118,7 +142,9 @@ export class ProgramCache {
     const probe: Probe = { material, variant, renderer };
     renderer.compile(new Mesh(mesh.geometry, material), camera);
     const program = programOf(probe);
-    if (program !== undefined) compilingPrograms.add(program);
+    if (program !== undefined) {
+      compilingPrograms.add(program);
+    }
     entry.state = { name: 'compiling', probe, frames: 0 };
     this.#compiling = entry;
   }
@@ -150,7 +176,9 @@ export class ProgramCache {
     entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };
   }
 
-  /** At most one program of the page is drawn for the first time between two frames of this cache. */
+  /**
+   * At most one program of the page is drawn for the first time between two frames of this cache.
+   */
   #takeOver(entry: Entry, probe: Probe): Variant | null {
     if (takeOvers !== this.#seen.before) return null;
     takeOvers += 1;
@@ -172,7 +200,9 @@ function disposeOf({ state }: Entry): void {
   // three.js deletes shaders with the first draw.
   if (state.name !== 'specialised' && program !== undefined) {
     const gl = renderer.getContext();
-    for (const shader of gl.getAttachedShaders(program) ?? []) gl.deleteShader(shader);
+    for (const shader of gl.getAttachedShaders(program) ?? []) {
+      gl.deleteShader(shader);
+    }
   }
   material.dispose();
 }
@@ -192,8 +222,9 @@ const programOf = ({ renderer, material }: Probe): Program | undefined =>
 const checked = new WeakSet<Program>();
 
 /**
- * Call after drawing: the browser then knows the link status without blocking. Reports each failed program once, in
- * place of three.js's own check (`checkShaderErrors`), which reads three logs of each program and blocks for each.
+ * Call after drawing: the browser then knows the link status without blocking. Reports each failed
+ * program once, in place of three.js's own check (`checkShaderErrors`), which reads three logs of
+ * each program and blocks for each.
  */
 export function checkLinks(renderer: WebGLRenderer): void {
   const gl = renderer.getContext();
@@ -201,17 +232,28 @@ export function checkLinks(renderer: WebGLRenderer): void {
     if (checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
     checked.add(program);
     if (gl.isContextLost()) continue;
-    if (gl.getProgramParameter(program.program, gl.LINK_STATUS) !== true) reportLinkFailure(gl, program.program);
-    // V8 (Chromium 156) compiles three.js's loop over a program's attributes again and again once a page has used two
-    // programs, unless nothing can be added to them: 0.4 µs a mesh, a quarter of the script of 2,000 boxes.
-    else Object.preventExtensions(program.getAttributes());
+    if (gl.getProgramParameter(program.program, gl.LINK_STATUS) !== true) {
+      reportLinkFailure(gl, program.program);
+    }
+    // V8 (Chromium 156) compiles three.js's loop over a program's attributes again and again once a
+    // page has used two programs, unless nothing can be added to them: 0.4 µs a mesh, a quarter of
+    // the script of 2,000 boxes.
+    else {
+      Object.preventExtensions(program.getAttributes());
+    }
   }
 }
 
 /** Reports a program that does not link, with the logs. Without a context no program links. */
-function reportLinkFailure(gl: WebGLRenderingContext | WebGL2RenderingContext, program: WebGLProgram): void {
+function reportLinkFailure(
+  gl: WebGLRenderingContext | WebGL2RenderingContext,
+  program: WebGLProgram,
+): void {
   const shaders = gl.getAttachedShaders(program) ?? [];
-  const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
+  const logs = [
+    gl.getProgramInfoLog(program),
+    ...shaders.map((shader) => gl.getShaderInfoLog(shader)),
+  ];
   if (gl.isContextLost()) return;
   const text = logs.filter((log) => log !== null && log !== '').join('\n');
   reportError(new Error(`PhongMaterial: a program does not link: ${text}`));

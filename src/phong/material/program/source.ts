@@ -1,4 +1,5 @@
-// The programs' text: the chunks of shaders/ in one explicit order, after the constants shared with TypeScript.
+// The programs' text: the chunks of shaders/ in one explicit order, after the constants shared with
+// TypeScript.
 import attenuation from '../../../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../../../shaders/diffuse_lobe.glsl?raw';
 import fileSurface from '../../../../shaders/file_surface.glsl?raw';
@@ -48,11 +49,12 @@ const loopWith = (surface: string): string =>
   ].join('\n');
 
 /**
- * The light loop alone, for any GLSL ES 3.00 program. Put it after `#version` and `precision highp float; precision
- * highp int;`. Define before it LIGHT_STORAGE (STORAGE_UNIFORMS with LIGHT_ROWS, the size of the uniform array;
- * STORAGE_TEXTURE; or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and DECLARED_FEATURES, by
- * `declaredFeatures`. Then call `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the
- * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for.
+ * The light loop alone, for any GLSL ES 3.00 program. Put it after `#version` and `precision highp
+ * float; precision highp int;`. Define before it LIGHT_STORAGE (STORAGE_UNIFORMS with LIGHT_ROWS,
+ * the size of the uniform array; STORAGE_TEXTURE; or STORAGE_OWN with a `vec4 lightRow(int)` of
+ * your own) and DECLARED_FEATURES, by `declaredFeatures`. Then call `surfaceColor(p, normal, eye,
+ * ka, kd, ks, shininess)` or, for the sums before the material, `lightSums(p, N, V, shininess)`,
+ * with everything in the space that the lights were packed for.
  */
 export const LIGHT_LOOP_GLSL = /* @__PURE__ */ loopWith(surfaceColor);
 
@@ -74,19 +76,28 @@ export interface Shaders {
 const texts = new Map<string, Shaders>();
 
 /**
- * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights: the other one leaves
- * out the loop's text, which compilers would parse in vain. `surface` is a text in place of surface_color.
+ * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights:
+ * the other one leaves out the loop's text, which compilers would parse in vain. `surface` is a
+ * text in place of surface_color.
  */
 export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceColor): Shaders {
   const key = `${String(lit)} ${surface}`;
   let shaders = texts.get(key);
   if (shaders === undefined) {
     const head = (stage: 'vertex' | 'fragment'): string =>
-      ['precision highp float;\nprecision highp int;', stage === lit ? loopWith(surface) : UNLIT].join('\n');
+      [
+        'precision highp float;\nprecision highp int;',
+        stage === lit ? loopWith(surface) : UNLIT,
+      ].join('\n');
     const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
     shaders = {
       vertexShader: [head('vertex'), phongVertex].join('\n'),
-      fragmentShader: [head('fragment'), ENCODING_GLSL, where(isTextured, FILE_SURFACE), phongFragment].join('\n'),
+      fragmentShader: [
+        head('fragment'),
+        ENCODING_GLSL,
+        where(isTextured, FILE_SURFACE),
+        phongFragment,
+      ].join('\n'),
     };
     texts.set(key, shaders);
   }

@@ -1,5 +1,5 @@
-// A variant is the defines and the text of one program. A material's general variant works for any number of lights;
-// specialised variants are derived from it for the current ones.
+// A variant is the defines and the text of one program. A material's general variant works for any
+// number of lights; specialised variants are derived from it for the current ones.
 import type { Texture } from 'three';
 import { kindFeatures } from '../../light/light-features.js';
 import { FEATURES, HEADER, ROWS } from '../../light/light-layout.js';
@@ -26,7 +26,9 @@ export interface Variant extends Shaders {
   readonly key: string;
 }
 
-/** The variant for any number of lights. `capacity`: rows of its uniform array, or 0 for a texture. */
+/**
+ * The variant for any number of lights. `capacity`: rows of its uniform array, or 0 for a texture.
+ */
 export function generalVariant(
   { look, style, linear, mildShininess }: MaterialFeatures,
   declared: number,
@@ -49,18 +51,32 @@ export function generalVariant(
     HAS_METALNESS: hasMetalness(look),
     HAS_ROUGHNESS: usesRoughnessMap(look, style),
   };
-  const defines: Record<string, string> = { ...storageDefines(capacity), [DECLARED]: String(needed) };
-  for (const [name, on] of Object.entries(flags)) if (on) defines[name] = '';
+  const defines: Record<string, string> = {
+    ...storageDefines(capacity),
+    [DECLARED]: String(needed),
+  };
+  for (const [name, on] of Object.entries(flags)) {
+    if (on) {
+      defines[name] = '';
+    }
+  }
   for (const [name, map] of Object.entries(sampledMaps(look, style))) {
     if (map === null) continue;
     const uv = map.channel === 0 ? 'uv' : `uv${String(map.channel)}`;
-    Object.assign(defines, { [`HAS_${name}`]: '', [`${name}_UV`]: uv, [`HAS_${uv.toUpperCase()}`]: '' });
+    Object.assign(defines, {
+      [`HAS_${name}`]: '',
+      [`${name}_UV`]: uv,
+      [`HAS_${uv.toUpperCase()}`]: '',
+    });
   }
   return variantOf(defines);
 }
 
 /** The maps that a program samples, by their names in the shaders. */
-function sampledMaps(look: BaseLook, style: ShadingStyle): Readonly<Record<string, Texture | null>> {
+function sampledMaps(
+  look: BaseLook,
+  style: ShadingStyle,
+): Readonly<Record<string, Texture | null>> {
   const readsMetalRough = hasMetalness(look) || usesRoughnessMap(look, style);
   return {
     MAP: look.map,
@@ -75,7 +91,10 @@ const storageDefines = (capacity: number): Record<string, string> =>
     ? { LIGHT_STORAGE: 'STORAGE_UNIFORMS', LIGHT_ROWS: String(capacity) }
     : { LIGHT_STORAGE: 'STORAGE_TEXTURE' };
 
-/** Sorts the defines: three.js's program key depends on their order. `surface`: see {@link shadersOf}. */
+/**
+ * Sorts the defines: three.js's program key depends on their order. `surface`: see {@link
+ * shadersOf}.
+ */
 export function variantOf(defines: Readonly<Record<string, string>>, surface?: string): Variant {
   // Gouraud shading sums the lights at the vertices, everything else at the fragments.
   const lit = 'IS_UNLIT' in defines ? null : 'SHADING_GOURAUD' in defines ? 'vertex' : 'fragment';
@@ -95,9 +114,10 @@ export interface MaterialTerms {
 }
 
 /**
- * How a specialised variant holds its lights. `counted`: loops of literal length, which a GPU's compiler unrolls.
- * `inlined`: each light by itself with its numbers as constants, which a software renderer's compiler folds. `grid`:
- * run-time loops over the lights of the fragment's cell, from a texture.
+ * How a specialised variant holds its lights. `counted`: loops of literal length, which a GPU's
+ * compiler unrolls. `inlined`: each light by itself with its numbers as constants, which a software
+ * renderer's compiler folds. `grid`: run-time loops over the lights of the fragment's cell, from a
+ * texture.
  */
 export const FORMS = ['counted', 'inlined', 'grid'] as const;
 export type Form = (typeof FORMS)[number];
@@ -111,8 +131,12 @@ export function specialisedVariant(
   const defines: Record<string, string> = { ...general.defines };
   const mask = maskOf(terms);
   defines[DECLARED] = String(Number(defines[DECLARED]) & mask);
-  if (integerShininess !== null) defines['INTEGER_SHININESS'] = String(integerShininess);
-  if (form !== 'counted') delete defines['LIGHT_ROWS'];
+  if (integerShininess !== null) {
+    defines['INTEGER_SHININESS'] = String(integerShininess);
+  }
+  if (form !== 'counted') {
+    delete defines['LIGHT_ROWS'];
+  }
   switch (form) {
     case 'counted':
       defines['LIGHT_STATEMENTS'] = countedLoops(packed, mask);
@@ -124,8 +148,9 @@ export function specialisedVariant(
       break;
     case 'grid':
       Object.assign(defines, storageDefines(0), { HAS_LIGHT_GRID: '' });
-      for (const [kind, features] of Object.entries(kindFeatures(packed)))
+      for (const [kind, features] of Object.entries(kindFeatures(packed))) {
         defines[`${kind.toUpperCase()}_FEATURES`] = String(features & mask);
+      }
   }
   return variantOf(defines);
 }
@@ -135,13 +160,18 @@ const DECLARED = 'DECLARED_FEATURES';
 /** All features but those of values that enter none of these terms. */
 function maskOf(terms: readonly Term[]): number {
   let mask = ~0;
-  for (const { bit, terms: own } of FEATURES) if (!own.some((term) => terms.includes(term))) mask &= ~bit;
+  for (const { bit, terms: own } of FEATURES) {
+    if (!own.some((term) => terms.includes(term))) {
+      mask &= ~bit;
+    }
+  }
   return mask;
 }
 
 /**
- * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: 16 lights take 0.71 of
- * MeshPhongMaterial's time instead of 0.82. But with 32 the first frame takes 65 ms longer (OpenGL), without 29.
+ * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: 16 lights
+ * take 0.71 of MeshPhongMaterial's time instead of 0.82. But with 32 the first frame takes 65 ms
+ * longer (OpenGL), without 29.
  */
 const MOST_UNROLLED = 16;
 

@@ -1,4 +1,5 @@
-// What a picture shows in place of all lights' shaded colours. Fetched with the first use of `view` or `view-light`.
+// What a picture shows in place of all lights' shaded colours. Fetched with the first use of `view`
+// or `view-light`.
 import type { LightValues } from '../../light/light-state.js';
 import { packLights, packNothing, type PackSpace } from '../../light/pack-lights.js';
 import type { View, PictureView } from '../views.js';
@@ -9,18 +10,22 @@ import trianglesVertex from '../../../../shaders/view_triangles.vert.glsl?raw';
 import { type Variant, variantOf } from '../program/variant.js';
 
 type Lights = readonly Readonly<LightValues>[];
-/** The lights that a view is limited to, of the viewer's, active or not. A quantity takes the first of them. */
+/**
+ * The lights that a view is limited to, of the viewer's, active or not. A quantity takes the first
+ * of them.
+ */
 type Chosen = (lights: Lights) => Lights;
 
 export function pictureView(view: View, chosen: Chosen): PictureView {
   const { shows } = viewEntry(view);
-  if (shows.by === 'equation')
+  if (shows.by === 'equation') {
     return {
       term: shows.term,
       separate: false,
       pack: (lights, space, into) => packLights(chosen(lights), space, into),
       program: null,
     };
+  }
   const uniforms = quantityUniforms();
   return {
     term: null,
@@ -33,7 +38,9 @@ export function pictureView(view: View, chosen: Chosen): PictureView {
   };
 }
 
-/** The light of a view of one quantity, in shading space; shaders/view_quantity.glsl declares it. */
+/**
+ * The light of a view of one quantity, in shading space; shaders/view_quantity.glsl declares it.
+ */
 const quantityUniforms = () => ({
   uViewPosition: { value: new Vector4() },
   uViewAxis: { value: new Vector4() },
@@ -64,16 +71,27 @@ const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HA
 
 const made = new Map<string, Variant>();
 
-/** A material's general program with another text for the colour, and without what only colours need. */
-function viewVariant(view: View, shows: Exclude<Shows, { by: 'equation' }>, general: Variant): Variant {
+/**
+ * A material's general program with another text for the colour, and without what only colours
+ * need.
+ */
+function viewVariant(
+  view: View,
+  shows: Exclude<Shows, { by: 'equation' }>,
+  general: Variant,
+): Variant {
   const key = `${view} ${general.key}`;
   const present = made.get(key);
   if (present !== undefined) return present;
   const defines: Record<string, string> = { ...general.defines };
-  for (const name of DROPPED) Reflect.deleteProperty(defines, name);
+  for (const name of DROPPED) {
+    Reflect.deleteProperty(defines, name);
+  }
   // Programs are told apart by their defines.
   defines['VIEW'] = shows.by;
-  if (shows.by === 'quantity') defines['VIEW_VALUE'] = viewValue(view);
+  if (shows.by === 'quantity') {
+    defines['VIEW_VALUE'] = viewValue(view);
+  }
   const variant = variantOf(defines, shows.text);
   const vertex = ['#define main shadedMain', variant.vertexShader, '#undef main', trianglesVertex];
   const shown = shows.by === 'quantity' ? variant : { ...variant, vertexShader: vertex.join('\n') };

@@ -1,13 +1,15 @@
-// All that the views differ in: what their pixels show, which lights have a part in them, and what their legends say.
+// All that the views differ in: what their pixels show, which lights have a part in them, and what
+// their legends say.
 import quantityText from '../../../../shaders/view_quantity.glsl?raw';
 import trianglesText from '../../../../shaders/view_triangles.glsl?raw';
 import type { Term } from '../../light/light-state.js';
 import type { View } from '../views.js';
 
 /**
- * What a view shows. `equation`: all its terms, or one without emissive and unlit colours; materials keep their
- * programs. `quantity`: one of the fragment or of one light, by the function of the view's name in view_quantity.glsl.
- * `triangles`: every triangle for itself, so each has vertices of its own. `text` stands in place of surface_color.
+ * What a view shows. `equation`: all its terms, or one without emissive and unlit colours;
+ * materials keep their programs. `quantity`: one of the fragment or of one light, by the function
+ * of the view's name in view_quantity.glsl. `triangles`: every triangle for itself, so each has
+ * vertices of its own. `text` stands in place of surface_color.
  */
 export type Shows =
   | { readonly by: 'equation'; readonly term: Term | null }
@@ -15,15 +17,19 @@ export type Shows =
 
 export interface ViewEntry {
   readonly shows: Shows;
-  /** The lights that have a part in it. `one`: each light has its own. `view-light` limits `all` to one. */
+  /**
+   * The lights that have a part in it. `one`: each light has its own. `view-light` limits `all` to
+   * one.
+   */
   readonly lights: 'all' | 'one' | 'none';
   /** Title of the legend: a key of the element's texts. */
   readonly title: string;
   /** The same with `reflection="blinn-phong"`, where that differs. */
   readonly blinnTitle?: string;
   /**
-   * The legend's scale. `unit`: a number from 0 to 1 in grey; the picture can be all white or all black, as the page
-   * behind it can, so it has an outline. `axes`: a colour, −1 to 1 for each axis.
+   * The legend's scale. `unit`: a number from 0 to 1 in grey; the picture can be all white or all
+   * black, as the page behind it can, so it has an outline. `axes`: a colour, −1 to 1 for each
+   * axis.
    */
   readonly scale: 'none' | 'unit' | 'axes';
 }
@@ -41,7 +47,12 @@ export const VIEW_TABLE = {
   'r-dot-v': { shows: QUANTITY, lights: 'one', title: 'R · V', blinnTitle: 'N · H', scale: 'unit' },
   attenuation: { shows: QUANTITY, lights: 'one', title: 'Attenuation', scale: 'unit' },
   decay: { shows: QUANTITY, lights: 'one', title: 'Decay', scale: 'unit' },
-  triangles: { shows: { by: 'triangles', text: trianglesText }, lights: 'none', title: 'Triangles', scale: 'none' },
+  triangles: {
+    shows: { by: 'triangles', text: trianglesText },
+    lights: 'none',
+    title: 'Triangles',
+    scale: 'none',
+  },
 } as const satisfies Readonly<Record<View, ViewEntry>>;
 
 /** The GLSL expression of a quantity's colour: `grey(viewNDotL(at))`. */

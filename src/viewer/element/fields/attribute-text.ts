@@ -1,9 +1,11 @@
-// Attribute text to values and back. One contract for every kind: `parseText` returns a value for the field's own
-// check, or undefined if the text is malformed. It never throws and never guesses. Domains are checked by the fields.
+// Attribute text to values and back. One contract for every kind: `parseText` returns a value for
+// the field's own check, or undefined if the text is malformed. It never throws and never guesses.
+// Domains are checked by the fields.
 import type { Field, FieldKind } from '../../../phong/fields/field.js';
 import { cssColor } from './css-color.js';
 
-// Each digit matches in one way only, so that a long text that is not a number is refused in linear time.
+// Each digit matches in one way only, so that a long text that is not a number is refused in linear
+// time.
 const NUMBER = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 function parseNumber(text: string): number | undefined {
@@ -53,10 +55,14 @@ export function parseText(text: string, field: Field<unknown>): unknown {
   return PARSERS[field.kind](text);
 }
 
-/** The attribute text that {@link parseText} reads as this value; null if the attribute must be absent. */
+/**
+ * The attribute text that {@link parseText} reads as this value; null if the attribute must be
+ * absent.
+ */
 export function formatValue(value: unknown, field: Field<unknown>): string | null {
-  if (field.kind === 'presence' || field.kind === 'flag-or-words')
+  if (field.kind === 'presence' || field.kind === 'flag-or-words') {
     if (typeof value === 'boolean') return value ? '' : null;
+  }
   if (value === null || value === undefined) return null;
   // The empty attribute would mean something else.
   if (field.empty !== undefined && Array.isArray(value) && value.length === 0) return null;
@@ -65,4 +71,6 @@ export function formatValue(value: unknown, field: Field<unknown>): string | nul
 
 /** The attribute of a property: `auto-rotate` for `autoRotate`; `crossorigin` as in HTML. */
 export const attributeOf = (key: string): string =>
-  key === 'crossOrigin' ? 'crossorigin' : key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+  key === 'crossOrigin'
+    ? 'crossorigin'
+    : key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);

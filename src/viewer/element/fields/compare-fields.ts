@@ -1,31 +1,39 @@
 // The values that a <phong-compare> declares: how its viewers lie beside or over each other.
-import { choiceField, type Field, numbersField, optional, orWord, textField } from '../../../phong/fields/field.js';
+import {
+  choiceField,
+  type Field,
+  numbersField,
+  optional,
+  orWord,
+  textField,
+} from '../../../phong/fields/field.js';
 import type { Fields } from '../../../phong/fields/field-store.js';
 import type { Inputs, ValuesOf } from './properties.js';
 
 export interface CompareProperties {
   /**
-   * `split`: the viewers lie over each other, with dividers that the user can move. `side`: they lie side by side.
-   * Default split.
+   * `split`: the viewers lie over each other, with dividers that the user can move. `side`: they
+   * lie side by side. Default split.
    */
   get layout(): 'split' | 'side';
   set layout(value: Accepted['layout']);
   /**
-   * Whether the viewers follow each other along a line of text (`horizontal`) or from top to bottom (`vertical`).
-   * Default horizontal.
+   * Whether the viewers follow each other along a line of text (`horizontal`) or from top to bottom
+   * (`vertical`). Default horizontal.
    */
   get direction(): 'horizontal' | 'vertical';
   set direction(value: Accepted['direction']);
   /**
-   * Where the dividers of `split` are: percent of the width from the start of the line (of the height, from the top),
-   * 0–100, in ascending order, one less than there are viewers. The dividers left out share the rest evenly. The
-   * property follows the user's moves, the attribute does not. Default auto: equal parts.
+   * Where the dividers of `split` are: percent of the width from the start of the line (of the
+   * height, from the top), 0–100, in ascending order, one less than there are viewers. The dividers
+   * left out share the rest evenly. The property follows the user's moves, the attribute does not.
+   * Default auto: equal parts.
    */
   get at(): readonly number[] | 'auto';
   set at(value: Accepted['at']);
   /**
-   * Labels of the viewers, separated by commas; the property also takes a list. Empty: no labels. Null, the default:
-   * each viewer's `aria-label` or `alt`.
+   * Labels of the viewers, separated by commas; the property also takes a list. Empty: no labels.
+   * Null, the default: each viewer's `aria-label` or `alt`.
    */
   get labels(): string | null;
   set labels(value: Accepted['labels']);
@@ -47,6 +55,7 @@ function labelsField(): Field<string> {
   const isLabel = (label: unknown): boolean => typeof label === 'string' && !label.includes(',');
   return {
     ...text,
-    check: (value) => text.check(Array.isArray(value) && value.every(isLabel) ? value.join(', ') : value),
+    check: (value) =>
+      text.check(Array.isArray(value) && value.every(isLabel) ? value.join(', ') : value),
   };
 }

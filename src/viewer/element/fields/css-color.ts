@@ -1,4 +1,5 @@
-// A CSS colour as three numbers, 255 being full, in sRGB and unrounded. The browser's canvas parses it.
+// A CSS colour as three numbers, 255 being full, in sRGB and unrounded. The browser's canvas parses
+// it.
 import type { Vec3 } from '../../../phong/math/vector.js';
 
 const known = new Map<string, Vec3 | null>();
@@ -8,8 +9,8 @@ let context: CanvasRenderingContext2D | null | undefined;
 const CACHE_SIZE = 1000;
 
 /**
- * Limits of the text that the browser parses. Chromium's time doubles with each unclosed `color-mix(` (20 take 6 s),
- * and 50,000 nested parentheses crash the tab.
+ * Limits of the text that the browser parses. Chromium's time doubles with each unclosed
+ * `color-mix(` (20 take 6 s), and 50,000 nested parentheses crash the tab.
  */
 const LONGEST = 200;
 const DEEPEST = 4;
@@ -17,7 +18,10 @@ const DEEPEST = 4;
 /** Strings, escapes and comments could hide parentheses. No colour needs them. */
 const HIDING = /["'\\]|\/\*/;
 
-/** Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else, `currentColor` included. */
+/**
+ * Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else,
+ * `currentColor` included.
+ */
 export function cssColor(text: string): Vec3 | null {
   // Before trimming: V8 keeps the whole of a text for the sake of a part.
   if (text.length > LONGEST) return null;
@@ -26,7 +30,9 @@ export function cssColor(text: string): Vec3 | null {
   let color = known.get(key);
   if (color === undefined) {
     color = key.includes('currentcolor') ? null : parsed(key);
-    if (known.size >= CACHE_SIZE) known.clear();
+    if (known.size >= CACHE_SIZE) {
+      known.clear();
+    }
     known.set(key, color);
   }
   return color;
@@ -37,8 +43,11 @@ function depthOf(text: string): number {
   let depth = 0;
   let most = 0;
   for (const character of text) {
-    if (character === '(') most = Math.max(most, ++depth);
-    else if (character === ')' && depth > 0) depth--;
+    if (character === '(') {
+      most = Math.max(most, ++depth);
+    } else if (character === ')' && depth > 0) {
+      depth--;
+    }
   }
   return most;
 }
@@ -46,8 +55,8 @@ function depthOf(text: string): number {
 function parsed(text: string): Vec3 | null {
   context ??= document.createElement('canvas').getContext('2d');
   if (context === null) return null;
-  // A relative colour is serialised as sRGB floats, whatever its own space, and accepts no keyword that is not a
-  // colour. A value that the canvas cannot parse leaves its fill style unchanged.
+  // A relative colour is serialised as sRGB floats, whatever its own space, and accepts no keyword
+  // that is not a colour. A value that the canvas cannot parse leaves its fill style unchanged.
   return read(context, `color(from ${text} srgb r g b)`) ?? read(context, text);
 }
 
@@ -63,14 +72,19 @@ function read(canvas: CanvasRenderingContext2D, color: string): Vec3 | null {
 /** The three forms in which browsers serialise sRGB colours. */
 function fromSerialized(text: string): Vec3 | null {
   const hex = /^#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})$/.exec(text);
-  if (hex !== null) return [parseInt(hex[1] ?? '', 16), parseInt(hex[2] ?? '', 16), parseInt(hex[3] ?? '', 16)];
+  if (hex !== null) {
+    return [parseInt(hex[1] ?? '', 16), parseInt(hex[2] ?? '', 16), parseInt(hex[3] ?? '', 16)];
+  }
   const rgb = /^rgba?\(([\d.]+), ([\d.]+), ([\d.]+)/.exec(text);
   if (rgb !== null) return [Number(rgb[1]), Number(rgb[2]), Number(rgb[3])];
   const srgb = /^color\(srgb (\S+) (\S+) (\S+?)(?: \/ \S+)?\)$/.exec(text);
   return srgb === null ? null : insideGamut([Number(srgb[1]), Number(srgb[2]), Number(srgb[3])]);
 }
 
-/** White converted from a polar space gives 1.0000002; colours outside the gamut are farther out than this. */
+/**
+ * White converted from a polar space gives 1.0000002; colours outside the gamut are farther out
+ * than this.
+ */
 const ROUNDING = 1e-4;
 
 function insideGamut(color: Vec3): Vec3 | null {

@@ -1,4 +1,5 @@
-// How attributes and properties reach a FieldStore: a bad attribute warns and gives the default, a bad property throws.
+// How attributes and properties reach a FieldStore: a bad attribute warns and gives the default, a
+// bad property throws.
 import { show } from '../../../phong/fields/field.js';
 import type { FieldStore } from '../../../phong/fields/field-store.js';
 import { nearest } from '../../../phong/fields/nearest.js';
@@ -24,7 +25,10 @@ const bindings = new WeakMap<HTMLElement, unknown>();
 export const bindingOf = <V extends object>(element: HTMLElement): FieldBinding<V> =>
   bindings.get(element) as FieldBinding<V>;
 
-/** Warnings that an element remembers, in order to give each once. More are forgotten together: they cost 50 kB. */
+/**
+ * Warnings that an element remembers, in order to give each once. More are forgotten together: they
+ * cost 50 kB.
+ */
 const WARNINGS_KEPT = 100;
 
 export class FieldBinding<V extends object> {
@@ -35,7 +39,11 @@ export class FieldBinding<V extends object> {
   #warned: Set<string> | null = null;
 
   /** `assigned` is called after each successful assignment, even if the value stays the same. */
-  constructor(element: HTMLElement, store: FieldStore<V>, assigned?: (key: keyof V, store: FieldStore<V>) => void) {
+  constructor(
+    element: HTMLElement,
+    store: FieldStore<V>,
+    assigned?: (key: keyof V, store: FieldStore<V>) => void,
+  ) {
     this.store = store;
     this.#element = element;
     this.#assigned = assigned ?? null;
@@ -46,34 +54,49 @@ export class FieldBinding<V extends object> {
   attributeChanged(attribute: string, text: string | null): boolean {
     const key = keysOf(this.store.fields).get(attribute) as (keyof V & string) | undefined;
     if (key === undefined) return false;
-    if (text === null) this.store.set(key, null);
-    else this.#setOrWarn(key, text);
+    if (text === null) {
+      this.store.set(key, null);
+    } else {
+      this.#setOrWarn(key, text);
+    }
     this.#assigned?.(key, this.store);
     return true;
   }
 
-  /** For a property's getter. Lists are frozen here, not when they are written: a moving light is rarely read. */
+  /**
+   * For a property's getter. Lists are frozen here, not when they are written: a moving light is
+   * rarely read.
+   */
   get<K extends keyof V>(key: K): V[K] {
     const value = this.store.values[key];
     return Array.isArray(value) ? (Object.freeze(value) as V[K]) : value;
   }
 
-  /** For a property's setter. Throws TypeError or RangeError for a bad value and then changes nothing. */
+  /**
+   * For a property's setter. Throws TypeError or RangeError for a bad value and then changes
+   * nothing.
+   */
   set(key: keyof V & string, value: unknown): void {
     const field = this.store.fields[key];
     const typed = typeof value === 'string' ? parseText(value, field) : value;
-    if (typed === undefined && typeof value === 'string')
+    if (typed === undefined && typeof value === 'string') {
       throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));
+    }
     try {
       this.store.set(key, typed);
     } catch (error) {
-      if (error instanceof Error) error.message = this.#about(key, error.message);
+      if (error instanceof Error) {
+        error.message = this.#about(key, error.message);
+      }
       throw error;
     }
     this.#assigned?.(key, this.store);
   }
 
-  /** Properties set before the upgrade would hide the accessors: moves them to the store, treated like attributes. */
+  /**
+   * Properties set before the upgrade would hide the accessors: moves them to the store, treated
+   * like attributes.
+   */
   upgrade(): void {
     // Few elements have properties of their own at all.
     for (const name of Object.keys(this.#element)) {
@@ -104,14 +127,18 @@ export class FieldBinding<V extends object> {
   /** One warning per element, attribute and value. */
   #warn(key: keyof V & string, value: unknown): void {
     const { expected, fallback, choices } = this.store.fields[key];
-    const instead = (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
-    const meant = typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
+    const instead =
+      (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
+    const meant =
+      typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
     const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
     const tag = this.#element.localName;
     const message = `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
     const warned = (this.#warned ??= new Set());
     if (warned.has(message)) return;
-    if (warned.size >= WARNINGS_KEPT) warned.clear();
+    if (warned.size >= WARNINGS_KEPT) {
+      warned.clear();
+    }
     warned.add(message);
     console.warn(message);
   }
@@ -121,7 +148,10 @@ export class FieldBinding<V extends object> {
   }
 }
 
-/** Gives a class one accessor per field, unless it has its own. `find`: for lights, which take a tenth of the time. */
+/**
+ * Gives a class one accessor per field, unless it has its own. `find`: for lights, which take a
+ * tenth of the time.
+ */
 export function defineProperties(
   prototype: HTMLElement,
   fields: object,

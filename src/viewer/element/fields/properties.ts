@@ -1,7 +1,8 @@
-// What the elements' properties return and accept. A getter returns the typed value. A setter also accepts the
-// attribute's text, other lists of numbers, and null or undefined for the default. Types only; words and domains are
-// inherited from the values' own interfaces. Accessors are written out because a mapped type cannot give a setter
-// another type than its getter; manifest.test.ts lets the compiler check that none is missing.
+// What the elements' properties return and accept. A getter returns the typed value. A setter also
+// accepts the attribute's text, other lists of numbers, and null or undefined for the default.
+// Types only; words and domains are inherited from the values' own interfaces. Accessors are
+// written out because a mapped type cannot give a setter another type than its getter;
+// manifest.test.ts lets the compiler check that none is missing.
 import type { LightValues } from '../../../phong/light/light-state.js';
 import type { MeshValues, ShapeValues } from '../../scene/mesh/mesh-fields.js';
 
@@ -18,7 +19,10 @@ export type NumberList =
   | Uint8Array
   | Uint8ClampedArray;
 
-/** Properties where one number may stand for a list: a grey, the same scale along every axis, the only divider. */
+/**
+ * Properties where one number may stand for a list: a grey, the same scale along every axis, the
+ * only divider.
+ */
 export type SingleNumber = 'ambient' | 'diffuse' | 'specular' | 'ka' | 'kd' | 'ks' | 'scale' | 'at';
 
 /** What the property `K` accepts for values of type `T`. */

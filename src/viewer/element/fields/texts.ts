@@ -1,18 +1,28 @@
-// The texts that a viewer shows or announces, the page's own words in place of them, and numbers in their language. Of
-// texts.json only the type is imported, so that the first file contains no texts.
+// The texts that a viewer shows or announces, the page's own words in place of them, and numbers in
+// their language. Of texts.json only the type is imported, so that the first file contains no
+// texts.
 import type table from './texts.json';
 
-export type ViewerErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
+export type ViewerErrorCode =
+  | 'load-failed'
+  | 'bad-model'
+  | 'too-large'
+  | 'csp'
+  | 'context-lost'
+  | 'no-webgl2';
 
 type Sections = typeof table;
 
 /** A text by its English form, the key of `texts`; words in braces stand for values. */
-export type ViewerText = Exclude<{ [S in keyof Sections]: keyof Sections[S] }[keyof Sections], ViewerErrorCode>;
+export type ViewerText = Exclude<
+  { [S in keyof Sections]: keyof Sections[S] }[keyof Sections],
+  ViewerErrorCode
+>;
 
 /**
- * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in braces stand for
- * values. A text for a code of `error`, such as `load-failed`, replaces the English message, which is its `{message}`;
- * `{url}` is the address.
+ * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in
+ * braces stand for values. A text for a code of `error`, such as `load-failed`, replaces the
+ * English message, which is its `{message}`; `{url}` is the address.
  */
 export type ViewerTexts = { readonly [text in ViewerText | ViewerErrorCode]?: string | undefined };
 
@@ -33,8 +43,13 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
   if (value === null || value === undefined) return null;
   const texts = Object.entries(value);
   const isText = (text: unknown): boolean => typeof text === 'string' || text === undefined;
-  if (typeof value !== 'object' || Array.isArray(value) || !texts.every(([, text]) => isText(text)))
+  if (
+    typeof value !== 'object' ||
+    Array.isArray(value) ||
+    !texts.every(([, text]) => isText(text))
+  ) {
     throw new TypeError('<phong-viewer>.texts: expected an object of texts by English text');
+  }
   return Object.freeze(Object.fromEntries(texts) as ViewerTexts);
 }
 
@@ -51,25 +66,33 @@ export function upgradeProperty(element: object, key: 'texts' | 'maxTriangles'):
 }
 
 /** Node has no document. */
-const page = globalThis as { readonly document?: { readonly documentElement?: { readonly lang: string } } };
+const page = globalThis as {
+  readonly document?: { readonly documentElement?: { readonly lang: string } };
+};
 
 /** The digits from 9 to 0 and the decimal sign, by language. */
 const signs = new Map<string, readonly string[]>();
 
-/** A number to read, as `−0.25`, in the signs of the texts' language, or the page's. Fields keep the point. */
+/**
+ * A number to read, as `−0.25`, in the signs of the texts' language, or the page's. Fields keep the
+ * point.
+ */
 export function localNumber(number: string, texts: ViewerTexts | null): string {
   const isUnnamed = texts !== null && texts.en === undefined;
   const lang = isUnnamed ? (page.document?.documentElement?.lang ?? '') : phrase(texts, 'en');
   let own = signs.get(lang);
-  if (own === undefined) signs.set(lang, (own = signsOf(lang)));
+  if (own === undefined) {
+    signs.set(lang, (own = signsOf(lang)));
+  }
   return number.replace(/[\d.]/g, (sign) => own[9 - Number(sign)] ?? own[10]!);
 }
 
 function signsOf(lang: string): readonly string[] {
   try {
     // A page's first formatter takes 10 to 20 ms.
-    if (lang !== '' && lang !== 'en')
+    if (lang !== '' && lang !== 'en') {
       return Array.from(new Intl.NumberFormat(lang, { useGrouping: false }).format(9876543210.5));
+    }
   } catch {
     // No language tag.
   }

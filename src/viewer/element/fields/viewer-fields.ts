@@ -1,6 +1,12 @@
-// The values that a viewer declares besides its children, with domains and defaults in HTML's units.
+// The values that a viewer declares besides its children, with domains and defaults in HTML's
+// units.
 import { LIGHT_FIELDS, LIMITS, type Term, TERMS } from '../../../phong/light/light-state.js';
-import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../../phong/material/material-values.js';
+import {
+  type Reflection,
+  REFLECTIONS,
+  type Shading,
+  SHADINGS,
+} from '../../../phong/material/material-values.js';
 import { type View, VIEWS } from '../../../phong/material/views.js';
 import type { Fields } from '../../../phong/fields/field-store.js';
 import {
@@ -30,34 +36,40 @@ export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
 export type Helper = (typeof HELPERS)[number];
 
 export interface ViewerProperties extends ShapeProperties {
-  /** Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z, 90 from +x. Default 30. */
+  /**
+   * Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z, 90 from +x. Default
+   * 30.
+   */
   get theta(): number;
   set theta(value: Accepted['theta']);
   /** Polar angle of the eye from +y in degrees, 0–180. Default 70. */
   get phi(): number;
   set phi(value: Accepted['phi']);
-  /** Distance of the eye from the target in scene units, > 0, or `auto`: the whole scene fits. Default auto. */
+  /**
+   * Distance of the eye from the target in scene units, > 0, or `auto`: the whole scene fits.
+   * Default auto.
+   */
   get radius(): number | 'auto';
   set radius(value: Accepted['radius']);
   /** What the eye looks at, or `auto`: the centre of the scene's box. Default auto. */
   get target(): Vec3 | 'auto';
   set target(value: Accepted['target']);
   /**
-   * The picture in words. Empty, the default: none. The attribute `alt=""` says that the picture is decoration. Without
-   * it, and without `aria-label` or `aria-labelledby`, the console warns.
+   * The picture in words. Empty, the default: none. The attribute `alt=""` says that the picture is
+   * decoration. Without it, and without `aria-label` or `aria-labelledby`, the console warns.
    */
   get alt(): string;
   set alt(value: Accepted['alt']);
   /**
-   * Address of an image shown until the first picture is drawn. One that cannot be shown leaves nothing behind. Default
-   * empty: none.
+   * Address of an image shown until the first picture is drawn. One that cannot be shown leaves
+   * nothing behind. Default empty: none.
    */
   get poster(): string;
   set poster(value: Accepted['poster']);
   /**
-   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing; models are
-   * fetched at once. `eager`: nothing, the picture is drawn off screen too, as screenshots of whole pages need. `lazy`:
-   * drawing and fetching models. Default auto.
+   * What waits until the viewer is in view or less than a screen height away from it. `auto`:
+   * drawing; models are fetched at once. `eager`: nothing, the picture is drawn off screen too, as
+   * screenshots of whole pages need. `lazy`: drawing and fetching models. Default auto.
    */
   get loading(): Loading;
   set loading(value: Accepted['loading']);
@@ -65,8 +77,8 @@ export interface ViewerProperties extends ShapeProperties {
   get droppable(): boolean;
   set droppable(value: Accepted['droppable']);
   /**
-   * How files that a model names are fetched from other origins: without (`anonymous`) or with credentials. Null, the
-   * default: not at all.
+   * How files that a model names are fetched from other origins: without (`anonymous`) or with
+   * credentials. Null, the default: not at all.
    */
   get crossOrigin(): 'anonymous' | 'use-credentials' | null;
   set crossOrigin(value: Accepted['crossOrigin']);
@@ -79,10 +91,15 @@ export interface ViewerProperties extends ShapeProperties {
   /** Whether the user can zoom by wheel, pinch and keys. Default true. */
   get zoom(): boolean;
   set zoom(value: Accepted['zoom']);
-  /** Degrees per second about y; 0 is off. Stopped for users who prefer reduced motion. Default 0. */
+  /**
+   * Degrees per second about y; 0 is off. Stopped for users who prefer reduced motion. Default 0.
+   */
   get autoRotate(): number;
   set autoRotate(value: Accepted['autoRotate']);
-  /** `phong` per fragment, `gouraud` per vertex, `flat` per fragment with the triangle's normal. Default phong. */
+  /**
+   * `phong` per fragment, `gouraud` per vertex, `flat` per fragment with the triangle's normal.
+   * Default phong.
+   */
   get shading(): Shading;
   set shading(value: Accepted['shading']);
   /** Specular lobe: R·V or N·H. Default phong. */
@@ -91,12 +108,15 @@ export interface ViewerProperties extends ShapeProperties {
   /** Which terms are summed; an empty list sums none. Default all three. */
   get terms(): readonly Term[];
   set terms(value: Accepted['terms']);
-  /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
+  /**
+   * `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb.
+   */
   get colorInterpolation(): ColorInterpolation;
   set colorInterpolation(value: Accepted['colorInterpolation']);
   /**
-   * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that stands still converges
-   * to the mean over each pixel; until then, and while anything moves, like `edges`. Default edges.
+   * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that
+   * stands still converges to the mean over each pixel; until then, and while anything moves, like
+   * `edges`. Default edges.
    */
   get antialias(): Antialias;
   set antialias(value: Accepted['antialias']);
@@ -104,45 +124,54 @@ export interface ViewerProperties extends ShapeProperties {
   get samples(): number;
   set samples(value: Accepted['samples']);
   /**
-   * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device has. Below 1 the
-   * picture is blurred. Default auto.
+   * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device
+   * has. Below 1 the picture is blurred. Default auto.
    */
   get pixelRatio(): number | 'auto';
   set pixelRatio(value: Accepted['pixelRatio']);
   /**
-   * What is drawn over the picture: `lights` with handles that move them, `axes`, `grid`, `normals`, `bounds`. As an
-   * attribute without a value: `lights`. Default none.
+   * What is drawn over the picture: `lights` with handles that move them, `axes`, `grid`,
+   * `normals`, `bounds`. As an attribute without a value: `lights`. Default none.
    */
   get helpers(): readonly Helper[];
   set helpers(value: Accepted['helpers']);
-  /** What the picture shows: the shaded colours, or one quantity of the equation with a legend. Default shaded. */
+  /**
+   * What the picture shows: the shaded colours, or one quantity of the equation with a legend.
+   * Default shaded.
+   */
   get view(): View;
   set view(value: Accepted['view']);
   /**
-   * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and the picture is
-   * black. Empty, the default: all lights, or the first active one where a view is of one.
+   * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and
+   * the picture is black. Empty, the default: all lights, or the first active one where a view is
+   * of one.
    */
   get viewLight(): string;
   set viewLight(value: Accepted['viewLight']);
   /**
-   * The user can point at the picture to see N, L, R and V there, and the sum light by light. `formula`: the equation
-   * with the numbers of the point in place of the table. `ask`: the same as questions. Default false.
+   * The user can point at the picture to see N, L, R and V there, and the sum light by light.
+   * `formula`: the equation with the numbers of the point in place of the table. `ask`: the same as
+   * questions. Default false.
    */
   get probe(): boolean | 'formula' | 'ask';
   set probe(value: Accepted['probe']);
   /**
-   * World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default:
-   * none.
+   * World-space point. The probe explains the fragment at its pixel until the user points
+   * elsewhere. Null, the default: none.
    */
   get probeAt(): Vec3 | null;
   set probeAt(value: Accepted['probeAt']);
-  /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
+  /**
+   * Viewers of a page with the same name here move their cameras together. Empty, the default:
+   * alone.
+   */
   get cameraGroup(): string;
   set cameraGroup(value: Accepted['cameraGroup']);
   /**
-   * The control panel is shown: beside the picture from 640 px on, over it below. A list of folders (`lights camera
-   * shading show meshes`) opens these; a list of attributes of lights, meshes and the viewer shows only their rows, in
-   * this order and without folders. `gui="false"` is off. Default false.
+   * The control panel is shown: beside the picture from 640 px on, over it below. A list of folders
+   * (`lights camera shading show meshes`) opens these; a list of attributes of lights, meshes and
+   * the viewer shows only their rows, in this order and without folders. `gui="false"` is off.
+   * Default false.
    */
   get gui(): boolean | readonly string[];
   set gui(value: Accepted['gui']);
@@ -154,7 +183,10 @@ type Accepted = Inputs<ViewerValues>;
 /** Folders of the panel that `gui` can open. */
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
-/** Attributes that `gui` can list: those of all elements that the panel edits. The panel warns of one without a row. */
+/**
+ * Attributes that `gui` can list: those of all elements that the panel edits. The panel warns of
+ * one without a row.
+ */
 const GUI_ROWS: string[] = [];
 
 const PROBE_VALUES = 'true, false, formula or ask';
@@ -169,13 +201,18 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   loading: choiceField<Loading>('auto', ['auto', 'eager', 'lazy']),
   droppable: presenceField(),
   crossOrigin: {
-    ...optional(choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials'])),
+    ...optional(
+      choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials']),
+    ),
     empty: 'anonymous',
   },
   theta: numberField(30, {}),
   phi: numberField(70, { min: 0, max: 180 }),
   radius: orWord('auto', numberField(4, { above: 0, max: LIMITS.coordinate })),
-  target: orWord('auto', vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
+  target: orWord(
+    'auto',
+    vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate }),
+  ),
   fov: numberField(45, { min: 1, max: 170 }),
   orbit: booleanField(true),
   zoom: booleanField(true),
@@ -202,18 +239,29 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
       if (word === 'formula' || word === 'ask') return word;
       if (word === 'probe') return true;
       const message = `expected ${PROBE_VALUES}, got ${show(value)}`;
-      throw typeof value === 'string' || Array.isArray(value) ? new RangeError(message) : new TypeError(message);
+      throw typeof value === 'string' || Array.isArray(value)
+        ? new RangeError(message)
+        : new TypeError(message);
     },
   },
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   cameraGroup: textField(),
-  gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [GUI_FOLDERS, GUI_ROWS]),
+  gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [
+    GUI_FOLDERS,
+    GUI_ROWS,
+  ]),
 };
 
-for (const fields of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS]) GUI_ROWS.push(...Object.keys(fields).map(attributeOf));
+for (const fields of [LIGHT_FIELDS, MESH_FIELDS, VIEWER_FIELDS]) {
+  GUI_ROWS.push(...Object.keys(fields).map(attributeOf));
+}
 
 /** Assigning the same value again retries what failed. */
 export const RETRY_KEYS: ReadonlySet<string> = new Set(['src', 'geometry', 'gui']);
 
 /** Values that the viewer's own mesh, or the loading of all meshes, depends on. */
-export const LOADING_KEYS: readonly string[] = [...Object.keys(SHAPE_FIELDS), 'loading', 'crossOrigin'];
+export const LOADING_KEYS: readonly string[] = [
+  ...Object.keys(SHAPE_FIELDS),
+  'loading',
+  'crossOrigin',
+];

@@ -8,8 +8,8 @@ interface DragListener {
 }
 
 /**
- * Call at the press; the result ends the drag. A press that moves less than `slop` CSS pixels by `distance` is a click;
- * 0: never.
+ * Call at the press; the result ends the drag. A press that moves less than `slop` CSS pixels by
+ * `distance` is a click; 0: never.
  */
 export function followDrag(
   element: HTMLElement,
@@ -27,16 +27,24 @@ export function followDrag(
     if (signal.aborted) return;
     listening.abort();
     release(dragged);
-    if (element.hasPointerCapture(pointerId)) element.releasePointerCapture(pointerId);
+    if (element.hasPointerCapture(pointerId)) {
+      element.releasePointerCapture(pointerId);
+    }
     listener.ended();
   };
   // The button may be released in another window, which no event reports.
   view?.addEventListener('blur', end, { signal });
-  const listen = (target: EventTarget | null, type: string, heard: (event: PointerEvent) => void): void =>
+  const listen = (
+    target: EventTarget | null,
+    type: string,
+    heard: (event: PointerEvent) => void,
+  ): void =>
     target?.addEventListener(
       type,
       (event) => {
-        if ((event as PointerEvent).pointerId === pointerId) heard(event as PointerEvent);
+        if ((event as PointerEvent).pointerId === pointerId) {
+          heard(event as PointerEvent);
+        }
       },
       { signal, capture: true },
     );
@@ -48,10 +56,14 @@ export function followDrag(
     }
     const [dx, dy] = [event.clientX - clientX, event.clientY - clientY];
     dragged ||= distance(dx, dy) >= slop;
-    if (dragged) listener.moved(dx, dy, event);
+    if (dragged) {
+      listener.moved(dx, dy, event);
+    }
   });
   // An element that was removed gets none of these.
-  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) listen(view, type, end);
+  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+    listen(view, type, end);
+  }
   try {
     element.setPointerCapture(pointerId);
   } catch {

@@ -1,4 +1,5 @@
-// Reads the texts of a page from its scripts, with one warning for each bad one. Fetched by pages that have one.
+// Reads the texts of a page from its scripts, with one warning for each bad one. Fetched by pages
+// that have one.
 import { clip } from '../../../phong/fields/clip.js';
 import { nearest } from '../../../phong/fields/nearest.js';
 import known from '../fields/texts.json';
@@ -11,17 +12,27 @@ const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);
 
 let sources: readonly string[] = [];
 
-/** Reads all scripts, unless they are as they were. A key in a later script replaces that in an earlier one. */
+/**
+ * Reads all scripts, unless they are as they were. A key in a later script replaces that in an
+ * earlier one.
+ */
 export function readTexts(): void {
-  const found = Array.from(document.querySelectorAll<HTMLScriptElement>(TEXT_SCRIPTS), ({ text }) => text);
+  const found = Array.from(
+    document.querySelectorAll<HTMLScriptElement>(TEXT_SCRIPTS),
+    ({ text }) => text,
+  );
   const isNew = (text: string): boolean => !sources.includes(text);
   if (found.length === sources.length && !found.some(isNew)) return;
   const all: ViewerTexts[] = [];
   for (const text of found) {
     const texts = textsIn(text);
     const mistake = typeof texts === 'string' ? texts : unknownKeys(texts);
-    if (mistake !== null && isNew(text)) console.warn(`<script data-phong-viewer-texts> ${mistake}`);
-    if (typeof texts === 'object') all.push(texts);
+    if (mistake !== null && isNew(text)) {
+      console.warn(`<script data-phong-viewer-texts> ${mistake}`);
+    }
+    if (typeof texts === 'object') {
+      all.push(texts);
+    }
   }
   sources = found;
   declareTexts(Object.freeze(Object.assign({}, ...all) as ViewerTexts));

@@ -1,5 +1,6 @@
-// Visibility, size, printing and pixel ratio for all viewers of a document, by observers of the document's own window,
-// which may be that of an iframe or a popup. They observe nothing while no element is watched.
+// Visibility, size, printing and pixel ratio for all viewers of a document, by observers of the
+// document's own window, which may be that of an iframe or a popup. They observe nothing while no
+// element is watched.
 import { frameLoopOf } from '../../scene/frame-loop.js';
 import type { Visibility } from './visibility.js';
 
@@ -23,38 +24,55 @@ export class PageObservers {
       new view.IntersectionObserver((entries) => {
         for (const entry of entries) {
           const watcher = this.#watched.get(entry.target);
-          if (watcher !== undefined) report(watcher, entry);
+          if (watcher !== undefined) {
+            report(watcher, entry);
+          }
         }
       }, init);
     this.#intersection = [
-      // The second threshold tells boxes that only touch, as the slides of a carousel do: their ratio is 0.
+      // The second threshold tells boxes that only touch, as the slides of a carousel do: their
+      // ratio is 0.
       intersection((watcher, entry) => watcher.intersected(entry), { threshold: [0, 1e-6] }),
       intersection((watcher, entry) => watcher.neared(entry), this.#surroundings),
     ];
     this.#resize = new view.ResizeObserver((entries) => {
-      for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
+      for (const entry of entries) {
+        this.#watched.get(entry.target)?.resized(entry);
+      }
       frameLoopOf(view).drawResized();
     });
   }
 
-  /** How far from the view is near, CSS pixels. Not the window's height: an iframe may be as high as its content. */
+  /**
+   * How far from the view is near, CSS pixels. Not the window's height: an iframe may be as high as
+   * its content.
+   */
   get margin(): number {
     return this.view.screen.height;
   }
 
-  /** `scrollMargin` widens all that clips; older browsers and iframes of other origins, only their document's view. */
+  /**
+   * `scrollMargin` widens all that clips; older browsers and iframes of other origins, only their
+   * document's view.
+   */
   get #surroundings(): IntersectionObserverInit {
     const { view } = this;
     const margin = `${String(this.margin)}px`;
     const isKnown = 'scrollMargin' in view.IntersectionObserver.prototype;
     const isForeign = view.parent !== view && view.frameElement === null;
-    return isKnown && !isForeign ? { scrollMargin: margin } : { root: view.document, rootMargin: margin };
+    return isKnown && !isForeign
+      ? { scrollMargin: margin }
+      : { root: view.document, rootMargin: margin };
   }
 
   watch(element: Element, watcher: Visibility): void {
-    if (this.#watched.size === 0) this.#listen();
+    if (this.#watched.size === 0) {
+      this.#listen();
+    }
     this.#watched.set(element, watcher);
-    for (const observer of this.#intersection) observer.observe(element);
+    for (const observer of this.#intersection) {
+      observer.observe(element);
+    }
     try {
       // In whole device pixels, exactly.
       this.#resize.observe(element, { box: 'device-pixel-content-box' });
@@ -73,21 +91,36 @@ export class PageObservers {
 
   unwatch(element: Element): void {
     if (!this.#watched.delete(element)) return;
-    for (const observer of [...this.#intersection, this.#resize]) observer.unobserve(element);
-    if (this.#watched.size === 0) this.#listeners.abort();
+    for (const observer of [...this.#intersection, this.#resize]) {
+      observer.unobserve(element);
+    }
+    if (this.#watched.size === 0) {
+      this.#listeners.abort();
+    }
   }
 
   #listen(): void {
     const { view } = this;
     const { signal } = (this.#listeners = new AbortController());
-    view.document.addEventListener('visibilitychange', () => this.#each((watcher) => watcher.shown()), { signal });
+    view.document.addEventListener(
+      'visibilitychange',
+      () => this.#each((watcher) => watcher.shown()),
+      { signal },
+    );
     view.addEventListener('beforeprint', this.#printed, { signal });
     // Not for the window that runs this code: nothing is left to clean up when it closes.
-    if (view !== window) view.addEventListener('pagehide', () => this.#each((watcher) => watcher.closed()), { signal });
+    if (view !== window) {
+      view.addEventListener('pagehide', () => this.#each((watcher) => watcher.closed()), {
+        signal,
+      });
+    }
     this.#watchRatio(signal);
   }
 
-  /** Observers do not always report a new pixel ratio. A query matches one ratio, so each change needs a new query. */
+  /**
+   * Observers do not always report a new pixel ratio. A query matches one ratio, so each change
+   * needs a new query.
+   */
   #watchRatio(signal: AbortSignal): void {
     const query = this.view.matchMedia(`(resolution: ${String(this.view.devicePixelRatio)}dppx)`);
     const changed = (): void => {

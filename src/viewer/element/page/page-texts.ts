@@ -1,4 +1,5 @@
-// The texts of a whole page: by `PhongViewer.texts`, and in scripts of JSON in the markup, which a chunk reads.
+// The texts of a whole page: by `PhongViewer.texts`, and in scripts of JSON in the markup, which a
+// chunk reads.
 import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 
@@ -30,12 +31,17 @@ export function declareTexts(found: ViewerTexts | null): void {
 }
 
 /** `first`, and the texts of `last` that it does not have. */
-export const textsOver = (first: ViewerTexts | null, last: ViewerTexts | null): ViewerTexts | null =>
+export const textsOver = (
+  first: ViewerTexts | null,
+  last: ViewerTexts | null,
+): ViewerTexts | null =>
   first === null || last === null ? (first ?? last) : Object.freeze({ ...last, ...first });
 
 function combine(): void {
   texts = textsOver(assigned, declared);
-  for (const user of users) user.requestUpdate('texts');
+  for (const user of users) {
+    user.requestUpdate('texts');
+  }
 }
 
 /** The element is on the page: it is updated when the page's texts change. */
@@ -43,7 +49,10 @@ export const useTexts = (user: TextUser): unknown => users.add(user);
 
 export const leaveTexts = (user: TextUser): unknown => users.delete(user);
 
-/** Reads the page's scripts of texts, if there are any. Call it when elements have come, and the page is parsed. */
+/**
+ * Reads the page's scripts of texts, if there are any. Call it when elements have come, and the
+ * page is parsed.
+ */
 export function lookForTexts(): void {
   if (document.querySelector(TEXT_SCRIPTS) === null) return;
   markup().then(({ readTexts }) => readTexts(), reportMissing);

@@ -1,4 +1,5 @@
-// Where a picture lies on the page, by three corners of it: all transforms of any ancestor, zoom and scrolling count.
+// Where a picture lies on the page, by three corners of it: all transforms of any ancestor, zoom
+// and scrolling count.
 import { html } from 'lit';
 import type { PictureBox } from '../../../phong/camera/gesture.js';
 
@@ -6,16 +7,29 @@ import type { PictureBox } from '../../../phong/camera/gesture.js';
 const corner = (left: string, top: string) =>
   html`<i class="corner" .style=${`position: absolute; left: ${left}; top: ${top}`}></i>`;
 
-/** Elements without size in the top left, top right and bottom left corner of the element around them. */
+/**
+ * Elements without size in the top left, top right and bottom left corner of the element around
+ * them.
+ */
 export const CORNER_MARKS = [corner('0', '0'), corner('100%', '0'), corner('0', '100%')];
 
-/** Of a surface with {@link CORNER_MARKS}. Under a perspective the top and left edges count. No axes while hidden. */
+/**
+ * Of a surface with {@link CORNER_MARKS}. Under a perspective the top and left edges count. No axes
+ * while hidden.
+ */
 export function pictureBox(surface: HTMLElement): PictureBox {
   const { clientWidth: width, clientHeight: height } = surface;
   const corners = [...surface.querySelectorAll(':scope > .corner')];
   const [start, right, down] = corners.map((corner) => corner.getBoundingClientRect());
-  if (start === undefined || right === undefined || down === undefined || width === 0 || height === 0)
+  if (
+    start === undefined ||
+    right === undefined ||
+    down === undefined ||
+    width === 0 ||
+    height === 0
+  ) {
     return { width, height };
+  }
   const rightward = [(right.left - start.left) / width, (right.top - start.top) / width] as const;
   const downward = [(down.left - start.left) / height, (down.top - start.top) / height] as const;
   return { width, height, axes: [...rightward, ...downward] };

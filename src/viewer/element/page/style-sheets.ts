@@ -1,16 +1,21 @@
-// Adds style sheets to a shadow root, in any document, as constructed ones, which a strict CSP allows. A constructed
-// sheet belongs to one document, and a root that comes into another document loses its sheets.
+// Adds style sheets to a shadow root, in any document, as constructed ones, which a strict CSP
+// allows. A constructed sheet belongs to one document, and a root that comes into another document
+// loses its sheets.
 
 const used = new WeakMap<ShadowRoot, Set<string>>();
 const parsed = new WeakMap<Document, Map<string, CSSStyleSheet>>();
 
-/** Adds a sheet to a root. Also brings back those that the root lost on its way into this document. */
+/**
+ * Adds a sheet to a root. Also brings back those that the root lost on its way into this document.
+ */
 export function addStyles(root: ShadowRoot, text: string): void {
   const texts = (used.get(root) ?? new Set()).add(text);
   used.set(root, texts);
   for (const each of texts) {
     const sheet = sheetOf(root.ownerDocument, each);
-    if (sheet !== null && !root.adoptedStyleSheets.includes(sheet)) root.adoptedStyleSheets.push(sheet);
+    if (sheet !== null && !root.adoptedStyleSheets.includes(sheet)) {
+      root.adoptedStyleSheets.push(sheet);
+    }
   }
 }
 

@@ -1,12 +1,15 @@
-// Says what to allow where a page's policy refuses Lit's Trusted Types policy. Lit throws then while it is imported, so
-// no element is defined, and nothing of this package runs but this file, which the entry imports before Lit.
+// Says what to allow where a page's policy refuses Lit's Trusted Types policy. Lit throws then
+// while it is imported, so no element is defined, and nothing of this package runs but this file,
+// which the entry imports before Lit.
 
 // In Node there is no document.
 const page = typeof document === 'undefined' ? null : document;
 
 /** The browser reports the refusal in a task of its own, after Lit has thrown. */
 function refused({ blockedURI, sample, disposition }: SecurityPolicyViolationEvent): void {
-  if (blockedURI !== 'trusted-types-policy' || sample !== 'lit-html' || disposition !== 'enforce') return;
+  if (blockedURI !== 'trusted-types-policy' || sample !== 'lit-html' || disposition !== 'enforce') {
+    return;
+  }
   litWasImported();
   // Another copy of this package has defined them.
   if (customElements.get('phong-viewer') !== undefined) return;

@@ -1,4 +1,5 @@
-// Whether an element is in view or near it, and its device pixels: measured when asked, then as observers report.
+// Whether an element is in view or near it, and its device pixels: measured when asked, then as
+// observers report.
 import type { LitElement, ReactiveController } from 'lit';
 import type { Signal } from '../../../phong/fields/signal.js';
 import { zoomOf } from '../dom.js';
@@ -10,7 +11,10 @@ export interface ElementView {
   /** Painted, and in view or less than a screen height away from it. */
   readonly near: boolean;
   readonly visible: boolean;
-  /** The page is about to be printed, and waits until this time, as of `performance.now()`; null: it is not. */
+  /**
+   * The page is about to be printed, and waits until this time, as of `performance.now()`; null: it
+   * is not.
+   */
   readonly printsAt: number | null;
   /** Device pixels, whole. */
   readonly pixelWidth: number;
@@ -64,16 +68,23 @@ export class Visibility implements ReactiveController {
     const { ownerDocument } = this.#host;
     this.#page = pageOf(ownerDocument);
     // The first time it is outside the host's shadow tree, and belongs to the script's document.
-    if (this.#element.ownerDocument !== ownerDocument) ownerDocument.adoptNode(this.#element);
+    if (this.#element.ownerDocument !== ownerDocument) {
+      ownerDocument.adoptNode(this.#element);
+    }
     this.#page?.watch(this.#element, this);
-    // No observer reports CSS `visibility`, which changes no box. A transition in the element's style sheet does.
-    for (const type of TRANSITION_EVENTS) this.#element.addEventListener(type, this.#onTransition);
+    // No observer reports CSS `visibility`, which changes no box. A transition in the element's
+    // style sheet does.
+    for (const type of TRANSITION_EVENTS) {
+      this.#element.addEventListener(type, this.#onTransition);
+    }
   }
 
   hostDisconnected(): void {
     this.#page?.unwatch(this.#element);
     this.#page = null;
-    for (const type of TRANSITION_EVENTS) this.#element.removeEventListener(type, this.#onTransition);
+    for (const type of TRANSITION_EVENTS) {
+      this.#element.removeEventListener(type, this.#onTransition);
+    }
     this.#inView = null;
     this.#near = null;
     this.#located = Infinity;
@@ -87,7 +98,10 @@ export class Visibility implements ReactiveController {
     this.shown();
   }
 
-  /** Before printing, which waits until `deadline`. On paper everything is seen, wherever it is on the page. */
+  /**
+   * Before printing, which waits until `deadline`. On paper everything is seen, wherever it is on
+   * the page.
+   */
   printed(deadline: number): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     const visible = this.#inView === true;
@@ -110,7 +124,9 @@ export class Visibility implements ReactiveController {
   resized(entry: ResizeObserverEntry): void {
     const { width, height } = entry.contentRect;
     // The other observers report an element that is shown again only after this frame.
-    if (this.#near === false && this.#page !== null) this.#locate(this.#page);
+    if (this.#near === false && this.#page !== null) {
+      this.#locate(this.#page);
+    }
     // Missing in browsers without this box, whatever the types say.
     this.#box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
     this.#measure(width, height);
@@ -123,10 +139,13 @@ export class Visibility implements ReactiveController {
     this.shown();
   }
 
-  /** The document was shown or hidden, or the element's place in it or its style may have changed. */
+  /**
+   * The document was shown or hidden, or the element's place in it or its style may have changed.
+   */
   shown(): void {
     if (!this.looked) return;
-    const painted = this.#host.ownerDocument.visibilityState !== 'hidden' && isPainted(this.#element);
+    const painted =
+      this.#host.ownerDocument.visibilityState !== 'hidden' && isPainted(this.#element);
     const visible = painted && this.#inView === true;
     const near = visible || (painted && this.#near === true && !isCollapsed(this.#element));
     this.#changed.emit({ painted, near, visible, printsAt: null, ...this.#size });
@@ -137,7 +156,10 @@ export class Visibility implements ReactiveController {
     this.#host.disconnectedCallback();
   }
 
-  /** A report comes after its frame: the element may be shown since. Times are rounded, so equal ones count. */
+  /**
+   * A report comes after its frame: the element may be shown since. Times are rounded, so equal
+   * ones count.
+   */
   #reported({ time }: IntersectionObserverEntry): void {
     if (time <= this.#located && this.#page !== null) {
       this.#locate(this.#page);
@@ -154,20 +176,27 @@ export class Visibility implements ReactiveController {
   }
 
   readonly #onTransition = ({ propertyName }: TransitionEvent): void => {
-    if (propertyName === 'visibility') this.shown();
+    if (propertyName === 'visibility') {
+      this.shown();
+    }
   };
 
   #measure(width: number, height: number): void {
-    // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS pixel.
+    // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS
+    // pixel.
     const zoom = zoomOf(this.#element);
     const ratio = Math.min((this.#page?.view.devicePixelRatio ?? 1) * zoom, this.#maxRatio);
     // A low limit leaves one pixel at least.
-    const pixels = (length: number): number => Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
+    const pixels = (length: number): number =>
+      Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
     this.#size = { width, height, pixelWidth: pixels(width), pixelHeight: pixels(height) };
     this.#refine();
   }
 
-  /** Uses the browser's pixels if they round what was measured: an emulated pixel ratio does not reach the box. */
+  /**
+   * Uses the browser's pixels if they round what was measured: an emulated pixel ratio does not
+   * reach the box.
+   */
   #refine(): void {
     if (this.#box === undefined) return;
     const { inlineSize, blockSize } = this.#box;
@@ -183,14 +212,20 @@ export class Visibility implements ReactiveController {
 /** Hidden at the end of its transition, visible from its start. */
 const TRANSITION_EVENTS = ['transitionrun', 'transitionend', 'transitioncancel'] as const;
 
-/** Neither `visibility: hidden` nor inside skipped content: a closed <details>, `content-visibility: hidden`. */
+/**
+ * Neither `visibility: hidden` nor inside skipped content: a closed <details>, `content-visibility:
+ * hidden`.
+ */
 function isPainted(element: Element): boolean {
   // Missing in older browsers, whatever the types say.
   const { checkVisibility } = element as { checkVisibility?: Element['checkVisibility'] };
   return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
 }
 
-/** CSS pixels out of the scroll containers and windows around it; negative in view, Infinity without a size. */
+/**
+ * CSS pixels out of the scroll containers and windows around it; negative in view, Infinity without
+ * a size.
+ */
 function distanceFromView(element: Element): number {
   const view = element.ownerDocument.defaultView;
   const place = element.getBoundingClientRect();
@@ -201,21 +236,27 @@ function distanceFromView(element: Element): number {
     const style = view.getComputedStyle(box);
     if (position === 'absolute' && style.position === 'static') continue; // not its containing block: clips nothing
     ({ position } = style);
-    if (style.overflow !== 'visible' && !isPage(box))
+    if (style.overflow !== 'visible' && !isPage(box)) {
       distance = Math.max(distance, gap(place, box.getBoundingClientRect()));
+    }
   }
-  return view.frameElement === null ? distance : Math.max(distance, distanceFromView(view.frameElement));
+  return view.frameElement === null
+    ? distance
+    : Math.max(distance, distanceFromView(view.frameElement));
 }
 
 /** The overflow of these is the window's. */
-const isPage = (box: Element): boolean => box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
+const isPage = (box: Element): boolean =>
+  box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
 
 type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
 
 const gap = (a: Edges, b: Edges): number =>
   Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
 
-/** In a closed box, such as an accordion's: without width or height, and nothing shows outside it. */
+/**
+ * In a closed box, such as an accordion's: without width or height, and nothing shows outside it.
+ */
 function isCollapsed(element: Element): boolean {
   const view = element.ownerDocument.defaultView;
   for (let box: Element | null = element; box !== null; box = parentOf(box)) {
@@ -226,4 +267,7 @@ function isCollapsed(element: Element): boolean {
 }
 
 const parentOf = (element: Element): Element | null =>
-  element.assignedSlot ?? element.parentElement ?? (element.getRootNode() as Partial<ShadowRoot>).host ?? null;
+  element.assignedSlot ??
+  element.parentElement ??
+  (element.getRootNode() as Partial<ShadowRoot>).host ??
+  null;

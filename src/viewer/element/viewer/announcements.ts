@@ -1,15 +1,27 @@
-// What a screen reader finds beside the picture, and what is announced: a description of keys, camera and lights, and
-// a live region. Follows drawn frames, at most once a second; announces only what the user changed.
+// What a screen reader finds beside the picture, and what is announced: a description of keys,
+// camera and lights, and a live region. Follows drawn frames, at most once a second; announces only
+// what the user changed.
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
 import type { ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
 import type { PhongLight, PhongViewer } from '../elements.js';
 import { lightName } from '../phong-light.js';
 import type { CameraMove, ViewerContext } from './viewer-context.js';
-import { cameraText, keysText, lightCountText, lightNameText, lightsText, lightText, NAMED } from './description.js';
+import {
+  cameraText,
+  keysText,
+  lightCountText,
+  lightNameText,
+  lightsText,
+  lightText,
+  NAMED,
+} from './description.js';
 import type { ViewerTree } from './display.js';
 
-/** Milliseconds without a change after which the user has stopped; also the time between two descriptions. */
+/**
+ * Milliseconds without a change after which the user has stopped; also the time between two
+ * descriptions.
+ */
 const PAUSE = 1000;
 
 const ANNOUNCED = 3;
@@ -39,9 +51,14 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   connect({ layer, panel }: ViewerTree): void {
-    for (const part of [panel, layer])
-      for (const type of PANEL_EVENTS)
-        part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
+    for (const part of [panel, layer]) {
+      for (const type of PANEL_EVENTS) {
+        part.addEventListener(type, (event) => (this.#panelEvent = event), {
+          capture: true,
+          passive: true,
+        });
+      }
+    }
   }
 
   template(): TemplateResult | typeof nothing {
@@ -59,11 +76,15 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   hostUpdated(): void {
-    if (this.#scene !== null && this.#language !== this.#texts) this.#describeSoon();
+    if (this.#scene !== null && this.#language !== this.#texts) {
+      this.#describeSoon();
+    }
   }
 
   #describeSoon(): void {
-    if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
+    if (this.#timer === 0) {
+      this.#wait(this.#scene === null ? 0 : PAUSE);
+    }
   }
 
   /** The viewer that the user moves speaks for those linked to it. */
@@ -73,12 +94,20 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#userActed();
   }
 
-  /** Lights were written to; none: they came, went or changed places. Call when `light-change` is dispatched. */
+  /**
+   * Lights were written to; none: they came, went or changed places. Call when `light-change` is
+   * dispatched.
+   */
   #lightsChanged(lights: readonly PhongLight[]): void {
-    // These write while an event of the user is dispatched to them. All other writes are a script's.
+    // These write while an event of the user is dispatched to them. All other writes are a
+    // script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
-    if (lights.length === 0) this.#counted = true;
-    for (const light of lights) this.#lights.add(light);
+    if (lights.length === 0) {
+      this.#counted = true;
+    }
+    for (const light of lights) {
+      this.#lights.add(light);
+    }
     this.#userActed();
   }
 
@@ -88,7 +117,8 @@ export class ViewerAnnouncements implements ReactiveController {
       this.#spoken = '';
       this.#viewer.requestUpdate();
     }
-    // A new timer instead of a longer one: once the user has stopped, only the announcement itself is left to do.
+    // A new timer instead of a longer one: once the user has stopped, only the announcement itself
+    // is left to do.
     clearTimeout(this.#timer);
     this.#wait(PAUSE);
   }
@@ -99,14 +129,18 @@ export class ViewerAnnouncements implements ReactiveController {
       const [spoken, scene] = [this.#spoken, this.#scene];
       this.#announce();
       this.#describe();
-      if (this.#spoken !== spoken || this.#scene !== scene) this.#viewer.requestUpdate();
+      if (this.#spoken !== spoken || this.#scene !== scene) {
+        this.#viewer.requestUpdate();
+      }
     }, ms);
   }
 
   #announce(): void {
     const { camera, lights } = this.#viewer;
     const texts = this.#cameraMoved ? [cameraText(this.#texts, camera)] : [];
-    if (this.#counted) texts.push(lightCountText(this.#texts, lights.length));
+    if (this.#counted) {
+      texts.push(lightCountText(this.#texts, lights.length));
+    }
     const changed = [...this.#lights].filter((light) => lights.includes(light)).slice(-ANNOUNCED);
     for (const light of changed) {
       const { store } = fieldsOf(light);
@@ -114,7 +148,9 @@ export class ViewerAnnouncements implements ReactiveController {
       texts.push(`${lightText(this.#texts, name, store.values)}.`);
     }
     this.#forget();
-    if (texts.length > 0) this.#spoken = texts.join(' ');
+    if (texts.length > 0) {
+      this.#spoken = texts.join(' ');
+    }
   }
 
   #forget(): void {

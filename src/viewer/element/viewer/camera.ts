@@ -1,4 +1,5 @@
-// How a viewer's camera moves: declared properties, pointer, wheel, keys, turntable, reset. Also when models may move.
+// How a viewer's camera moves: declared properties, pointer, wheel, keys, turntable, reset. Also
+// when models may move.
 import type { ReactiveController } from 'lit';
 import { zoomLimits } from '../../../phong/camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../../phong/camera/orbit-input.js';
@@ -25,7 +26,12 @@ type CameraLink = Readonly<{
 }>;
 
 /** Values that act when they are assigned: the viewer needs no update for them. */
-export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof ViewerValues>(['theta', 'phi', 'radius', 'target']);
+export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof ViewerValues>([
+  'theta',
+  'phi',
+  'radius',
+  'target',
+]);
 
 export class ViewerCamera implements ReactiveController {
   readonly #context: ViewerContext;
@@ -92,12 +98,17 @@ export class ViewerCamera implements ReactiveController {
     return { pose: picture.orbit.pose, framing: picture.fit.framing };
   }
 
-  /** Moves the camera as the user does: the declared values stay. `linked`: by another camera of its group. */
+  /**
+   * Moves the camera as the user does: the declared values stay. `linked`: by another camera of its
+   * group.
+   */
   place({ pose, framing }: CameraPlacement, source: CameraSource, linked = false): void {
     const { orbit, fit } = this.#context.picture;
     const write = (): void => {
       orbit.set(pose);
-      if (framing !== fit.framing) fit.framing = framing;
+      if (framing !== fit.framing) {
+        fit.framing = framing;
+      }
       fit.settle();
     };
     this.#move(source, write, linked);
@@ -114,7 +125,8 @@ export class ViewerCamera implements ReactiveController {
         orbit.set(key === 'theta' ? { theta } : { phi });
       } else {
         const kept = picture.fit.framing ?? orbit.pose;
-        picture.fit.framing = key === 'radius' ? { target: kept.target, radius } : { target, radius: kept.radius };
+        picture.fit.framing =
+          key === 'radius' ? { target: kept.target, radius } : { target, radius: kept.radius };
         picture.fit.settle();
       }
     });
@@ -130,27 +142,39 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  /** Turns the scene and plays animations to where they are at `now`. True while something keeps moving. */
+  /**
+   * Turns the scene and plays animations to where they are at `now`. True while something keeps
+   * moving.
+   */
   #frame(now: number): boolean {
     const { picture, values } = this.#context;
     const plays = picture.animations.playing && this.mayMove; // in this order: a media query takes 0.2 µs
-    if (plays) picture.animations.step(now);
-    else picture.animations.rest();
-    if (plays) picture.invalidate();
+    if (plays) {
+      picture.animations.step(now);
+    } else {
+      picture.animations.rest();
+    }
+    if (plays) {
+      picture.invalidate();
+    }
     if (!this.turning) {
       this.#turntable.rest();
       return plays;
     }
-    if (this.link?.turns(this) === false) this.#turntable.rest();
-    else if (this.#turntable.step(picture.orbit, now, values.autoRotate)) this.#moved('auto');
+    if (this.link?.turns(this) === false) {
+      this.#turntable.rest();
+    } else if (this.#turntable.step(picture.orbit, now, values.autoRotate)) {
+      this.#moved('auto');
+    }
     return true;
   }
 
   /** Whether the picture is in view. Time that passes elsewhere does not turn the scene. */
   #setInView(inView: boolean): void {
     this.#inView = inView;
-    if (inView) this.#startMotion();
-    else {
+    if (inView) {
+      this.#startMotion();
+    } else {
       this.#turntable.rest();
       this.#context.picture.animations.rest();
     }
@@ -175,17 +199,26 @@ export class ViewerCamera implements ReactiveController {
   }
 
   readonly #startMotion = (): void => {
-    if (this.moving) this.#context.viewport.animate();
+    if (this.moving) {
+      this.#context.viewport.animate();
+    }
   };
 
-  /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
+  /**
+   * Counts as a move if `write` changes where the camera is. A drag in progress continues from
+   * there.
+   */
   #move(source: CameraSource, write: () => void, linked = false): void {
     const { picture } = this.#context;
     const before = picture.orbit.version;
     write();
     this.#input?.reanchor();
-    if (picture.orbit.version !== before) this.#changed(source, linked);
-    if (!linked) this.link?.moved(this, source);
+    if (picture.orbit.version !== before) {
+      this.#changed(source, linked);
+    }
+    if (!linked) {
+      this.link?.moved(this, source);
+    }
   }
 
   #moved(source: CameraSource): void {
@@ -215,7 +248,9 @@ export class ViewerCamera implements ReactiveController {
       },
       reset: () => this.reset('key'),
       held: (dragging) => {
-        if (!dragging) this.#startMotion();
+        if (!dragging) {
+          this.#startMotion();
+        }
       },
     };
   }

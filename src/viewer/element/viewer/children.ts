@@ -1,4 +1,5 @@
-// The lights and meshes of a viewer: in effect when they register, in document order before the next frame or reading.
+// The lights and meshes of a viewer: in effect when they register, in document order before the
+// next frame or reading.
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { LightState } from '../../../phong/light/light-state.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
@@ -44,13 +45,19 @@ export class ViewerChildren {
   }
 
   added(child: HTMLElement): void {
-    if (isLight(child)) this.#addLight(stateOf(child));
-    else if (isMesh(child)) this.#addMesh(child);
+    if (isLight(child)) {
+      this.#addLight(stateOf(child));
+    } else if (isMesh(child)) {
+      this.#addMesh(child);
+    }
   }
 
   removed(child: HTMLElement): void {
-    if (isLight(child)) this.#removeLight(stateOf(child));
-    else if (isMesh(child)) this.#flushLater(child);
+    if (isLight(child)) {
+      this.#removeLight(stateOf(child));
+    } else if (isMesh(child)) {
+      this.#flushLater(child);
+    }
   }
 
   moved(): void {
@@ -59,23 +66,35 @@ export class ViewerChildren {
 
   /** For the viewer's `connectedCallback`, after its shadow tree was made. */
   connected(): void {
-    // Those that left while the viewer was outside the document; the others register when they are connected, after it.
-    for (const child of this.#registry.all) register(child);
+    // Those that left while the viewer was outside the document; the others register when they are
+    // connected, after it.
+    for (const child of this.#registry.all) {
+      register(child);
+    }
     inspect(this.#viewer);
     this.#viewer.shadowRoot?.addEventListener('slotchange', this.#slotted);
   }
 
   readonly #slotted = (): void => inspect(this.#viewer, true);
 
-  /** Custom elements get no callback for changes outside a document: looks for children that came or went there. */
+  /**
+   * Custom elements get no callback for changes outside a document: looks for children that came or
+   * went there.
+   */
   refresh(): void {
     const found = this.#viewer.querySelectorAll('phong-light, phong-mesh');
-    for (const child of [...this.#registry.all, ...found]) register(child);
+    for (const child of [...this.#registry.all, ...found]) {
+      register(child);
+    }
   }
 
-  /** Brings lights and meshes into document order. Does nothing unless children came, went or moved. */
+  /**
+   * Brings lights and meshes into document order. Does nothing unless children came, went or moved.
+   */
   sort(): void {
-    if (!this.#viewer.isConnected) this.refresh();
+    if (!this.#viewer.isConnected) {
+      this.refresh();
+    }
     const { inOrder } = this.#registry;
     if (inOrder === this.#inOrder) return;
     this.#inOrder = inOrder;
@@ -83,34 +102,53 @@ export class ViewerChildren {
     this.#sortMeshes(inOrder.filter((child) => isMesh(child)));
   }
 
-  /** Acts now on what was written to meshes, and on their removal, rather than at the end of the task. */
+  /**
+   * Acts now on what was written to meshes, and on their removal, rather than at the end of the
+   * task.
+   */
   flush(): void {
     if (this.#changed.size === 0) return;
     const changed = [...this.#changed];
     this.#changed.clear();
     const isHere = (element: PhongMesh): boolean => this.#registry.all.has(element);
     // Those that have gone make room for those that load.
-    for (const element of changed) if (!isHere(element)) this.#dropMesh(element);
-    for (const element of changed) if (isHere(element)) this.#shown.get(element)?.update();
+    for (const element of changed) {
+      if (!isHere(element)) {
+        this.#dropMesh(element);
+      }
+    }
+    for (const element of changed) {
+      if (isHere(element)) {
+        this.#shown.get(element)?.update();
+      }
+    }
     this.#context.signals.meshesChanged.emit();
   }
 
   #addLight(state: LightState): void {
     const { lightSet } = this.#context;
-    if (lightSet.lights[0] === this.#headLight) lightSet.assign([state]);
-    else lightSet.add(state);
+    if (lightSet.lights[0] === this.#headLight) {
+      lightSet.assign([state]);
+    } else {
+      lightSet.add(state);
+    }
   }
 
   #removeLight(state: LightState): void {
     const { lightSet } = this.#context;
-    if (lightSet.lights.length === 1) lightSet.assign([this.#headLight]);
-    else lightSet.remove(state);
+    if (lightSet.lights.length === 1) {
+      lightSet.assign([this.#headLight]);
+    } else {
+      lightSet.remove(state);
+    }
   }
 
   #sortLights(lights: readonly PhongLight[]): void {
     if (sameValue(lights, this.#lights)) return;
     this.#lights = Object.freeze(lights);
-    if (lights.length > 0) this.#context.lightSet.assign(lights.map(stateOf));
+    if (lights.length > 0) {
+      this.#context.lightSet.assign(lights.map(stateOf));
+    }
   }
 
   #addMesh(element: PhongMesh): void {
@@ -143,7 +181,9 @@ export class ViewerChildren {
 
   /** Several values written in one task make one update. */
   #flushLater(element: PhongMesh): void {
-    if (this.#changed.size === 0) queueMicrotask(() => this.flush());
+    if (this.#changed.size === 0) {
+      queueMicrotask(() => this.flush());
+    }
     this.#changed.add(element);
   }
 }
@@ -163,7 +203,9 @@ class ElementMesh extends SceneMesh {
     this.element = element;
     sceneMeshes.set(element, this);
     this.written = (key) => {
-      if (key === 'src' || key === 'geometry') this.retry();
+      if (key === 'src' || key === 'geometry') {
+        this.retry();
+      }
       changed();
     };
   }

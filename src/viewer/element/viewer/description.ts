@@ -1,5 +1,5 @@
-// The picture for people who do not see it: role, name and keys as HTML and ARIA define them; camera, lights and meshes
-// in words, in degrees and scene units.
+// The picture for people who do not see it: role, name and keys as HTML and ARIA define them;
+// camera, lights and meshes in words, in degrees and scene units.
 import { kindOf } from '../../../phong/light/light-features.js';
 import type { LightValues } from '../../../phong/light/light-state.js';
 import { fileName } from '../../model/request-model.js';
@@ -41,18 +41,29 @@ export const lightNameText = (
 ): string => (active ? name : phrase(texts, '{name} (off)', { name }));
 
 export function lightText(texts: ViewerTexts | null, name: string, values: LightValues): string {
-  const light = phrase(texts, `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`, {
-    name: lightNameText(texts, name, values),
-    position: numbers(values.position.slice(0, 3), texts),
-    diffuse: numbers(values.diffuse, texts),
-  });
+  const light = phrase(
+    texts,
+    `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`,
+    {
+      name: lightNameText(texts, name, values),
+      position: numbers(values.position.slice(0, 3), texts),
+      diffuse: numbers(values.diffuse, texts),
+    },
+  );
   return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
 }
 
 type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
 
-/** A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts from 0. */
-export function meshTitle(texts: ViewerTexts | null, { name, src, geometry }: MeshNames, index: number): string {
+/**
+ * A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts
+ * from 0.
+ */
+export function meshTitle(
+  texts: ViewerTexts | null,
+  { name, src, geometry }: MeshNames,
+  index: number,
+): string {
   const file = typeof src === 'string' ? fileOf(src) : fileName(src);
   const shape = src === '' && geometry !== null ? phrase(texts, geometry) : '';
   return name || file || shape || phrase(texts, 'mesh {number}', { number: String(index + 1) });
@@ -61,7 +72,10 @@ export function meshTitle(texts: ViewerTexts | null, { name, src, geometry }: Me
 /** `teapot.glb` from `models/teapot.glb?v=2`. */
 const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
-/** Not as a literal: browsers would keep the whole first file at two bytes for each character instead of one. */
+/**
+ * Not as a literal: browsers would keep the whole first file at two bytes for each character
+ * instead of one.
+ */
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
 /** Three digits are enough for the ear. A minus sign, because some screen readers skip a hyphen. */
@@ -74,12 +88,20 @@ const numbers = (values: readonly number[], texts: ViewerTexts | null): string =
 /** Attributes, besides `alt`, that name the picture or say what it is. */
 export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
 
-/** An application gets the keys that a screen reader would keep for itself on an image; `keys` is empty for an image. */
+/**
+ * An application gets the keys that a screen reader would keep for itself on an image; `keys` is
+ * empty for an image.
+ */
 export function surfaceName(viewer: PhongViewer, texts: ViewerTexts | null) {
   const label = viewer.getAttribute('aria-label') || viewer.alt;
   // Missing in browsers without element reflection, whatever the types say.
   const labelledBy = (viewer as Partial<Element>).ariaLabelledByElements ?? null;
-  const keys = usable(viewer, 'ArrowLeft ArrowRight ArrowUp ArrowDown', 'Plus - PageUp PageDown', 'Home');
+  const keys = usable(
+    viewer,
+    'ArrowLeft ArrowRight ArrowUp ArrowDown',
+    'Plus - PageUp PageDown',
+    'Home',
+  );
   // Nothing that can have the focus may be hidden or nameless.
   const hidden = keys === '' && label === '' && labelledBy === null && isDecoration(viewer);
   return { keys, label: label || phrase(texts, '3D scene'), labelledBy, hidden };
@@ -93,8 +115,12 @@ export const keysText = (viewer: PhongViewer, texts: ViewerTexts | null): string
     phrase(texts, 'Home resets the camera.'),
   );
 
-const usable = ({ orbit, zoom }: PhongViewer, rotate: string, scale: string, reset: string): string =>
-  [orbit && rotate, zoom && scale, (orbit || zoom) && reset].filter(Boolean).join(' ');
+const usable = (
+  { orbit, zoom }: PhongViewer,
+  rotate: string,
+  scale: string,
+  reset: string,
+): string => [orbit && rotate, zoom && scale, (orbit || zoom) && reset].filter(Boolean).join(' ');
 
 /** The picture has a name, needs none, or is hidden from assistive technology. */
 export const isNamed = (viewer: PhongViewer): boolean =>

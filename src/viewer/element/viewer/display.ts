@@ -1,5 +1,6 @@
-// What a viewer shows: its shadow tree, with the surface that holds the picture; poster, description, message and panel
-// over it; and the slots. Brings it, and the custom states, in step with what is loaded and what has failed.
+// What a viewer shows: its shadow tree, with the surface that holds the picture; poster,
+// description, message and panel over it; and the slots. Brings it, and the custom states, in step
+// with what is loaded and what has failed.
 import { html, nothing, type TemplateResult } from 'lit';
 import { checkedTexts, phrase, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../elements.js';
@@ -43,7 +44,12 @@ export class ViewerDisplay {
   #revealed = false;
   #empty = false;
 
-  constructor(context: ViewerContext, loading: ViewerLoading, failure: ViewerFailure, extras: ViewerExtras) {
+  constructor(
+    context: ViewerContext,
+    loading: ViewerLoading,
+    failure: ViewerFailure,
+    extras: ViewerExtras,
+  ) {
     const { viewer, signals } = (this.#context = context);
     this.#viewer = viewer;
     this.#loading = loading;
@@ -51,7 +57,9 @@ export class ViewerDisplay {
     this.#extras = extras;
     this.#states = customStates(viewer);
     this.#announcements = new ViewerAnnouncements(context);
-    for (const part of [this.#announcements, extras]) viewer.addController(part);
+    for (const part of [this.#announcements, extras]) {
+      viewer.addController(part);
+    }
     signals.meshesChanged.listen(() => this.#checkEmpty());
     signals.drawn.listen(() => {
       this.#checkEmpty();
@@ -67,7 +75,9 @@ export class ViewerDisplay {
     const { bar, pending } = this.#loading;
     const failure = this.#failure.newest;
     const { poster } = viewer;
-    if (poster !== this.#badPoster) this.#badPoster = '';
+    if (poster !== this.#badPoster) {
+      this.#badPoster = '';
+    }
     const hasPoster = poster !== '' && !this.#revealed && this.#badPoster === '';
     const name = surfaceName(viewer, texts);
     return html`
@@ -146,14 +156,20 @@ export class ViewerDisplay {
   }
 
   readonly #onButton = (): void => {
-    if (!this.#failure.dismiss()) this.#loading.retry();
+    if (!this.#failure.dismiss()) {
+      this.#loading.retry();
+    }
   };
 
   readonly #onKey = (event: Event): void => {
     // Escape must do nothing else then, such as closing a dialog around the viewer.
     const escapes = (event as KeyboardEvent).key === 'Escape' && !event.defaultPrevented;
-    if (escapes && this.#failure.dismiss()) event.preventDefault();
-    if (isUsed(event as KeyboardEvent)) event.stopPropagation();
+    if (escapes && this.#failure.dismiss()) {
+      event.preventDefault();
+    }
+    if (isUsed(event as KeyboardEvent)) {
+      event.stopPropagation();
+    }
   };
 
   readonly #dropPoster = (): void => {
@@ -161,7 +177,10 @@ export class ViewerDisplay {
     this.#viewer.requestUpdate();
   };
 
-  /** The shadow tree is there for the first time. Returns the surface: the picture, without the panel. */
+  /**
+   * The shadow tree is there for the first time. Returns the surface: the picture, without the
+   * panel.
+   */
   connect(root: ParentNode): HTMLElement {
     this.#tree = {
       surface: root.querySelector('.surface')!,
@@ -180,8 +199,9 @@ export class ViewerDisplay {
   /** Before the tree is rendered: a focused message that goes leaves its focus to the picture. */
   keepFocus(root: ParentNode): void {
     if (this.#failure.newest !== null) return;
-    if (root.querySelector('.message')?.matches(':focus-within') === true)
+    if (root.querySelector('.message')?.matches(':focus-within') === true) {
       this.#tree?.surface.focus({ preventScroll: true });
+    }
   }
 
   get panel(): HTMLElement | null {
@@ -191,7 +211,9 @@ export class ViewerDisplay {
   /** Those in use: the viewer's own, then the page's. */
   get texts(): ViewerTexts | null {
     const page = pageTexts();
-    if (this.#used === null || this.#used.page !== page) this.#used = { page, texts: textsOver(this.#texts, page) };
+    if (this.#used === null || this.#used.page !== page) {
+      this.#used = { page, texts: textsOver(this.#texts, page) };
+    }
     return this.#used.texts;
   }
 
@@ -201,31 +223,46 @@ export class ViewerDisplay {
     this.#viewer.requestUpdate('texts');
   }
 
-  /** The tree was rendered. `changed`: not for a text beside the picture alone, which extras do not depend on. */
+  /**
+   * The tree was rendered. `changed`: not for a text beside the picture alone, which extras do not
+   * depend on.
+   */
   updated(changed: boolean): void {
     this.#empty = this.#isEmpty;
     this.#setState('loading', this.#loading.pending);
     this.#setState('error', this.#failure.newest !== null);
     this.#setState('empty', this.#empty);
-    if (changed) this.#extras.apply();
+    if (changed) {
+      this.#extras.apply();
+    }
   }
 
   #setState(state: 'loading' | 'error' | 'empty', on: boolean): void {
-    if (on) this.#states?.add(state);
-    else this.#states?.delete(state);
+    if (on) {
+      this.#states?.add(state);
+    } else {
+      this.#states?.delete(state);
+    }
   }
 
-  /** Removes the poster once everything requested has been drawn for the first time, or is known to fail. */
+  /**
+   * Removes the poster once everything requested has been drawn for the first time, or is known to
+   * fail.
+   */
   #reveal(): void {
     if (this.#revealed || this.#loading.pending || !this.#context.viewport.upToDate) return;
     if (this.#failure.newest !== null && !this.#loading.shows) return;
     this.#revealed = true;
-    if (this.#viewer.poster !== '') this.#viewer.requestUpdate();
+    if (this.#viewer.poster !== '') {
+      this.#viewer.requestUpdate();
+    }
   }
 
   /** Objects of the scene may have come or gone. Cheap: called for each frame. */
   #checkEmpty(): void {
-    if (this.#isEmpty !== this.#empty) this.#viewer.requestUpdate();
+    if (this.#isEmpty !== this.#empty) {
+      this.#viewer.requestUpdate();
+    }
   }
 
   get #isEmpty(): boolean {
@@ -233,14 +270,20 @@ export class ViewerDisplay {
   }
 }
 
-/** Style of slotted content: the text size around a viewer and the comparison that it is in, which have their own. */
+/**
+ * Style of slotted content: the text size around a viewer and the comparison that it is in, which
+ * have their own.
+ */
 function pageText(viewer: HTMLElement): string {
   const outermost = viewer.closest('phong-compare') ?? viewer;
   const around = outermost.parentElement ?? (outermost.getRootNode() as Partial<ShadowRoot>).host;
   return `--phong-page: ${around === undefined ? '' : getComputedStyle(around).fontSize}`;
 }
 
-/** Undefined in browsers without custom states or with dashed ones only (Chrome before 125), and for tags with `is`. */
+/**
+ * Undefined in browsers without custom states or with dashed ones only (Chrome before 125), and for
+ * tags with `is`.
+ */
 function customStates(element: HTMLElement): Set<string> | undefined {
   try {
     const { states } = element.attachInternals() as { readonly states?: Set<string> };
@@ -252,11 +295,25 @@ function customStates(element: HTMLElement): Set<string> | undefined {
   }
 }
 
-/** Whether a key has done something inside the viewer. Such keys do not reach the page: they would turn a slide. */
+/**
+ * Whether a key has done something inside the viewer. Such keys do not reach the page: they would
+ * turn a slide.
+ */
 function isUsed(event: KeyboardEvent): boolean {
   if (event.defaultPrevented) return true;
-  if (event.ctrlKey || event.altKey || event.metaKey || event.key === 'Tab' || event.key === 'Escape') return false;
+  if (
+    event.ctrlKey ||
+    event.altKey ||
+    event.metaKey ||
+    event.key === 'Tab' ||
+    event.key === 'Escape'
+  ) {
+    return false;
+  }
   const [target] = event.composedPath() as [Element];
   // What is slotted is the page's own.
-  return target.getRootNode() === event.currentTarget && target.matches('button, input, select, textarea');
+  return (
+    target.getRootNode() === event.currentTarget &&
+    target.matches('button, input, select, textarea')
+  );
 }

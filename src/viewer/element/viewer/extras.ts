@@ -1,5 +1,6 @@
-// The parts that most viewers do without: helpers, a legend, the probe, linked cameras, explanations and files. Each is
-// a chunk that is fetched with its first use. shadeAt copies the scene at the call, because it may change meanwhile.
+// The parts that most viewers do without: helpers, a legend, the probe, linked cameras,
+// explanations and files. Each is a chunk that is fetched with its first use. shadeAt copies the
+// scene at the call, because it may change meanwhile.
 import type { ReactiveController } from 'lit';
 import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import { MOST_SAMPLES, type ViewerValues } from '../fields/viewer-fields.js';
@@ -50,7 +51,8 @@ interface Kind {
 
 /** Belong to the first picture: it would show another camera. */
 const LINKED: Kind = {
-  wanted: ({ cameraGroup }, viewer) => cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+  wanted: ({ cameraGroup }, viewer) =>
+    cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
   load: lazyCode(() => import('../../../extras/compare/camera-group.js'), 'linked cameras'),
 };
 
@@ -91,12 +93,17 @@ export class ViewerExtras implements ReactiveController {
     this.#camera = camera;
     this.#visibility = visibility;
     const { awaited } = signals;
-    signals.awaited = () => awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
+    signals.awaited = () =>
+      awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
     signals.drawn.listen(() => {
-      for (const extra of this.#extras.values()) extra?.update();
+      for (const extra of this.#extras.values()) {
+        extra?.update();
+      }
     });
     signals.cameraMoved.listen(({ source }) => {
-      for (const extra of this.#extras.values()) extra?.cameraMoved?.(source);
+      for (const extra of this.#extras.values()) {
+        extra?.cameraMoved?.(source);
+      }
     });
   }
 
@@ -110,7 +117,11 @@ export class ViewerExtras implements ReactiveController {
       // The triangles of the picture that is shown.
       scene:
         holder.getClientRects().length > 0
-          ? picture.snapshot(viewport, Math.max(still.samples, 1), (mesh) => elementOf(mesh) ?? viewer)
+          ? picture.snapshot(
+              viewport,
+              Math.max(still.samples, 1),
+              (mesh) => elementOf(mesh) ?? viewer,
+            )
           : null,
       width: width * zoom,
       height: height * zoom,
@@ -125,7 +136,9 @@ export class ViewerExtras implements ReactiveController {
   /** The picture as a file, with what the extras draw over it. Waits for their code. */
   async toBlob(options: PictureOptions): Promise<Blob> {
     const { pending } = this;
-    if (pending !== null) await pending;
+    if (pending !== null) {
+      await pending;
+    }
     const { viewport } = this.#context;
     const width = options.width ?? Math.max(viewport.width, 1);
     const height = options.height ?? Math.max(viewport.height, 1);
@@ -146,15 +159,21 @@ export class ViewerExtras implements ReactiveController {
   }
 
   hostDisconnected(): void {
-    for (const kind of this.#extras.keys()) this.#drop(kind);
+    for (const kind of this.#extras.keys()) {
+      this.#drop(kind);
+    }
   }
 
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
-      if (!kind.wanted(this.#context.values, this.#context.viewer)) this.#drop(kind);
-      else if (extra === undefined) this.#wait(this.#fetch(kind));
-      else extra?.update();
+      if (!kind.wanted(this.#context.values, this.#context.viewer)) {
+        this.#drop(kind);
+      } else if (extra === undefined) {
+        this.#wait(this.#fetch(kind));
+      } else {
+        extra?.update();
+      }
     }
   }
 
@@ -167,7 +186,8 @@ export class ViewerExtras implements ReactiveController {
   async #capture(size: Size, options: PictureOptions): Promise<HTMLCanvasElement> {
     const { viewport } = this.#context;
     const { samples } = options;
-    const picture = samples === undefined ? viewport.capture(size) : await viewport.still.capture(size, samples);
+    const picture =
+      samples === undefined ? viewport.capture(size) : await viewport.still.capture(size, samples);
     const extras = KINDS.flatMap((kind) => this.#extras.get(kind) ?? []);
     if (extras.length === 0) return picture;
     // Apart from the picture: the scene can change while some code is fetched.

@@ -1,4 +1,5 @@
-// What has failed and still does: reported once by an event, shown as a message until it works again.
+// What has failed and still does: reported once by an event, shown as a message until it works
+// again.
 import { clipMessage } from '../../../phong/fields/clip.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { ModelError } from '../../model/model.js';
@@ -18,7 +19,9 @@ interface FailureSubject {
 export interface Failure {
   readonly subject: FailureSubject;
   readonly detail: ViewerErrorDetail;
-  /** What visitors read: the file and what is wrong, without advice that only the author can follow. */
+  /**
+   * What visitors read: the file and what is wrong, without advice that only the author can follow.
+   */
   readonly fact: string;
 }
 
@@ -26,7 +29,8 @@ const CONTEXT: FailureSubject = {};
 
 const LOST: ViewerErrorDetail = {
   code: 'context-lost',
-  message: 'The graphics context was lost. The picture returns when the browser restores the context.',
+  message:
+    'The graphics context was lost. The picture returns when the browser restores the context.',
   url: null,
 };
 
@@ -63,7 +67,9 @@ export class ViewerFailure {
 
   dismiss(): boolean {
     const { newest, dismissible } = this;
-    if (newest !== null && dismissible) this.clear(newest.subject);
+    if (newest !== null && dismissible) {
+      this.clear(newest.subject);
+    }
     return dismissible;
   }
 
@@ -76,13 +82,17 @@ export class ViewerFailure {
 
   /** `subject` works, or is gone. */
   clear(subject: FailureSubject): void {
-    if (this.#present.delete(subject)) this.#viewer.requestUpdate();
+    if (this.#present.delete(subject)) {
+      this.#viewer.requestUpdate();
+    }
   }
 
   /** Once, however often the context is lost again or refused before it works. */
   #reportContext(detail: ViewerErrorDetail): void {
     const known = this.#present.get(CONTEXT)?.detail.code;
-    if (known !== detail.code) this.#add({ subject: CONTEXT, detail, fact: detail.message });
+    if (known !== detail.code) {
+      this.#add({ subject: CONTEXT, detail, fact: detail.message });
+    }
   }
 
   #add(failure: Failure): void {
@@ -100,20 +110,26 @@ export class ViewerFailure {
       const advice = error.message.slice(error.fact.length);
       // Of files, each; of shapes, which have no address, the advice alone counts.
       const key = `${url?.href ?? ''}${advice}`;
-      if (!this.#given.has(key)) console.warn(message);
+      if (!this.#given.has(key)) {
+        console.warn(message);
+      }
       this.#given.add(key);
     }
     const fact = hides ? clipMessage(error.fact) : message;
     const name = url === null ? '' : nameOf(url);
     // Its end may have been clipped.
-    return fact.includes(name.slice(0, 60)) ? fact : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
+    return fact.includes(name.slice(0, 60))
+      ? fact
+      : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
   }
 }
 
 function detailOf(error: unknown, url: URL | null): ViewerErrorDetail {
   const code = codeOf(error);
   let message = error instanceof Error ? error.message : String(error);
-  if (code === 'too-large' && !(error instanceof ModelError)) message = 'There is not enough memory to show this.';
+  if (code === 'too-large' && !(error instanceof ModelError)) {
+    message = 'There is not enough memory to show this.';
+  }
   return { code, message: clipMessage(message), url: url?.href ?? null };
 }
 

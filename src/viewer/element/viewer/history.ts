@@ -1,4 +1,5 @@
-// Undo and redo: edits of one viewer (declared values, camera, order of its children). Loaded with its first user.
+// Undo and redo: edits of one viewer (declared values, camera, order of its children). Loaded with
+// its first user.
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { registryOf } from '../child-registry.js';
 import { fieldsOf, viewerCameras } from '../internals.js';
@@ -36,7 +37,10 @@ export class History {
     return this.#undone.length > 0;
   }
 
-  /** Records what `write` changes as one step. Edits with the same `gesture` are one step until {@link seal}. */
+  /**
+   * Records what `write` changes as one step. Edits with the same `gesture` are one step until
+   * {@link seal}.
+   */
   edit<S>(subject: Undoable<S>, write: () => void, gesture: object | null = null): void {
     const before = subject.read();
     try {
@@ -49,7 +53,9 @@ export class History {
   /** Records what has changed since `before` was read as one step, if anything has. */
   record<S>(subject: Undoable<S>, before: S, gesture: object | null = null): void {
     const after = subject.read();
-    if (!subject.same(before, after)) this.#add({ subject, before, after, gesture });
+    if (!subject.same(before, after)) {
+      this.#add({ subject, before, after, gesture });
+    }
   }
 
   /** Ends the gesture: the next edit is a step of its own. */
@@ -58,11 +64,15 @@ export class History {
   }
 
   undo(): boolean {
-    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) => subject.restore(after, before));
+    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) =>
+      subject.restore(after, before),
+    );
   }
 
   redo(): boolean {
-    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) => subject.restore(before, after));
+    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) =>
+      subject.restore(before, after),
+    );
   }
 
   /** Calls `changed` after every step, undo and redo. The returned function stops that. */
@@ -73,9 +83,14 @@ export class History {
 
   #add(step: Step): void {
     const last = this.#done.at(-1);
-    if (this.#open && step.gesture !== null && last?.gesture === step.gesture) last.after = step.after;
-    else this.#done.push(step);
-    if (this.#done.length > MOST_STEPS) this.#done.shift();
+    if (this.#open && step.gesture !== null && last?.gesture === step.gesture) {
+      last.after = step.after;
+    } else {
+      this.#done.push(step);
+    }
+    if (this.#done.length > MOST_STEPS) {
+      this.#done.shift();
+    }
     this.#undone.length = 0;
     this.#open = true;
     this.#notify();
@@ -92,12 +107,20 @@ export class History {
   }
 
   #notify(): void {
-    for (const changed of this.#changed) changed();
+    for (const changed of this.#changed) {
+      changed();
+    }
   }
 }
 
 /** What these keys mean: Ctrl or Cmd with Z, Shift + Z, and Y. */
-export function undoKey({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 'undo' | 'redo' | null {
+export function undoKey({
+  key,
+  ctrlKey,
+  metaKey,
+  shiftKey,
+  altKey,
+}: KeyboardEvent): 'undo' | 'redo' | null {
   if (!(ctrlKey || metaKey) || altKey) return null;
   const letter = key.toLowerCase();
   if (letter === 'z') return shiftKey ? 'redo' : 'undo';
@@ -121,10 +144,13 @@ export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoabl
   const keys = Object.keys(store.fields) as (keyof typeof store.values)[];
   const changed = (a: Given, b: Given) => keys.filter((key) => !sameValue(a.get(key), b.get(key)));
   return {
-    read: () => new Map(keys.filter((key) => store.given(key)).map((key) => [key, store.values[key]])),
+    read: () =>
+      new Map(keys.filter((key) => store.given(key)).map((key) => [key, store.values[key]])),
     same: (a, b) => changed(a, b).length === 0,
     restore(from, to) {
-      for (const key of changed(from, to)) binding.set(key, to.get(key) ?? null);
+      for (const key of changed(from, to)) {
+        binding.set(key, to.get(key) ?? null);
+      }
     },
   };
 }
@@ -146,25 +172,39 @@ interface TreePlace {
 
 /** `node` is `element` or inside it, shadow trees included: `element` cannot be moved into it. */
 function holds(element: HTMLElement, node: Node | null): boolean {
-  for (let at = node; at !== null; at = at instanceof ShadowRoot ? at.host : at.parentNode)
+  for (let at = node; at !== null; at = at instanceof ShadowRoot ? at.host : at.parentNode) {
     if (at === element) return true;
+  }
   return false;
 }
 
-/** Which children the viewer has, and where. A step back that would move one into itself does nothing. */
+/**
+ * Which children the viewer has, and where. A step back that would move one into itself does
+ * nothing.
+ */
 export function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
   const stays = (a: TreePlace | undefined, b: TreePlace | undefined): boolean =>
     a?.parent === b?.parent && a?.next === b?.next;
   return {
     read: () =>
       new Map(
-        registryOf(viewer).inOrder.map((child) => [child, { parent: child.parentNode, next: child.nextSibling }]),
+        registryOf(viewer).inOrder.map((child) => [
+          child,
+          { parent: child.parentNode, next: child.nextSibling },
+        ]),
       ),
-    same: (a, b) => a.size === b.size && [...a].every(([child, place]) => stays(place, b.get(child))),
+    same: (a, b) =>
+      a.size === b.size && [...a].every(([child, place]) => stays(place, b.get(child))),
     restore(from, to) {
       // A script may have moved the parent into the child since.
-      for (const [child, place] of to) if (!stays(from.get(child), place) && holds(child, place.parent)) return;
-      for (const child of from.keys()) if (!to.has(child)) child.remove();
+      for (const [child, place] of to) {
+        if (!stays(from.get(child), place) && holds(child, place.parent)) return;
+      }
+      for (const child of from.keys()) {
+        if (!to.has(child)) {
+          child.remove();
+        }
+      }
       // Backwards, so that the sibling a child stands before is in its place already.
       for (const [child, place] of [...to].reverse()) {
         const { parent, next } = place;

@@ -1,4 +1,5 @@
-// What a viewer loads: its own mesh and its children's, with their progress, events and errors, and files dropped on it.
+// What a viewer loads: its own mesh and its children's, with their progress, events and errors, and
+// files dropped on it.
 import type { ReactiveController } from 'lit';
 import { stage } from '../../scene/gpu/stage.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
@@ -20,7 +21,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #context: ViewerContext;
   readonly #events: EventQueue;
   readonly #failure: ViewerFailure;
-  /** What has arrived of each load, 0 to 1; null: not known. Those that have ended stay, or the share would fall. */
+  /**
+   * What has arrived of each load, 0 to 1; null: not known. Those that have ended stay, or the
+   * share would fall.
+   */
   readonly #shares = new Map<SceneMesh, number | null>();
   readonly #active = new Set<SceneMesh>();
   readonly ownMesh: SceneMesh;
@@ -40,13 +44,16 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
-    signals.awaited = () => !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
+    signals.awaited = () =>
+      !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.drawn.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
       if (!near || this.#near) return;
       this.#near = true;
-      if (context.values.loading === 'lazy') this.update();
+      if (context.values.loading === 'lazy') {
+        this.update();
+      }
     });
     takeDrops(viewer);
   }
@@ -70,16 +77,25 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   #drawn(): void {
     this.#hasDrawn = true;
-    for (const mesh of this.#undrawn) mesh.drawn();
+    for (const mesh of this.#undrawn) {
+      mesh.drawn();
+    }
     this.#undrawn.clear();
   }
 
-  /** Drawing has thrown. Takes new content back, unless `draw` throws without it too: then something else is wrong. */
+  /**
+   * Drawing has thrown. Takes new content back, unless `draw` throws without it too: then something
+   * else is wrong.
+   */
   #recover(error: unknown, draw: () => void): boolean {
     const meshes = [...this.#undrawn];
     if (meshes.length === 0) return false;
     const show = (visible: boolean): void => {
-      for (const { root } of meshes) if (root !== null) root.visible = visible;
+      for (const { root } of meshes) {
+        if (root !== null) {
+          root.visible = visible;
+        }
+      }
     };
     show(false);
     try {
@@ -90,7 +106,9 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       show(true);
     }
     this.#undrawn.clear();
-    for (const mesh of meshes) mesh.revert(error);
+    for (const mesh of meshes) {
+      mesh.revert(error);
+    }
     return true;
   }
 
@@ -99,7 +117,9 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   began(mesh: SceneMesh): void {
-    if (!this.pending) this.#barTimer = setTimeout(this.#showBar, BAR_DELAY);
+    if (!this.pending) {
+      this.#barTimer = setTimeout(this.#showBar, BAR_DELAY);
+    }
     this.#active.add(mesh);
     this.#shares.set(mesh, null);
     this.#context.viewer.requestUpdate();
@@ -109,7 +129,9 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   progress(mesh: SceneMesh, loaded: number, total: number): void {
     this.#shares.set(mesh, total > 0 ? Math.min(loaded / total, 1) : null);
     this.#enqueueProgress();
-    if (this.#isSlow) this.#context.viewer.requestUpdate();
+    if (this.#isSlow) {
+      this.#context.viewer.requestUpdate();
+    }
   }
 
   dropped(mesh: SceneMesh): void {
@@ -142,14 +164,19 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return this.#active.size > 0;
   }
 
-  /** What a progress bar shows: the share that has arrived, null if it is not known. Undefined for no bar. */
+  /**
+   * What a progress bar shows: the share that has arrived, null if it is not known. Undefined for
+   * no bar.
+   */
   get bar(): number | null | undefined {
     return this.#isSlow ? this.#share : undefined;
   }
 
   /** Something to show is declared. */
   get wanted(): boolean {
-    for (const mesh of this.picture.meshes) if (mesh.wanted) return true;
+    for (const mesh of this.picture.meshes) {
+      if (mesh.wanted) return true;
+    }
     return false;
   }
 
@@ -179,30 +206,43 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.update();
   }
 
-  /** Nothing is downloaded for a removed viewer. One that only moves is back before the next task. */
+  /**
+   * Nothing is downloaded for a removed viewer. One that only moves is back before the next task.
+   */
   hostDisconnected(): void {
-    // Disconnected twice: a popup that closes disconnects first, then the page moves the viewer out of its document.
+    // Disconnected twice: a popup that closes disconnects first, then the page moves the viewer out
+    // of its document.
     clearTimeout(this.#removal);
     this.#removal = setTimeout(() => {
       this.#suspended = true;
-      for (const mesh of this.#meshes()) mesh.suspend();
+      for (const mesh of this.#meshes()) {
+        mesh.suspend();
+      }
     });
   }
 
   /** Values of the viewer have changed, or were assigned again. */
   apply(changed: { has(key: string): boolean }): void {
-    if (changed.has('src') || changed.has('geometry')) this.ownMesh.retry();
-    if (LOADING_KEYS.some((key) => changed.has(key))) this.update();
+    if (changed.has('src') || changed.has('geometry')) {
+      this.ownMesh.retry();
+    }
+    if (LOADING_KEYS.some((key) => changed.has(key))) {
+      this.update();
+    }
   }
 
   update(): void {
-    for (const mesh of this.#meshes()) mesh.update();
+    for (const mesh of this.#meshes()) {
+      mesh.update();
+    }
   }
 
   /** Requests again what failed, a WebGL context included. */
   readonly retry = (): void => {
     stage.retry();
-    for (const mesh of this.#meshes()) mesh.retry();
+    for (const mesh of this.#meshes()) {
+      mesh.retry();
+    }
     this.update();
   };
 
@@ -239,31 +279,42 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 }
 
-/** Files dropped on a `droppable` viewer become its model. The browser offers them only during the event. */
+/**
+ * Files dropped on a `droppable` viewer become its model. The browser offers them only during the
+ * event.
+ */
 function takeDrops(viewer: PhongViewer): void {
   let drops = 0;
   /** A page's own handler comes first, and may have taken the files. */
   const takes = (event: DragEvent): DataTransfer | null => {
     const { dataTransfer, defaultPrevented } = event;
-    if (!viewer.droppable || defaultPrevented || dataTransfer?.types.includes('Files') !== true) return null;
+    if (!viewer.droppable || defaultPrevented || dataTransfer?.types.includes('Files') !== true) {
+      return null;
+    }
     event.preventDefault();
     return dataTransfer;
   };
   viewer.addEventListener('dragover', (event) => {
     const transfer = takes(event);
-    if (transfer !== null) transfer.dropEffect = 'copy';
+    if (transfer !== null) {
+      transfer.dropEffect = 'copy';
+    }
   });
   viewer.addEventListener('drop', (event) => {
     const transfer = takes(event);
     if (transfer === null) return;
-    const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+    const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter(
+      (entry) => entry !== null,
+    );
     const files = [...transfer.files];
     const drop = ++drops; // of two in a row, the later one counts
     viewer.focus({ preventScroll: true }); // as after a press: Escape removes a message
     modelCode()
       .then(({ droppedModel }) => droppedModel(entries, files))
       .then((model) => {
-        if (drop === drops && model !== null) viewer.src = model;
+        if (drop === drops && model !== null) {
+          viewer.src = model;
+        }
       })
       .catch((error: unknown) => console.warn(`<phong-viewer droppable>: ${String(error)}`));
   });

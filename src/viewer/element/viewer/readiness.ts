@@ -1,4 +1,5 @@
-// The promise that a viewer is ready: all requested is drawn, or cannot be seen. Never rejects, never stays pending.
+// The promise that a viewer is ready: all requested is drawn, or cannot be seen. Never rejects,
+// never stays pending.
 import type { ViewerSignals } from './viewer-context.js';
 
 export class Readiness {
@@ -9,19 +10,25 @@ export class Readiness {
   constructor(signals: ViewerSignals, settled: () => boolean) {
     this.#settled = settled;
     const check = (): void => this.check();
-    for (const signal of [signals.ended, signals.frameEnded, signals.viewChanged]) signal.listen(check);
+    for (const signal of [signals.ended, signals.frameEnded, signals.viewChanged]) {
+      signal.listen(check);
+    }
   }
 
   /** The current promise; a new one if something was requested since the last one resolved. */
   get promise(): Promise<void> {
     this.check();
-    if (this.#resolve === null && !this.#settled()) this.#renew();
+    if (this.#resolve === null && !this.#settled()) {
+      this.#renew();
+    }
     return this.#promise;
   }
 
   /** Something newer is requested: resolves the old promise and replaces it. */
   supersede(): void {
-    if (this.#resolve !== null) this.#renew();
+    if (this.#resolve !== null) {
+      this.#renew();
+    }
   }
 
   check(): void {
@@ -29,7 +36,9 @@ export class Readiness {
     if (resolve === null || !this.#settled()) return;
     resolve();
     // #settled() may have ended loads, which call this method as well.
-    if (this.#resolve === resolve) this.#resolve = null;
+    if (this.#resolve === resolve) {
+      this.#resolve = null;
+    }
   }
 
   #renew(): void {

@@ -1,4 +1,5 @@
-// A viewer's scene as markup that gives the same picture. Text only: building elements would upgrade them.
+// A viewer's scene as markup that gives the same picture. Text only: building elements would
+// upgrade them.
 import type { FieldStore } from '../../../phong/fields/field-store.js';
 import { fileName } from '../../model/request-model.js';
 import { registryOf } from '../child-registry.js';
@@ -9,7 +10,9 @@ import type { PhongCompare, PhongViewer } from '../elements.js';
 /** The page's own attributes that are kept. */
 const KEPT = ['id', 'class', 'style'];
 
-/** Wrappers that are kept. Others, such as custom elements with lights of their own, become `div`. */
+/**
+ * Wrappers that are kept. Others, such as custom elements with lights of their own, become `div`.
+ */
 const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
 
 export function compareMarkup(compare: PhongCompare): string {
@@ -20,7 +23,9 @@ export function compareMarkup(compare: PhongCompare): string {
   return `<phong-compare${kept(compare)}${values}>\n${inner}</phong-compare>`;
 }
 
-/** The viewer and its children in their wrappers. The camera and a pinned point are those shown now. */
+/**
+ * The viewer and its children in their wrappers. The camera and a pinned point are those shown now.
+ */
 export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
   const { theta, phi, radius, target } = viewer.camera;
   const pin = viewerPins.get(viewer);
@@ -38,14 +43,20 @@ export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
     const isOurs = localName.startsWith('phong-');
     const name = isOurs || WRAPPERS.test(localName) ? localName : 'div';
     const { store } = isOurs ? fieldsOf(element as PhongViewer) : { store: null };
-    const values = store === null ? '' : attributes(name, store, element === viewer ? shown : {}, radius);
-    const inner = (tree.get(element) ?? []).map((child) => `${write(child, `${indent}  `)}\n`).join('');
+    const values =
+      store === null ? '' : attributes(name, store, element === viewer ? shown : {}, radius);
+    const inner = (tree.get(element) ?? [])
+      .map((child) => `${write(child, `${indent}  `)}\n`)
+      .join('');
     return `${indent}<${name}${kept(element)}${values}>${inner === '' ? '' : `\n${inner}${indent}`}</${name}>`;
   };
   return write(viewer, margin);
 }
 
-/** The meshes, lights and wrappers in the viewer and in each other. Shadow trees count as their hosts' children. */
+/**
+ * The meshes, lights and wrappers in the viewer and in each other. Shadow trees count as their
+ * hosts' children.
+ */
 function treeOf(viewer: Element): ReadonlyMap<Element, readonly Element[]> {
   const tree = new Map<Element, Element[]>();
   for (const child of registryOf(viewer).inOrder) {
@@ -67,7 +78,9 @@ const kept = (element: Element): string =>
     return text === '' ? '' : attribute(name, text);
   }).join('');
 
-/** The values that were given, in the order of the fields, and `instead` in place of those it names. */
+/**
+ * The values that were given, in the order of the fields, and `instead` in place of those it names.
+ */
 function attributes<V extends object>(
   tag: string,
   store: FieldStore<V>,
@@ -80,15 +93,20 @@ function attributes<V extends object>(
     if (!replaced && !store.given(key)) continue;
     const value: unknown = replaced ? instead[key] : store.values[key];
     const text =
-      value instanceof Blob ? hostedName(tag, value) : formatValue(rounded(value, radius), store.fields[key]);
-    if (text !== null) all += attribute(attributeOf(key), text);
+      value instanceof Blob
+        ? hostedName(tag, value)
+        : formatValue(rounded(value, radius), store.fields[key]);
+    if (text !== null) {
+      all += attribute(attributeOf(key), text);
+    }
   }
   return all;
 }
 
 /**
- * Rounds to eight digits, counted from the first digit of the value or of the camera's radius, whichever is smaller.
- * The error is below half a step of the float32 numbers that the GPU gets, which are relative to the camera's target.
+ * Rounds to eight digits, counted from the first digit of the value or of the camera's radius,
+ * whichever is smaller. The error is below half a step of the float32 numbers that the GPU gets,
+ * which are relative to the camera's target.
  */
 function rounded(value: unknown, radius: number): unknown {
   if (Array.isArray(value)) return value.map((item) => rounded(item, radius));

@@ -1,11 +1,15 @@
-// The control panel's life: its code is fetched on first use, it is notified of changes, and removed again.
+// The control panel's life: its code is fetched on first use, it is notified of changes, and
+// removed again.
 import { reportMissing } from '../../model/lazy-code.js';
 import type { PhongViewer } from '../elements.js';
 import type { ViewerContext } from './viewer-context.js';
 
 let loadPanel: PanelLoader | null = null;
 
-/** How the panel's code is fetched. The package's entry says so, because elements do not import the panel. */
+/**
+ * How the panel's code is fetched. The package's entry says so, because elements do not import the
+ * panel.
+ */
 export function providePanel(load: PanelLoader): void {
   loadPanel = load;
 }
@@ -23,7 +27,10 @@ export class ViewerPanel {
     signals.cameraMoved.listen(() => this.changed('camera'));
   }
 
-  /** Shows the panel in `place` once its code is there, with other rows if the list has changed, or removes it. */
+  /**
+   * Shows the panel in `place` once its code is there, with other rows if the list has changed, or
+   * removes it.
+   */
   async toggle(wanted: Wanted, place: HTMLElement | null): Promise<void> {
     if (wanted !== this.#wanted) {
       this.#panel?.dispose();
@@ -32,9 +39,13 @@ export class ViewerPanel {
     }
     this.#wanted = wanted;
     if (wanted === false || loadPanel === null || place === null) return;
-    if (this.#panel === null) place.setAttribute(OPEN_PANEL, AWAITED);
+    if (this.#panel === null) {
+      place.setAttribute(OPEN_PANEL, AWAITED);
+    }
     const code = await loadPanel().catch(reportMissing);
-    if (this.#panel === null) place.removeAttribute(OPEN_PANEL);
+    if (this.#panel === null) {
+      place.removeAttribute(OPEN_PANEL);
+    }
     if (code === undefined) return;
     const root = this.#viewer.shadowRoot;
     if (this.#wanted === false || this.#panel !== null || root === null) return;
@@ -44,23 +55,33 @@ export class ViewerPanel {
   /** Updates the panel at the end of the task. */
   changed(what: PanelChange): void {
     if (this.#panel === null) return;
-    if (this.#changes.size === 0) queueMicrotask(this.#update);
+    if (this.#changes.size === 0) {
+      queueMicrotask(this.#update);
+    }
     this.#changes.add(what);
   }
 
   readonly #update = (): void => {
     const changes = [...this.#changes];
     this.#changes.clear();
-    for (const change of changes) this.#panel?.update(change);
+    for (const change of changes) {
+      this.#panel?.update(change);
+    }
   };
 }
 
 type Wanted = boolean | readonly string[];
 
-/** Attribute of the panel's place while the panel is open; {@link AWAITED} while its code is being fetched. */
+/**
+ * Attribute of the panel's place while the panel is open; {@link AWAITED} while its code is being
+ * fetched.
+ */
 export const OPEN_PANEL = 'data-open';
 
-/** The picture leaves room for a panel that will be open: from {@link WIDE_PANEL} pixels on, see phong-viewer.css. */
+/**
+ * The picture leaves room for a panel that will be open: from {@link WIDE_PANEL} pixels on, see
+ * phong-viewer.css.
+ */
 export const AWAITED = 'awaited';
 
 /** CSS pixels. From this width on the panel stands open beside the picture; see panel.css. */

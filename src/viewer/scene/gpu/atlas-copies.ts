@@ -1,5 +1,6 @@
-// The 2D canvases of pictures that share one context, in device pixels: each shows a copy of its place in the atlas.
-// Pictures out of sight keep theirs up to a common bound, so that scrolling back shows them at once.
+// The 2D canvases of pictures that share one context, in device pixels: each shows a copy of its
+// place in the atlas. Pictures out of sight keep theirs up to a common bound, so that scrolling
+// back shows them at once.
 import type { Viewport } from '../viewport.js';
 import type { Region, Size } from './atlas.js';
 
@@ -9,10 +10,16 @@ const KEPT_SCREENS = 2;
 /** The screen's device pixels: the most that is visible at once. */
 export const screenPixels = (): number => screen.width * screen.height * devicePixelRatio ** 2;
 
-/** Screens that one picture on the page may cover: enough to scroll and zoom in one that is larger than its window. */
+/**
+ * Screens that one picture on the page may cover: enough to scroll and zoom in one that is larger
+ * than its window.
+ */
 const MOST_SCREENS = 4;
 
-/** The size in device pixels that a picture of this size on the page has: a very large one has fewer pixels. */
+/**
+ * The size in device pixels that a picture of this size on the page has: a very large one has fewer
+ * pixels.
+ */
 export function sizeOnPage({ width, height }: Size): Size {
   // Zoomed out, some browsers give the screen without the zoom.
   const most = MOST_SCREENS * screen.width * screen.height * Math.max(devicePixelRatio, 1) ** 2;
@@ -26,7 +33,10 @@ export class AtlasCopies {
   /** Shown since the last call of {@link trim}. */
   readonly #fresh = new Set<Viewport>();
 
-  /** Straight from the WebGL canvas: no intermediate canvas or bitmap was faster (src/decisions/one-context.md). */
+  /**
+   * Straight from the WebGL canvas: no intermediate canvas or bitmap was faster
+   * (src/decisions/one-context.md).
+   */
   show(viewport: Viewport, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
     const known = this.#canvases.get(viewport);
     const canvas = known ?? this.#newCanvas(viewport);
@@ -41,17 +51,25 @@ export class AtlasCopies {
     const blank = known === undefined || resized;
     const context = canvas.getContext('2d');
     if (context === null) return; // out of memory: the picture stays as it was
-    // For print, Chromium replays what was drawn since the last frame: `copy` would erase the CSS background there.
+    // For print, Chromium replays what was drawn since the last frame: `copy` would erase the CSS
+    // background there.
     context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
-    if (viewport.holder.firstChild !== canvas) viewport.holder.replaceChildren(canvas);
+    if (viewport.holder.firstChild !== canvas) {
+      viewport.holder.replaceChildren(canvas);
+    }
   }
 
-  /** A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL context. */
+  /**
+   * A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL
+   * context.
+   */
   #newCanvas(viewport: Viewport): HTMLCanvasElement {
     const canvas = viewport.holder.ownerDocument.createElement('canvas');
     canvas.addEventListener('contextrestored', () => {
-      if (this.#canvases.get(viewport) === canvas) viewport.repaint();
+      if (this.#canvases.get(viewport) === canvas) {
+        viewport.repaint();
+      }
     });
     return canvas;
   }
@@ -67,12 +85,19 @@ export class AtlasCopies {
     canvas.height = 0;
   }
 
-  /** Releases the oldest invisible copies beyond the bound, but none of this frame: it may be printed. */
+  /**
+   * Releases the oldest invisible copies beyond the bound, but none of this frame: it may be
+   * printed.
+   */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser
     const isKept = (viewport: Viewport): boolean => viewport.drawable || this.#fresh.has(viewport);
     let surplus = -KEPT_SCREENS * screenPixels();
-    for (const [viewport, { width, height }] of this.#canvases) if (!isKept(viewport)) surplus += width * height;
+    for (const [viewport, { width, height }] of this.#canvases) {
+      if (!isKept(viewport)) {
+        surplus += width * height;
+      }
+    }
     for (const [viewport, { width, height }] of this.#canvases) {
       if (surplus <= 0) break;
       if (isKept(viewport)) continue;

@@ -1,11 +1,14 @@
-// Places the pictures of one frame on the canvas that they share, and divides one that is too large. Pixels.
+// Places the pictures of one frame on the canvas that they share, and divides one that is too
+// large. Pixels.
 
 export interface Size {
   readonly width: number;
   readonly height: number;
 }
 
-/** A part of a picture, from its top left; or of the atlas, from its bottom left, as WebGL counts. */
+/**
+ * A part of a picture, from its top left; or of the atlas, from its bottom left, as WebGL counts.
+ */
 export interface Region extends Size {
   readonly x: number;
   readonly y: number;
@@ -23,13 +26,19 @@ export interface AtlasLimit {
   readonly area: number;
 }
 
-/** Places the pictures in rows, in their order, about as wide as high. Sizes are 1 to `limit.side`. */
+/**
+ * Places the pictures in rows, in their order, about as wide as high. Sizes are 1 to `limit.side`.
+ */
 export function layOutAtlas(sizes: readonly Size[], limit: AtlasLimit): AtlasLayout {
   const total = sizes.reduce((sum, { width, height }) => sum + width * height, 0);
   const widest = sizes.reduce((most, { width }) => Math.max(most, width), 0);
-  const square = Math.max(widest, Math.ceil(Math.sqrt(Math.min(total, limit.area, limit.side ** 2))));
+  const square = Math.max(
+    widest,
+    Math.ceil(Math.sqrt(Math.min(total, limit.area, limit.side ** 2))),
+  );
   const narrow = layOutRows(sizes, square, limit);
-  // Rows that hold one more picture may leave no gap: 20 of 256 × 180 fill 4 × 5 places, but 3 × 7 leave one empty.
+  // Rows that hold one more picture may leave no gap: 20 of 256 × 180 fill 4 × 5 places, but 3 × 7
+  // leave one empty.
   const wide = layOutRows(sizes, Math.min(square + widest, limit.side), limit);
   const gained = wide.places.length - narrow.places.length;
   const smaller = wide.width * wide.height < narrow.width * narrow.height;
@@ -49,7 +58,9 @@ function layOutRows(sizes: readonly Size[], rowWidth: number, limit: AtlasLimit)
     }
     const atlasWidth = Math.max(right, x + width);
     const atlasHeight = Math.max(top, y + height);
-    if (places.length > 0 && (atlasHeight > limit.side || atlasWidth * atlasHeight > limit.area)) break;
+    if (places.length > 0 && (atlasHeight > limit.side || atlasWidth * atlasHeight > limit.area)) {
+      break;
+    }
     places.push({ x, y, width, height });
     x += width;
     right = atlasWidth;
@@ -64,8 +75,14 @@ export function tilesOf({ width, height }: Size, area: number, side = Infinity):
   const tileHeight = Math.max(1, Math.min(height, side, Math.floor(area / tileWidth)));
   const tiles: Region[] = [];
   for (let y = 0; y < height; y += tileHeight) {
-    for (let x = 0; x < width; x += tileWidth)
-      tiles.push({ x, y, width: Math.min(tileWidth, width - x), height: Math.min(tileHeight, height - y) });
+    for (let x = 0; x < width; x += tileWidth) {
+      tiles.push({
+        x,
+        y,
+        width: Math.min(tileWidth, width - x),
+        height: Math.min(tileHeight, height - y),
+      });
+    }
   }
   return tiles;
 }

@@ -1,4 +1,5 @@
-// The page's one WebGL 2 context, its canvas and three.js's renderer: opened with the first drawing, closed at the end.
+// The page's one WebGL 2 context, its canvas and three.js's renderer: opened with the first
+// drawing, closed at the end.
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
 import { deviceOf } from '../../../phong/material/device.js';
 import { checkLinks } from '../../../phong/material/program/program-cache.js';
@@ -11,13 +12,16 @@ export class NoWebGL2Error extends Error {
 /** Longest side in pixels of a drawing, with 4 samples per pixel, that any GPU has memory for. */
 export const SAFE_SIDE = 4096;
 
-/** The method that is called on every picture. `repaint`: the next drawing tries to open a refused context again. */
+/**
+ * The method that is called on every picture. `repaint`: the next drawing tries to open a refused
+ * context again.
+ */
 type Consequence = 'contextLost' | 'contextRestored' | 'repaint';
 
 /**
- * closed → open ⇄ lost. An opening that fails ends in `refused`: the browser is out of memory or restarts its GPU
- * process, and no event says that this is over. `retrying`, after a viewer connects or the document becomes visible,
- * opens with the next drawing, like `closed`.
+ * closed → open ⇄ lost. An opening that fails ends in `refused`: the browser is out of memory or
+ * restarts its GPU process, and no event says that this is over. `retrying`, after a viewer
+ * connects or the document becomes visible, opens with the next drawing, like `closed`.
  */
 type State = 'closed' | 'open' | 'lost' | 'refused' | 'retrying';
 
@@ -44,12 +48,18 @@ export class SharedContext {
     return this.#state === 'lost' || this.#state === 'refused';
   }
 
-  /** Limits of one drawing: infinite before the first context; the area shrinks to what the browser gives. */
+  /**
+   * Limits of one drawing: infinite before the first context; the area shrinks to what the browser
+   * gives.
+   */
   get limit(): AtlasLimit {
     return this.#limit;
   }
 
-  /** The renderer; null while the context is lost. `size` is that of the first drawing. Throws NoWebGL2Error. */
+  /**
+   * The renderer; null while the context is lost. `size` is that of the first drawing. Throws
+   * NoWebGL2Error.
+   */
   open(size: Size): WebGLRenderer | null {
     if (this.#renderer !== null || this.#state === 'lost') return this.#renderer;
     if (this.#gl === null) {
@@ -60,7 +70,9 @@ export class SharedContext {
     }
     const wasRefused = this.#state === 'refused' || this.#state === 'retrying';
     this.#start(this.#gl);
-    if (wasRefused && !this.unavailable) this.#changed('contextRestored');
+    if (wasRefused && !this.unavailable) {
+      this.#changed('contextRestored');
+    }
     return this.#renderer;
   }
 
@@ -77,17 +89,27 @@ export class SharedContext {
     this.#changed('repaint');
   }
 
-  /** Whether the context is lost. WebGL knows before the event arrives; the call does not wait for the GPU. */
+  /**
+   * Whether the context is lost. WebGL knows before the event arrives; the call does not wait for
+   * the GPU.
+   */
   noticeLoss(): boolean {
-    if (this.#state === 'open' && this.#gl?.isContextLost() === true) this.#lose();
+    if (this.#state === 'open' && this.#gl?.isContextLost() === true) {
+      this.#lose();
+    }
     return this.#state === 'lost';
   }
 
   checkLinks(): void {
-    if (this.#renderer !== null) checkLinks(this.#renderer);
+    if (this.#renderer !== null) {
+      checkLinks(this.#renderer);
+    }
   }
 
-  /** Sizes the canvas. False where the browser gives fewer pixels: {@link limit} is lower then, the canvas has one. */
+  /**
+   * Sizes the canvas. False where the browser gives fewer pixels: {@link limit} is lower then, the
+   * canvas has one.
+   */
   resize({ width, height }: Size): boolean {
     const renderer = this.#renderer;
     if (renderer === null) return false;
@@ -97,7 +119,9 @@ export class SharedContext {
     const { drawingBufferWidth, drawingBufferHeight } = renderer.getContext();
     if (drawingBufferWidth >= width && drawingBufferHeight >= height) return true;
     const area = drawingBufferWidth * drawingBufferHeight; // 0 if the context has been lost
-    if (area > 0) this.#limit = { ...this.#limit, area: Math.min(this.#limit.area, area) };
+    if (area > 0) {
+      this.#limit = { ...this.#limit, area: Math.min(this.#limit.area, area) };
+    }
     renderer.setSize(1, 1, false); // the canvas never differs from its drawing buffer
     return false;
   }
@@ -126,7 +150,8 @@ export class SharedContext {
   #lose(): void {
     this.#state = 'lost';
     this.#changed('contextLost');
-    // Now, while the context is lost: deleting these objects on the restored context would be an error.
+    // Now, while the context is lost: deleting these objects on the restored context would be an
+    // error.
     this.#disposeRenderer();
   }
 
@@ -147,14 +172,19 @@ export class SharedContext {
   }
 
   readonly #onVisible = (): void => {
-    if (document.visibilityState === 'visible') this.retry();
+    if (document.visibilityState === 'visible') {
+      this.retry();
+    }
   };
 
-  // three.js must see neither event: it would write to the console, and a restored context gets a new renderer.
+  // three.js must see neither event: it would write to the console, and a restored context gets a
+  // new renderer.
   readonly #onLost = (event: Event): void => {
     event.stopImmediatePropagation();
     event.preventDefault(); // otherwise the context is never restored
-    if (this.#state === 'open') this.#lose();
+    if (this.#state === 'open') {
+      this.#lose();
+    }
   };
 
   readonly #onRestored = (event: Event): void => {
@@ -162,19 +192,27 @@ export class SharedContext {
     if (this.#gl === null) return;
     const { canvas } = this.#gl;
     // The size may be why the context was lost, and the same size would lose it again.
-    if (canvas.width * canvas.height > SAFE_SIDE ** 2) this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
+    if (canvas.width * canvas.height > SAFE_SIDE ** 2) {
+      this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
+    }
     canvas.width = canvas.height = 1; // its buffer may be smaller than the canvas
     // A context that has been lost again comes back by another event.
-    if (canBeCopied(this.#gl) || this.#gl.isContextLost()) this.#start(this.#gl);
-    else this.#release(); // the next drawing opens another
-    if (!this.unavailable) this.#changed('contextRestored');
+    if (canBeCopied(this.#gl) || this.#gl.isContextLost()) {
+      this.#start(this.#gl);
+    } else {
+      this.#release(); // the next drawing opens another
+    }
+    if (!this.unavailable) {
+      this.#changed('contextRestored');
+    }
   };
 }
 
 /**
- * Opens the context at the size of the first drawing: opening small and growing takes 6 ms longer at 600 × 400 and at
- * 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts with one pixel: Chromium gives no
- * context for 8192 × 8192, nor any other to this page afterwards; one that grows gets a smaller buffer at worst.
+ * Opens the context at the size of the first drawing: opening small and growing takes 6 ms longer
+ * at 600 × 400 and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE}
+ * starts with one pixel: Chromium gives no context for 8192 × 8192, nor any other to this page
+ * afterwards; one that grows gets a smaller buffer at worst.
  */
 function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
@@ -198,13 +236,16 @@ function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const log = getConsoleFunction() as ConsoleFunction | null; // null if none was set, whatever the types say
   setConsoleFunction((type, ...parts) => {
     if (context.isContextLost()) return;
-    if (log === null) console.warn(...parts);
-    else log(type, ...parts);
+    if (log === null) {
+      console.warn(...parts);
+    } else {
+      log(type, ...parts);
+    }
   });
   let renderer: WebGLRenderer;
   try {
-    // The canvas gives three.js the same context again. Given it, three.js would touch WebGLRenderingContext, whose
-    // interface the browser builds at the first touch (35 kB of heap).
+    // The canvas gives three.js the same context again. Given it, three.js would touch
+    // WebGLRenderingContext, whose interface the browser builds at the first touch (35 kB of heap).
     renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
   } finally {
     setConsoleFunction(log as ConsoleFunction);
@@ -218,20 +259,34 @@ function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
 
 type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
 
-/** Keeps the scene's order: where surfaces coincide, the last in the markup shows. three.js would sort by material. */
-const byScene = (a: RenderItem, b: RenderItem): number => a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
+/**
+ * Keeps the scene's order: where surfaces coincide, the last in the markup shows. three.js would
+ * sort by material.
+ */
+const byScene = (a: RenderItem, b: RenderItem): number =>
+  a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
 
-/** Farther objects first. At equal depth this keeps the scene's order; three.js would sort by creation. */
+/**
+ * Farther objects first. At equal depth this keeps the scene's order; three.js would sort by
+ * creation.
+ */
 const fromBehind = (a: RenderItem, b: RenderItem): number => byScene(a, b) || b.z - a.z;
 
 function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
-  const sides = [...viewport, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), gl.getParameter(gl.MAX_TEXTURE_SIZE)];
+  const sides = [
+    ...viewport,
+    gl.getParameter(gl.MAX_RENDERBUFFER_SIZE),
+    gl.getParameter(gl.MAX_TEXTURE_SIZE),
+  ];
   return Math.min(...sides.map(Number));
 }
 
-/** Whether 2D canvases get a restored context's pixels: not in Chromium 156 after a crash of the GPU process. */
+/**
+ * Whether 2D canvases get a restored context's pixels: not in Chromium 156 after a crash of the GPU
+ * process.
+ */
 function canBeCopied(gl: WebGL2RenderingContext): boolean {
   gl.clearColor(1, 1, 1, 1);
   gl.clear(gl.COLOR_BUFFER_BIT);

@@ -1,5 +1,6 @@
-// The page's one WebGL context and where its pixels go. A lone picture shows the WebGL canvas itself; several are drawn
-// into an atlas on it, and each is copied into a canvas of its own (src/decisions/one-context.md).
+// The page's one WebGL context and where its pixels go. A lone picture shows the WebGL canvas
+// itself; several are drawn into an atlas on it, and each is copied into a canvas of its own
+// (src/decisions/one-context.md).
 import type { WebGLRenderer } from 'three';
 import type { Viewport } from '../viewport.js';
 import { AtlasCopies, screenPixels } from './atlas-copies.js';
@@ -8,7 +9,10 @@ import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
 
 export { NoWebGL2Error } from './context.js';
 
-/** Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
+/**
+ * Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a
+ * second of motion.
+ */
 const FRAMES_BEFORE_SHRINKING = 30;
 
 type Draw = (renderer: WebGLRenderer) => void;
@@ -22,7 +26,9 @@ class Stage {
       this.#drawn.clear();
       this.#places.clear();
     }
-    for (const viewport of this.#viewports) viewport[consequence]();
+    for (const viewport of this.#viewports) {
+      viewport[consequence]();
+    }
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
   readonly #places = new Map<Viewport, Region>();
@@ -36,7 +42,9 @@ class Stage {
     if (this.#viewports.has(viewport)) return;
     this.#viewports.add(viewport);
     // The first picture shows the shared canvas itself, and the others are about to draw on it.
-    if (this.#viewports.size === 2) this.#repaintAll();
+    if (this.#viewports.size === 2) {
+      this.#repaintAll();
+    }
     this.#context.retry();
   }
 
@@ -49,11 +57,17 @@ class Stage {
     this.#showDrawn();
     this.#copies.drop(viewport);
     viewport.holder.replaceChildren();
-    if (this.#viewports.size === 1) this.#repaintAll();
+    if (this.#viewports.size === 1) {
+      this.#repaintAll();
+    }
     // The canvas may have been large only for this picture. The next frame finds the size again.
-    else if (this.#viewports.size > 1) this.#context.resize({ width: 1, height: 1 });
+    else if (this.#viewports.size > 1) {
+      this.#context.resize({ width: 1, height: 1 });
+    }
     // An element that only moves within the page is back before the microtask.
-    if (this.#viewports.size === 0) queueMicrotask(this.#closeIfEmpty);
+    if (this.#viewports.size === 0) {
+      queueMicrotask(this.#closeIfEmpty);
+    }
   }
 
   get lost(): boolean {
@@ -69,15 +83,23 @@ class Stage {
     return this.#viewersDrawn;
   }
 
-  /** Scale, at most 1, that makes a picture fit the GPU's largest drawing. 1 until the context is open. */
+  /**
+   * Scale, at most 1, that makes a picture fit the GPU's largest drawing. 1 until the context is
+   * open.
+   */
   shareOf({ width, height }: Size): number {
     const { side, area } = this.#context.limit;
-    return Math.min(1, side / Math.max(width, height, 1), Math.sqrt(area / Math.max(width * height, 1)));
+    return Math.min(
+      1,
+      side / Math.max(width, height, 1),
+      Math.sqrt(area / Math.max(width * height, 1)),
+    );
   }
 
   /**
-   * Draws one viewport's picture with `render`, which must not clear, and shows it before the browser shows the page;
-   * without `render`, opens the context only. False: there is none. All viewports are notified then, and once there is.
+   * Draws one viewport's picture with `render`, which must not clear, and shows it before the
+   * browser shows the page; without `render`, opens the context only. False: there is none. All
+   * viewports are notified then, and once there is.
    */
   draw(viewport: Viewport, render?: Draw): boolean {
     try {
@@ -87,8 +109,9 @@ class Stage {
       if (renderer === null) return false;
       if (render === undefined) return true;
       this.#count();
-      if (alone) this.#drawAlone(viewport, renderer, render);
-      else {
+      if (alone) {
+        this.#drawAlone(viewport, renderer, render);
+      } else {
         const place = this.#placeOf(viewport, renderer);
         drawInto(renderer, place, render);
         this.#drawn.set(viewport, place);
@@ -98,21 +121,31 @@ class Stage {
     } catch (error) {
       if (error instanceof NoWebGL2Error) {
         this.#context.refuse();
-        for (const one of this.#viewports) one.contextMissing(error);
+        for (const one of this.#viewports) {
+          one.contextMissing(error);
+        }
       } else if (!this.#context.noticeLoss()) throw error; // a lost context answers null: three.js throws
       return false;
     }
   }
 
-  /** The renderer of the open context, which `size` opens where there is none. Throws where it is lost. */
+  /**
+   * The renderer of the open context, which `size` opens where there is none. Throws where it is
+   * lost.
+   */
   open(size: Size): WebGLRenderer {
-    if (this.#viewports.size === 0) queueMicrotask(this.#closeIfEmpty);
+    if (this.#viewports.size === 0) {
+      queueMicrotask(this.#closeIfEmpty);
+    }
     const renderer = this.#context.open(size);
     if (renderer === null || this.#context.noticeLoss()) throw contextLost();
     return renderer;
   }
 
-  /** Lets `render` draw into targets of its own. False: there is no context, or it was lost meanwhile. */
+  /**
+   * Lets `render` draw into targets of its own. False: there is no context, or it was lost
+   * meanwhile.
+   */
   drawAside(render: Draw): boolean {
     const { renderer } = this.#context;
     if (renderer === null || this.#context.noticeLoss()) return false;
@@ -127,7 +160,10 @@ class Stage {
     return !this.#context.noticeLoss();
   }
 
-  /** Draws into a 2D canvas of this size, in tiles if need be. `render` must not clear. RangeError if none holds it. */
+  /**
+   * Draws into a 2D canvas of this size, in tiles if need be. `render` must not clear. RangeError
+   * if none holds it.
+   */
   capture({ width, height }: Size, render: DrawPart): HTMLCanvasElement {
     const target = this.newTarget({ width, height });
     try {
@@ -141,14 +177,18 @@ class Stage {
     return target.canvas;
   }
 
-  /** A 2D canvas of this size in pixels, transparent. Throws RangeError where there is no memory for it. */
+  /**
+   * A 2D canvas of this size in pixels, transparent. Throws RangeError where there is no memory for
+   * it.
+   */
   newTarget({ width, height }: Size): CanvasRenderingContext2D {
     const canvas = document.createElement('canvas');
     canvas.width = width;
     canvas.height = height;
     const context = canvas.getContext('2d');
     if (context !== null && hasMemory(context, width, height)) return context;
-    // When the GPU process crashes, 2D canvases fail before WebGL knows of it. Any GPU has memory for so many pixels.
+    // When the GPU process crashes, 2D canvases fail before WebGL knows of it. Any GPU has memory
+    // for so many pixels.
     if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
@@ -156,13 +196,17 @@ class Stage {
   #drawAlone(viewport: Viewport, renderer: WebGLRenderer, render: Draw): void {
     this.#beforeOverwriting();
     // The second time only if the browser gave less: the viewport's size has become smaller then.
-    if (!this.#context.resize(viewport)) this.#context.resize(viewport);
+    if (!this.#context.resize(viewport)) {
+      this.#context.resize(viewport);
+    }
     const { width, height } = viewport;
     clear(renderer);
     drawInto(renderer, { x: 0, y: 0, width, height }, render);
     this.#copies.drop(viewport);
     const { domElement } = renderer;
-    if (viewport.holder.firstChild !== domElement) viewport.holder.replaceChildren(domElement);
+    if (viewport.holder.firstChild !== domElement) {
+      viewport.holder.replaceChildren(domElement);
+    }
   }
 
   /** Draws a capture into `target`, which has its size, tile by tile. */
@@ -174,24 +218,46 @@ class Stage {
     const step = Math.min(this.#context.limit.side, SAFE_SIDE);
     for (const part of tilesOf(target.canvas, Infinity, step)) {
       const fits = part.width <= canvas.width && part.height <= canvas.height;
-      if (!fits && !this.#context.resize(part))
-        throw new RangeError(`the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`);
+      if (!fits && !this.#context.resize(part)) {
+        throw new RangeError(
+          `the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`,
+        );
+      }
       clear(renderer);
       drawInto(renderer, { ...part, x: 0, y: 0 }, (r) => render(r, part));
       const top = canvas.height - part.height;
-      target.drawImage(canvas, 0, top, part.width, part.height, part.x, part.y, part.width, part.height);
+      target.drawImage(
+        canvas,
+        0,
+        top,
+        part.width,
+        part.height,
+        part.x,
+        part.y,
+        part.width,
+        part.height,
+      );
     }
     this.#context.checkLinks();
     // The capture has overwritten the canvas that a lone picture shows.
-    if (this.#viewports.size === 1) for (const viewport of this.#viewports) viewport.redraw();
-    else this.#context.resize(before); // else it would stay large
+    if (this.#viewports.size === 1) {
+      for (const viewport of this.#viewports) {
+        viewport.redraw();
+      }
+    } else {
+      this.#context.resize(before); // else it would stay large
+    }
   }
 
   #repaintAll(): void {
-    for (const viewport of this.#viewports) viewport.repaint();
+    for (const viewport of this.#viewports) {
+      viewport.repaint();
+    }
   }
 
-  /** The first picture of a frame starts an atlas and reserves places for all that are out of date. */
+  /**
+   * The first picture of a frame starts an atlas and reserves places for all that are out of date.
+   */
   #placeOf(viewport: Viewport, renderer: WebGLRenderer): Region {
     const reserved = this.#places.get(viewport);
     this.#places.delete(viewport); // a second drawing needs a cleared place
@@ -202,11 +268,14 @@ class Stage {
       ({ pictures, atlas } = this.#layOut(viewport)); // in less room
       this.#makeRoom(renderer, atlas);
     }
-    // Once for all places: 20 clears of 256 × 180 cost as much as drawing a box in each (25 ms of CPU in software).
+    // Once for all places: 20 clears of 256 × 180 cost as much as drawing a box in each (25 ms of
+    // CPU in software).
     clear(renderer);
     atlas.places.forEach((place, i) => {
       const picture = pictures[i];
-      if (picture !== undefined && picture !== viewport) this.#places.set(picture, place);
+      if (picture !== undefined && picture !== viewport) {
+        this.#places.set(picture, place);
+      }
     });
     return { x: 0, y: 0, width: viewport.width, height: viewport.height }; // the first place
   }
@@ -214,12 +283,22 @@ class Stage {
   /** The pictures that are out of date and their places, `viewport` first. */
   #layOut(viewport: Viewport): { pictures: readonly Viewport[]; atlas: AtlasLayout } {
     const pictures = [viewport];
-    for (const one of this.#viewports) if (one !== viewport && one.drawable && !one.upToDate) pictures.push(one);
+    for (const one of this.#viewports) {
+      if (one !== viewport && one.drawable && !one.upToDate) {
+        pictures.push(one);
+      }
+    }
     const { side, area } = this.#context.limit;
-    return { pictures, atlas: layOutAtlas(pictures, { side, area: Math.min(area, screenPixels()) }) };
+    return {
+      pictures,
+      atlas: layOutAtlas(pictures, { side, area: Math.min(area, screenPixels()) }),
+    };
   }
 
-  /** Makes the canvas at least this large, or false. New sizes cost buffers: a larger canvas stays a while. */
+  /**
+   * Makes the canvas at least this large, or false. New sizes cost buffers: a larger canvas stays a
+   * while.
+   */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
@@ -239,11 +318,18 @@ class Stage {
   }
 
   #showDrawn(): void {
-    if (this.#places.size > 0) this.#places.clear(); // clearing allocates, even an empty map
-    // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked in each frame.)
+    if (this.#places.size > 0) {
+      this.#places.clear(); // clearing allocates, even an empty map
+    }
+    // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked
+    // in each frame.)
     if (this.#drawn.size === 0 || this.#context.noticeLoss()) return;
     const source = this.#context.renderer?.domElement;
-    if (source !== undefined) for (const [viewport, place] of this.#drawn) this.#copies.show(viewport, source, place);
+    if (source !== undefined) {
+      for (const [viewport, place] of this.#drawn) {
+        this.#copies.show(viewport, source, place);
+      }
+    }
     this.#drawn.clear();
   }
 
@@ -260,15 +346,22 @@ class Stage {
     this.#inFrame = false;
     this.#showDrawn();
     this.#copies.trim();
-    for (const viewport of this.#viewports) viewport.shown();
+    for (const viewport of this.#viewports) {
+      viewport.shown();
+    }
   };
 
   readonly #closeIfEmpty = (): void => {
-    if (this.#viewports.size === 0) this.#context.close();
+    if (this.#viewports.size === 0) {
+      this.#context.close();
+    }
   };
 }
 
-/** Unscissored, which the GPU does without drawing. A scene's background leaves three.js's clear colour changed. */
+/**
+ * Unscissored, which the GPU does without drawing. A scene's background leaves three.js's clear
+ * colour changed.
+ */
 function clear(renderer: WebGLRenderer): void {
   renderer.setScissorTest(false);
   renderer.setClearColor(0x000000, 0);
@@ -283,7 +376,10 @@ function drawInto(renderer: WebGLRenderer, { x, y, width, height }: Region, rend
   render(renderer);
 }
 
-/** Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn pixel shows it. */
+/**
+ * Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn
+ * pixel shows it.
+ */
 function hasMemory(context: CanvasRenderingContext2D, width: number, height: number): boolean {
   if (context.canvas.width !== width || context.canvas.height !== height) return false;
   const corner = [width - 1, height - 1, 1, 1] as const;

@@ -13,14 +13,21 @@ export class MeshAnimation {
   /** Since it began. */
   #seconds = 0;
 
-  /** Begins as the values say, before anything measures the content: `auto` frames the first pose. */
+  /**
+   * Begins as the values say, before anything measures the content: `auto` frames the first pose.
+   */
   constructor(motion: Motion, values: Values) {
     this.#motion = motion;
     this.#name = nameOf(values);
-    if (this.#name !== null) this.pose();
+    if (this.#name !== null) {
+      this.pose();
+    }
   }
 
-  /** Starts another animation, or ends the present one, if the values say so. True if the pose has changed. */
+  /**
+   * Starts another animation, or ends the present one, if the values say so. True if the pose has
+   * changed.
+   */
   update(values: Values): boolean {
     if (nameOf(values) === this.#name) return false;
     this.#name = nameOf(values);
@@ -36,7 +43,9 @@ export class MeshAnimation {
 
   advance(seconds: number): void {
     this.#seconds += seconds;
-    if (seconds > 0) this.pose();
+    if (seconds > 0) {
+      this.pose();
+    }
   }
 
   pose(): void {
@@ -44,9 +53,13 @@ export class MeshAnimation {
   }
 }
 
-const nameOf = ({ autoplay, animationName }: Values): string | null => (autoplay ? animationName : null);
+const nameOf = ({ autoplay, animationName }: Values): string | null =>
+  autoplay ? animationName : null;
 
-/** The time that all animations of a picture have played. It stands still while motion is not allowed. */
+/**
+ * The time that all animations of a picture have played. It stands still while motion is not
+ * allowed.
+ */
 export class Animations {
   /** Few meshes can move: a frame does not look at the others. */
   readonly meshes = new Set<SceneMesh>();
@@ -54,7 +67,9 @@ export class Animations {
   #last: number | null = null;
 
   get playing(): boolean {
-    for (const { plays } of this.meshes) if (plays) return true;
+    for (const { plays } of this.meshes) {
+      if (plays) return true;
+    }
     return false;
   }
 
@@ -62,7 +77,11 @@ export class Animations {
   step(now: number): boolean {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     const { playing } = this;
-    for (const mesh of this.meshes) if (mesh.plays) mesh.advance(elapsed);
+    for (const mesh of this.meshes) {
+      if (mesh.plays) {
+        mesh.advance(elapsed);
+      }
+    }
     this.#last = playing ? now : null;
     return playing;
   }

@@ -47,10 +47,15 @@ export class ContentLoad {
     }
     try {
       // Before the shape is built.
-      if (geometry !== null) claim.add(this.#mesh.needsOf(geometry, segments));
+      if (geometry !== null) {
+        claim.add(this.#mesh.needsOf(geometry, segments));
+      }
       const content = geometry === null ? NO_CONTENT : acquireShape(shapeKey(geometry, segments));
-      if (content instanceof Promise) void this.#await(null, claim, () => content);
-      else this.#mesh.arrived(content, claim, null, false);
+      if (content instanceof Promise) {
+        void this.#await(null, claim, () => content);
+      } else {
+        this.#mesh.arrived(content, claim, null, false);
+      }
     } catch (error) {
       claim.release();
       this.fail(null, error);
@@ -63,11 +68,15 @@ export class ContentLoad {
   }
 
   retry(): void {
-    if (this.#failed) this.#request = null;
+    if (this.#failed) {
+      this.#request = null;
+    }
   }
 
   suspend(): void {
-    if (this.pending) this.drop();
+    if (this.pending) {
+      this.drop();
+    }
   }
 
   drop(): void {
@@ -76,17 +85,25 @@ export class ContentLoad {
     this.#loading = null;
     this.#failed = false;
     this.#request = null;
-    if (dropped) this.#host.dropped(this.#mesh);
+    if (dropped) {
+      this.#host.dropped(this.#mesh);
+    }
   }
 
   #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
     return src === '' ? [geometry, segments] : [src, type, this.#host.crossOrigin];
   }
 
-  async #loadModel(url: URL | null, { src, type }: ContentName, claim: Claim, signal: AbortSignal): Promise<Content> {
+  async #loadModel(
+    url: URL | null,
+    { src, type }: ContentName,
+    claim: Claim,
+    signal: AbortSignal,
+  ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const { crossOrigin } = this.#host;
-    const onProgress = (loaded: number, total: number): void => this.#host.progress(this.#mesh, loaded, total);
+    const onProgress = (loaded: number, total: number): void =>
+      this.#host.progress(this.#mesh, loaded, total);
     const model = { url, src, type: type ?? '', crossOrigin };
     const content = await acquireModel(model, { claim, signal, onProgress });
     try {
@@ -98,7 +115,11 @@ export class ContentLoad {
     return content;
   }
 
-  async #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): Promise<void> {
+  async #await(
+    url: URL | null,
+    claim: Claim,
+    load: (signal: AbortSignal) => Promise<Content>,
+  ): Promise<void> {
     const loading = (this.#loading = new AbortController());
     this.#host.began(this.#mesh);
     try {
@@ -113,7 +134,9 @@ export class ContentLoad {
     } catch (error) {
       claim.release();
       if (loading.signal.aborted) return;
-      if (this.#loading === loading) this.#loading = null;
+      if (this.#loading === loading) {
+        this.#loading = null;
+      }
       loading.abort(); // ends what is still being downloaded
       this.fail(url, error);
     }

@@ -1,5 +1,6 @@
-// Gives the round shapes of a picture as many segments as its pixels show, and flat ones more where they are large for
-// the eye's distance. Camera, transforms and size alone decide: the same scene has the same triangles.
+// Gives the round shapes of a picture as many segments as its pixels show, and flat ones more where
+// they are large for the eye's distance. Camera, transforms and size alone decide: the same scene
+// has the same triangles.
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import type { Frame } from '../frame.js';
@@ -7,21 +8,34 @@ import type { Frustum } from '../frustum-clip.js';
 import type { Picture } from '../picture.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { FIXED } from './shapes/shared-shapes.js';
-import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes/shapes.js';
+import {
+  coarsestOf,
+  type GeometryName,
+  type Round,
+  roundOf,
+  trianglesOf,
+} from './shapes/shapes.js';
 
 /** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
 export const OUTLINE_TOLERANCE = 1 / 4;
 
-/** The same in the samples of a still picture, whose mean shows an eighth of a plain picture's error. */
+/**
+ * The same in the samples of a still picture, whose mean shows an eighth of a plain picture's
+ * error.
+ */
 export const SAMPLED_TOLERANCE = 1 / 64;
 
-/** Fewest pixels of a plain picture that a triangle covers, on average over its shape. Smaller ones cost as much. */
+/**
+ * Fewest pixels of a plain picture that a triangle covers, on average over its shape. Smaller ones
+ * cost as much.
+ */
 const PIXELS_PER_TRIANGLE = 16;
 
 /**
- * So many triangles are never too many in a picture, as many as the teapot's fixed number. Without them 24 % of the
- * pixels of a torus 60 pixels wide would be within a code of the round one's, and 31 % of a teapot in 400 × 400; with
- * them it is 100 % and 91 %. Meshes share them, so a thousand dots are not a thousand fine spheres.
+ * So many triangles are never too many in a picture, as many as the teapot's fixed number. Without
+ * them 24 % of the pixels of a torus 60 pixels wide would be within a code of the round one's, and
+ * 31 % of a teapot in 400 × 400; with them it is 100 % and 91 %. Meshes share them, so a thousand
+ * dots are not a thousand fine spheres.
  */
 const FREE_TRIANGLES = 2 ** 14;
 
@@ -43,10 +57,15 @@ export class Levels {
     this.#picture = picture;
   }
 
-  /** The number of segments of round shapes is part of this picture: Gouraud or flat shading shows it. */
+  /**
+   * The number of segments of round shapes is part of this picture: Gouraud or flat shading shows
+   * it.
+   */
   get isFixed(): boolean {
     if (this.#picture.style.shading !== 'phong') return true;
-    for (const { auto, isFixed } of this.#picture.meshes) if (isRound(auto) && isFixed) return true;
+    for (const { auto, isFixed } of this.#picture.meshes) {
+      if (isRound(auto) && isFixed) return true;
+    }
     return false;
   }
 
@@ -54,19 +73,36 @@ export class Levels {
   choose(frame: Frame): void {
     const isFixed = this.shared?.isFixed ?? false;
     let count = 0;
-    for (const { auto } of this.#picture.meshes) if (isRound(auto)) count += 1;
+    for (const { auto } of this.#picture.meshes) {
+      if (isRound(auto)) {
+        count += 1;
+      }
+    }
     for (const mesh of this.#picture.meshes) {
       const { auto } = mesh;
       if (auto === null) continue;
       let level = FIXED;
-      if (!isRound(auto)) level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, frame.view);
-      else if (!isFixed && !mesh.isFixed) level = this.#levelOf(mesh, auto, frame, count);
-      if (level !== mesh.level) mesh.level = level;
+      if (!isRound(auto)) {
+        level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, frame.view);
+      } else if (!isFixed && !mesh.isFixed) {
+        level = this.#levelOf(mesh, auto, frame, count);
+      }
+      if (level !== mesh.level) {
+        mesh.level = level;
+      }
     }
   }
 
-  /** `count`: of round shapes. Finer levels than the coarsest one, which is claimed, take what room is left. */
-  #levelOf({ parts, level }: SceneMesh, name: GeometryName, { view, height, samples }: Frame, count: number): number {
+  /**
+   * `count`: of round shapes. Finer levels than the coarsest one, which is claimed, take what room
+   * is left.
+   */
+  #levelOf(
+    { parts, level }: SceneMesh,
+    name: GeometryName,
+    { view, height, samples }: Frame,
+    count: number,
+  ): number {
     const { elements } = parts[0]!.mesh.matrixWorld;
     const wanted = levelIn(view, height, samples > 1, name, elements, FREE_TRIANGLES / count);
     if (wanted === null) return level; // out of view it stays as it is
@@ -85,21 +121,27 @@ export class Levels {
   }
 }
 
-const isRound = (name: GeometryName | null): boolean => name !== null && roundOf(name) !== undefined;
+const isRound = (name: GeometryName | null): boolean =>
+  name !== null && roundOf(name) !== undefined;
 
 /** Segments of a flat shape that is large for the eye's distance. */
 const LARGE_SEGMENTS = 64;
 
 /**
- * A flat shape is large if its longest side is more than this many times the eye's distance from its box. Rasterisers
- * interpolate positions over a triangle with errors that grow with the triangle. In SwiftShader, under near lamps, 17
- * of 68,805 channels are off by more than one code at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up
- * to 134 and 19 codes, at 1,000 34 % are off and 0.01 %.
+ * A flat shape is large if its longest side is more than this many times the eye's distance from
+ * its box. Rasterisers interpolate positions over a triangle with errors that grow with the
+ * triangle. In SwiftShader, under near lamps, 17 of 68,805 channels are off by more than one code
+ * at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up to 134 and 19 codes, at 1,000
+ * 34 % are off and 0.01 %.
  */
 const LARGE = 8;
 
 /** Whether a flat shape under its world matrix is {@link LARGE} for the eye. */
-export function isLargeFor({ frame: { origin, eye } }: Frustum, name: GeometryName, m: readonly number[]): boolean {
+export function isLargeFor(
+  { frame: { origin, eye } }: Frustum,
+  name: GeometryName,
+  m: readonly number[],
+): boolean {
   const x = origin[0] + eye[0] - m[12]!;
   const y = origin[1] + eye[1] - m[13]!;
   const z = origin[2] + eye[2] - m[14]!;
@@ -109,16 +151,23 @@ export function isLargeFor({ frame: { origin, eye } }: Frustum, name: GeometryNa
   for (let axis = 0; axis < 3; axis++) {
     const length = columnLength(m, axis);
     const half = name === 'plane' && axis === 1 ? 0 : length / 2;
-    const along = length > 0 ? (x * m[4 * axis]! + y * m[4 * axis + 1]! + z * m[4 * axis + 2]!) / length : 0;
+    const along =
+      length > 0 ? (x * m[4 * axis]! + y * m[4 * axis + 1]! + z * m[4 * axis + 2]!) / length : 0;
     const beyond = Math.abs(along) - half;
     longest = Math.max(longest, 2 * half);
-    if (beyond > 0) outside += beyond * beyond;
-    else inside = Math.min(inside, -beyond);
+    if (beyond > 0) {
+      outside += beyond * beyond;
+    } else {
+      inside = Math.min(inside, -beyond);
+    }
   }
   return longest > LARGE * (outside > 0 ? Math.sqrt(outside) : inside);
 }
 
-/** The level of a shape; null out of view. `free`: triangles that it may have however small they are. */
+/**
+ * The level of a shape; null out of view. `free`: triangles that it may have however small they
+ * are.
+ */
 export function levelIn(
   view: Frustum,
   height: number,
@@ -139,9 +188,13 @@ export function levelIn(
 }
 
 /** The step from a level of about so many segments to the next. */
-const stepAt = (segments: number): number => (segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8);
+const stepAt = (segments: number): number =>
+  segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8;
 
-/** At least so many segments: a multiple of 8, above 64 of an eighth of the next power of two (a quarter too many). */
+/**
+ * At least so many segments: a multiple of 8, above 64 of an eighth of the next power of two (a
+ * quarter too many).
+ */
 export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
   const { most } = roundOf(name)!;
@@ -151,16 +204,28 @@ export function levelFor(segments: number, name: GeometryName): number {
   return level > least ? Math.min(level, most) : least;
 }
 
-/** The finest level up to this one that has at most so many triangles; the coarsest one if none has. */
+/**
+ * The finest level up to this one that has at most so many triangles; the coarsest one if none has.
+ */
 function within(triangles: number, level: number, name: GeometryName): number {
   const least = coarsestOf(name);
   if (trianglesOf(name, least) >= triangles) return least;
-  while (trianglesOf(name, level) > triangles) level = levelFor(level - stepAt(level), name);
+  while (trianglesOf(name, level) > triangles) {
+    level = levelFor(level - stepAt(level), name);
+  }
   return level;
 }
 
-/** Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the picture. */
-function coveredIn(view: Frustum, height: number, { cover, radius }: Round, m: readonly number[]): number {
+/**
+ * Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the
+ * picture.
+ */
+function coveredIn(
+  view: Frustum,
+  height: number,
+  { cover, radius }: Round,
+  m: readonly number[],
+): number {
   const { frame, slopeX, slopeY } = view;
   const { origin, eye } = frame;
   const picture = (height * height * slopeX) / slopeY;
@@ -175,10 +240,16 @@ function coveredIn(view: Frustum, height: number, { cover, radius }: Round, m: r
 }
 
 /**
- * Segments that keep a round shape's outline close enough to the true one; 0: no outline is in view; null: the shape is
- * not. `finest`: how many times the allowed distance goes into a unit of length at depth 1.
+ * Segments that keep a round shape's outline close enough to the true one; 0: no outline is in
+ * view; null: the shape is not. `finest`: how many times the allowed distance goes into a unit of
+ * length at depth 1.
  */
-export function segmentsIn(view: Frustum, finest: number, round: Round, m: readonly number[]): number | null {
+export function segmentsIn(
+  view: Frustum,
+  finest: number,
+  round: Round,
+  m: readonly number[],
+): number | null {
   const { frame, slopeX, slopeY } = view;
   const { gap, half, radius } = round;
   const { origin, eye, right, up, back } = frame;
@@ -207,20 +278,26 @@ export function segmentsIn(view: Frustum, finest: number, round: Round, m: reado
     const sinReach = reach / distance;
     const cosReach = Math.sqrt(1 - sinReach * sinReach);
     // A ball that fills the picture, the farthest corner too, shows no outline.
-    if (ball && (depth - slopeX * across - slopeY * upward) * corner > cosReach * distance) return 0;
+    if (ball && (depth - slopeX * across - slopeY * upward) * corner > cosReach * distance) {
+      return 0;
+    }
     const sinMiddle = Math.sqrt(across * across + upward * upward) / distance;
     cos = Math.max(cos, (depth / distance) * cosReach - sinMiddle * sinReach);
   }
   return Math.sqrt((gap * size * finest) / (outline * cos * cos));
 }
 
-/** In radii of the bounding sphere. Nearer, an eye sees faces, and slivers below a pixel are shaded worse. */
+/**
+ * In radii of the bounding sphere. Nearer, an eye sees faces, and slivers below a pixel are shaded
+ * worse.
+ */
 const NEAREST = 1 / 8;
 
 /** Whether a shape is still a ball, of radius `reach`, under its matrix. */
 function isBall(half: Vec3, m: readonly number[], reach: number): boolean {
-  for (let axis = 0; axis < 3; axis++)
+  for (let axis = 0; axis < 3; axis++) {
     if (Math.abs(half[axis as 0] * columnLength(m, axis) - reach) > ROUNDING * reach) return false;
+  }
   return true;
 }
 

@@ -27,33 +27,38 @@ import { MODEL_TYPES, type ModelType } from '../../model/format-names.js';
 /** Where a mesh's triangles come from. `src` wins if both are given. */
 export interface ShapeValues extends SurfaceValues {
   /**
-   * URL of a model, relative to the page, used instead of `geometry`; or a `Blob` or `File` that holds one (property
-   * only). Empty for none.
+   * URL of a model, relative to the page, used instead of `geometry`; or a `Blob` or `File` that
+   * holds one (property only). Empty for none.
    */
   src: string | Blob;
   /**
-   * Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default null.
+   * Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for
+   * example. Default null.
    */
   type: ModelType | null;
   /**
-   * A built-in shape, centred on the origin: `box` (1 × 1 × 1), `sphere` (⌀ 1), `cylinder`, `cone` and `pyramid` (⌀ 1,
-   * height 1), `torus` (outer ⌀ 1), `torus-knot` and `teapot` (in a unit box), `plane` (1 × 1, facing +y). Null for
-   * none.
+   * A built-in shape, centred on the origin: `box` (1 × 1 × 1), `sphere` (⌀ 1), `cylinder`, `cone`
+   * and `pyramid` (⌀ 1, height 1), `torus` (outer ⌀ 1), `torus-knot` and `teapot` (in a unit box),
+   * `plane` (1 × 1, facing +y). Null for none.
    */
   geometry: GeometryName | null;
   /**
-   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's outline (1/4 of a
-   * device pixel) and the shading of its faces (one code) need, within what its pixels allow; shapes with flat faces
-   * have 1, or 64 where they are large for the eye's distance. Under other shading the shape's own number. Framing and
-   * zoom always measure the round shape. Default auto.
+   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's
+   * outline (1/4 of a device pixel) and the shading of its faces (one code) need, within what its
+   * pixels allow; shapes with flat faces have 1, or 64 where they are large for the eye's distance.
+   * Under other shading the shape's own number. Framing and zoom always measure the round shape.
+   * Default auto.
    */
   segments: number | 'auto';
   /**
-   * Plays the model's animation in a loop, while it is in view. Stopped for users who prefer reduced motion. Default
-   * false.
+   * Plays the model's animation in a loop, while it is in view. Stopped for users who prefer
+   * reduced motion. Default false.
    */
   autoplay: boolean;
-  /** Which of the model's animations `autoplay` plays, by its name in the file. Default empty: the first one. */
+  /**
+   * Which of the model's animations `autoplay` plays, by its name in the file. Default empty: the
+   * first one.
+   */
   animationName: string;
 }
 
@@ -72,7 +77,10 @@ export interface MeshValues extends ShapeValues {
   reflection: Reflection | null;
 }
 
-/** The values of a mesh, as far as its declaration has them: a viewer that is one has no place of its own. */
+/**
+ * The values of a mesh, as far as its declaration has them: a viewer that is one has no place of
+ * its own.
+ */
 export interface MeshState {
   readonly values: Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
   /** Whether a value was set, rather than being the default. */

@@ -1,6 +1,10 @@
 // The three.js meshes that show a content, with their geometries and surfaces.
 import { type BufferGeometry, Group, Mesh, type Object3D } from 'three';
-import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../../phong/material/flat-geometry.js';
+import {
+  flatGeometry,
+  forgetFlatGeometry,
+  updateFlatGeometry,
+} from '../../../phong/material/flat-geometry.js';
 import type { SurfaceValues } from '../../../phong/material/material-values.js';
 import type { BaseLook } from '../../../phong/material/file-surface.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
@@ -11,7 +15,13 @@ import type { Claim, Need } from '../../model/budget.js';
 import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
 import type { MeshState } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
-import { acquireShape, FIXED, IDENTITY, levelKey, type ShapeContent } from './shapes/shared-shapes.js';
+import {
+  acquireShape,
+  FIXED,
+  IDENTITY,
+  levelKey,
+  type ShapeContent,
+} from './shapes/shared-shapes.js';
 import type { GeometryName } from './shapes/shapes.js';
 
 export interface Part {
@@ -49,9 +59,18 @@ export const EMPTY: ShownContent = {
   animation: null,
 };
 
-/** The geometries of a content, measured. Throws where there is no memory, or no room in `claim` for flat ones. */
-export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
-  if (flat) claim?.add(flatNeedsOf(content));
+/**
+ * The geometries of a content, measured. Throws where there is no memory, or no room in `claim` for
+ * flat ones.
+ */
+export function geometriesOf(
+  content: Content,
+  flat: boolean,
+  claim: Claim | null,
+): BufferGeometry[] {
+  if (flat) {
+    claim?.add(flatNeedsOf(content));
+  }
   return content.parts.map(({ geometry }) => {
     sizeOf(geometry);
     if (!flat) return geometry;
@@ -72,12 +91,16 @@ const flatNeedsOf = (content: Content): readonly Need[] =>
 
 /** The values of a geometry's flat copy: every corner has its own, as floats. */
 function flatValues({ attributes, index }: BufferGeometry): number {
-  const sizes = Object.entries(attributes).map(([name, { itemSize }]) => (name === 'normal' ? 0 : itemSize));
+  const sizes = Object.entries(attributes).map(([name, { itemSize }]) =>
+    name === 'normal' ? 0 : itemSize,
+  );
   const corners = index?.count ?? attributes['position']?.count ?? 0;
   return corners * sizes.reduce((sum, size) => sum + size, 3);
 }
 
-/** How many parts show a source's flat copy, of over three times its memory. The last one frees it. */
+/**
+ * How many parts show a source's flat copy, of over three times its memory. The last one frees it.
+ */
 const flatUsers = new WeakMap<BufferGeometry, number>();
 
 function countFlat({ mesh, source }: Pick<Part, 'mesh' | 'source'>, change: 1 | -1): void {
@@ -85,7 +108,9 @@ function countFlat({ mesh, source }: Pick<Part, 'mesh' | 'source'>, change: 1 | 
   if (mesh.geometry === geometry) return;
   const users = (flatUsers.get(geometry) ?? 0) + change;
   flatUsers.set(geometry, users);
-  if (users === 0) forgetFlatGeometry(geometry);
+  if (users === 0) {
+    forgetFlatGeometry(geometry);
+  }
 }
 
 /** Shows the parts by these geometries, as {@link geometriesOf} gave them. */
@@ -114,7 +139,10 @@ export function showLevel(shown: ShownContent, level: number, flat: boolean): Sh
 }
 
 /** Call after the next ones are acquired: equal looks keep their material, and so their program. */
-export function freeShown({ content, claim, parts }: ShownContent, materials: SharedMaterials): void {
+export function freeShown(
+  { content, claim, parts }: ShownContent,
+  materials: SharedMaterials,
+): void {
   releaseParts(parts, materials);
   content.dispose();
   claim?.release();
@@ -151,7 +179,9 @@ export function partsOf(
   }
 }
 
-/** A part that its content does not move needs no group around it: 2,000 boxes are 2,000 objects. */
+/**
+ * A part that its content does not move needs no group around it: 2,000 boxes are 2,000 objects.
+ */
 export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null {
   const [first] = parts;
   if (first === undefined) return null;
@@ -169,7 +199,9 @@ export function followPose(parts: readonly Part[]): void {
   for (const { mesh, source } of parts) {
     mesh.matrix.copy(source.matrix);
     mesh.matrixWorldNeedsUpdate = true;
-    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry)) updateFlatGeometry(source.geometry);
+    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry)) {
+      updateFlatGeometry(source.geometry);
+    }
   }
 }
 
@@ -180,7 +212,13 @@ export function appearanceOf(
   shading: Appearance['shading'] = state.values.shading ?? null,
 ): Appearance {
   const { reflection = null } = state.values;
-  return { look: lookOf(state, source), sides: source.sides, surface: surfaceOf(state, source), shading, reflection };
+  return {
+    look: lookOf(state, source),
+    sides: source.sides,
+    surface: surfaceOf(state, source),
+    shading,
+    reflection,
+  };
 }
 
 /** Attributes win, then the file's values, then the defaults. */
@@ -188,7 +226,12 @@ function surfaceOf(state: MeshState, { surface }: ContentPart): SurfaceValues {
   const { values } = state;
   const valueOf = <K extends keyof SurfaceValues>(key: K): SurfaceValues[K] =>
     (state.given(key) ? undefined : surface[key]) ?? values[key];
-  return { ka: valueOf('ka'), kd: valueOf('kd'), ks: valueOf('ks'), shininess: valueOf('shininess') };
+  return {
+    ka: valueOf('ka'),
+    kd: valueOf('kd'),
+    ks: valueOf('ks'),
+    shininess: valueOf('shininess'),
+  };
 }
 
 /** The file's look. An exponent that the author gives replaces the file's roughness. */
@@ -199,7 +242,9 @@ function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
   return known;
 }
 
-/** Looks without their roughness: the same object each time, because materials are compared by it. */
+/**
+ * Looks without their roughness: the same object each time, because materials are compared by it.
+ */
 const smooth = new WeakMap<BaseLook, BaseLook>();
 
 /** Two appearances of one part, by identity: defaults are the same objects in all meshes. */

@@ -1,4 +1,5 @@
-// One declared mesh in the scene: follows its values, and shows the last content until the next one can be shown.
+// One declared mesh in the scene: follows its values, and shows the last content until the next one
+// can be shown.
 import type { Object3D } from 'three';
 import type { Shading } from '../../../phong/material/material-values.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
@@ -37,11 +38,17 @@ export interface MeshHost {
   /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
   began(mesh: SceneMesh): void;
   progress(mesh: SceneMesh, loaded: number, total: number): void;
-  /** A load has ended, or what came from `url` cannot be shown. `error`: null on success. Not for replaced loads. */
+  /**
+   * A load has ended, or what came from `url` cannot be shown. `error`: null on success. Not for
+   * replaced loads.
+   */
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
   /** A load in progress was cancelled, or what failed is no longer wanted, or is shown now. */
   dropped(mesh: SceneMesh): void;
-  /** It has content that was not drawn yet. True if it will be soon: the content before is kept until then. */
+  /**
+   * It has content that was not drawn yet. True if it will be soon: the content before is kept
+   * until then.
+   */
   shown(mesh: SceneMesh): boolean;
   removed(mesh: SceneMesh): void;
 }
@@ -75,7 +82,10 @@ export class SceneMesh {
     this.#load = new ContentLoad(this, host);
   }
 
-  /** The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while nothing is shown. */
+  /**
+   * The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while
+   * nothing is shown.
+   */
   get root(): Object3D | null {
     return this.#shown.root;
   }
@@ -112,7 +122,10 @@ export class SceneMesh {
     return this.#load.pending && this.#values.src === '';
   }
 
-  /** What it shows now is what its values name: a model, a shape, or (null) something else, as after a failure. */
+  /**
+   * What it shows now is what its values name: a model, a shape, or (null) something else, as after
+   * a failure.
+   */
   get complete(): 'model' | 'shape' | null {
     if (this.root === null || !this.#load.has(this.#values)) return null;
     return this.#shown.url === null ? 'shape' : 'model';
@@ -143,13 +156,17 @@ export class SceneMesh {
 
   advance(seconds: number): void {
     this.#shown.animation?.advance(seconds);
-    if (seconds > 0) followPose(this.parts);
+    if (seconds > 0) {
+      followPose(this.parts);
+    }
   }
 
   /** Shows it below `parent`, whose world matrix is the identity. */
   attach(parent: Object3D): void {
     this.#parent = parent;
-    if (this.root !== null) parent.add(this.root);
+    if (this.root !== null) {
+      parent.add(this.root);
+    }
   }
 
   /** Updates the scene to the values. Cheap if nothing has changed. */
@@ -184,7 +201,9 @@ export class SceneMesh {
 
   /** The present content has been drawn. */
   drawn(): void {
-    if (this.#before !== null) freeShown(this.#before, this.#picture.materials);
+    if (this.#before !== null) {
+      freeShown(this.#before, this.#picture.materials);
+    }
     this.#before = null;
   }
 
@@ -197,7 +216,9 @@ export class SceneMesh {
     freeShown(failed, this.#picture.materials);
     this.#effective = null;
     this.#settle();
-    const undrawable = new ModelError('bad-model', `Drawing failed: ${String(error)}`, { cause: error });
+    const undrawable = new ModelError('bad-model', `Drawing failed: ${String(error)}`, {
+      cause: error,
+    });
     this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable);
   }
 
@@ -265,10 +286,15 @@ export class SceneMesh {
   }
 
   #letGo(): void {
-    for (const material of this.#held.splice(0)) this.#picture.materials.release(material);
+    for (const material of this.#held.splice(0)) {
+      this.#picture.materials.release(material);
+    }
   }
 
-  /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
+  /**
+   * Content as it will be in the scene. Throws if there is no memory for it, and changes nothing
+   * then.
+   */
   #prepared(content: Content, claim: Claim, url: URL | null): ShownContent {
     const { motion } = content;
     const { geometry, segments } = this.#values;
@@ -277,7 +303,11 @@ export class SceneMesh {
     // Shapes are called as their geometry is. The values may already name another one.
     const auto = isAuto && content.parts[0]?.name === geometry ? geometry : null;
     const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
-    const geometries = geometriesOf(content, this.#wantedShading === 'flat', auto === null ? claim : null);
+    const geometries = geometriesOf(
+      content,
+      this.#wantedShading === 'flat',
+      auto === null ? claim : null,
+    );
     const parts = partsOf(content, geometries, this.#picture.materials, this.#state);
     const root = rootOf(parts, motion !== null);
     return { content, auto, level, claim, parts, root, url, animation };
@@ -290,27 +320,37 @@ export class SceneMesh {
     this.#replace(next);
     this.#forgetNotFlat();
     const kept = next.root !== null && this.#host.shown(this);
-    if (kept && this.#before === null) this.#before = before;
-    else {
+    if (kept && this.#before === null) {
+      this.#before = before;
+    } else {
       freeShown(before, this.#picture.materials); // it was never drawn, or nothing goes back to it
-      if (!kept) this.drawn();
+      if (!kept) {
+        this.drawn();
+      }
     }
   }
 
   #replace(next: ShownContent): void {
     this.root?.removeFromParent();
     this.#shown = next;
-    if (next.root !== null) this.#parent?.add(next.root);
+    if (next.root !== null) {
+      this.#parent?.add(next.root);
+    }
     this.#placed = null; // the new root has no place yet
     const { meshes } = this.#picture.animations;
-    if (next.animation === null) meshes.delete(this);
-    else meshes.add(this);
+    if (next.animation === null) {
+      meshes.delete(this);
+    } else {
+      meshes.add(this);
+    }
   }
 
   /** Shows pose, place and style that the values say. */
   #settle(): void {
     const { animation, parts } = this.#shown;
-    if (animation?.update(this.#values) === true) followPose(parts);
+    if (animation?.update(this.#values) === true) {
+      followPose(parts);
+    }
     this.#place();
     this.restyle();
   }
@@ -319,14 +359,18 @@ export class SceneMesh {
   #pose(): void {
     const { animation, parts } = this.#shown;
     animation?.pose();
-    if (animation !== null) followPose(parts);
+    if (animation !== null) {
+      followPose(parts);
+    }
   }
 
   #place(): void {
     const { name = '', position = ZERO, rotation = ZERO, scale = ONE } = this.#values;
     const [part] = this.parts;
     const { root } = this;
-    if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
+    if (root !== null) {
+      root.name = name === '' && part?.mesh === root ? part.source.name : name;
+    }
     const last = this.#placed;
     // Values are replaced when they change, so those that are the same need not be written again.
     if (last?.position === position && last.rotation === rotation && last.scale === scale) return;
@@ -335,11 +379,17 @@ export class SceneMesh {
     root?.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
     root?.scale.set(...scale);
     root?.updateMatrix();
-    if (last !== null && part?.mesh === root) this.#picture.fit.moved(part.mesh);
-    else this.#picture.reshaped();
+    if (last !== null && part?.mesh === root) {
+      this.#picture.fit.moved(part.mesh);
+    } else {
+      this.#picture.reshaped();
+    }
   }
 
-  /** Gives the parts the geometries of their shading. Returns that of their materials; null: the picture's. */
+  /**
+   * Gives the parts the geometries of their shading. Returns that of their materials; null: the
+   * picture's.
+   */
   #reshade(): Shading | null {
     const { shading = null } = this.#values;
     const wanted = this.#wantedShading;
@@ -350,7 +400,9 @@ export class SceneMesh {
         this.#effective = wanted;
         this.#pose(); // a flat copy may be of an earlier pose
       } catch (error) {
-        if (this.#effective !== 'flat') this.#shown.claim?.dropFlat();
+        if (this.#effective !== 'flat') {
+          this.#shown.claim?.dropFlat();
+        }
         this.#notFlat = true;
         this.#host.ended(this, this.#shown.url, error);
         return this.#effective;
@@ -360,24 +412,34 @@ export class SceneMesh {
     return shading;
   }
 
-  /** Shows the geometries with or without separate triangles. Throws if there is no room or no memory for them. */
+  /**
+   * Shows the geometries with or without separate triangles. Throws if there is no room or no
+   * memory for them.
+   */
   #regroup(flat: boolean): void {
     const { auto, claim } = this.#shown;
     const needs = auto === null ? null : this.needsOf(auto, 'auto');
     if (auto !== null && needs !== null) {
       claim?.add(needs);
       // Before a flat copy is made of a finer level.
-      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, FIXED, false);
+      if (this.isFixed && this.level !== FIXED) {
+        this.#shown = showLevel(this.#shown, FIXED, false);
+      }
       this.#picture.reshaped(); // another level may be needed
     }
     const { content, parts } = this.#shown;
     setGeometries(parts, geometriesOf(content, flat, needs === null ? claim : null));
-    if (needs !== null) claim?.keep(needs);
-    else if (!flat) claim?.dropFlat();
+    if (needs !== null) {
+      claim?.keep(needs);
+    } else if (!flat) {
+      claim?.dropFlat();
+    }
   }
 
   #forgetNotFlat(): void {
-    if (this.#notFlat) this.#host.dropped(this);
+    if (this.#notFlat) {
+      this.#host.dropped(this);
+    }
     this.#notFlat = false;
   }
 }

@@ -1,5 +1,6 @@
-// The materials that draw meshes. Meshes of one picture that look alike share one, so that three.js changes neither
-// program nor values between them. One without users is freed after the next drawing: its program can pass on.
+// The materials that draw meshes. Meshes of one picture that look alike share one, so that three.js
+// changes neither program nor values between them. One without users is freed after the next
+// drawing: its program can pass on.
 import {
   type SurfaceValues,
   DEFAULT_STYLE,
@@ -11,7 +12,9 @@ import type { BaseLook } from '../../../phong/material/file-surface.js';
 import { PhongMaterial } from '../../../phong/material/phong-material.js';
 import type { Sides } from '../../../phong/material/back-faces.js';
 
-/** All that a mesh says about its material. Values are replaced when they change, never written to. */
+/**
+ * All that a mesh says about its material. Values are replaced when they change, never written to.
+ */
 export interface Appearance {
   readonly look: BaseLook;
   readonly sides: Sides;
@@ -46,7 +49,9 @@ export class SharedMaterials {
 
   set style(style: ShadingStyle) {
     this.#style = style;
-    for (const { material, appearance } of this.#byMaterial.values()) material.setStyle(this.#styleOf(appearance));
+    for (const { material, appearance } of this.#byMaterial.values()) {
+      material.setStyle(this.#styleOf(appearance));
+    }
   }
 
   /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */
@@ -63,7 +68,10 @@ export class SharedMaterials {
     return shared.material;
   }
 
-  /** For a user of `material` who looks otherwise now. One without other users is rewritten in place. */
+  /**
+   * For a user of `material` who looks otherwise now. One without other users is rewritten in
+   * place.
+   */
   exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
     const key = keyOf(appearance);
     const shared = this.#byMaterial.get(material);
@@ -89,7 +97,9 @@ export class SharedMaterials {
     const shared = this.#byMaterial.get(material);
     if (shared === undefined) return;
     shared.users -= 1;
-    if (shared.users === 0) this.#unused.add(shared);
+    if (shared.users === 0) {
+      this.#unused.add(shared);
+    }
   }
 
   /** After a drawing: frees the materials without users. */
@@ -121,7 +131,11 @@ export class SharedMaterials {
 
   #styleOf({ shading, reflection }: Appearance): ShadingStyle {
     const style = this.#style;
-    return { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
+    return {
+      ...style,
+      shading: shading ?? style.shading,
+      reflection: reflection ?? style.reflection,
+    };
   }
 }
 
@@ -136,10 +150,14 @@ const lookKeys = new WeakMap<BaseLook, string>();
 function lookKeyOf(look: BaseLook): string {
   let key = lookKeys.get(look);
   if (key === undefined) {
-    const values = Object.entries(look).map(([name, value]: [string, unknown]) => [name, textOf(value)]);
+    const values = Object.entries(look).map(([name, value]: [string, unknown]) => [
+      name,
+      textOf(value),
+    ]);
     lookKeys.set(look, (key = values.join(' ')));
   }
   return key;
 }
 
-const textOf = (value: unknown): string => (value as { uuid?: string } | null)?.uuid ?? String(value);
+const textOf = (value: unknown): string =>
+  (value as { uuid?: string } | null)?.uuid ?? String(value);

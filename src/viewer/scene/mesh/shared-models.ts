@@ -1,8 +1,14 @@
-// The models that meshes show now. Equal sources are one download and one content for the whole page; users are
-// counted. A model that moves gets matrices and moving vertices of its own for each mesh.
+// The models that meshes show now. Equal sources are one download and one content for the whole
+// page; users are counted. A model that moves gets matrices and moving vertices of its own for each
+// mesh.
 import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
 import type { Content } from '../../model/model.js';
-import { type CrossOrigin, isDataUri, modelCode, requestModelFile } from '../../model/request-model.js';
+import {
+  type CrossOrigin,
+  isDataUri,
+  modelCode,
+  requestModelFile,
+} from '../../model/request-model.js';
 
 interface ModelName {
   /** A file's address is not fetched: it is for messages. */
@@ -22,7 +28,10 @@ interface ModelUser {
 
 const shared = new Map<string, SharedModel>();
 
-/** For one more mesh, which disposes of it once. Rejects if it is unreadable or too large for the claim. */
+/**
+ * For one more mesh, which disposes of it once. Rejects if it is unreadable or too large for the
+ * claim.
+ */
 export function acquireModel(name: ModelName, user: ModelUser): Promise<Content> {
   const key = keyOf(name);
   const model = shared.get(key) ?? new SharedModel(key, name);
@@ -52,12 +61,15 @@ class SharedModel {
   constructor(key: string, { url, src, type, crossOrigin }: ModelName) {
     this.#key = key;
     const onProgress = (loaded: number, total: number): void => {
-      for (const user of this.#waiting.keys()) user.onProgress(loaded, total);
+      for (const user of this.#waiting.keys()) {
+        user.onProgress(loaded, total);
+      }
     };
     const { signal } = this.#loading;
     const options = { signal, onProgress, onClaim: this.#claim, crossOrigin, type };
     // Requested at once, beside the code that reads models.
-    const request = typeof src !== 'string' ? src : isDataUri(url.href) ? null : requestModelFile(url, options);
+    const request =
+      typeof src !== 'string' ? src : isDataUri(url.href) ? null : requestModelFile(url, options);
     this.#content = modelCode().then((code) => code.modelContent(url, options, request));
     this.#content.catch(() => {
       this.#forget(); // the next request tries again
@@ -81,7 +93,9 @@ class SharedModel {
         dispose: () => {
           if (!used) return;
           used = false;
-          if (own !== content) own.dispose();
+          if (own !== content) {
+            own.dispose();
+          }
           this.#release();
         },
       };
@@ -129,6 +143,8 @@ class SharedModel {
   }
 
   #forget(): void {
-    if (shared.get(this.#key) === this) shared.delete(this.#key);
+    if (shared.get(this.#key) === this) {
+      shared.delete(this.#key);
+    }
   }
 }

@@ -35,12 +35,20 @@ export function put(
 export interface Grid {
   readonly columns: number;
   readonly rows: number;
-  /** Corners of its two triangles, counter-clockwise from outside: 0 and 1 in its first row, 2 and 3 in the next. */
+  /**
+   * Corners of its two triangles, counter-clockwise from outside: 0 and 1 in its first row, 2 and 3
+   * in the next.
+   */
   readonly corners: readonly [number, number, number, number, number, number];
-  /** All vertices of the first row, or of the last one, are in one place: they have one triangle for a quadrangle. */
+  /**
+   * All vertices of the first row, or of the last one, are in one place: they have one triangle for
+   * a quadrangle.
+   */
   readonly closedFirst?: boolean;
   readonly closedLast?: boolean;
-  /** Writes the vertices of a row from `first` on: one more than there are columns. Row 0 to `rows`. */
+  /**
+   * Writes the vertices of a row from `first` on: one more than there are columns. Row 0 to `rows`.
+   */
   readonly row: (row: number, into: Vertices, first: number) => void;
 }
 
@@ -64,7 +72,9 @@ export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   for (const grid of grids) {
     for (let row = 0; row <= grid.rows; row++) {
       grid.row(row, into, first);
-      if (row > 0) corner = indexRow(index, corner, grid, row, first);
+      if (row > 0) {
+        corner = indexRow(index, corner, grid, row, first);
+      }
       first += grid.columns + 1;
     }
   }
@@ -76,8 +86,17 @@ export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   return geometry;
 }
 
-/** Writes the triangles between a row, of first vertex `first`, and the one before. Returns the next corner. */
-function indexRow(index: Uint16Array | Uint32Array, corner: number, grid: Grid, row: number, first: number): number {
+/**
+ * Writes the triangles between a row, of first vertex `first`, and the one before. Returns the next
+ * corner.
+ */
+function indexRow(
+  index: Uint16Array | Uint32Array,
+  corner: number,
+  grid: Grid,
+  row: number,
+  first: number,
+): number {
   const { columns, rows, corners, closedFirst, closedLast } = grid;
   const from = row === 1 && closedFirst === true ? 3 : 0;
   const to = row === rows && closedLast === true ? 3 : 6;
@@ -87,12 +106,17 @@ function indexRow(index: Uint16Array | Uint32Array, corner: number, grid: Grid, 
     // Of the row before, or of this one.
     let vertex = first + (c & 1) - (c < 2 ? columns + 1 : 0);
     const end = vertex + columns;
-    for (let at = corner + k - from; vertex < end; at += step) index[at] = vertex++;
+    for (let at = corner + k - from; vertex < end; at += step) {
+      index[at] = vertex++;
+    }
   }
   return corner + step * columns;
 }
 
-/** Cosines and sines of the angles that divide a circle into n parts. The last ones are the first ones, exactly. */
+/**
+ * Cosines and sines of the angles that divide a circle into n parts. The last ones are the first
+ * ones, exactly.
+ */
 export function circle(n: number): { readonly cos: Float64Array; readonly sin: Float64Array } {
   const angles = Float64Array.from({ length: n + 1 }, (_, i) => ((i % n) / n) * Math.PI * 2);
   return { cos: angles.map(Math.cos), sin: angles.map(Math.sin) };

@@ -22,7 +22,10 @@ export const GEOMETRIES = [
 
 export type GeometryName = (typeof GEOMETRIES)[number];
 
-/** Each edge has exactly two triangles. Not the teapot: its spout is open, its parts end inside each other. */
+/**
+ * Each edge has exactly two triangles. Not the teapot: its spout is open, its parts end inside each
+ * other.
+ */
 export const CLOSED: ReadonlySet<GeometryName> = new Set(
   GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),
 );
@@ -42,21 +45,30 @@ interface Shape {
 }
 
 /**
- * How a curved shape differs from its triangles. Of n segments, the triangles' middles lie up to g/n² inside the shape
- * or outside it; where it can be, all vertices of an `auto` level are moved outward, so that both are equal.
+ * How a curved shape differs from its triangles. Of n segments, the triangles' middles lie up to
+ * g/n² inside the shape or outside it; where it can be, all vertices of an `auto` level are moved
+ * outward, so that both are equal.
  */
 export interface Round {
-  /** Most that the triangles of an `auto` level are inside the shape or outside it, times n². Measured. */
+  /**
+   * Most that the triangles of an `auto` level are inside the shape or outside it, times n².
+   * Measured.
+   */
   readonly gap: number;
   /** How far its vertices are outside the shape, times n². */
   readonly out: number;
-  /** Segments by which shading within faces is within a code of the round shape's in 99 of 100 pixels. Measured. */
+  /**
+   * Segments by which shading within faces is within a code of the round shape's in 99 of 100
+   * pixels. Measured.
+   */
   readonly smooth: number;
   /** How much of its bounding sphere's disc it covers, mean of all directions. */
   readonly cover: number;
   /** Most segments of an `auto` level: it has at most 131,072 triangles. */
   readonly most: number;
-  /** Half the size of the round shape's box, and the distance of its farthest point from the origin. */
+  /**
+   * Half the size of the round shape's box, and the distance of its farthest point from the origin.
+   */
   readonly half: Vec3;
   readonly radius: number;
 }
@@ -67,8 +79,12 @@ function kept<T>(load: () => Promise<T>): (build: (code: T) => BufferGeometry) =
   return (build) => (code === null ? load().then((loaded) => build((code = loaded))) : build(code));
 }
 
-const solidsCode = /* @__PURE__ */ kept(/* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes'));
-const teapotCode = /* @__PURE__ */ kept(/* @__PURE__ */ lazyCode(() => import('./teapot.js'), 'the teapot'));
+const solidsCode = /* @__PURE__ */ kept(
+  /* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes'),
+);
+const teapotCode = /* @__PURE__ */ kept(
+  /* @__PURE__ */ lazyCode(() => import('./teapot.js'), 'the teapot'),
+);
 
 const solid =
   (name: keyof typeof SOLIDS): Shape['create'] =>
@@ -76,7 +92,8 @@ const solid =
     solidsCode((code) => code.SOLIDS[name](n, out, isLevel));
 
 /** Segments across the main ones, half as many. */
-const rowsOf = (segments: number, least: number): number => Math.max(least, Math.round(segments / 2));
+const rowsOf = (segments: number, least: number): number =>
+  Math.max(least, Math.round(segments / 2));
 
 function sphere(columns: number, out: number): BufferGeometry {
   const rows = rowsOf(columns, 2);
@@ -94,27 +111,53 @@ function sphere(columns: number, out: number): BufferGeometry {
         for (let i = 0; i <= columns; i++) {
           const x = -cos[i]! * across;
           const z = sin[i]! * across;
-          put(into, first + i, radius * x, radius * y, radius * z, x, y, z, i / columns + shift, 1 - row / rows);
+          put(
+            into,
+            first + i,
+            radius * x,
+            radius * y,
+            radius * z,
+            x,
+            y,
+            z,
+            i / columns + shift,
+            1 - row / rows,
+          );
         }
       },
     },
   ]);
 }
 
-/** The sagitta of a circle of radius 1/2, times n²: the distance of a chord's middle from the arc. */
+/**
+ * The sagitta of a circle of radius 1/2, times n²: the distance of a chord's middle from the arc.
+ */
 const SAGITTA = Math.PI ** 2 / 4;
 
 const HALF: Vec3 = [0.5, 0.5, 0.5];
 
-/** Cylinder and cone: curved in one direction, so only half a sagitta is left once the vertices are moved. */
-const STRAIGHT = { gap: SAGITTA / 2, out: SAGITTA / 2, smooth: 48, most: 1024, half: HALF, radius: Math.SQRT1_2 };
+/**
+ * Cylinder and cone: curved in one direction, so only half a sagitta is left once the vertices are
+ * moved.
+ */
+const STRAIGHT = {
+  gap: SAGITTA / 2,
+  out: SAGITTA / 2,
+  smooth: 48,
+  most: 1024,
+  half: HALF,
+  radius: Math.SQRT1_2,
+};
 
 const FLAT = { segments: 1, least: 1 };
 
 /** Curved shapes enclose space from 3 segments on. */
 const AROUND = { segments: 64, least: 3 };
 
-/** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
+/**
+ * `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for
+ * the others.
+ */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   box: { ...FLAT, create: (n) => new BoxGeometry(1, 1, 1, n, n, n), triangles: (n) => 12 * n * n },
   sphere: {
@@ -124,18 +167,37 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     // In the middle of a quadrangle both of its curves are a sagitta away.
     round: { gap: SAGITTA, out: SAGITTA, smooth: 64, cover: 1, most: 360, half: HALF, radius: 0.5 },
   },
-  cylinder: { ...AROUND, create: solid('cylinder'), triangles: (n) => 4 * n, round: { ...STRAIGHT, cover: 0.75 } },
-  cone: { ...AROUND, create: solid('cone'), triangles: (n) => 2 * n, round: { ...STRAIGHT, cover: 0.4 } },
+  cylinder: {
+    ...AROUND,
+    create: solid('cylinder'),
+    triangles: (n) => 4 * n,
+    round: { ...STRAIGHT, cover: 0.75 },
+  },
+  cone: {
+    ...AROUND,
+    create: solid('cone'),
+    triangles: (n) => 2 * n,
+    round: { ...STRAIGHT, cover: 0.4 },
+  },
   pyramid: { ...FLAT, create: solid('pyramid'), triangles: (n) => 6 * n * n },
   torus: {
     ...AROUND,
     create: solid('torus'),
     triangles: (n) => 2 * n * rowsOf(n, 3),
-    round: { gap: 3.21, out: 2.22, smooth: 96, cover: 0.62, most: 360, half: [0.5, 0.5, 0.15], radius: 0.5 },
+    round: {
+      gap: 3.21,
+      out: 2.22,
+      smooth: 96,
+      cover: 0.62,
+      most: 360,
+      half: [0.5, 0.5, 0.15],
+      radius: 0.5,
+    },
   },
   'torus-knot': {
     segments: 256,
-    // Below this the tube's sections cut through each other, and triangles turn against their normals.
+    // Below this the tube's sections cut through each other, and triangles turn against their
+    // normals.
     least: 32,
     create: solid('torus-knot'),
     triangles: (n) => 2 * n * Math.max(8, Math.round(n / 8)),
@@ -156,10 +218,23 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     create: (n, _, isLevel) => teapotCode((code) => code.teapot(n, isLevel)),
     // 32 patches, four to a turn. Two of a level have more, those at the poles have less.
     triangles: (n) => 67 * Math.round(n / 4) ** 2,
-    // Its parts have seams: vertices moved outward would open them. The lid's rim is farther off (2.8), and hidden.
-    round: { gap: 2.53, out: 0, smooth: 96, cover: 0.3, most: 176, half: [0.5, 0.244791, 0.310845], radius: 0.519157 },
+    // Its parts have seams: vertices moved outward would open them. The lid's rim is farther off
+    // (2.8), and hidden.
+    round: {
+      gap: 2.53,
+      out: 0,
+      smooth: 96,
+      cover: 0.3,
+      most: 176,
+      half: [0.5, 0.244791, 0.310845],
+      radius: 0.519157,
+    },
   },
-  plane: { ...FLAT, create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2), triangles: (n) => 2 * n * n },
+  plane: {
+    ...FLAT,
+    create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2),
+    triangles: (n) => 2 * n * n,
+  },
 };
 
 /** Fewest segments of an `auto` level of most shapes. */
@@ -181,14 +256,21 @@ export const trianglesOf = (name: GeometryName, segments: number | undefined): n
   SHAPES[name].triangles(effectiveSegments(name, segments));
 
 /** What flat copies count as triangles, by their memory: each corner has 8 values. */
-export const flatTrianglesOf = (triangles: number): number => Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
+export const flatTrianglesOf = (triangles: number): number =>
+  Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
 
 /**
- * A new geometry, owned by the caller: indexed, with `position`, `normal` (unit length to float32) and `uv`.
+ * A new geometry, owned by the caller: indexed, with `position`, `normal` (unit length to float32)
+ * and `uv`.
  * @param segments 1 to 512, as for {@link effectiveSegments}.
- * @param isLevel of `auto`: as far outside the round shape as inside, and a cone's tip has no normal.
+ * @param isLevel of `auto`: as far outside the round shape as inside, and a cone's tip has no
+ * normal.
  */
-export function createGeometry(name: GeometryName, segments: number | undefined, isLevel = false): PendingGeometry {
+export function createGeometry(
+  name: GeometryName,
+  segments: number | undefined,
+  isLevel = false,
+): PendingGeometry {
   const { create, round } = SHAPES[name];
   const n = effectiveSegments(name, segments);
   if (round === undefined) return create(n, 0, false);

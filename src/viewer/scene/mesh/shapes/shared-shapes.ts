@@ -1,4 +1,5 @@
-// The shapes that meshes show now. Meshes of the page with the same shape and segments share one content.
+// The shapes that meshes show now. Meshes of the page with the same shape and segments share one
+// content.
 import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../../../phong/material/file-surface.js';
 import { claimsOf, type Need } from '../../../model/budget.js';
@@ -21,7 +22,10 @@ export interface ShapeKey {
   readonly isLevel: boolean;
 }
 
-/** Under `auto`, what a shape is first shown as: its coarsest level, or without round faces its fixed segments. */
+/**
+ * Under `auto`, what a shape is first shown as: its coarsest level, or without round faces its
+ * fixed segments.
+ */
 export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKey =>
   segments !== 'auto'
     ? { name, segments, isLevel: false }
@@ -37,7 +41,10 @@ export const levelKey = (name: GeometryName, level: number): ShapeKey => ({
 /** Stands for a shape's own number of segments where a level is expected. */
 export const FIXED = 0;
 
-/** A level stays so long without users: the samples of a still picture use a finer one than the frame before. */
+/**
+ * A level stays so long without users: the samples of a still picture use a finer one than the
+ * frame before.
+ */
 const KEPT_MS = 1000;
 
 export interface ShapeContent extends Content {
@@ -62,12 +69,15 @@ export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
   const text = keyOf(key);
   const triangles = trianglesOf(key.name, key.segments);
   const smooth = { key: text, claims: claimsOf(triangles, 1), flat: false };
-  return flat ? [smooth, { key: `flat ${text}`, claims: claimsOf(flatTrianglesOf(triangles)), flat: true }] : [smooth];
+  return flat
+    ? [smooth, { key: `flat ${text}`, claims: claimsOf(flatTrianglesOf(triangles)), flat: true }]
+    : [smooth];
 }
 
 /**
- * A shape for one more user, who disposes of the content once; a promise until its code is loaded. If that is rejected
- * (a chunk could not be fetched), there is nothing to dispose of, and the next call tries again.
+ * A shape for one more user, who disposes of the content once; a promise until its code is loaded.
+ * If that is rejected (a chunk could not be fetched), there is nothing to dispose of, and the next
+ * call tries again.
  */
 export function acquireShape(key: ShapeKey): ShapeContent | Promise<ShapeContent> {
   const entry = shared.get(keyOf(key)) ?? create(key);
@@ -92,8 +102,11 @@ function create(key: ShapeKey): Shared {
       dispose: () => {
         entry.users -= 1;
         if (entry.users > 0) return;
-        if (key.isLevel) entry.freeing = setTimeout(free, KEPT_MS);
-        else free();
+        if (key.isLevel) {
+          entry.freeing = setTimeout(free, KEPT_MS);
+        } else {
+          free();
+        }
       },
     };
   };
@@ -101,11 +114,12 @@ function create(key: ShapeKey): Shared {
   const content = geometry instanceof Promise ? geometry.then(contentOf) : contentOf(geometry);
   const entry: Shared = { content, users: 0 };
   shared.set(text, entry);
-  if (content instanceof Promise)
+  if (content instanceof Promise) {
     content.then(
       (ready) => (entry.content = ready),
       () => shared.delete(text),
     );
+  }
   return entry;
 }
 

@@ -12,8 +12,11 @@ const LEAST_TUBE = 3;
 type Solid = (segments: number, out: number, isLevel: boolean) => BufferGeometry;
 
 /** `out`: how far the vertices of a round shape are outside it. `isLevel`: of `segments="auto"`. */
-export const SOLIDS: Readonly<Record<'cylinder' | 'cone' | 'pyramid' | 'torus' | 'torus-knot', Solid>> = {
-  cylinder: (n, out) => gridGeometry([cap(n, 0.5 + out, 1), side(n, 0.5 + out, 0.5 + out), cap(n, 0.5 + out, -1)]),
+export const SOLIDS: Readonly<
+  Record<'cylinder' | 'cone' | 'pyramid' | 'torus' | 'torus-knot', Solid>
+> = {
+  cylinder: (n, out) =>
+    gridGeometry([cap(n, 0.5 + out, 1), side(n, 0.5 + out, 0.5 + out), cap(n, 0.5 + out, -1)]),
   cone: (n, out, isLevel) => gridGeometry([side(n, 0, 0.5 + out, isLevel), cap(n, 0.5 + out, -1)]),
   pyramid,
   torus,
@@ -21,8 +24,9 @@ export const SOLIDS: Readonly<Record<'cylinder' | 'cone' | 'pyramid' | 'torus' |
 };
 
 /**
- * What lies between the circles of radius `top` and `bottom`, 1 apart. At a cone's tip (`top` 0) a triangle has the
- * normal of its middle; or, if `exact`, none: those of the base alone then give the round cone's in every point.
+ * What lies between the circles of radius `top` and `bottom`, 1 apart. At a cone's tip (`top` 0) a
+ * triangle has the normal of its middle; or, if `exact`, none: those of the base alone then give
+ * the round cone's in every point.
  */
 function side(n: number, top: number, bottom: number, exact = false): Grid {
   const { cos, sin } = circle(n);
@@ -38,7 +42,9 @@ function side(n: number, top: number, bottom: number, exact = false): Grid {
         let [nx, ny, nz] = [across * sin[i]!, up, across * cos[i]!];
         if (radius === 0) {
           const middle = ((i - 0.5) / n) * Math.PI * 2;
-          [nx, ny, nz] = exact ? [0, 0, 0] : [across * Math.sin(middle), up, across * Math.cos(middle)];
+          [nx, ny, nz] = exact
+            ? [0, 0, 0]
+            : [across * Math.sin(middle), up, across * Math.cos(middle)];
         }
         put(into, first + i, x, 0.5 - row, z, nx, ny, nz, i / n, 1 - row);
       }
@@ -50,12 +56,29 @@ function cap(n: number, radius: number, up: 1 | -1): Grid {
   const { cos, sin } = circle(n);
   const middle = up === 1 ? 0 : 1; // the row that is one point
   return {
-    ...{ columns: n, rows: 1, corners: [0, 2, 1, 2, 3, 1], closedFirst: up === 1, closedLast: up === -1 },
+    ...{
+      columns: n,
+      rows: 1,
+      corners: [0, 2, 1, 2, 3, 1],
+      closedFirst: up === 1,
+      closedLast: up === -1,
+    },
     row: (row, into, first) => {
       const r = row === middle ? 0 : 1;
       for (let i = 0; i <= n; i++) {
         const [c, s] = [r * cos[i]!, r * sin[i]!];
-        put(into, first + i, radius * s, up / 2, radius * c, 0, up, 0, c / 2 + 0.5, (up * s) / 2 + 0.5);
+        put(
+          into,
+          first + i,
+          radius * s,
+          up / 2,
+          radius * c,
+          0,
+          up,
+          0,
+          c / 2 + 0.5,
+          (up * s) / 2 + 0.5,
+        );
       }
     },
   };
@@ -75,7 +98,18 @@ function torus(columns: number, out: number): BufferGeometry {
           const [c, s] = [around.cos[i]!, around.sin[i]!];
           const distance = TORUS_RING + tube * outward;
           const [nx, ny] = [outward * c, outward * s];
-          put(into, first + i, distance * c, distance * s, tube * z, nx, ny, z, i / columns, row / rows);
+          put(
+            into,
+            first + i,
+            distance * c,
+            distance * s,
+            tube * z,
+            nx,
+            ny,
+            z,
+            i / columns,
+            row / rows,
+          );
         }
       },
     },
@@ -86,14 +120,20 @@ function torus(columns: number, out: number): BufferGeometry {
 const KNOT_RADIUS = 1;
 const KNOT_TUBE = 0.4;
 
-/** Largest extent of the round knot in three.js's size, along y, and the centre of its box, which is on the x axis. */
+/**
+ * Largest extent of the round knot in three.js's size, along y, and the centre of its box, which is
+ * on the x axis.
+ */
 const KNOT_EXTENT = 3.62822984;
 const KNOT_CENTER = 0.1588989;
 
 /** How far ahead three.js looks for the knot's direction, in radians of its own angle. */
 const AHEAD = 0.01;
 
-/** The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box. At least 32 rows. */
+/**
+ * The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box. At
+ * least 32 rows.
+ */
 function torusKnot(rows: number, out: number): BufferGeometry {
   const columns = Math.max(8, Math.round(rows / 8));
   const tube = KNOT_TUBE / KNOT_EXTENT + out;
@@ -127,7 +167,11 @@ function torusKnot(rows: number, out: number): BufferGeometry {
 /** The middle of the tube, in three.js's size. */
 function curve(angle: number): Vec3 {
   const distance = KNOT_RADIUS * (2 + Math.cos(1.5 * angle)) * 0.5;
-  return [distance * Math.cos(angle), distance * Math.sin(angle), KNOT_RADIUS * Math.sin(1.5 * angle) * 0.5];
+  return [
+    distance * Math.cos(angle),
+    distance * Math.sin(angle),
+    KNOT_RADIUS * Math.sin(1.5 * angle) * 0.5,
+  ];
 }
 
 const CORNER = Math.SQRT1_2 / 2;
@@ -141,8 +185,8 @@ const BASE: readonly [Vec3, Vec3, Vec3, Vec3] = [
 ];
 
 /**
- * Of height 1; the corners of its square base lie on a circle of diameter 1. Sides face the axes, and each has its own
- * vertices and normal. `segments`: parts into which every edge is divided.
+ * Of height 1; the corners of its square base lie on a circle of diameter 1. Sides face the axes,
+ * and each has its own vertices and normal. `segments`: parts into which every edge is divided.
  */
 function pyramid(segments: number): BufferGeometry {
   const mesh: Lists = { position: [], normal: [], uv: [], index: [] };
@@ -168,7 +212,10 @@ interface Lists {
   readonly index: number[];
 }
 
-/** The triangle a b c, counter-clockwise from outside, as rows of n, n - 1, … small ones from ab up to c. */
+/**
+ * The triangle a b c, counter-clockwise from outside, as rows of n, n - 1, … small ones from ab up
+ * to c.
+ */
 function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
   const normal = normalize(cross(subtract(b, a), subtract(c, a)));
   let row = mesh.position.length / 3;
@@ -178,14 +225,18 @@ function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
     for (let i = 0; i <= width; i += 1) {
       const u = i / n;
       const w = (width - i) / n;
-      for (const axis of [0, 1, 2] as const) mesh.position.push(w * a[axis] + u * b[axis] + v * c[axis]);
+      for (const axis of [0, 1, 2] as const) {
+        mesh.position.push(w * a[axis] + u * b[axis] + v * c[axis]);
+      }
       mesh.normal.push(...normal);
       mesh.uv.push(u + v / 2, v);
       if (i === width) continue;
       const here = row + i;
       const above = here + width + 1;
       mesh.index.push(here, here + 1, above);
-      if (i + 1 < width) mesh.index.push(here + 1, above + 1, above);
+      if (i + 1 < width) {
+        mesh.index.push(here + 1, above + 1, above);
+      }
     }
     row += width + 1;
   }

@@ -1,4 +1,5 @@
-// The Utah teapot, spout toward +x, in the unit box. A chunk of its own: three.js's table of control points is large.
+// The Utah teapot, spout toward +x, in the unit box. A chunk of its own: three.js's table of
+// control points is large.
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import type { BufferGeometry } from 'three';
 import { type Grid, gridGeometry, put } from './grid-geometry.js';
@@ -10,7 +11,10 @@ const PATCHES_AROUND = 4;
 /** Patches whose first row is one point: the top of the lid and the middle of the bottom. */
 const isClosed = (patch: number): boolean => (patch >= 20 && patch < 24) || patch >= 28;
 
-/** Extent along x of the round teapot in three.js's size 1, and the centre of its box, which is on the x axis. */
+/**
+ * Extent along x of the round teapot in three.js's size 1, and the centre of its box, which is on
+ * the x axis.
+ */
 const EXTENT = 4.08512714;
 const CENTER = 0.13780166;
 
@@ -20,12 +24,17 @@ const NO_NORMAL = 1e-5;
 /** The patches of the spout's bend, whose rows lie across it. */
 const isBend = (patch: number): boolean => patch === 16 || patch === 17;
 
-/** `segments`: once round the body, at least 12. `isLevel`: with more rows in the spout's bend alone. */
+/**
+ * `segments`: once round the body, at least 12. `isLevel`: with more rows in the spout's bend
+ * alone.
+ */
 export function teapot(segments: number, isLevel: boolean): BufferGeometry {
   const divisions = Math.round(segments / PATCHES_AROUND);
   const inBend = isLevel ? Math.ceil(1.6 * divisions) : divisions;
   return gridGeometry(
-    Array.from({ length: PATCHES }, (_, patch) => patchGrid(patch, isBend(patch) ? inBend : divisions, divisions)),
+    Array.from({ length: PATCHES }, (_, patch) =>
+      patchGrid(patch, isBend(patch) ? inBend : divisions, divisions),
+    ),
   );
 }
 
@@ -38,8 +47,12 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
     row: (row, into, first) => {
       const s = down[row]!;
       // The row is a cubic, and so is the way in which it changes: four points of each, x y z.
-      const points = new Float64Array(3 * SAMPLES).map((_, k) => mix(s.value, samples, k, 3 * SAMPLES));
-      const slopes = new Float64Array(3 * SAMPLES).map((_, k) => mix(s.slope, samples, k, 3 * SAMPLES));
+      const points = new Float64Array(3 * SAMPLES).map((_, k) =>
+        mix(s.value, samples, k, 3 * SAMPLES),
+      );
+      const slopes = new Float64Array(3 * SAMPLES).map((_, k) =>
+        mix(s.slope, samples, k, 3 * SAMPLES),
+      );
       for (let column = 0; column <= columns; column++) {
         const t = across[closedFirst && row === 0 ? 0 : column]!;
         const ax = mix(t.value, slopes, 0, 3);
@@ -59,7 +72,9 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
           nx /= length;
           ny /= length;
           nz /= length;
-        } else [nx, ny, nz] = [0, y > 0 ? 1 : -1, 0];
+        } else {
+          [nx, ny, nz] = [0, y > 0 ? 1 : -1, 0];
+        }
         const u = 1 - column / columns;
         const v = 1 - row / rows;
         put(into, first + column, (x - CENTER) / EXTENT, y / EXTENT, z / EXTENT, nx, ny, nz, u, v);
@@ -68,7 +83,10 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
   };
 }
 
-/** Four values `step` apart, summed from both ends: what two patches share is the same number from either side. */
+/**
+ * Four values `step` apart, summed from both ends: what two patches share is the same number from
+ * either side.
+ */
 function mix(weights: Weights, values: ArrayLike<number>, first: number, step: number): number {
   const ends = weights[0] * values[first]! + weights[3] * values[first + 3 * step]!;
   return ends + (weights[1] * values[first + step]! + weights[2] * values[first + 2 * step]!);
@@ -81,7 +99,9 @@ let coarse: Float32Array | null = null;
 
 /** The coarse teapot's vertices of a patch. three.js does not give its control points away. */
 function samplesOf(patch: number): Float32Array {
-  coarse ??= welded(new TeapotGeometry(1, SAMPLES - 1).getAttribute('position').array as Float32Array);
+  coarse ??= welded(
+    new TeapotGeometry(1, SAMPLES - 1).getAttribute('position').array as Float32Array,
+  );
   const size = 3 * SAMPLES * SAMPLES;
   return coarse.subarray(size * patch, size * (patch + 1));
 }
@@ -90,13 +110,14 @@ function samplesOf(patch: number): Float32Array {
 const SAME_POINT = 1e-5;
 
 function welded(points: Float32Array): Float32Array {
-  for (let i = 0; i < points.length; i += 3)
+  for (let i = 0; i < points.length; i += 3) {
     for (let j = 0; j < i; j += 3) {
       const apart = (axis: number): number => Math.abs(points[i + axis]! - points[j + axis]!);
       if (Math.max(apart(0), apart(1), apart(2)) > SAME_POINT) continue;
       points.copyWithin(i, j, j + 3);
       break;
     }
+  }
   return points;
 }
 
@@ -123,7 +144,10 @@ function mirrored({ value: [a, b, c, d], slope: [e, f, g, h] }: Basis): Basis {
 function basisAt(t: number): Basis {
   const [a, b, c, d] = [t, t - 1 / 3, t - 2 / 3, t - 1];
   return {
-    value: t === 0 ? [1, 0, 0, 0] : [-4.5 * b * c * d, 13.5 * a * c * d, -13.5 * a * b * d, 4.5 * a * b * c],
+    value:
+      t === 0
+        ? [1, 0, 0, 0]
+        : [-4.5 * b * c * d, 13.5 * a * c * d, -13.5 * a * b * d, 4.5 * a * b * c],
     slope: [
       -4.5 * (c * d + b * d + b * c),
       13.5 * (c * d + a * d + a * c),
