@@ -79,9 +79,15 @@ function png(rows) {
  * half alpha.
  */
 const texels = [
-  [[255, 0, 0, 255], [0, 255, 0, 255]],
-  [[0, 0, 255, 255], [188, 64, 20, 128]],
-]; // oxfmt-ignore
+  [
+    [255, 0, 0, 255],
+    [0, 255, 0, 255],
+  ],
+  [
+    [0, 0, 255, 255],
+    [188, 64, 20, 128],
+  ],
+];
 const texture = png(texels);
 
 /** Puts blobs into one buffer, four-byte aligned, with a buffer view each. */

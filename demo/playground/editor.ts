@@ -155,7 +155,8 @@ function attributesOf(view: EditorView): DecorationSet {
   const marks: Range<Decoration>[] = [];
   for (const { from, to } of visibleRanges) {
     syntaxTree(state).iterate({
-      ...{ from, to },
+      from,
+      to,
       enter: (node) => {
         if (node.name === 'Attribute' && node.to - node.from <= longest) {
           marks.push(unbroken.range(node.from, node.to));

@@ -67,7 +67,10 @@ async function main(options) {
   const date = new Date(begun).toISOString().slice(0, 10);
   /** @type {import('./results.mjs').BenchResult} */
   const result = (options.add ? readWithout(out, names) : undefined) ?? {
-    ...{ stack: options.stack, machine, date, launches: options.launches },
+    stack: options.stack,
+    machine,
+    date,
+    launches: options.launches,
     size: options.size ?? (isSoftware(machine.renderer) ? [480, 360] : [1920, 1080]),
     measures: [],
     failures: [],

@@ -209,14 +209,14 @@ function textStl({ positions, normals, indices }) {
 /** @param {Grid} grid */
 function binaryPly({ positions, indices }) {
   const header = [
-    ...['ply', 'format binary_little_endian 1.0', `element vertex ${positions.length / 3}`],
+    'ply',
+    'format binary_little_endian 1.0',
+    `element vertex ${positions.length / 3}`,
     ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
-    ...[
-      `element face ${indices.length / 3}`,
-      'property list uchar int vertex_indices',
-      'end_header',
-      '',
-    ],
+    `element face ${indices.length / 3}`,
+    'property list uchar int vertex_indices',
+    'end_header',
+    '',
   ].join('\n');
   const faces = Buffer.alloc((13 * indices.length) / 3, 3);
   indices.forEach((corner, i) =>

@@ -37,9 +37,21 @@ export function readOptions(args = process.argv.slice(2)) {
   const flag = /** @type {const} */ ({ type: 'boolean', default: false });
   const text = /** @type {const} */ ({ type: 'string', default: '' });
   const options = {
-    ...{ quick: flag, add: flag, list: flag, limits: flag },
-    ...{ only: text, launches: text, minutes: text, browser: text, flags: text, size: text },
-    ...{ out: text, note: text, build: text, built: text, stack: { ...text, default: 'software' } },
+    quick: flag,
+    add: flag,
+    list: flag,
+    limits: flag,
+    only: text,
+    launches: text,
+    minutes: text,
+    browser: text,
+    flags: text,
+    size: text,
+    out: text,
+    note: text,
+    build: text,
+    built: text,
+    stack: { ...text, default: 'software' },
   };
   const { values } = readCommandLine(HELP, options, [], joined(args));
   const split = (/** @type {string} */ list, /** @type {string} */ separator) =>

@@ -77,32 +77,30 @@ export function picturesChart(result) {
   const { x, y, color } = panelScales(points, COLORS);
   const { document } = parseHTML('<!doctype html><html><body></body></html>');
   const svg = Plot.plot({
-    ...{
-      document,
-      width: WIDTH,
-      height: 530,
-      marginTop: 80,
-      marginLeft: 60,
-      marginRight: 30,
-      marginBottom: 45,
-    },
+    document,
+    width: WIDTH,
+    height: 530,
+    marginTop: 80,
+    marginLeft: 60,
+    marginRight: 30,
+    marginBottom: 45,
     ariaLabel: TITLE,
     style: { fontSize: '13px', fontFamily: 'sans-serif', color: '#222', background: 'white' },
     fx: { axis: null, padding: 0.06 },
     fy: { axis: null, padding: 0.16 },
-    ...{ x: { ...x, inset: 4 }, y, color },
+    x: { ...x, inset: 4 },
+    y,
+    color,
     marks: [
       Plot.frame({ stroke: '#ccc' }),
       ...panelMarks(points, { fx: 'column', fy: 'row' }),
       Plot.text(titles, {
-        ...{
-          fx: 'column',
-          fy: 'row',
-          text: 'picture',
-          frameAnchor: 'top',
-          dy: -14,
-          fontWeight: 'bold',
-        },
+        fx: 'column',
+        fy: 'row',
+        text: 'picture',
+        frameAnchor: 'top',
+        dy: -14,
+        fontWeight: 'bold',
       }),
     ],
   });
@@ -138,15 +136,13 @@ export function picturesChart(result) {
 export function panelSvg(points, picture, colors) {
   const { document } = parseHTML('<!doctype html><html><body></body></html>');
   const svg = Plot.plot({
-    ...{
-      document,
-      width: 300,
-      height: 230,
-      marginLeft: 34,
-      marginRight: 8,
-      marginTop: 8,
-      marginBottom: 24,
-    },
+    document,
+    width: 300,
+    height: 230,
+    marginLeft: 34,
+    marginRight: 8,
+    marginTop: 8,
+    marginBottom: 24,
     ...panelScales(points, colors),
     ariaLabel: `${picture}: error over time`,
     marks: panelMarks(

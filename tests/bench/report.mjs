@@ -223,7 +223,9 @@ function otherTable(results) {
 
 /** Rows of the pictures' table. */
 const PICTURE_SIDES = [
-  ...[PLAIN, ...FULL.map(full), MULTISAMPLED],
+  PLAIN,
+  ...FULL.map(full),
+  MULTISAMPLED,
   ...[4, 16, 32].map(ssaa),
   ...[0, 1, 4, 16, 32].map(taa),
 ];

@@ -81,7 +81,8 @@ export function texturedGlb(images: readonly Buffer[], textures: readonly Json[]
     textures,
     images: images.map((_, i) => ({ bufferView: i + 2, mimeType: 'image/png' })),
     accessors: [POSITIONS, { ...POSITIONS, bufferView: 1, type: 'VEC2' }],
-    ...{ bufferViews, buffers },
+    bufferViews,
+    buffers,
   });
   return glbOf(document, body);
 }
@@ -105,7 +106,8 @@ export function dracoGlb(
       { componentType: FLOAT, count: claimed.points, type: 'VEC3' },
       { componentType: 5125, count: claimed.faces * 3, type: 'SCALAR' },
     ],
-    ...{ bufferViews, buffers },
+    bufferViews,
+    buffers,
   });
   return glbOf(document, body);
 }
@@ -218,7 +220,9 @@ export function barClaimsGlb(
     values: { bufferView: 0 },
   };
   Object.assign(accessors[index % accessors.length]!, {
-    ...{ bufferView: undefined, count, componentType },
+    bufferView: undefined,
+    count,
+    componentType,
     ...(sparse && { sparse: few }),
   });
   return barGlb({ accessors });
@@ -308,8 +312,16 @@ const CONSTRUCTED: readonly Construct[] = [
   },
   (random) => {
     const list = random.pick([
-      ...['nodes', 'meshes', 'accessors', 'bufferViews', 'buffers', 'scenes'],
-      ...['materials', 'textures', 'skins', 'animations'],
+      'nodes',
+      'meshes',
+      'accessors',
+      'bufferViews',
+      'buffers',
+      'scenes',
+      'materials',
+      'textures',
+      'skins',
+      'animations',
     ]);
     const length = whole(random, 10, 3e5);
     return [`${length} ${list} more`, longListGlb(list, length)];
@@ -362,9 +374,35 @@ const CONSTRUCTED: readonly Construct[] = [
 ];
 
 const EXTREMES: readonly unknown[] = [
-  ...[0, -1, 1, 2, 3, 0.5, 255, 65_535, 65_536, 1e6, 2 ** 31, 2 ** 32 - 1, 2 ** 53, 1e300, -1e9],
-  ...[null, true, '', 'constructor', '__proto__', 'data:,', '../x', 'SCALAR', 'MAT4'],
-  ...[[], {}, [[]], [0], [1e9]],
+  0,
+  -1,
+  1,
+  2,
+  3,
+  0.5,
+  255,
+  65_535,
+  65_536,
+  1e6,
+  2 ** 31,
+  2 ** 32 - 1,
+  2 ** 53,
+  1e300,
+  -1e9,
+  null,
+  true,
+  '',
+  'constructor',
+  '__proto__',
+  'data:,',
+  '../x',
+  'SCALAR',
+  'MAT4',
+  [],
+  {},
+  [[]],
+  [0],
+  [1e9],
 ];
 
 /**

@@ -91,7 +91,9 @@ type Defines = Readonly<Record<string, string>>;
 function variantDefines([form, history]: Way, stress: StressCase, reflection: Reflection): Defines {
   const { shininess } = stress.surface;
   const material = {
-    ...{ look: PLAIN_LOOK, style: { ...DEFAULT_STYLE, reflection }, linear: false },
+    look: PLAIN_LOOK,
+    style: { ...DEFAULT_STYLE, reflection },
+    linear: false,
     mildShininess: history === 'none' && isMildPower(shininess),
   };
   const general = generalVariant(material, declaredBefore(history, stress), 0);

@@ -113,9 +113,11 @@ function writeCase(
     [...normal, first],
     [...eye, masks],
     [...ka, linear ? 1 : 0],
-    ...[kd, ks],
+    kd,
+    ks,
     m.length === 0 ? [] : [...m.slice(0, 3), 1],
-    ...[m.slice(3, 6), m.slice(6, 9)],
+    m.slice(3, 6),
+    m.slice(6, 9),
   ];
   values.forEach((texel, k) => inputs[k]!.set(texel, at));
 }
@@ -202,11 +204,5 @@ function oneCell({ rows, counts }: PackedLights): number[] {
     list.push(0);
   }
   const cell = rows + GRID.rows;
-  return [
-    ...[0, 0, 0, cell],
-    ...[1, 1, 1, cell + 1],
-    ...[1, 1, 1, 0],
-    ...[0, counts.spot, 0, 0],
-    ...list,
-  ];
+  return [0, 0, 0, cell, 1, 1, 1, cell + 1, 1, 1, 1, 0, 0, counts.spot, 0, 0, ...list];
 }

@@ -305,7 +305,11 @@ const react: Framework = {
 const angular: Framework = {
   name: 'Angular',
   packages: [
-    ...['three', '@types/three', 'typescript@~5.9', 'rxjs@^7', 'tslib@^2'],
+    'three',
+    '@types/three',
+    'typescript@~5.9',
+    'rxjs@^7',
+    'tslib@^2',
     // Angular 22 and later need Node 22.
     ...['core', 'common', 'compiler', 'compiler-cli', 'platform-browser', 'build', 'cli'].map(
       (name) => `@angular/${name}@^21`,
@@ -654,7 +658,11 @@ for (const framework of [
       ]);
       await allReady(page);
       const values = ({ orbit, gui, colorInterpolation: space, terms, ka }: PhongViewer) => ({
-        ...{ orbit, gui, space, terms, ka },
+        orbit,
+        gui,
+        space,
+        terms,
+        ka,
       });
       const own = sent === undefined ? { space: 'linear', terms: ['ambient'] } : {};
       const expected = { orbit: false, gui: false, ka: [255, 255, 255], ...own };

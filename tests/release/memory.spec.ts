@@ -13,7 +13,8 @@ const SIZE = { width: 300, height: 200 };
 const MB = 2 ** 20;
 
 const base64Gltf = (size: number): Buffer => {
-  const json = '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,'; // oxfmt-ignore
+  const json =
+    '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,';
   return Buffer.concat([Buffer.from(json), Buffer.alloc(size - 1000, 'A'), Buffer.from('"}]}')]);
 };
 
@@ -71,7 +72,9 @@ const CASES: Readonly<Record<string, Case>> = {
   'an image of 64 megapixels': { make: () => textured(1, 8192, 8192) },
   '64 images of a megapixel': { make: () => textured(64, 1024, 1024) },
   '120 MB of UTF-16': {
-    ...{ make: () => utf16(120 * MB), isZipped: true, ends: 'bad-model' },
+    make: () => utf16(120 * MB),
+    isZipped: true,
+    ends: 'bad-model',
     says: /The format is not supported/,
   },
   '240 MB of base64 in JSON': { make: () => base64Gltf(240 * MB), isZipped: true },

@@ -105,8 +105,10 @@ async function webkitTab(): Promise<Tab> {
         { type: 'pointerMove', x, y, duration: 0 },
         { type: 'pointerDown', button: 0 },
         ...[0.25, 0.5, 0.75, 1].map((share) => ({
-          ...{ type: 'pointerMove', duration: 0 },
-          ...{ x: Math.round(x + share * dx), y: Math.round(y + share * dy) },
+          type: 'pointerMove',
+          duration: 0,
+          x: Math.round(x + share * dx),
+          y: Math.round(y + share * dy),
         })),
         { type: 'pointerUp', button: 0 },
       ),

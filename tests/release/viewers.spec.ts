@@ -5,7 +5,15 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../element/support/counting.js';
-import { comeAndGo, holdContext, Ledger, loseAndRestore, redsShown, reddening, scrollThrough } from '../element/page/many-viewers.js'; // oxfmt-ignore
+import {
+  comeAndGo,
+  holdContext,
+  Ledger,
+  loseAndRestore,
+  redsShown,
+  reddening,
+  scrollThrough,
+} from '../element/page/many-viewers.js';
 import { nextFrame, type PhongViewer, statsOf } from '../element/support/viewer.js';
 
 const small = { width: 60, height: 40, css: 'phong-viewer { float: left }' };

@@ -39,8 +39,20 @@ export interface Measured {
 }
 
 export const nothingMeasured = (of: Pick<Category, 'id' | 'title' | 'bound'>): Measured => ({
-  ...{ id: of.id, title: of.title, bound: of.bound, cases: 0, excluded: {}, notFinite: 0 },
-  ...{ max: 0, forms: {}, rms: 0, channels: 0, exact: 0, wrongCodes: 0, edge: 0, worst: '' },
+  id: of.id,
+  title: of.title,
+  bound: of.bound,
+  cases: 0,
+  excluded: {},
+  notFinite: 0,
+  max: 0,
+  forms: {},
+  rms: 0,
+  channels: 0,
+  exact: 0,
+  wrongCodes: 0,
+  edge: 0,
+  worst: '',
 });
 
 /** Parts of one run, measured apart, as one. */

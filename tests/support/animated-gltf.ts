@@ -73,9 +73,7 @@ export function bar(options: BarOptions = {}): Record<string, unknown> {
   const input = add(1, times);
   const half = Math.SQRT1_2;
   const scales = [
-    ...[0, 0, 0, 1, 1, 1, 0.5, 0, 0],
-    ...[0, 1, 0, 2, 1, 0.5, 0, 0, 1],
-    ...[0, 0, 0, 1, -1, 1, 0, 0, 0],
+    0, 0, 0, 1, 1, 1, 0.5, 0, 0, 0, 1, 0, 2, 1, 0.5, 0, 0, 1, 0, 0, 0, 1, -1, 1, 0, 0, 0,
   ];
   const turns = [0, 0, 0, 1, 0, 0, half, half, 0, 0, -0.6, 0.8];
   const samplers = {

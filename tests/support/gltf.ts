@@ -50,8 +50,10 @@ export function patch(options: PatchOptions): string {
     return gltf.accessor(values, { componentType: FLOAT, count: vertices.length, type });
   };
   const attributes = {
-    ...{ POSITION: list('POSITION', 'VEC3'), NORMAL: list('NORMAL', 'VEC3') },
-    ...{ TEXCOORD_0: list('TEXCOORD_0', 'VEC2'), TEXCOORD_1: list('TEXCOORD_1', 'VEC2') },
+    POSITION: list('POSITION', 'VEC3'),
+    NORMAL: list('NORMAL', 'VEC3'),
+    TEXCOORD_0: list('TEXCOORD_0', 'VEC2'),
+    TEXCOORD_1: list('TEXCOORD_1', 'VEC2'),
     ...(tangents && { TANGENT: list('TANGENT', 'VEC4') }),
   };
   gltf.addPrimitive(attributes, Uint16Array.from(indices), { material: 0 }, matrix && { matrix });

@@ -15,7 +15,15 @@ type Undo = () => unknown;
 type Method = (...given: never[]) => unknown;
 
 /** Changes that cannot be taken back: the context is closed after the test. */
-const FINAL = ['grantPermissions', 'setOffline', 'exposeFunction', 'exposeBinding', 'addCookies', 'setExtraHTTPHeaders', 'setHTTPCredentials']; // oxfmt-ignore
+const FINAL = [
+  'grantPermissions',
+  'setOffline',
+  'exposeFunction',
+  'exposeBinding',
+  'addCookies',
+  'setExtraHTTPHeaders',
+  'setHTTPCredentials',
+];
 
 const NO_MEDIA = {
   media: null,

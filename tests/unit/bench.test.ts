@@ -86,7 +86,9 @@ test('a trace of a page gives frames and the longest task since its navigation',
     pid: 2,
   });
   const traceEvents = [
-    ...[navigation(0, ''), task(100, 900_000), frame(200, 'before')],
+    navigation(0, ''),
+    task(100, 900_000),
+    frame(200, 'before'),
     ...[navigation(1000, 'http://localhost/'), task(2000, 30_000), task(3000, 70_000, 2)],
     frame(41_000, 'after'),
   ];

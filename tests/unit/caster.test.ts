@@ -17,7 +17,8 @@ const UNLIT: CastMaterial = { ...WHITE, unlit: true };
 
 const sceneOf = (distance: number, ...objects: readonly CastObject[]): CastScene => ({
   camera: { eye: [0, 0, distance], right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1], fov: FOV },
-  ...{ lights: [], objects },
+  lights: [],
+  objects,
 });
 const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({
   shape: { kind },

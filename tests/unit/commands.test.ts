@@ -13,7 +13,17 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 const { scripts } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
   readonly scripts: Readonly<Record<string, string>>;
 };
-const names = ['test', 'stress', 'bench', 'bench:report', 'stress:report', 'mutation', 'readme:picture', 'site:picture', 'site:models']; // oxfmt-ignore
+const names = [
+  'test',
+  'stress',
+  'bench',
+  'bench:report',
+  'stress:report',
+  'mutation',
+  'readme:picture',
+  'site:picture',
+  'site:models',
+];
 
 /** Its script, run with arguments and variables of its own. */
 function run(

@@ -25,8 +25,16 @@ export function explained({ lights = [], ...given }: Explained): FragmentExplana
   const values = lights.map((one) => light(one));
   const shaded = shade({ p: [0, 0, 0], normal, eye }, surface, values, options);
   return {
-    ...{ p: [0, 0, 0], mesh: {} as PhongViewer, object: new Mesh(), triangle: 0, opacity: 1 },
-    ...{ baseColor: [1, 1, 1], metalness: 0, unlit: false, filtered: false, emissive: [0, 0, 0] },
+    p: [0, 0, 0],
+    mesh: {} as PhongViewer,
+    object: new Mesh(),
+    triangle: 0,
+    opacity: 1,
+    baseColor: [1, 1, 1],
+    metalness: 0,
+    unlit: false,
+    filtered: false,
+    emissive: [0, 0, 0],
     ...surface,
     ...shaded,
     ...coefficientsOf(surface, options.linear),

@@ -25,25 +25,27 @@ export class FakeRenderer {
   /** `name`: of the device, as the browser reports it. */
   constructor({ name = 'NVIDIA' }: { readonly name?: string } = {}) {
     const gl = {
-      ...{
-        RENDERER: 7,
-        LINK_STATUS: 8,
-        MAX_FRAGMENT_UNIFORM_VECTORS: 9,
-        MAX_VERTEX_UNIFORM_VECTORS: 9,
-      },
+      RENDERER: 7,
+      LINK_STATUS: 8,
+      MAX_FRAGMENT_UNIFORM_VECTORS: 9,
+      MAX_VERTEX_UNIFORM_VECTORS: 9,
       getExtension: () => null,
       getParameter: (what: number) => (what === 7 ? name : 1024),
       getProgramParameter: () => true,
       getAttachedShaders: () => [],
       isContextLost: () => false,
-      ...{ TEXTURE_2D: 1, RGBA: 2, FLOAT: 3 },
+      TEXTURE_2D: 1,
+      RGBA: 2,
+      FLOAT: 3,
       createTexture: () => {
         const texture = {};
         this.#held.set(texture, { width: 0, height: 0, data: new Float32Array(0) });
         return texture;
       },
       deleteTexture: (texture: object | null) => texture !== null && this.#held.delete(texture),
-      ...{ TEXTURE_WRAP_S: 'wrap s', TEXTURE_WRAP_T: 'wrap t', CLAMP_TO_EDGE: 'clamp' },
+      TEXTURE_WRAP_S: 'wrap s',
+      TEXTURE_WRAP_T: 'wrap t',
+      CLAMP_TO_EDGE: 'clamp',
       texParameteri: (...[, name, value]: [number, string, string]) =>
         this.sampling.set(name, value),
       texStorage2D: (...[, , , width, height]: [number, number, number, number, number]) => {

@@ -105,7 +105,9 @@ describe('the custom elements manifest', () => {
 
   it('lists properties without an attribute, once', () => {
     const writable = (tag: string) =>
-      declared(tag).members!.filter((member) => member.kind === 'field' && !member.readonly && !('attribute' in member)); // oxfmt-ignore
+      declared(tag).members!.filter(
+        (member) => member.kind === 'field' && !member.readonly && !('attribute' in member),
+      );
     expect(writable('phong-viewer')).toMatchObject([
       { name: 'texts', type: { text: 'ViewerTexts | null' } },
       { name: 'maxTriangles', type: { text: 'number' } },
@@ -169,8 +171,14 @@ describe('the types of properties and JSX', () => {
 
   it('accept one number where the property accepts it for a list', () => {
     const typed: Record<SingleNumber, boolean> = {
-      ...{ ambient: true, diffuse: true, specular: true },
-      ...{ ka: true, kd: true, ks: true, scale: true, at: true },
+      ambient: true,
+      diffuse: true,
+      specular: true,
+      ka: true,
+      kd: true,
+      ks: true,
+      scale: true,
+      at: true,
     };
     const found = Object.values(tables.fields)
       .flatMap((fields) => Object.entries(fields))

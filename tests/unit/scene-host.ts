@@ -11,8 +11,14 @@ const quiet = (): void => undefined;
 /** A host that reports nothing but to `own`. */
 export const meshHost = (own: Partial<MeshHost> = {}): MeshHost => ({
   picture: new Picture(new LightSet(), quiet, quiet),
-  ...{ crossOrigin: null, mayLoad: true, shown: () => false },
-  ...{ began: quiet, progress: quiet, ended: quiet, dropped: quiet, removed: quiet },
+  crossOrigin: null,
+  mayLoad: true,
+  shown: () => false,
+  began: quiet,
+  progress: quiet,
+  ended: quiet,
+  dropped: quiet,
+  removed: quiet,
   ...own,
 });
 

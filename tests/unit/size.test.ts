@@ -14,8 +14,9 @@ function tokensOf(path: string): number {
   const count = (node: ts.Node): number => {
     if (ts.isImportDeclaration(node)) return 0;
     if (ts.isExportDeclaration(node) && node.moduleSpecifier !== undefined) return 0;
-    if (node.kind >= ts.SyntaxKind.FirstJSDocNode && node.kind <= ts.SyntaxKind.LastJSDocNode)
+    if (node.kind >= ts.SyntaxKind.FirstJSDocNode && node.kind <= ts.SyntaxKind.LastJSDocNode) {
       return 0;
+    }
     const children = node.getChildren(file);
     if (children.length === 0) return node.kind === ts.SyntaxKind.EndOfFileToken ? 0 : 1;
     return children.reduce((sum, child) => sum + count(child), 0);
@@ -60,5 +61,7 @@ it('each extra has a budget of its own, and src no folder beside phong, viewer a
       .sort();
   expect(foldersIn('src')).toEqual(['decisions', 'extras', 'phong', 'viewer']);
   const named = readFileSync(fileURLToPath(import.meta.url), 'utf8');
-  for (const extra of foldersIn('src/extras')) expect(named).toContain(`'src/extras/${extra}'`);
+  for (const extra of foldersIn('src/extras')) {
+    expect(named).toContain(`'src/extras/${extra}'`);
+  }
 });

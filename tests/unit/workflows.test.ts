@@ -30,7 +30,8 @@ const listOf = (key: string, text: string): readonly string[] =>
 /** The run lines that pass arguments to one of our scripts: `.ci/run` is `npm test --`. */
 const runs = workflows.flatMap(({ name, text }) =>
   valuesOf('run', text).flatMap((line) => {
-    const [, script, rest = ''] = /^npm run (\S+)(?: -- (.*))?$/.exec(line) ?? /^\.ci\/(run)(?: (.*))?$/.exec(line) ?? []; // oxfmt-ignore
+    const [, script, rest = ''] =
+      /^npm run (\S+)(?: -- (.*))?$/.exec(line) ?? /^\.ci\/(run)(?: (.*))?$/.exec(line) ?? [];
     if (script === undefined) return [];
     const args = rest.split(' ').filter((arg) => arg !== '');
     return [{ name, line, script: script === 'run' ? 'test' : script, args }];

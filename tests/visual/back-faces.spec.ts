@@ -64,11 +64,16 @@ for (const shape of ['sphere', 'box'] as const) {
         expect.soft(tellingChannels(whole), `${scale}, ${view}`).toBeGreaterThan(64);
       }
       for (const pixel of insideOutline(whole, SIZE.width)) {
-        for (let c = 0; c < 4; c++)
-          { if (whole.codes[4 * pixel + c] !== culled.codes[4 * pixel + c])
-            { expect.soft(culled.codes.slice(4 * pixel, 4 * pixel + 4), `${scale}, ${view}, pixel ${String(pixel)}`).toEqual(whole.codes.slice(4 * pixel, 4 * pixel + 4));
-}
-} // oxfmt-ignore
+        for (let c = 0; c < 4; c++) {
+          if (whole.codes[4 * pixel + c] !== culled.codes[4 * pixel + c]) {
+            expect
+              .soft(
+                culled.codes.slice(4 * pixel, 4 * pixel + 4),
+                `${scale}, ${view}, pixel ${String(pixel)}`,
+              )
+              .toEqual(whole.codes.slice(4 * pixel, 4 * pixel + 4));
+          }
+        }
       }
     });
   });

@@ -32,20 +32,32 @@ for (const [lighting, light] of lightings) {
   }) => {
     const kinds = GEOMETRIES.map((geometry) => `geometry="${geometry}"`);
     const matte = 'geometry="box" ks="0"';
-    await mount([...kinds, matte].map((kind) => `<phong-viewer ${kind}>${light}</phong-viewer>`).join(''), size); // oxfmt-ignore
+    await mount(
+      [...kinds, matte].map((kind) => `<phong-viewer ${kind}>${light}</phong-viewer>`).join(''),
+      size,
+    );
     const tonesAt = async (i: number) => tones(await pixels(page.locator('phong-viewer').nth(i)));
     for (const [i, kind] of kinds.entries()) {
       const found = await tonesAt(i);
       expect(found.length, kind).toBeGreaterThan(1000);
       // A highlight may reach white: a streak along a cone is the largest, at 9 %.
-      expect(share(found, (tone) => tone === 255), `${kind} is white`).toBeLessThan(0.1); // oxfmt-ignore
-      expect(share(found, (tone) => tone < 24), `${kind} is black`).toBeLessThan(0.03); // oxfmt-ignore
+      expect(
+        share(found, (tone) => tone === 255),
+        `${kind} is white`,
+      ).toBeLessThan(0.1);
+      expect(
+        share(found, (tone) => tone < 24),
+        `${kind} is black`,
+      ).toBeLessThan(0.03);
     }
     const counts = new Map<number, number>();
     for (const tone of await tonesAt(kinds.length)) {
       counts.set(tone, (counts.get(tone) ?? 0) + 1);
     }
-    const faces = [...counts].sort(([, a], [, b]) => b - a).slice(0, 3).map(([tone]) => tone); // oxfmt-ignore
+    const faces = [...counts]
+      .sort(([, a], [, b]) => b - a)
+      .slice(0, 3)
+      .map(([tone]) => tone);
     const [dark, middle, bright] = faces.sort((a, b) => a - b);
     expect(middle! - dark!).toBeGreaterThan(20);
     expect(bright! - middle!).toBeGreaterThan(20);

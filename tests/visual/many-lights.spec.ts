@@ -203,7 +203,10 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
 
 /** The first frame of this markup, in a second viewer, which is removed again. */
 async function firstPicture(page: Page, markup: string): Promise<Picture> {
-  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', `<section>${html}</section>`), markup); // oxfmt-ignore
+  await page.evaluate(
+    (html) => document.body.insertAdjacentHTML('beforeend', `<section>${html}</section>`),
+    markup,
+  );
   const other = page.locator('section > phong-viewer');
   await settled(other);
   await glSpent(page);

@@ -135,7 +135,9 @@ export async function compareRandomScenes(page: Page, first: number, count: numb
   expect(subpixelBits).toBeGreaterThanOrEqual(4); // what OpenGL ES promises
   const errors = { compared: 0, exact: 0, snapped: 0 };
   for (let from = first; from < first + count; from += A_PAGE) {
-    const drawn = Array.from({ length: Math.min(A_PAGE, first + count - from) }, (_, i) => drawnScene(from + i)); // oxfmt-ignore
+    const drawn = Array.from({ length: Math.min(A_PAGE, first + count - from) }, (_, i) =>
+      drawnScene(from + i),
+    );
     const pictures = await bothPictures(
       page,
       drawn.map(({ scene, shading }) => sceneMarkup(scene, shading)),
@@ -160,7 +162,9 @@ export async function compareRandomScenes(page: Page, first: number, count: numb
     }
   }
   const exactly = ((100 * errors.exact) / errors.compared).toFixed(2);
-  console.log(`Seeds ${first} to ${first + count - 1}, two programs each: ${String(sum)}; ${errors.compared} against float64, ${exactly} % exact`); // oxfmt-ignore
+  console.log(
+    `Seeds ${first} to ${first + count - 1}, two programs each: ${String(sum)}; ${errors.compared} against float64, ${exactly} % exact`,
+  );
   sum.expectPromise();
   expect(errors.exact / errors.compared).toBeGreaterThan(0.98);
   // Of spheres alone 1.2e-4 were measured, where vertices lie on sixteenths of a pixel.

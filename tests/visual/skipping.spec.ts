@@ -6,7 +6,13 @@ import { expect, test } from '../support/test.js';
 import { drawUntilSpecialised } from '../element/frames/driving.js';
 import { logGl } from '../element/support/gl-log.js';
 import { compareWithTriangles } from './against-triangles.js';
-import { betweenPrograms, bothPictures, DifferenceSum, picturesBy, showAll } from './between-programs.js'; // oxfmt-ignore
+import {
+  betweenPrograms,
+  bothPictures,
+  DifferenceSum,
+  picturesBy,
+  showAll,
+} from './between-programs.js';
 import { compareRandomScenes, look, LOOKS, SIZE, subpixelBitsOf } from './program-scenes.js';
 import { sceneMarkup } from './random-scene.js';
 
@@ -76,7 +82,7 @@ test('a textured model differs as little between the two programs, under every s
   );
   const sum = new DifferenceSum();
   for (const { general, specialised } of await bothPictures(page, markups, SIZE)) {
-    sum.add(betweenPrograms(general, specialised)); // oxfmt-ignore
+    sum.add(betweenPrograms(general, specialised));
   }
   console.log(`textured models: ${String(sum)}`);
   expect(sum.channels).toBeGreaterThan(fullOr(10_000, 3000));
@@ -107,7 +113,11 @@ test('lights that reach nothing change no bit in the same program', async ({ pag
       ...Object.values(IDLE).map((attributes) =>
         markup(`<phong-light ${attributes}></phong-light>`),
       ),
-      markup(Object.values(IDLE).map((attributes) => `<phong-light ${attributes}></phong-light>`).join('')), // oxfmt-ignore
+      markup(
+        Object.values(IDLE)
+          .map((attributes) => `<phong-light ${attributes}></phong-light>`)
+          .join(''),
+      ),
     ]);
     for (const kind of ['general', 'specialised'] as const) {
       if (kind === 'specialised') {

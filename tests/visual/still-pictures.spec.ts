@@ -48,23 +48,27 @@ interface HardPicture {
 const PICTURES: Readonly<Record<string, HardPicture>> = {
   outlines: {
     markup: `<phong-viewer ${full} geometry="torus" segments="32" phi="60">${lights}</phong-viewer>`,
-    ...{ rmse: 0.75, within: 0.93 },
+    rmse: 0.75,
+    within: 0.93,
   },
   'thin highlights': {
     markup: `<phong-viewer ${full} geometry="torus-knot" shininess="2000" ks="255">${bright}</phong-viewer>`,
-    ...{ rmse: 0.75, within: 0.93 },
+    rmse: 0.75,
+    within: 0.93,
   },
   'a cone edge': {
     markup: `<phong-viewer ${full} phi="65" radius="1.25" target="0 -0.05 0">${cone}
       <phong-mesh geometry="plane" position="0 -0.5 0" scale="3"></phong-mesh>
       <phong-mesh geometry="teapot" segments="16" shininess="120"></phong-mesh></phong-viewer>`,
-    ...{ rmse: 0.75, within: 0.93 },
+    rmse: 0.75,
+    within: 0.93,
   },
   'a fine texture': {
     markup: `<phong-viewer ${full} phi="70" shininess="32" src="${patch({ material, textures: [texels], mipmaps: true })}">
       ${lights}</phong-viewer>`,
     texture,
-    ...{ rmse: 1.2, within: 0.75 },
+    rmse: 1.2,
+    within: 0.75,
   },
 };
 

@@ -85,7 +85,10 @@ function ownersIn(viewer: PhongViewer, range: SceneRange): readonly Owner[] {
     title,
   }: ChildKind<E>): Owner[] =>
     children(viewer).map((element, i) => ({
-      ...{ element, viewer, range, rows },
+      element,
+      viewer,
+      range,
+      rows,
       title: () => title(element, i, viewer.texts),
     }));
   const own = {

@@ -5,7 +5,16 @@ import type { Vec3, Vec4 } from '../math/vector.js';
 import { clip } from './clip.js';
 
 /** How a value is written as text; selects the element's parser and formatter. */
-export type FieldKind = 'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words' | 'flag-or-words'; // oxfmt-ignore
+export type FieldKind =
+  | 'number'
+  | 'numbers'
+  | 'color'
+  | 'boolean'
+  | 'presence'
+  | 'text'
+  | 'choice'
+  | 'words'
+  | 'flag-or-words';
 
 /** A declared value's default and domain. */
 export interface Field<T> {

@@ -131,7 +131,9 @@ export const LIGHT_FIELDS = {
   diffuse: {
     ...colorField([255, 255, 255], colors),
     shading: {
-      ...{ as: 'light', rows: { directional: 1, point: 1, spot: 1 }, terms: ['diffuse'] },
+      as: 'light',
+      rows: { directional: 1, point: 1, spot: 1 },
+      terms: ['diffuse'],
       // Grey light is summed as one number.
       features: {
         diffuse: [isDiffuse],
@@ -142,7 +144,9 @@ export const LIGHT_FIELDS = {
   specular: {
     ...colorField([255, 255, 255], colors),
     shading: {
-      ...{ as: 'light', rows: { directional: 2, point: 2, spot: 2 }, terms: ['specular'] },
+      as: 'light',
+      rows: { directional: 2, point: 2, spot: 2 },
+      terms: ['specular'],
       features: {
         specular: [isSpecular],
         tintedSpecular: [({ specular }) => !isGrey(specular), isSpecular],
@@ -165,7 +169,9 @@ export const LIGHT_FIELDS = {
   aperture: {
     ...numberField(180, { min: 0, max: 180 }),
     shading: {
-      ...{ as: packedLimit, rows: { spot: 4 }, terms: TERMS },
+      as: packedLimit,
+      rows: { spot: 4 },
+      terms: TERMS,
       features: {
         // Compared on the axis's side, by (1 - c)/2. Steep cones may be compared on either side.
         narrow: [(light) => hasCone(light) && !isOnFarSide(light.aperture), isSteep],
@@ -180,7 +186,9 @@ export const LIGHT_FIELDS = {
   cutoff: {
     ...numberField(0, { min: 0, max: LIMITS.exponent }),
     shading: {
-      ...{ as: Number, rows: { spot: 3 }, terms: TERMS },
+      as: Number,
+      rows: { spot: 3 },
+      terms: TERMS,
       // Integer powers are in the mask themselves: see LIGHT_FEATURES.
       features: { decay: [(light) => hasDecay(light) && !isIntegerPower(light.cutoff), hasDecay] },
     },
@@ -188,7 +196,9 @@ export const LIGHT_FIELDS = {
   attenuation: {
     ...vectorField([1, 0, 0], { min: 0, max: LIMITS.attenuation }),
     shading: {
-      ...{ as: 'numbers', rows: { point: 0, spot: 0 }, terms: ['diffuse', 'specular'] },
+      as: 'numbers',
+      rows: { point: 0, spot: 0 },
+      terms: ['diffuse', 'specular'],
       features: {
         attenuated: [isAttenuated],
         // Near the light it is clamped to 1. Also without attenuation: in a loop every light takes

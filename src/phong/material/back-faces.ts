@@ -27,7 +27,15 @@ export function cullsBackFaces(
 }
 
 function isFlattened({ elements: e }: Matrix4): boolean {
-  const a = e[0], b = e[1], c = e[2], d = e[4], f = e[5], g = e[6], h = e[8], i = e[9], j = e[10]; // oxfmt-ignore
+  const a = e[0],
+    b = e[1],
+    c = e[2],
+    d = e[4],
+    f = e[5],
+    g = e[6],
+    h = e[8],
+    i = e[9],
+    j = e[10];
   const determinant = a * (f * j - g * i) - d * (b * j - c * i) + h * (b * g - c * f);
   const lengths = (a * a + b * b + c * c) * (d * d + f * f + g * g) * (h * h + i * i + j * j);
   return !(determinant * determinant > FLATTENED * FLATTENED * lengths);

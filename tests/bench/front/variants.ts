@@ -52,11 +52,16 @@ function literal(lights: readonly LightValues[]): Variant {
   const rows = lights.flatMap(
     ({ position, axis, aperture, ambient, diffuse, cutoff, specular, attenuation }) => [
       ...position,
-      ...[...axis, aperture],
-      ...[...full(ambient), 0],
-      ...[...full(diffuse), cutoff],
-      ...[...full(specular), 0],
-      ...[...attenuation, 0],
+      ...axis,
+      aperture,
+      ...full(ambient),
+      0,
+      ...full(diffuse),
+      cutoff,
+      ...full(specular),
+      0,
+      ...attenuation,
+      0,
     ],
   );
   return {
@@ -84,7 +89,7 @@ function hoisted(label: string, lobe: string, lights: readonly LightValues[]): V
     diffuse,
     specular,
     attenuation: [kc, kl, kq],
-  }: LightValues) => [...[x, y, z, kc], ...[...full(diffuse), kl], ...[...full(specular), kq]];
+  }: LightValues) => [x, y, z, kc, ...full(diffuse), kl, ...full(specular), kq];
   const rows = [
     ...directional.flatMap(({ position: [x, y, z], diffuse, specular }) =>
       [unit([x, y, z]), full(diffuse), full(specular)].flatMap((v) => [...v, 0]),
@@ -92,15 +97,19 @@ function hoisted(label: string, lobe: string, lights: readonly LightValues[]): V
     ...points.flatMap(positional),
     ...spots.flatMap((light) => [
       ...positional(light),
-      ...[...unit(light.axis), Math.cos((light.aperture * Math.PI) / 180)],
-      ...[...full(light.ambient), light.cutoff],
+      ...unit(light.axis),
+      Math.cos((light.aperture * Math.PI) / 180),
+      ...full(light.ambient),
+      light.cutoff,
     ]),
   ];
   return {
     label,
     glsl:
       defines({
-        ...{ DIRECTIONALS: directional.length, POINTS: points.length, SPOTS: spots.length },
+        DIRECTIONALS: directional.length,
+        POINTS: points.length,
+        SPOTS: spots.length,
         AMBIENT: `vec3(${ambient.map((channel) => channel.toExponential()).join()})`,
         'LOBE(t)': lobe,
       }) + hoistedGlsl,

@@ -67,8 +67,10 @@ async function loadOf(lab, path, slow) {
     const throughput = SLOW.bitsPerSecond / 8;
     await session.send('Network.enable');
     await session.send('Network.emulateNetworkConditions', {
-      ...{ offline: false, latency: SLOW.latencyMs },
-      ...{ downloadThroughput: throughput, uploadThroughput: throughput },
+      offline: false,
+      latency: SLOW.latencyMs,
+      downloadThroughput: throughput,
+      uploadThroughput: throughput,
     });
   }
   await browser.startTracing(page, { screenshots: true, categories: CATEGORIES });

@@ -68,8 +68,11 @@ window.bench = {
     return {
       renderer: rendererName(gl),
       canvas: {
-        ...{ antialias, alpha, samples: gl.getParameter(gl.SAMPLES) as number },
-        ...{ width: gl.drawingBufferWidth, height: gl.drawingBufferHeight },
+        antialias,
+        alpha,
+        samples: gl.getParameter(gl.SAMPLES) as number,
+        width: gl.drawingBufferWidth,
+        height: gl.drawingBufferHeight,
       },
       lit,
     };

@@ -166,18 +166,25 @@ export function sceneOf(name: string): Scene {
       return box(lights, 'toggle');
     case 'room':
       return {
-        ...{ lights: roomLights(lights), meshes: [{ shape: 'box', scale: 4 }] },
-        ...{ radius: 1, motion: 'camera', inside: true },
+        lights: roomLights(lights),
+        meshes: [{ shape: 'box', scale: 4 }],
+        radius: 1,
+        motion: 'camera',
+        inside: true,
       };
     case 'bunny':
       return {
-        ...{ lights: mixedLights(lights, 6), meshes: [{ shape: 'bunny.glb' }] },
-        ...{ radius: 2.9, motion: 'camera' },
+        lights: mixedLights(lights, 6),
+        meshes: [{ shape: 'bunny.glb' }],
+        radius: 2.9,
+        motion: 'camera',
       };
     case 'spheres':
       return {
-        ...{ lights: mixedLights(lights, 40), meshes: grid([8, 8, 1], 'sphere', 0.9) },
-        ...{ radius: 10.2, motion: 'camera' },
+        lights: mixedLights(lights, 40),
+        meshes: grid([8, 8, 1], 'sphere', 0.9),
+        radius: 10.2,
+        motion: 'camera',
       };
     case 'boxes':
       return boxes(lights, [20, 10, 10], 'camera');

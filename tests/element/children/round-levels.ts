@@ -131,12 +131,16 @@ export async function filmZoom(
         geometry: { index: { count: number } };
       };
       film.push({
-        ...{ radius, triangles: mesh.geometry.index.count / 3 },
+        radius,
+        triangles: mesh.geometry.index.count / 3,
         // Largest difference between the films, away from outlines and on them; and its mean over
         // the picture.
-        ...{ inside, outline, mean: meanOf(auto, fine) },
+        inside,
+        outline,
+        mean: meanOf(auto, fine),
         // Mean coverage, 0 to 1.
-        ...{ covered: covered(auto), fineCovered: covered(fine) },
+        covered: covered(auto),
+        fineCovered: covered(fine),
         // Mean change since the frame before.
         change: before === null ? 0 : meanOf(auto, before[0]!),
         fineChange: before === null ? 0 : meanOf(fine, before[1]!),

@@ -186,7 +186,10 @@ test('a picture larger than the GPU allows keeps its shape, with four screens of
     [20000, 100],
     [9000, 6000],
   ] as const) {
-    await viewer.evaluate((element, css) => (element.style.cssText = css), `width: ${width}px; height: ${height}px`); // oxfmt-ignore
+    await viewer.evaluate(
+      (element, css) => (element.style.cssText = css),
+      `width: ${width}px; height: ${height}px`,
+    );
     await nextFrame(page);
     const [w, h] = await canvasSize(viewer);
     const most = Math.sqrt((fourScreens * width) / height);

@@ -167,7 +167,11 @@ export function installFaultDeeds(): void {
     }
     await wait(20);
     expect('contexts are open without viewers', faults.open, 0);
-    expect('viewers hold a canvas outside the page', all.filter(({ shadowRoot }) => shadowRoot?.querySelector('canvas')).length, 0); // oxfmt-ignore
+    expect(
+      'viewers hold a canvas outside the page',
+      all.filter(({ shadowRoot }) => shadowRoot?.querySelector('canvas')).length,
+      0,
+    );
     return found.join('; ');
   }
 

@@ -95,7 +95,10 @@ test('nothing happens out of sight; changes are drawn once when the viewer is vi
   mount,
 }) => {
   const turning = box.replace('geometry', 'auto-rotate="45" geometry');
-  await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, { ...size, css: '[hidden] { display: none !important }' }); // oxfmt-ignore
+  await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, {
+    ...size,
+    css: '[hidden] { display: none !important }',
+  });
   const place = page.locator('section');
   const [still, turned] = [
     page.locator('phong-viewer').first(),
@@ -112,9 +115,12 @@ test('nothing happens out of sight; changes are drawn once when the viewer is vi
       [1, 2, 3],
       [255, 255, 255],
       [200, 90, 0],
-    ]) // oxfmt-ignore
-    {
-      await still.evaluate((element: PhongViewer, value) => (element.lights[0]!.diffuse = value as [number, number, number]), diffuse); // oxfmt-ignore
+    ]) {
+      await still.evaluate(
+        (element: PhongViewer, value) =>
+          (element.lights[0]!.diffuse = value as [number, number, number]),
+        diffuse,
+      );
     }
     expect(await spentIn(page, A_WHILE), how).toEqual(NOTHING);
     await place.evaluate(hide as (place: Element, hidden: boolean) => void, false);
@@ -174,7 +180,11 @@ test('a viewer alone on its page shows the WebGL canvas itself, after others wen
     }
     await allReady(page);
     await nextFrame(page);
-    const isDirect = await viewer.evaluate((element: PhongViewer) => element.shadowRoot?.querySelector('canvas')?.getContext('webgl2') instanceof WebGL2RenderingContext); // oxfmt-ignore
+    const isDirect = await viewer.evaluate(
+      (element: PhongViewer) =>
+        element.shadowRoot?.querySelector('canvas')?.getContext('webgl2') instanceof
+        WebGL2RenderingContext,
+    );
     expect(isDirect).toBe(count === 1);
     expect(Buffer.compare(await viewer.screenshot(), alone)).toBe(0);
   }

@@ -91,7 +91,7 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       const light = lights[number % lights.length]!;
       const [, y, , w] = light.position;
       if (change === 'add light') {
-        element.insertAdjacentHTML('beforeend', `<phong-light ${given}></phong-light>`); // oxfmt-ignore
+        element.insertAdjacentHTML('beforeend', `<phong-light ${given}></phong-light>`);
       } else if (change === 'remove light' && lights.length > 1) {
         light.remove();
       } else if (change === 'move') {

@@ -5,7 +5,15 @@
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { drawFrames, drawUntilSpecialised } from './driving.js';
-import { drawnWith, glPrograms, glSpent, isSpecialised, isLit, logGl, type GlProgram } from '../support/gl-log.js'; // oxfmt-ignore
+import {
+  drawnWith,
+  glPrograms,
+  glSpent,
+  isSpecialised,
+  isLit,
+  logGl,
+  type GlProgram,
+} from '../support/gl-log.js';
 import { settled, statsOf } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
@@ -119,7 +127,10 @@ test('ten meshes reached by different lights get a specialised program each', as
 }) => {
   await logGl(page);
   // Each lit by one more light than the one before, so that no two share a program.
-  const meshes = Array.from({ length: 10 }, (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`); // oxfmt-ignore
+  const meshes = Array.from(
+    { length: 10 },
+    (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`,
+  );
   const lights = Array.from({ length: 10 }, (_, i) =>
     `<phong-light position="${3 * i} 1 0" axis="0 -1 0" aperture="30"></phong-light>`.repeat(i + 1),
   );

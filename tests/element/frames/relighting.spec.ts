@@ -79,7 +79,9 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
   'one light less': (element) => (element.lights[1]!.active = false),
   'one light more': (element) => element.append(element.lights[0]!.cloneNode()),
   'another kind of light': (element) => (element.lights[0]!.position = [1, 1, 0.5, 1]),
-  'a mesh': (element) => (element.innerHTML += '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>'), // oxfmt-ignore
+  'a mesh': (element) =>
+    (element.innerHTML +=
+      '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>'),
   'its place': (element) => (element.meshes[0]!.position = [0.2, 0.3, 0.3]),
   'an object of one’s own': (element) => {
     element.scene.children[0]!.visible = false;

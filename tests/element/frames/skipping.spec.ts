@@ -76,7 +76,12 @@ test('a light without effect is not sent, and the picture is the same', async ({
     [[SUN, LAMP, OFF, SPOT, AWAY, ...WITHOUT_EFFECT], 3, 9],
   ] as const) {
     const stats = await showsTheEquation(viewer, sceneOf(lights), `${sent} sent`);
-    expect(stats).toMatchObject({ lightsSent: sent, lightsSentByMesh: [sent], lightsActive: active, lightsDeclared: lights.length }); // oxfmt-ignore
+    expect(stats).toMatchObject({
+      lightsSent: sent,
+      lightsSentByMesh: [sent],
+      lightsActive: active,
+      lightsDeclared: lights.length,
+    });
   }
 });
 
@@ -201,7 +206,16 @@ test('one to forty lights that change together cost a frame, an upload and no pr
     ];
     for (const [change, bytes, sent] of steps) {
       const cost = await costOf(viewer, change, count);
-      expect(cost, `${change} ${count}`).toMatchObject({ frames: 1, draws: 1, links: 0, compiles: 0, uploads: 1, allocations: 0, viewerUploads: 1, sent }); // oxfmt-ignore
+      expect(cost, `${change} ${count}`).toMatchObject({
+        frames: 1,
+        draws: 1,
+        links: 0,
+        compiles: 0,
+        uploads: 1,
+        allocations: 0,
+        viewerUploads: 1,
+        sent,
+      });
       expect(cost.bytes, `${change} ${count}`).toBeLessThanOrEqual(bytes);
       expect(cost.bytes, `${change} ${count}`).toBeGreaterThan(0);
     }
@@ -222,7 +236,8 @@ test('the first light of a new kind or feature compiles one program at most, the
     'spot with decay': 'position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3"',
     ambient: 'ambient="9"',
     'narrow cone': 'position="0 1 0 1" axis="0 -1 0" aperture="5"',
-    'spot with all of it': 'ambient="9" position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3" attenuation="1 1 1"', // oxfmt-ignore
+    'spot with all of it':
+      'ambient="9" position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3" attenuation="1 1 1"',
   };
   for (const [which, attributes] of Object.entries(needs)) {
     const links: number[] = [];

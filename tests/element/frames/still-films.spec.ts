@@ -17,7 +17,6 @@ test('a converging picture keeps its brightness, changes in outlines only, never
     ['alone', ''],
     ['beside another', viewerOf(16)],
   ] as const) {
-    // oxfmt-ignore
     const viewer = await mount(viewerOf(64) + other, { ...size, waitForReady: false });
     await expect.poll(async () => (await statsOf(viewer)).frames).toBeGreaterThan(0);
     const rolling = await film(viewer, 40);
@@ -133,7 +132,10 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
       const count = (): unknown => (renders += 1);
       element.addEventListener('render', count);
       watch.observe(element.shadowRoot!, {
-        ...{ childList: true, attributes: true, characterData: true, subtree: true },
+        childList: true,
+        attributes: true,
+        characterData: true,
+        subtree: true,
       });
       element.theta = 44;
       await element.ready;
@@ -141,7 +143,13 @@ test('samples trigger nothing else: no frame, program, description, overlay or t
       watch.disconnect();
       element.removeEventListener('render', count);
       const { frames, programs, samples } = element.stats;
-      return { renders, changed, samples, frames: frames - before.frames, programs: programs - before.programs }; // oxfmt-ignore
+      return {
+        renders,
+        changed,
+        samples,
+        frames: frames - before.frames,
+        programs: programs - before.programs,
+      };
     }, antialias);
   const edges = await seen('edges');
   expect(edges.changed.length).toBeGreaterThan(0);

@@ -85,7 +85,9 @@ test('linear, flat, textured, blended and cut-out surfaces converge to their mea
     blended: 'src="/blended.glb"',
     'cut out': 'src="/fixtures/models/mask.glb"',
   };
-  const markup = Object.values(viewers).map((attributes) => `<phong-viewer ${full} ${attributes}>${light}</phong-viewer>`); // oxfmt-ignore
+  const markup = Object.values(viewers).map(
+    (attributes) => `<phong-viewer ${full} ${attributes}>${light}</phong-viewer>`,
+  );
   await mount(markup.join(''), { ...SIZE, css: 'phong-viewer { background: red }' });
   await allReady(page);
   for (const [i, what] of Object.keys(viewers).entries()) {

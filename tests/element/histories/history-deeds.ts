@@ -228,7 +228,9 @@ export function installDeeds(): void {
   }
 
   window.walkDeeds = {
-    ...{ take, pending, addOwn },
+    take,
+    pending,
+    addOwn,
     ownOf: (viewer) => [...ownOf(viewer).keys()],
     bringBack() {
       if (viewers().length === 0) {

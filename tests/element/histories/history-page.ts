@@ -133,7 +133,10 @@ function installWalk(): void {
             .replace(/ target="auto"/, ` target="${target.join(' ')}"`);
       const { lights, clientWidth, clientHeight } = viewer;
       rests.push({
-        ...{ seen, blob, html, pixels },
+        seen,
+        blob,
+        html,
+        pixels,
         asDeclared: handled.has(viewer) || !shown ? null : declared(viewer, html),
         css: shown ? [clientWidth, clientHeight] : [40, 30],
         camera: numbers(viewer),

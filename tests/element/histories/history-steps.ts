@@ -42,7 +42,12 @@ const either =
   (dice) =>
     dice.pick(values)(dice);
 
-const color = either(numbers(3, 0, 200), numbers(3, 0, 200), numbers(1, 0, 255), of('0', '0 0 0', '255', '#fc8', 'rebeccapurple', '300 20 500', '90 90 90')); // oxfmt-ignore
+const color = either(
+  numbers(3, 0, 200),
+  numbers(3, 0, 200),
+  numbers(1, 0, 255),
+  of('0', '0 0 0', '255', '#fc8', 'rebeccapurple', '300 20 500', '90 90 90'),
+);
 const dim = either(numbers(3, 0, 30), of('0', '20 20 20', '0 0 9'));
 const place = numbers(3, -2, 2);
 const bad = of('nonsense', '', '1 2', '-3', 'NaN', '1e99', '1 2 3 4 5', 'currentColor');
@@ -52,7 +57,12 @@ const LIGHT: Readonly<Record<string, Values>> = {
   ambient: dim,
   diffuse: color,
   specular: color,
-  position: either(place, (dice) => `${place(dice)} 0`, (dice) => `${place(dice)} 1`, of('0 0 0 0', '0 0 0 1', '0 3 0 1')), // oxfmt-ignore
+  position: either(
+    place,
+    (dice) => `${place(dice)} 0`,
+    (dice) => `${place(dice)} 1`,
+    of('0 0 0 0', '0 0 0 1', '0 3 0 1'),
+  ),
   axis: either(place, place, of('0 -1 0', '0 0 0', '0 0 -1')),
   aperture: either(numbers(1, 0, 180), of('0', '3', '20', '60', '120', '180')),
   cutoff: either(numbers(1, 0, 40), of('0', '0.5', '1', '7', '64', '300')),
@@ -67,9 +77,27 @@ const SURFACE: Readonly<Record<string, Values>> = {
   shininess: either(numbers(1, 0, 90), of('0', '1', '32', '33.5', '1000')),
 };
 const SHAPE: Readonly<Record<string, Values>> = {
-  geometry: of('box', 'sphere', 'plane', 'box', 'sphere', 'plane', 'cylinder', 'cone', 'pyramid', 'torus', 'teapot'), // oxfmt-ignore
+  geometry: of(
+    'box',
+    'sphere',
+    'plane',
+    'box',
+    'sphere',
+    'plane',
+    'cylinder',
+    'cone',
+    'pyramid',
+    'torus',
+    'teapot',
+  ),
   segments: of('1', '3', '8', '16', '24'),
-  src: of('', '', '/fixtures/models/textured.glb', '/fixtures/models/vertex-colours.glb', '/fixtures/models/mask.glb'), // oxfmt-ignore
+  src: of(
+    '',
+    '',
+    '/fixtures/models/textured.glb',
+    '/fixtures/models/vertex-colours.glb',
+    '/fixtures/models/mask.glb',
+  ),
 };
 const SHADING: Readonly<Record<string, Values>> = {
   shading: of('phong', 'gouraud', 'flat'),
@@ -127,9 +155,12 @@ const lights = (dice: Dice, count: number, each: Values = light): string =>
 
 /** Small spots above a floor, for light grids. */
 const smallSpot: Values = (dice) =>
-  `<phong-light position="${dice.from(-2, 2)} ${dice.from(0.2, 0.6)} ${dice.from(-2, 2)} 1" axis="${dice.from(-0.2, 0.2)} -1 0" aperture="${dice.from(15, 40)}" diffuse="${color(dice)}" specular="40"></phong-light>`; // oxfmt-ignore
+  `<phong-light position="${dice.from(-2, 2)} ${dice.from(0.2, 0.6)} ${dice.from(-2, 2)} 1" axis="${dice.from(-0.2, 0.2)} -1 0" aperture="${dice.from(15, 40)}" diffuse="${color(dice)}" specular="40"></phong-light>`;
 
-const faint: Values = (dice) => light(dice).replace(/ (diffuse|specular)="[^"]*"/g, '').replace('>', ` diffuse="${dice.from(1, 9)} 5 4" specular="6">`); // oxfmt-ignore
+const faint: Values = (dice) =>
+  light(dice)
+    .replace(/ (diffuse|specular)="[^"]*"/g, '')
+    .replace('>', ` diffuse="${dice.from(1, 9)} 5 4" specular="6">`);
 
 const FLOOR = '<phong-mesh geometry="plane" scale="4"></phong-mesh>';
 
@@ -140,17 +171,21 @@ const MOVING: readonly Values[] = [1, 3, 6].map(
 );
 const SCENES: readonly Values[] = [
   (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 3)}</phong-viewer>`,
-  (dice) => `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${lights(dice, 16, faint)}</phong-viewer>`, // oxfmt-ignore
+  (dice) =>
+    `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${lights(dice, 16, faint)}</phong-viewer>`,
   (dice) => `<phong-viewer geometry="box">${light(dice)}</phong-viewer>`,
   () => '<phong-viewer geometry="sphere" segments="16"></phong-viewer>',
-  (dice) => `<phong-viewer>${element(dice, 'phong-mesh', 0.4)}${element(dice, 'phong-mesh', 0.4)}${lights(dice, 5)}</phong-viewer>`, // oxfmt-ignore
-  (dice) => `<phong-viewer>${FLOOR}<phong-mesh geometry="box" position="${place(dice)}"></phong-mesh>${lights(dice, 4)}</phong-viewer>`, // oxfmt-ignore
+  (dice) =>
+    `<phong-viewer>${element(dice, 'phong-mesh', 0.4)}${element(dice, 'phong-mesh', 0.4)}${lights(dice, 5)}</phong-viewer>`,
+  (dice) =>
+    `<phong-viewer>${FLOOR}<phong-mesh geometry="box" position="${place(dice)}"></phong-mesh>${lights(dice, 4)}</phong-viewer>`,
 ];
 const MANY: readonly Values[] = [
   (dice) => `<phong-viewer phi="40">${FLOOR}${lights(dice, 150, smallSpot)}</phong-viewer>`,
   (dice) =>
     `<phong-viewer geometry="sphere" segments="24">${lights(dice, 70, faint)}</phong-viewer>`,
-  (dice) => `<phong-viewer phi="50">${FLOOR}<phong-mesh geometry="box" scale="0.5"></phong-mesh>${lights(dice, 40, smallSpot)}</phong-viewer>`, // oxfmt-ignore
+  (dice) =>
+    `<phong-viewer phi="50">${FLOOR}<phong-mesh geometry="box" scale="0.5"></phong-mesh>${lights(dice, 40, smallSpot)}</phong-viewer>`,
 ];
 
 interface Maker {
@@ -174,8 +209,17 @@ function styled(dice: Dice): Partial<Step> {
 }
 
 function written(dice: Dice, tag: Tag): Partial<Step> {
-  const [name, value] = dice.pick(Object.entries<Values>(VALUES[tag]).filter(([key]) => key !== 'src' || dice.chance(0.2))); // oxfmt-ignore
-  const what = dice.pick(['set attribute', 'set property', 'set property', 'set attribute', 'remove attribute', 'clear property']); // oxfmt-ignore
+  const [name, value] = dice.pick(
+    Object.entries<Values>(VALUES[tag]).filter(([key]) => key !== 'src' || dice.chance(0.2)),
+  );
+  const what = dice.pick([
+    'set attribute',
+    'set property',
+    'set property',
+    'set attribute',
+    'remove attribute',
+    'clear property',
+  ]);
   const key = what.endsWith('property') ? property(name) : name;
   const isBad = dice.chance(0.04) && !['src', 'alt', 'segments'].includes(name);
   const again = dice.chance(0.3) ? { child: -1 } : {};
@@ -247,7 +291,10 @@ const MAKERS: readonly Maker[] = [
 ];
 
 const made = (dice: Dice): Step => ({
-  ...{ what: '', tag: 'phong-light', key: '', value: '' },
+  what: '',
+  tag: 'phong-light',
+  key: '',
+  value: '',
   viewer: Math.floor(dice.from(0, 5.999)),
   child: Math.floor(dice.from(0, 199)),
 });
@@ -286,7 +333,12 @@ function anything(dice: Dice, mix: Mix): Task[] {
 /** Motion until specialised programs have taken over, then changes, then perhaps more motion. */
 function afterMotion(dice: Dice, mix: Mix): Task[] {
   const { viewer } = made(dice);
-  const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // oxfmt-ignore
+  const moving = (value: string): Step => ({
+    ...made(dice),
+    viewer,
+    what: dice.pick(['draw on', 'move lights', 'move lights']),
+    value,
+  });
   const changes = dice.chance(0.5)
     ? [{ ...made(dice), ...styled(dice), viewer }]
     : several(dice, mix, [1, 1, 2]);

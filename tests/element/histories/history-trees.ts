@@ -215,41 +215,51 @@ const HOW = ['append', 'append', 'prepend', 'between', 'moveBefore', 'moveBefore
 const KINDS = 'div div open closed slotted slotted phong-light phong-light phong-mesh'.split(' ');
 /** Malformed or barely valid values. */
 const JUNK = [
-  ...[
-    'x'.repeat(2000),
-    '😀'.repeat(300),
-    'color-mix('.repeat(30),
-    'rgb('.repeat(5e4),
-    '1 '.repeat(3000),
-  ],
-  ...[
-    '\0',
-    ' ',
-    '1e309',
-    '-1e-320',
-    '1,2,3',
-    '1;2',
-    'NaN NaN NaN',
-    'calc(1)',
-    'rgb(1 2 3',
-    '-0',
-    '１２３',
-  ],
-  ...[
-    'constructor',
-    '__proto__',
-    'auto',
-    'none',
-    'null',
-    '[object Object]',
-    '0x10',
-    '1 2 3 0',
-    '1e6',
-    '0 0 0',
-  ],
+  'x'.repeat(2000),
+  '😀'.repeat(300),
+  'color-mix('.repeat(30),
+  'rgb('.repeat(5e4),
+  '1 '.repeat(3000),
+  '\0',
+  ' ',
+  '1e309',
+  '-1e-320',
+  '1,2,3',
+  '1;2',
+  'NaN NaN NaN',
+  'calc(1)',
+  'rgb(1 2 3',
+  '-0',
+  '１２３',
+  'constructor',
+  '__proto__',
+  'auto',
+  'none',
+  'null',
+  '[object Object]',
+  '0x10',
+  '1 2 3 0',
+  '1e6',
+  '0 0 0',
   '1e15 -1e15 1e15',
 ];
-const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // oxfmt-ignore
+const JUNK_JSON = [
+  '[]',
+  '{}',
+  '[[]]',
+  '[null]',
+  '[1,2]',
+  '[1,2,3,0]',
+  '1e308',
+  '-1e308',
+  '7',
+  'true',
+  '[1e15,0,-1e15]',
+  '["1","2","3"]',
+  '[1,2,3,4,5,6,7]',
+  JSON.stringify('y'.repeat(5000)),
+  JSON.stringify(Array(500).fill('z')),
+];
 const STRAYS = [
   'difuse',
   'shadng',
@@ -266,7 +276,11 @@ export function treeStep(dice: Dice, keys: readonly string[]): Partial<Step> {
     key: dice.pick(['0', '0', '0', '1']),
     value: `${dice.pick(HOW)} ${Math.floor(dice.from(0, 60))}`,
   };
-  const what = dice.pick('make make make make carry carry carry carry copy nest adopt unwrap wrapper-away reverse junk junk junk'.split(' ')); // oxfmt-ignore
+  const what = dice.pick(
+    'make make make make carry carry carry carry copy nest adopt unwrap wrapper-away reverse junk junk junk'.split(
+      ' ',
+    ),
+  );
   if (what === 'make') return { what, ...where, value: `${where.value} ${dice.pick(KINDS)}` };
   if (what !== 'junk') return { what, ...where };
   const key = dice.pick(keys);

@@ -221,7 +221,12 @@ export function installWatch(): void {
   }
 
   window.walkWatch = {
-    ...{ viewers, lose, restore, seenOf, blobOf, handled },
+    viewers,
+    lose,
+    restore,
+    seenOf,
+    blobOf,
+    handled,
     frame: () => new Promise((resolve) => nextFrame(resolve)),
     get lost() {
       return lost !== null;

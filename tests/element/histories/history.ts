@@ -124,7 +124,9 @@ class Player {
     const declared = this.findings.looks % 2 === 0;
     const asked = rests.map(({ html, asDeclared, css, pixels, own }) => ({
       html: declared ? (asDeclared ?? html) : html,
-      ...{ css, pixels, own },
+      css,
+      pixels,
+      own,
     }));
     const began = await this.#new!.evaluate((list) => window.walk.begin(list), asked);
     this.findings.looks += 1;
@@ -159,8 +161,20 @@ class Player {
         faults.push(`camera ${String(camera)}, not ${String(began.camera)}`);
       }
     });
-    const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
-      JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // oxfmt-ignore
+    const cost = ({
+      lightsDeclared,
+      lightsActive,
+      lightsSent,
+      lightsSentByMesh,
+      drawCalls,
+    }: Rest['stats']) =>
+      JSON.stringify({
+        lightsDeclared,
+        lightsActive,
+        lightsSent,
+        drawCalls,
+        by: [...(lightsSentByMesh as number[])].sort(),
+      });
     if (cost(stats) !== cost(began.stats)) {
       faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
     }
@@ -188,7 +202,9 @@ class Player {
     }
     // In a small picture one channel is more than the promised share.
     if (max <= (same ? 0 : 1) && differing <= Math.max(2, 2e-3 * channels)) return [];
-    return [`${which} differ by ${max} codes on ${differing} of ${channels} channels, drawn by ${a.programs || '?'} and ${b.programs || '?'}`]; // oxfmt-ignore
+    return [
+      `${which} differ by ${max} codes on ${differing} of ${channels} channels, drawn by ${a.programs || '?'} and ${b.programs || '?'}`,
+    ];
   }
 }
 
@@ -282,7 +298,9 @@ export async function expectAsNew(
     }
   }
   const { looks: looked, same, specialised, between } = player.findings;
-  console.log(`Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`); // oxfmt-ignore
+  console.log(
+    `Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${specialised} by specialised ones; else ${String(between)}`,
+  );
   expect(same, 'pairs by the same programs').toBeGreaterThan(0);
   // Only over many channels: one channel of few would exceed the promised share.
   if (between.channels > 5e4) {

@@ -57,14 +57,27 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
     expect(canvasPixels).toBeLessThanOrEqual(bound);
     expect(contexts).toBe(1);
   }
-  const drawn = await page.evaluate(() => [...document.querySelectorAll('phong-viewer')].filter(({ stats }) => stats.frames > 0).length); // oxfmt-ignore
+  const drawn = await page.evaluate(
+    () =>
+      [...document.querySelectorAll('phong-viewer')].filter(({ stats }) => stats.frames > 0).length,
+  );
   expect(drawn).toBeGreaterThan(0.9 * count);
   await page.evaluate(() => scrollTo(0, 0));
   await expect.poll(async () => Buffer.compare(await viewer.screenshot(), first)).toBe(0);
 }
 
 /** Counts that must not grow, however many viewers come and go. */
-const GIVEN_BACK = ['textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'listeners', 'observers'] as const; // oxfmt-ignore
+const GIVEN_BACK = [
+  'textures',
+  'buffers',
+  'programs',
+  'shaders',
+  'framebuffers',
+  'renderbuffers',
+  'vertexArrays',
+  'listeners',
+  'observers',
+] as const;
 
 /** What a page holds now. */
 export class Ledger {
@@ -106,7 +119,10 @@ export class Ledger {
       objectGroup,
     });
     if (result.objectId === undefined) throw new Error(`no object: ${prototype}`);
-    const { objects } = await this.#session.send('Runtime.queryObjects', { prototypeObjectId: result.objectId, objectGroup }); // oxfmt-ignore
+    const { objects } = await this.#session.send('Runtime.queryObjects', {
+      prototypeObjectId: result.objectId,
+      objectGroup,
+    });
     const { result: length } = await this.#session.send('Runtime.callFunctionOn', {
       objectId: objects.objectId!,
       functionDeclaration: 'function () { return this.length }',

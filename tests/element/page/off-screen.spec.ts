@@ -47,7 +47,10 @@ test('auto fetches at once, lazy less than a screen height away; both draw there
 });
 
 test('eager draws off screen, and is ready when it is drawn', async ({ page, mount }) => {
-  const eager = await mount(`<main>${viewer('loading="eager"')}${viewer()}</main>`, { ...size, css: above(9000) }); // oxfmt-ignore
+  const eager = await mount(`<main>${viewer('loading="eager"')}${viewer()}</main>`, {
+    ...size,
+    css: above(9000),
+  });
   const auto = page.locator('phong-viewer').last();
   expect([await frames(eager), await frames(auto)]).toEqual([1, 0]);
   const drawn = await eager.evaluate(async (element: PhongViewer) => {
@@ -85,7 +88,10 @@ test('what scrolling cannot show is not drawn, eager or in a closed accordion ne
 
 test('out of view a change is drawn once, and nothing moves', async ({ page, mount }) => {
   const turning = 'auto-rotate="90"';
-  const first = await mount(`<main>${viewer(turning)}${viewer(`${turning} loading="eager"`)}</main>`, { ...size, css: above(1000) }); // oxfmt-ignore
+  const first = await mount(
+    `<main>${viewer(turning)}${viewer(`${turning} loading="eager"`)}</main>`,
+    { ...size, css: above(1000) },
+  );
   const both = [first, page.locator('phong-viewer').last()];
   for (const one of both) {
     expect(await frames(one)).toBe(1);
@@ -202,7 +208,11 @@ test('eager viewers off screen keep only their pixels; the shared canvas fits a 
   mount,
 }) => {
   const count = 48;
-  await mount(`<main>${viewer('loading="eager"').repeat(count)}</main>`, { width: 100, height: 200, css: above(5000) }); // oxfmt-ignore
+  await mount(`<main>${viewer('loading="eager"').repeat(count)}</main>`, {
+    width: 100,
+    height: 200,
+    css: above(5000),
+  });
   await allReady(page);
   await nextFrame(page);
   const { contexts, canvasPixels, sheetPixels } = await countsOf(page);

@@ -285,7 +285,10 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
     element.resetCamera();
   });
   await page.evaluate(() => {
-    const { viewer, realFrame } = window as unknown as { viewer: PhongViewer; realFrame: typeof requestAnimationFrame }; // oxfmt-ignore
+    const { viewer, realFrame } = window as unknown as {
+      viewer: PhongViewer;
+      realFrame: typeof requestAnimationFrame;
+    };
     window.requestAnimationFrame = realFrame;
     Reflect.deleteProperty(document, 'visibilityState');
     // As picture-in-picture is ended.

@@ -79,7 +79,9 @@ test('pixel-ratio gives the picture of such a screen; shadeAt keeps to CSS pixel
   });
   expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
   expect(compare(await pixels(limited), expected).max).toBe(0);
-  expect(await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p)).toEqual(place); // oxfmt-ignore
+  expect(
+    await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p),
+  ).toEqual(place);
   expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain(
     'pixel-ratio="1"',
   );
@@ -118,7 +120,8 @@ for (const viewers of [1, 3]) {
     mount,
   }) => {
     await mount(`<main>${box.repeat(viewers)}</main>`, {
-      ...{ width: 0, height: 60 },
+      width: 0,
+      height: 60,
       css: 'main { display: flex; width: 300px } phong-viewer { flex: 1 1 0 } .tall { height: 90px !important }',
     });
     const filmed = await page.evaluate(async () => {

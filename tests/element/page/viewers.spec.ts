@@ -179,7 +179,10 @@ test('the shared canvas shrinks when a large viewer is removed or out of view', 
   mount,
 }) => {
   const css = '#large { width: 900px; height: 600px } #low { margin-top: 2000px }';
-  const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // oxfmt-ignore
+  const viewer = await mount(
+    `<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`,
+    { ...small, css },
+  );
   const ofOne = small.width * small.height;
   const sheet = async (): Promise<number> => (await countsOf(page)).sheetPixels;
   expect(await sheet()).toBeGreaterThanOrEqual(900 * 600);

@@ -197,7 +197,10 @@ test('a frame and one HTML file show the scene with its model, also from disk', 
     await allReady(other);
     const viewer = other.locator('phong-viewer');
     const found = viewer.evaluate(({ loaded, lights, meshes, scene }: PhongViewer) => ({
-      ...{ loaded, lights: lights.length, name: meshes[0]!.name, shown: scene.children.length },
+      loaded,
+      lights: lights.length,
+      name: meshes[0]!.name,
+      shown: scene.children.length,
     }));
     expect(await found).toEqual({ loaded: true, lights: 1, name: 'a <b>', shown: 1 });
     await other.close();

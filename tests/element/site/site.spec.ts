@@ -13,7 +13,11 @@ import { expectPictures } from '../../visual/contact-sheet.js';
 /** Pages whose pictures are compared with a baseline. The others show none, or some that change. */
 const PICTURED: ReadonlySet<string> = new Set([
   '',
-  ...['bunny/', 'shapes/', 'article/', 'lights/', 'explain/'],
+  'bunny/',
+  'shapes/',
+  'article/',
+  'lights/',
+  'explain/',
   ...['lights/', 'spots/', 'camera/', 'materials/', 'models/', 'see/', 'accuracy/', 'speed/'].map(
     (page) => `guide/${page}`,
   ),
@@ -21,7 +25,14 @@ const PICTURED: ReadonlySet<string> = new Set([
 
 /** Pages whose tests run in every run. The others are made of the same parts. */
 const OFTEN: ReadonlySet<string> = new Set([
-  ...['', 'api/', 'article/', 'explain/', 'guide/', 'guide/see/', 'lesson/', 'playground/'],
+  '',
+  'api/',
+  'article/',
+  'explain/',
+  'guide/',
+  'guide/see/',
+  'lesson/',
+  'playground/',
 ]);
 
 /**

@@ -206,7 +206,23 @@ function wrapEverything(): void {
     }
   });
 
-  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // oxfmt-ignore
+  const names = [
+    'frames',
+    'timers',
+    'idleCallbacks',
+    'gl',
+    'copies',
+    'layouts',
+    'contexts',
+    'textures',
+    'buffers',
+    'programs',
+    'shaders',
+    'framebuffers',
+    'renderbuffers',
+    'vertexArrays',
+    'observers',
+  ];
   const takeCounts = (): Counts => {
     let canvasPixels = 0;
     let sheetPixels = 0;

@@ -80,7 +80,16 @@ function wrapGl(limits: Limits): void {
     draws: number;
   }
   const gl = WebGL2RenderingContext.prototype;
-  const none = () => ({ calls: 0, draws: 0, links: 0, compiles: 0, uploads: 0, bytes: 0, allocations: 0, bufferBytes: 0 }); // oxfmt-ignore
+  const none = () => ({
+    calls: 0,
+    draws: 0,
+    links: 0,
+    compiles: 0,
+    uploads: 0,
+    bytes: 0,
+    allocations: 0,
+    bufferBytes: 0,
+  });
   let spent = none();
   const wrap = (
     name: string,

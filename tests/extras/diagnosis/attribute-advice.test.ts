@@ -51,7 +51,12 @@ describe.each([...known.keys()])('<%s>', (tag) => {
   });
 
   it('has advice for usual guesses', () => {
-    const guesses = { 'phong-light': 'color colour intensity pos rotate distance', 'phong-mesh': 'color colour pos width height rotate', 'phong-viewer': 'color colour intensity pos width height rotate distance', 'phong-compare': 'width position value vertical label mode' }[tag]; // oxfmt-ignore
+    const guesses = {
+      'phong-light': 'color colour intensity pos rotate distance',
+      'phong-mesh': 'color colour pos width height rotate',
+      'phong-viewer': 'color colour intensity pos width height rotate distance',
+      'phong-compare': 'width position value vertical label mode',
+    }[tag];
     for (const word of guesses?.split(' ') ?? []) {
       expect(attributeAdvice(tag, word, known), word).toMatch(/^(Write|CSS) .*\.$/);
     }

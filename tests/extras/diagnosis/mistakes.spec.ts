@@ -23,7 +23,8 @@ async function reported(page: Page, warnings: readonly string[], count: number):
 const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
   consoleGuard.allow(/^warning: (<p|A <phong-viewer>)/, count);
 
-const LITE = '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?'; // oxfmt-ignore
+const LITE =
+  '<phong-lite> inside a <phong-viewer>: there is no such element. Did you mean <phong-light> or <phong-mesh>?';
 const ALONE = 'is not inside a <phong-viewer>, so it has no effect.';
 const NO_END =
   'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';

@@ -26,7 +26,10 @@ const sampler = (
   magFilter: Sampler['magFilter'] = NearestFilter,
   flipY = false,
 ): Sampler => ({
-  ...{ magFilter, wrapS: wrap, wrapT: wrap, flipY },
+  magFilter,
+  wrapS: wrap,
+  wrapT: wrap,
+  flipY,
 });
 
 /** Column and row, or what lies between them. */

@@ -99,8 +99,15 @@ const values = (page: Page): Promise<unknown> =>
     const { active, ambient, name } = lights[0] as PhongLight;
     const { scale, shininess } = meshes[0] as PhongMesh;
     return {
-      ...{ theta, phi, terms, orbit, gui, alt, texts },
-      ...{ light: { active, ambient, name }, mesh: { scale, shininess } },
+      theta,
+      phi,
+      terms,
+      orbit,
+      gui,
+      alt,
+      texts,
+      light: { active, ambient, name },
+      mesh: { scale, shininess },
     };
   });
 
@@ -134,14 +141,12 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
 
     test('has the values of its props, and an empty console', async ({ page }) => {
       expect(await values(page)).toEqual({
-        ...{
-          theta: 20,
-          phi: 90,
-          terms: ['ambient'],
-          orbit: false,
-          gui: false,
-          alt: 'A "quoted" sphere',
-        },
+        theta: 20,
+        phi: 90,
+        terms: ['ambient'],
+        orbit: false,
+        gui: false,
+        alt: 'A "quoted" sphere',
         texts: { Loading: 'Lädt' },
         light: { active: false, ambient: [200, 100, 50], name: 'light 1' },
         mesh: { scale: [0.5, 0.5, 0.5], shininess: 1e-7 },
@@ -164,7 +169,12 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       ]);
       await page.getByText('turn').click();
       expect(await values(page)).toMatchObject({
-        ...{ theta: 90, phi: 90, terms: [], orbit: true, gui: false, texts: null },
+        theta: 90,
+        phi: 90,
+        terms: [],
+        orbit: true,
+        gui: false,
+        texts: null,
       });
       await expect(viewer).toHaveAttribute('theta', '90');
       await expect(viewer).toHaveAttribute('terms', '');

@@ -59,14 +59,16 @@ describe('the React components on a server', () => {
     [
       'other props and children as React does, and no handler',
       createElement(PhongViewer, {
-        ...{ id: 'scene', className: 'wide', style: { width: 10 }, hidden: true, tabIndex: 0 },
-        ...{
-          'aria-label': 'A box',
-          onClick: quiet,
-          onLoad: quiet,
-          onCameraChange: quiet,
-          children: light,
-        },
+        id: 'scene',
+        className: 'wide',
+        style: { width: 10 },
+        hidden: true,
+        tabIndex: 0,
+        'aria-label': 'A box',
+        onClick: quiet,
+        onLoad: quiet,
+        onCameraChange: quiet,
+        children: light,
       }),
       '<phong-viewer id="scene" class="wide" style="width:10px" hidden="" tabIndex="0" aria-label="A box">' +
         '<phong-light name="sun"></phong-light></phong-viewer>',
@@ -74,7 +76,9 @@ describe('the React components on a server', () => {
     [
       'a comparison with its viewers, and lists of texts with commas',
       createElement(PhongCompare, {
-        ...{ at: [30], labels: ['Gouraud shading', 'Phong'], onDividerChange: quiet },
+        at: [30],
+        labels: ['Gouraud shading', 'Phong'],
+        onDividerChange: quiet,
         children: createElement(PhongViewer, { terms: ['ambient', 'diffuse'] }),
       }),
       '<phong-compare at="30" labels="Gouraud shading, Phong">' +

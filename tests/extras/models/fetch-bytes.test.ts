@@ -105,7 +105,7 @@ describe('a download', () => {
             [3, 4, 5],
             [6, 7],
           ]) {
-            controller.enqueue(new Uint8Array(piece)); // oxfmt-ignore
+            controller.enqueue(new Uint8Array(piece));
           }
           controller.close();
         },

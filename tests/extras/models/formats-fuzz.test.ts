@@ -156,7 +156,43 @@ describe('every file is a model or a ModelError', () => {
     );
   });
 
-  const words = ['v', 'vt', 'vn', 'f', 's', 'o', 'g', 'usemtl', 'mtllib', 'off', '1', '2', '3', '-1', '0', '1/1', '1//1', '1/1/1', '1e308', '1e-400', '99999999999999999999', 'nan', 'x', '#', '\\\n', '\n', '\n', '\n', '\r', '/', '\0', '1.5.2', '+', '.', '1e']; // oxfmt-ignore
+  const words = [
+    'v',
+    'vt',
+    'vn',
+    'f',
+    's',
+    'o',
+    'g',
+    'usemtl',
+    'mtllib',
+    'off',
+    '1',
+    '2',
+    '3',
+    '-1',
+    '0',
+    '1/1',
+    '1//1',
+    '1/1/1',
+    '1e308',
+    '1e-400',
+    '99999999999999999999',
+    'nan',
+    'x',
+    '#',
+    '\\\n',
+    '\n',
+    '\n',
+    '\n',
+    '\r',
+    '/',
+    '\0',
+    '1.5.2',
+    '+',
+    '.',
+    '1e',
+  ];
   it(`where a text is made of the words of OBJ (seed ${seed})`, async () => {
     await fc.assert(
       fc.asyncProperty(fc.array(fc.constantFrom(...words), { maxLength: 80 }), async (list) => {
@@ -168,7 +204,24 @@ describe('every file is a model or a ModelError', () => {
     );
   });
 
-  const lines = ['element vertex 3', 'element face 1', 'element face 4294967295', 'element tristrips 2', 'element x 9', 'property float x', 'property float y', 'property double z', 'property uchar red', 'property char green', 'property list uchar int vertex_indices', 'property list float double vertex_index', 'property list int int y', 'comment', 'obj_info x', 'end_header']; // oxfmt-ignore
+  const lines = [
+    'element vertex 3',
+    'element face 1',
+    'element face 4294967295',
+    'element tristrips 2',
+    'element x 9',
+    'property float x',
+    'property float y',
+    'property double z',
+    'property uchar red',
+    'property char green',
+    'property list uchar int vertex_indices',
+    'property list float double vertex_index',
+    'property list int int y',
+    'comment',
+    'obj_info x',
+    'end_header',
+  ];
   it(`where a header is made of the lines of PLY (seed ${seed})`, async () => {
     const format = fc.constantFrom('ascii', 'binary_little_endian', 'binary_big_endian');
     await fc.assert(

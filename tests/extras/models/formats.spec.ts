@@ -193,7 +193,11 @@ test.describe('a droppable viewer', () => {
     );
     expect(compare(await pixels(viewer), wanted).max).toBe(0);
     // All files in one place, although the names inside contain folders.
-    await filesIn(page, ['beside/quad.bin', 'beside/quad.gltf', 'beside/textures/four colours.png'], ['QUAD.BIN', 'quad.gltf', 'four colours.png']); // oxfmt-ignore
+    await filesIn(
+      page,
+      ['beside/quad.bin', 'beside/quad.gltf', 'beside/textures/four colours.png'],
+      ['QUAD.BIN', 'quad.gltf', 'four colours.png'],
+    );
     const outcome = await drop(viewer);
     expect(outcome).toMatchObject({ type: 'load', detail: { url: 'file:///quad.gltf' } });
     expect(compare(await pixels(viewer), wanted).max).toBe(0);

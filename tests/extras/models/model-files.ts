@@ -67,7 +67,10 @@ export async function failureOf(files: Readonly<Record<string, FileContent>>): P
 
 /** A glTF accessor of a buffer view, by default of floats. */
 export const view = (bufferView: number, type: string, componentType = 5126, count = 3) => ({
-  ...{ bufferView, type, componentType, count },
+  bufferView,
+  type,
+  componentType,
+  count,
 });
 
 /** An attribute of a part as plain numbers, rounded to what float32 holds. */

@@ -149,7 +149,8 @@ describe('every accessor that is read is counted', () => {
     const attributes = { POSITION: 0, NORMAL: 0 };
     const bufferViews = Array<Json>(200).fill({ buffer: 0, byteOffset: 0, byteLength: 36 });
     const primitives = bufferViews.map((_, bufferView) => ({
-      ...{ attributes, indices: 1 },
+      attributes,
+      indices: 1,
       extensions: { KHR_draco_mesh_compression: { bufferView, attributes: { POSITION: 0 } } },
     }));
     const accessors = [

@@ -136,7 +136,9 @@ describe('formats', () => {
 
   it('include binary STL by its size, whatever it begins with', () => {
     expect(formatOf(url('x'), oneTriangle).name).toBe('STL');
-    expect(formatOf(url('x.bin'), Uint8Array.from([...ascii('solid'), ...oneTriangle.subarray(5)])).name).toBe('STL'); // oxfmt-ignore
+    expect(
+      formatOf(url('x.bin'), Uint8Array.from([...ascii('solid'), ...oneTriangle.subarray(5)])).name,
+    ).toBe('STL');
   });
 
   it('are named by `type` before the extension, and by the extension before the media type', () => {

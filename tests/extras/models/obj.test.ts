@@ -275,7 +275,8 @@ describe('the materials of an OBJ file', () => {
 
   it('name what they leave out once, if a face uses them', async () => {
     const text = `mtllib a.mtl\n${QUAD}usemtl m\nf 1 2 3\nusemtl n\nf 1 2 4\nusemtl none\nf 2 3 4`;
-    const mtl = 'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png'; // oxfmt-ignore
+    const mtl =
+      'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png';
     await loadFiles({ 'a.obj': text, 'a.mtl': mtl });
     expect(warnings).toEqual([
       'a.obj is shown without 1 material that no library has (none), map_bump, Tf.',

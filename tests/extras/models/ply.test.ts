@@ -11,7 +11,8 @@ import {
   numbersOf,
 } from './model-files.js';
 
-const header = (...lines: readonly string[]): string => ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n'); // oxfmt-ignore
+const header = (...lines: readonly string[]): string =>
+  ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n');
 const axes = (prefix: string): string[] =>
   ['x', 'y', 'z'].map((axis) => `property float ${prefix}${axis}`);
 const xyz = axes('');
@@ -42,27 +43,34 @@ const TWO_TRIANGLES = [0, 1, 2, 0, 2, 3];
  */
 function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
   const text = [
-    ...[
-      'ply',
-      `format binary_${little ? 'little' : 'big'}_endian 1.0`,
-      'comment a square',
-      'element vertex 4',
-    ],
-    ...[
-      'property uchar quality',
-      'property double x',
-      'property float y',
-      'property short z',
-      ...axes('n'),
-    ],
-    ...['property uchar red', 'property uchar green', 'property ushort blue', 'element face 1'],
-    ...['property uint8 flags', 'property list uint8 uint16 vertex_index', 'end_header', ''],
+    'ply',
+    `format binary_${little ? 'little' : 'big'}_endian 1.0`,
+    'comment a square',
+    'element vertex 4',
+    'property uchar quality',
+    'property double x',
+    'property float y',
+    'property short z',
+    ...axes('n'),
+    'property uchar red',
+    'property uchar green',
+    'property ushort blue',
+    'element face 1',
+    'property uint8 flags',
+    'property list uint8 uint16 vertex_index',
+    'end_header',
+    '',
   ].join(lineEnd);
   const bytes = new Uint8Array(text.length + 4 * 31 + 10);
   bytes.set(new TextEncoder().encode(text));
   const view = new DataView(bytes.buffer);
   let at = text.length;
-  [[0, 0], [1, 0], [1, 1], [0, 1]].forEach(([x = 0, y = 0]) => {
+  [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ].forEach(([x = 0, y = 0]) => {
     view.setUint8(at, 10); // also a line feed, right after the header
     view.setFloat64(at + 1, x, little);
     view.setFloat32(at + 9, y, little);
@@ -74,7 +82,7 @@ function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
     view.setUint8(at + 28, 255);
     view.setUint16(at + 29, 13107, little);
     at += 31;
-  }); // oxfmt-ignore
+  });
   view.setUint8(at, 7);
   view.setUint8(at + 1, 4);
   [0, 1, 2, 3].forEach((vertex, i) => view.setUint16(at + 2 + 2 * i, vertex, little));
@@ -128,7 +136,13 @@ describe('a PLY file', () => {
   });
 
   it('may have strips of triangles, every second one reversed', async () => {
-    const text = header('element vertex 4', ...xyz, 'element tristrips 1', 'property list int int vertex_indices') + `${SQUARE}8 0 1 3 2 -1 0 1 2`; // oxfmt-ignore
+    const text =
+      header(
+        'element vertex 4',
+        ...xyz,
+        'element tristrips 1',
+        'property list int int vertex_indices',
+      ) + `${SQUARE}8 0 1 3 2 -1 0 1 2`;
     expect(indexOf(await loadFiles({ 'a.ply': text }))).toEqual([0, 1, 2, 2, 1, 3, 0, 1, 3]);
   });
 
@@ -264,7 +278,8 @@ describe('a PLY file', () => {
     ['ply\nformat ascii 1.0\nelement vertex 1\n', /no end/],
   ])('that is broken gives a readable error: %j', async (text, message) => {
     expect(await failureOf({ 'a.ply': text })).toMatchObject({
-      ...{ code: 'bad-model', message: expect.stringMatching(message) as string },
+      code: 'bad-model',
+      message: expect.stringMatching(message) as string,
     });
   });
 });

@@ -88,7 +88,10 @@ describe('the sum', () => {
       false,
     );
     expect(rows.map(({ absence }) => absence)).toEqual([
-      ...['behind the surface', 'outside its cone', 'no direction', null],
+      'behind the surface',
+      'outside its cone',
+      'no direction',
+      null,
     ]);
     const [row] = rows;
     expect(shownAbsence(row!)).toBe('behind the surface');

@@ -21,13 +21,11 @@ interface Given {
 function asked({ lights, surface, linear = false, halfway = false }: Given): Equation[] {
   const reflection = halfway ? 'blinn-phong' : 'phong';
   const fragment = explained({
-    ...{
-      lights,
-      surface: { kd: grey(200), ks: grey(100), ...surface },
-      eye: [0, 3, 4],
-      linear,
-      reflection,
-    },
+    lights,
+    surface: { kd: grey(200), ks: grey(100), ...surface },
+    eye: [0, 3, 4],
+    linear,
+    reflection,
   });
   const values = lights.map((one) => light(one));
   return equationsOf(fragment, { lights: values, linear, halfway, terms: TERMS }, null);
@@ -40,7 +38,10 @@ const of = (equations: readonly Equation[], term: string): Equation =>
 /** 60 degrees from the normal, 2 away: att = 1 / (1 + 0.25 · 4) = 0.5. */
 const LAMP = {
   position: [Math.sqrt(3), 1, 0, 1],
-  ...{ ambient: grey(51), diffuse: grey(204), specular: grey(255), attenuation: [1, 0, 0.25] },
+  ambient: grey(51),
+  diffuse: grey(204),
+  specular: grey(255),
+  attenuation: [1, 0, 0.25],
 } as const satisfies Partial<LightValues>;
 
 it('has the numbers of the point, a line per channel only where they differ, and min where the sum is clamped', () => {

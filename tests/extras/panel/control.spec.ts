@@ -87,8 +87,14 @@ test('looks as the value asks: switch, choice, colour, component, stepper throug
   await page.getByRole('button', { name: 'the sum back' }).click();
   expect(
     await viewer.evaluate(({ shading, orbit, terms, lights, meshes }: PhongViewer) => [
-      shading, orbit, terms, lights[0]!.active, lights[0]!.diffuse, lights[0]!.position, meshes[0]!.segments,
-    ]), // oxfmt-ignore
+      shading,
+      orbit,
+      terms,
+      lights[0]!.active,
+      lights[0]!.diffuse,
+      lights[0]!.position,
+      meshes[0]!.segments,
+    ]),
   ).toEqual(['flat', false, ['ambient', 'diffuse'], false, [10, 20, 30], [1.5, 2, 0, 1], 7]);
   await expect(page.locator('output')).toHaveText('ambient diffuse');
   await page.getByRole('button', { name: 'the sum forward' }).click();
@@ -129,12 +135,15 @@ test('turns two viewers together, as one step of each, and follows the camera in
   await expect(theta).not.toHaveValue('75');
   await page.mouse.up();
   // Written while it is off the page.
-  await page.locator('phong-control').first().evaluate(async (element) => {
-    element.remove();
-    await new Promise((resolve) => setTimeout(resolve));
-    element.setAttribute('attribute', 'phi');
-    document.body.append(element);
-  }); // oxfmt-ignore
+  await page
+    .locator('phong-control')
+    .first()
+    .evaluate(async (element) => {
+      element.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+      element.setAttribute('attribute', 'phi');
+      document.body.append(element);
+    });
   await expect(page.getByRole('spinbutton', { name: 'φ polar' })).toBeVisible();
 });
 

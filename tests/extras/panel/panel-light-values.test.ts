@@ -19,11 +19,9 @@ const place = triple(fc.double({ min: -1e15, max: 1e15, noNaN: true }));
 const someValues: fc.Arbitrary<Partial<LightValues>> = fc.record(
   {
     position: fc.tuple(place, fc.constantFrom(0, 1)).map(([xyz, w]) => [...xyz, w] as const),
-    ...{
-      axis: place,
-      aperture: fc.constantFrom(0, 20, 90, 180),
-      cutoff: fc.constantFrom(0, 1e-9, 12, 1e6),
-    },
+    axis: place,
+    aperture: fc.constantFrom(0, 20, 90, 180),
+    cutoff: fc.constantFrom(0, 1e-9, 12, 1e6),
   },
   { requiredKeys: [] },
 );

@@ -82,7 +82,13 @@ test("edits and shows a mesh's surface, style and transform", async ({ mount }) 
   await field(folder, 'scale z').fill('-2');
   const read = () =>
     mesh.evaluate(({ ka, kd, shading, reflection, position, rotation, scale }: PhongMesh) => ({
-      ...{ ka, kd, shading, reflection, position, rotation, scale },
+      ka,
+      kd,
+      shading,
+      reflection,
+      position,
+      rotation,
+      scale,
     }));
   expect(await read()).toEqual({
     ka: [1, 2, 3],

@@ -106,16 +106,17 @@ async function run(): Promise<Report> {
   show(`${renderer} · ${driver} · seed ${seed}`, words, ...measured.map(lineOf));
   const seconds = (performance.now() - start) / 1000;
   return {
-    ...{
-      contract: CONTRACT,
-      loop: LOOP_MARK,
-      renderer,
-      browser: navigator.userAgent,
-      driver,
-      seed,
-      seconds,
-    },
-    ...{ checked, measured, broken, error },
+    contract: CONTRACT,
+    loop: LOOP_MARK,
+    renderer,
+    browser: navigator.userAgent,
+    driver,
+    seed,
+    seconds,
+    checked,
+    measured,
+    broken,
+    error,
   };
 }
 

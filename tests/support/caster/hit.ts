@@ -20,8 +20,15 @@ export interface Hit {
 }
 
 export const newHit = (): Hit => ({
-  ...{ t: Infinity, nx: 0, ny: 0, nz: 0 },
-  ...{ front: true, u: 0, v: 0, object: -1, triangle: -1 },
+  t: Infinity,
+  nx: 0,
+  ny: 0,
+  nz: 0,
+  front: true,
+  u: 0,
+  v: 0,
+  object: -1,
+  triangle: -1,
 });
 
 /** Finds the first hit nearer than `hit.t` of a ray from `o` along `d`, and writes it there. */

@@ -110,7 +110,8 @@ const torus: Intersect = (o, d, hit) => {
     k * k - four * (mx * mx + my * my),
     -2 * four * (mx * ux + my * uy),
     2 * k - four * (ux * ux + uy * uy),
-    ...[0, 1],
+    0,
+    1,
   ];
   const count = rootsIn(c, -reach - TUBE, reach + TUBE, roots);
   return roots.subarray(0, count).some((s) => {

@@ -263,8 +263,14 @@ describe('what a field refuses', () => {
     const itself: unknown[] = [];
     itself.push(itself);
     const values = [
-      ...[long, [long], Array(1e5).fill(7), Array(1e5).fill(long), itself, [[itself]]],
-      ...[10n ** 9999n, new Array(2 ** 32 - 1)],
+      long,
+      [long],
+      Array(1e5).fill(7),
+      Array(1e5).fill(long),
+      itself,
+      [[itself]],
+      10n ** 9999n,
+      new Array(2 ** 32 - 1),
     ];
     for (const kind of kinds) {
       for (const value of values) {

@@ -183,7 +183,9 @@ it('the features of each kind are those that any of its lights needs', () => {
     decay,
   ];
   expect(kindFeatures({ counts, features })).toEqual({
-    ...{ directional: 0, point: attenuated | tintedDiffuse, spot: decay | chords },
+    directional: 0,
+    point: attenuated | tintedDiffuse,
+    spot: decay | chords,
   });
   expect(kindFeatures({ counts: { ...counts, spot: 2 }, features }).spot).toBe(
     (4 << powerShift) | chords,

@@ -52,7 +52,11 @@ function divided(lights: readonly LightValues[], box: Box) {
   };
 }
 
-const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // oxfmt-ignore
+const rowOf = ({ data }: PackedLights, row: number): Vec3 => [
+  data[row * 4]!,
+  data[row * 4 + 1]!,
+  data[row * 4 + 2]!,
+];
 const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
 const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
 
@@ -76,7 +80,9 @@ function rowsOf({ counts }: PackedLights): number[][] {
  */
 function addedAt(into: PackedLights, p: Vec3): number[] {
   const grid = gridOf(into);
-  const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // oxfmt-ignore
+  const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) =>
+    rowOf(into, grid + row),
+  ) as [Vec3, Vec3, Vec3];
   const cell = low.map((from, k) => {
     const at = Math.floor(Math.fround(Math.fround(Math.fround(p[k]!) - from) * scales[k]!));
     return Math.min(Math.max(at, 0), size[k]! - 1);

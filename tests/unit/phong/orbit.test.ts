@@ -54,7 +54,10 @@ describe('the basis', () => {
         const { right, up, back } = basisOf({ theta, phi });
         const there = basisOf({ theta, phi: other });
         const off = [
-          ...[dot(right, right) - 1, dot(up, up) - 1, dot(back, back) - 1, dot(back, right)],
+          dot(right, right) - 1,
+          dot(up, up) - 1,
+          dot(back, back) - 1,
+          dot(back, right),
           length(subtract(cross(back, right), up)),
         ];
         expect(Math.max(...off.map(Math.abs))).toBeLessThanOrEqual(1e-15);

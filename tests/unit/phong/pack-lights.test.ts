@@ -152,7 +152,10 @@ describe('a pack that is used again', () => {
       maxLength: 4,
     });
     const essence = ({ data, rows, active, sent, counts, features }: PackedLights): object => ({
-      ...{ rows, active, sent, counts },
+      rows,
+      active,
+      sent,
+      counts,
       data: [...data.subarray(0, rows * 4)],
       features: [...features.subarray(0, sent)],
     });

@@ -29,7 +29,9 @@ type Difference = Partial<
 const materialOf = (difference: Difference = {}): MaterialFeatures => ({
   look: { ...PLAIN_LOOK, ...difference },
   style: { ...DEFAULT_STYLE, ...difference },
-  ...{ linear: false, mildShininess: true, ...difference },
+  linear: false,
+  mildShininess: true,
+  ...difference,
 });
 
 const texture = (channel = 0): Texture => Object.assign(new Texture(), { channel });
@@ -69,13 +71,20 @@ describe('the general program', () => {
   it('is the same for equal states', () => {
     const anyMap = fc.option(fc.integer({ min: 0, max: 3 }).map(texture));
     const anyDifference: fc.Arbitrary<Difference> = fc.record({
-      ...{ shading: fc.constantFrom(...SHADINGS), reflection: fc.constantFrom(...REFLECTIONS) },
-      ...{ terms: fc.subarray([...TERMS]) },
-      ...{ linear: fc.boolean(), mildShininess: fc.boolean() },
-      ...{ vertexColors: fc.boolean(), unlit: fc.boolean() },
-      ...{ metalness: fc.constantFrom(0, 1), roughness: fc.constantFrom(null, 0.5) },
+      shading: fc.constantFrom(...SHADINGS),
+      reflection: fc.constantFrom(...REFLECTIONS),
+      terms: fc.subarray([...TERMS]),
+      linear: fc.boolean(),
+      mildShininess: fc.boolean(),
+      vertexColors: fc.boolean(),
+      unlit: fc.boolean(),
+      metalness: fc.constantFrom(0, 1),
+      roughness: fc.constantFrom(null, 0.5),
       emissive: fc.constantFrom([0, 0, 0] as const, [1, 0, 0] as const),
-      ...{ map: anyMap, emissiveMap: anyMap, metalRoughMap: anyMap, normalMap: anyMap },
+      map: anyMap,
+      emissiveMap: anyMap,
+      metalRoughMap: anyMap,
+      normalMap: anyMap,
       alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
     });
     fc.assert(

@@ -43,7 +43,10 @@ describe('an atlas of pictures', () => {
         side,
         (count, w, h) => {
           const one = { width: w, height: Math.min(h, 2 * w, 80) };
-          const { places, width, height } = layOutAtlas(Array.from({ length: count }, () => one), limit); // oxfmt-ignore
+          const { places, width, height } = layOutAtlas(
+            Array.from({ length: count }, () => one),
+            limit,
+          );
           expect(places.length * one.width * one.height).toBeGreaterThanOrEqual(
             0.7 * width * height,
           );

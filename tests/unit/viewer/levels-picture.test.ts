@@ -30,7 +30,9 @@ async function built(name: RoundName, segments: number, isLevel: boolean): Promi
   const geometry = await createGeometry(name, segments, isLevel);
   const array = (key: string) => geometry.getAttribute(key).array;
   return {
-    ...{ kind: 'triangles', positions: array('position'), normals: array('normal') },
+    kind: 'triangles',
+    positions: array('position'),
+    normals: array('normal'),
     index: geometry.index!.array,
   };
 }

@@ -83,7 +83,9 @@ function viewFrom(distance: number, fov = 45): Frustum {
   const { right, up, back } = basisOf({ theta: 0, phi: 90 });
   return {
     frame: { origin: [0, 0, 0], eye: [0, 0, distance], right, up, back },
-    ...{ slopeX: (slopeY * 4) / 3, slopeY, radius: distance },
+    slopeX: (slopeY * 4) / 3,
+    slopeY,
+    radius: distance,
   };
 }
 

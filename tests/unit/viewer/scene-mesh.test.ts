@@ -11,13 +11,11 @@ import { meshHost, meshOf } from '../scene-host.js';
 /** A content of as many parts, which look different. */
 const content = (parts: number) => ({
   parts: Array.from({ length: parts }, (_, i) => ({
-    ...{
-      name: '',
-      geometry: new BoxGeometry(),
-      matrix: new Matrix4(),
-      surface: {},
-      sides: 'single' as const,
-    },
+    name: '',
+    geometry: new BoxGeometry(),
+    matrix: new Matrix4(),
+    surface: {},
+    sides: 'single' as const,
     look: { ...PLAIN_LOOK, opacity: 1 - i / parts },
   })),
   motion: null,

@@ -14,7 +14,11 @@ const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
   async () => {
     // The script for pages opened from disk has no WebAssembly beside it.
     if (transcoder === '') {
-      throw new ModelError('bad-model', 'KTX2 textures cannot be shown by phong-viewer.classic.js.', { advice: 'Use the module, from a server.' }); // oxfmt-ignore
+      throw new ModelError(
+        'bad-model',
+        'KTX2 textures cannot be shown by phong-viewer.classic.js.',
+        { advice: 'Use the module, from a server.' },
+      );
     }
     const { createDecoder } = await neededCode(decoderCode(), DECODER);
     return (address) => neededCode(createDecoder(address).catch(notAllowed), DECODER);

@@ -273,7 +273,11 @@ function halfAngle(cutoff: number): number | null {
 type Look = Pick<Disc, 'color' | 'dashed' | 'opacity'>;
 
 const disc = (center: Point, radius: number, fill: string | null, look: Look): Disc => ({
-  ...{ kind: 'disc', center, radius, fill, width: 2 },
+  kind: 'disc',
+  center,
+  radius,
+  fill,
+  width: 2,
   ...look,
 });
 

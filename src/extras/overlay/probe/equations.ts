@@ -185,7 +185,9 @@ function factorsOf({
   };
   if (term === 'diffuse') {
     factors.push({
-      ...{ symbol: 'max(N · L, 0)', value: Math.max(NoL, 0), text: clamped(NoL) },
+      symbol: 'max(N · L, 0)',
+      value: Math.max(NoL, 0),
+      text: clamped(NoL),
       wrongs: cosineWrongs('N · L', NoL, 1),
     });
   }
@@ -249,7 +251,12 @@ function product(of: TermAt): Equation {
     Math.abs(shown.reduce((all, factor) => all * roundedTo(factor, digits), 1) - value) < 0.005;
   const digits = decimals(2, isTrue);
   return {
-    ...{ term, light: share.light, name: share.name, channel: null, value, wrongs },
+    term,
+    light: share.light,
+    name: share.name,
+    channel: null,
+    value,
+    wrongs,
     facts: term === 'ambient' && decay === 1 ? '' : factsOf(share, light, term, halfway, texts),
     symbols: shown.map(({ symbol }) => symbol).join(' · '),
     given: shown
@@ -344,7 +351,13 @@ function sumLine(
   const inner = list.length === 0 ? '0' : list.join(' + ');
   const isClamped = encode(total) > 1;
   return {
-    ...{ term: 'sum', light: null, name: '', channel: null, value, wrongs, facts: '' },
+    term: 'sum',
+    light: null,
+    name: '',
+    channel: null,
+    value,
+    wrongs,
+    facts: '',
     symbols: own > 0 ? 'Σ + E' : 'Σ',
     given: own > 0 ? 'Σ + E' : 'Σ',
     numbers: linear ? `sRGB(${inner})` : isClamped ? `min(${inner}, 1)` : inner,

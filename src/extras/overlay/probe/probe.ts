@@ -298,7 +298,9 @@ class Probe implements Extra {
     const { projection } = this.#view;
     const at = projection.pointInside(point);
     const without = (text: keyof ViewerTexts): ProbedPoint => ({
-      ...{ at, fragment: null, pinned: true },
+      at,
+      fragment: null,
+      pinned: true,
       message: phrase(viewer.texts, text),
     });
     if (at === null) return without(OUTSIDE);

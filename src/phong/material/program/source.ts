@@ -41,11 +41,22 @@ const where = (condition: string, ...chunks: readonly string[]): string =>
 /** The light loop, and what a fragment makes of it. */
 const loopWith = (surface: string): string =>
   [
-    ...[CONSTANTS, guard, power, attenuation, spot, diffuseLobe],
-    ...['#ifdef REFLECTION_BLINN_PHONG', specularBlinnPhong, '#else', specularPhong, '#endif'],
-    ...[lightRows, lightStructs()],
+    CONSTANTS,
+    guard,
+    power,
+    attenuation,
+    spot,
+    diffuseLobe,
+    '#ifdef REFLECTION_BLINN_PHONG',
+    specularBlinnPhong,
+    '#else',
+    specularPhong,
+    '#endif',
+    lightRows,
+    lightStructs(),
     where('defined(HAS_LIGHT_GRID)', lightGrid),
-    ...[lightLoop, surface],
+    lightLoop,
+    surface,
   ].join('\n');
 
 /**

@@ -101,7 +101,11 @@ function sphere(columns: number, out: number): BufferGeometry {
   const { cos, sin } = circle(columns);
   return gridGeometry([
     {
-      ...{ columns, rows, corners: [1, 0, 3, 0, 2, 3], closedFirst: true, closedLast: true },
+      columns,
+      rows,
+      corners: [1, 0, 3, 0, 2, 3],
+      closedFirst: true,
+      closedLast: true,
       row: (row, into, first) => {
         const polar = (row / rows) * Math.PI;
         const across = row === rows ? 0 : Math.sin(polar); // the poles are points

@@ -34,7 +34,10 @@ function side(n: number, top: number, bottom: number, exact = false): Grid {
   const across = 1 / Math.hypot(1, slope);
   const up = slope * across;
   return {
-    ...{ columns: n, rows: 1, corners: [0, 2, 1, 2, 3, 1], closedFirst: top === 0 },
+    columns: n,
+    rows: 1,
+    corners: [0, 2, 1, 2, 3, 1],
+    closedFirst: top === 0,
     row: (row, into, first) => {
       const radius = row === 0 ? top : bottom;
       for (let i = 0; i <= n; i++) {
@@ -56,13 +59,11 @@ function cap(n: number, radius: number, up: 1 | -1): Grid {
   const { cos, sin } = circle(n);
   const middle = up === 1 ? 0 : 1; // the row that is one point
   return {
-    ...{
-      columns: n,
-      rows: 1,
-      corners: [0, 2, 1, 2, 3, 1],
-      closedFirst: up === 1,
-      closedLast: up === -1,
-    },
+    columns: n,
+    rows: 1,
+    corners: [0, 2, 1, 2, 3, 1],
+    closedFirst: up === 1,
+    closedLast: up === -1,
     row: (row, into, first) => {
       const r = row === middle ? 0 : 1;
       for (let i = 0; i <= n; i++) {
@@ -91,7 +92,9 @@ function torus(columns: number, out: number): BufferGeometry {
   const across = circle(rows);
   return gridGeometry([
     {
-      ...{ columns, rows, corners: [2, 0, 3, 0, 1, 3] },
+      columns,
+      rows,
+      corners: [2, 0, 3, 0, 1, 3],
       row: (row, into, first) => {
         const [outward, z] = [across.cos[row]!, across.sin[row]!];
         for (let i = 0; i <= columns; i++) {
@@ -140,7 +143,9 @@ function torusKnot(rows: number, out: number): BufferGeometry {
   const { cos, sin } = circle(columns);
   return gridGeometry([
     {
-      ...{ columns, rows, corners: [0, 2, 1, 2, 3, 1] },
+      columns,
+      rows,
+      corners: [0, 2, 1, 2, 3, 1],
       row: (row, into, first) => {
         const angle = ((row % rows) / rows) * 4 * Math.PI;
         const [x, y, z] = curve(angle);

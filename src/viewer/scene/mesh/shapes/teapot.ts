@@ -43,7 +43,10 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
   const [down, across] = [basesOf(rows), basesOf(columns)];
   const closedFirst = isClosed(patch);
   return {
-    ...{ columns, rows, corners: [0, 1, 3, 0, 3, 2], closedFirst },
+    columns,
+    rows,
+    corners: [0, 1, 3, 0, 3, 2],
+    closedFirst,
     row: (row, into, first) => {
       const s = down[row]!;
       // The row is a cubic, and so is the way in which it changes: four points of each, x y z.
