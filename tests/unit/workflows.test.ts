@@ -14,6 +14,15 @@ const { scripts, engines, peerDependencies } = jsonOf('package.json') as Readonl
   Record<'scripts' | 'engines' | 'peerDependencies', Readonly<Record<string, string>>>
 >;
 
+/** The text of each job, by its file and name. */
+const jobs = workflows.flatMap(({ name, text }) =>
+  text
+    .slice(text.indexOf('\njobs:\n'))
+    .split(/\n(?= {2}[a-z]+:\n)/)
+    .slice(1)
+    .map((job) => ({ name: `${name} ${/[a-z]+/.exec(job)![0]}`, text: job })),
+);
+
 /** The values of a key in all workflows, without quotes. */
 const valuesOf = (key: string, text: string): readonly string[] =>
   Array.from(text.matchAll(new RegExp(`^[ -]*${key}: (.+)$`, 'gm')), ([, value = '']) =>
@@ -71,7 +80,7 @@ describe('the workflows', () => {
     ({ text }) => {
       const outs = Array.from(text.matchAll(/--out (\S+)/g), ([, file]) => file);
       for (const path of valuesOf('path', text)) {
-        expect(['test-results', 'site', ...outs]).toContain(path);
+        expect(['test-results', 'site', '*.tgz', ...outs]).toContain(path);
       }
       const watched = /^ +paths: /m.test(text) ? listOf('paths', text) : [];
       expect(watched.filter((path) => !existsSync(path.replace('/**', '')))).toEqual([]);
@@ -84,6 +93,29 @@ describe('the workflows', () => {
       expect(each).toMatch(/^[^@]+@v\d+$/);
     }
     expect(new Set(Array.from(used, (each) => each.split('@')[0])).size).toBe(used.size);
+  });
+
+  it('let only jobs that check out and install nothing write anywhere or have an identity', () => {
+    const writing = jobs.filter(({ text }) => / [a-z-]+: write$/m.test(text));
+    expect(writing.map(({ name }) => name)).toEqual(['release.yml publish', 'site.yml deploy']);
+    for (const { name, text } of writing) {
+      // The environment is where the repository's settings ask a person.
+      expect(text, name).toMatch(/^ {4}environment:/m);
+      expect(text, name).not.toMatch(/actions\/checkout|npm (ci|install|run)|npx|\.ci\//);
+    }
+    for (const { name, text } of workflows) {
+      const head = text.slice(0, text.indexOf('\njobs:\n'));
+      expect(head, name).toMatch(/^permissions:\n {2}contents: read\n(?! )/m);
+    }
+  });
+
+  it('publish the tarball that a job without rights packed, and run none of its scripts', () => {
+    const [, publish = ''] = /\n {2}publish:\n([^]*)$/.exec(textOf('release.yml')) ?? [];
+    expect(publish).toMatch(/needs: \[test, pack\]/);
+    expect(valuesOf('run', publish)).toEqual([
+      'npm publish ./*.tgz --ignore-scripts --provenance --access public',
+    ]);
+    expect(publish).toContain('package-manager-cache: false');
   });
 
   it('test with the oldest Node and every three.js that package.json allows, and with the latest', () => {
