@@ -10,8 +10,11 @@ const folder = '.github/workflows';
 const textOf = (name: string): string => readFileSync(`${folder}/${name}`, 'utf8');
 const workflows = readdirSync(folder).map((name) => ({ name, text: textOf(name) }));
 const jsonOf = (path: string): unknown => JSON.parse(readFileSync(path, 'utf8'));
-const { scripts, engines, peerDependencies } = jsonOf('package.json') as Readonly<
-  Record<'scripts' | 'engines' | 'peerDependencies', Readonly<Record<string, string>>>
+const { scripts, engines, dependencies, peerDependencies } = jsonOf('package.json') as Readonly<
+  Record<
+    'scripts' | 'engines' | 'dependencies' | 'peerDependencies',
+    Readonly<Record<string, string>>
+  >
 >;
 
 /** The text of each job, by its file and name. */
@@ -87,10 +90,11 @@ describe('the workflows', () => {
     },
   );
 
-  it('use one version of each action', () => {
+  it('take each action by one commit, and say which release that is', () => {
     const used = new Set(workflows.flatMap(({ text }) => valuesOf('uses', text)));
     for (const each of used) {
-      expect(each).toMatch(/^[^@]+@v\d+$/);
+      // A tag can be moved to other code; a commit cannot.
+      expect(each).toMatch(/^[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+$/);
     }
     expect(new Set(Array.from(used, (each) => each.split('@')[0])).size).toBe(used.size);
   });
@@ -116,6 +120,14 @@ describe('the workflows', () => {
       'npm publish ./*.tgz --ignore-scripts --provenance --access public',
     ]);
     expect(publish).toContain('package-manager-cache: false');
+  });
+
+  it('get updates of what the package brings along, and of the actions', () => {
+    const text = readFileSync('.github/dependabot.yml', 'utf8');
+    expect(valuesOf('package-ecosystem', text)).toEqual(['github-actions', 'npm']);
+    expect(valuesOf('dependency-name', text).toSorted()).toEqual(
+      Object.keys(dependencies).toSorted(),
+    );
   });
 
   it('test with the oldest Node and every three.js that package.json allows, and with the latest', () => {
