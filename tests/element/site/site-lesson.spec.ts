@@ -75,7 +75,7 @@ test('the figures of the article behave as their captions say', async ({ page })
     expect(pictures).toHaveLength(viewers);
     expect(new Set(pictures).size, 'no two pictures have the same name').toBe(viewers);
     const dividers = named(/separator|splitter/i).filter((name) => name !== '');
-    expect(dividers).toContain('Divider between R·V and (R·V)ⁿ');
+    expect(dividers).toContain('Divider between the cosine and its power');
     expect(dividers).toContain('Divider between Gouraud and Phong');
     expect(named(/^option$|listboxoption/i).some((name) => name.startsWith('spot'))).toBe(true);
   });
