@@ -1,7 +1,8 @@
 // Lets chunks of the standalone file be fetched again after a failure. Browsers used to remember a
-// failed import() by its address (Chromium until 2026, Firefox 153 still does): another import() of
-// it fails without a request. So later attempts use another address of the same file. Not for the
-// ES modules: a user's bundler gives their chunks other names.
+// failed import() by its address (https://github.com/whatwg/html/issues/6768; Chromium until 2026,
+// Firefox 153 still does: https://bugzilla.mozilla.org/show_bug.cgi?id=2055211): another import()
+// of it fails without a request. So later attempts use another address of the same file. Not for
+// the ES modules: a user's bundler gives their chunks other names.
 
 import type { Plugin } from 'vite';
 

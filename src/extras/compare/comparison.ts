@@ -272,8 +272,9 @@ function dividerLabel({ texts }: PhongViewer, first = '', second = ''): string {
 }
 
 /**
- * Fingers on several viewers are one gesture of the viewer under the first, so that a pinch across
- * a divider zooms.
+ * Fingers on several viewers are one gesture of the viewer under the first finger, so that a pinch
+ * across a divider zooms. Otherwise each finger would turn the linked cameras on its own. Listens
+ * to everything in the shadow root.
  */
 function shareTouch(root: ShadowRoot, signal: AbortSignal): void {
   const early = { signal, capture: true, passive: false };

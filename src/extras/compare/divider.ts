@@ -1,5 +1,5 @@
-// A divider that the user moves by pointer and keys; Escape takes a drag back. Places: percent from
-// the start or top.
+// A divider that the user moves: by pointer, from where it was pressed, and by keys; Escape takes a
+// drag back. Places are percent of the box from the start of the line or from the top, ascending.
 import { html, type TemplateResult } from 'lit';
 import { followDrag } from '../../viewer/element/page/followed-drag.js';
 import type { Comparison } from './comparison.js';
@@ -89,7 +89,10 @@ export class Divider {
   };
 }
 
-/** The places of `count` − 1 dividers. Those that `at` leaves out divide the rest evenly. */
+/**
+ * The places of `count` − 1 dividers. Those that `at` leaves out divide the rest evenly; more than
+ * there are dividers are ignored.
+ */
 export function placesOf(at: readonly number[] | 'auto', count: number): readonly number[] {
   const dividers = Math.max(count - 1, 0);
   const given = at === 'auto' ? [] : at.slice(0, dividers);

@@ -85,7 +85,8 @@ const EMPTY_LINE =
   'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
 
 /**
- * What Markdown made of content after an empty line: a paragraph, or code if the line was indented.
+ * What Markdown made of the content after an empty line: a paragraph, in which the parser ignores
+ * the viewer's end tag, or code if the line was indented. Null if it was not Markdown.
  */
 function cutByMarkdown(viewer: Element): 'paragraph' | 'code' | null {
   for (const code of viewer.querySelectorAll('pre > code')) {
@@ -231,8 +232,8 @@ const GUESSES: Readonly<Record<string, Advice>> = {
 };
 
 /**
- * HTML's global attributes without a `-`, and those of RDFa, even if they resemble a name of this
- * package.
+ * HTML's global attributes without a `-`, and those of RDFa. They give no warning, even if they
+ * resemble a name of this package.
  */
 const GLOBAL = new Set(
   (

@@ -1,6 +1,7 @@
-// Where a ray meets a geometry's triangles, in float64. In a space whose third axis is the ray,
-// neighbours leave no gap and no matrix is inverted (Woop, Benthin, Wald, "Watertight Ray/Triangle
-// Intersection", JCGT 2(1), 2013).
+// Where the ray through a pixel meets a geometry's triangles, in float64, in a space whose third
+// axis is the ray: neighbouring triangles leave no gap (Woop, Benthin, Wald, "Watertight
+// Ray/Triangle Intersection", JCGT 2(1), 2013), and flattened, mirrored or huge matrices need no
+// inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import { dot, scale, type Vec3 } from '../../phong/math/vector.js';
@@ -114,8 +115,9 @@ const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: n
 ];
 
 /**
- * Vertex to ray space: right of the ray, above it, depth. The eye is subtracted first: far scenes
- * stay exact.
+ * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth.
+ * The eye is subtracted first, so that accuracy does not depend on the distance from the world's
+ * origin.
  */
 function rowsOf(
   { frame, slopeX, slopeY }: ViewRay,

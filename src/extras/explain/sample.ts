@@ -151,8 +151,8 @@ function texelsOf(map: Texture): Texels {
 }
 
 /**
- * By a context of its own: a 2D canvas would premultiply alpha, and lose the colour of transparent
- * texels.
+ * Uses a short-lived WebGL context of its own. A 2D canvas would premultiply alpha, and transparent
+ * texels would lose the colour that filtering mixes into their neighbours.
  */
 function readTexels(image: Image): Texels {
   const gl = document.createElement('canvas').getContext('webgl2');

@@ -117,7 +117,8 @@ export interface BaseColor {
 }
 
 /**
- * Colour, texture and vertex colours multiplied: under `linear` decoded before and encoded after.
+ * The look's colour times its texture times its vertex colours. With `linear`, colours are decoded
+ * before they are multiplied, and the product is encoded again.
  */
 export function baseColorAt(
   look: BaseLook,

@@ -112,8 +112,9 @@ const broken = (): ModelError => new ModelError('bad-model', 'A data: URI holds 
 const PIECE = 2 ** 18;
 
 /**
- * Bytes with the byte order mark of UTF-16 become UTF-8. @throws ModelError `too-large`: they count
- * as text.
+ * The same text in UTF-8, which every reader expects, if the bytes begin with the byte order mark
+ * of UTF-16, as some editors and exporters on Windows write it; otherwise the bytes themselves.
+ * @throws ModelError `too-large`: UTF-16 counts as text whatever its format.
  */
 export async function asUtf8(
   bytes: Uint8Array<ArrayBuffer>,

@@ -14,8 +14,9 @@ import { ModelError } from '../../viewer/model/model.js';
 import { Slices } from './slices.js';
 
 /**
- * How long a load may get nothing, before an answer or within a file: a server may have to wake up
- * first.
+ * How long a server may send nothing, in milliseconds: before its answer, and between two parts of
+ * a file. Long enough for a server that has to wake up first; a page that stays open for hours
+ * should not hold its connections for good.
  */
 export const SILENCE_LIMIT_MS = 60_000;
 

@@ -1,4 +1,6 @@
-// What one model claims. Apart from the viewer's budget because no first frame needs it.
+// What one model claims. Every format claims what a file says before it allocates or reads it; past
+// a limit the result is `too-large`. Apart from the viewer's budget because no first frame needs
+// it.
 import {
   type Amounts,
   type Claims,

@@ -104,7 +104,8 @@ export class Slices {
   }
 
   /**
-   * Lets other tasks run. Faster than a timer, which browsers delay by 4 ms, and by a second in
+   * Lets other tasks run. Faster than a timer, which browsers delay by 4 ms where timers are nested
+   * (https://html.spec.whatwg.org/multipage/timers-and-user-prompts.html), and by a second in
    * hidden pages.
    */
   async pause(): Promise<void> {

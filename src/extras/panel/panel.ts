@@ -195,8 +195,9 @@ const markOpen = (place: HTMLElement, gui: GUI): boolean =>
   place.toggleAttribute(OPEN_PANEL, !gui._closed);
 
 /**
- * Opens the panel in wide viewers, as soon as they have a size. The returned function stops waiting
- * for that.
+ * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed
+ * dialog, decides when it first has one; until then the panel is closed. The returned function
+ * stops waiting for that.
  */
 function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   const hasDecided = (): boolean => {

@@ -112,8 +112,9 @@ const REACH = 3;
 const EMPTY_REACH = 5;
 
 /**
- * The range of sliders for positions: around the scene as it was last loaded. World space, scene
- * units.
+ * The range that sliders for positions cover: the surroundings of the scene. Measured when it is
+ * first read and after a load, not while a slider moves a mesh: the range would move with it. World
+ * space, scene units.
  */
 export class SceneRange {
   readonly #viewer: PhongViewer;

@@ -29,8 +29,9 @@ import {
 import { linear, logarithmic, numberText } from './travel.js';
 
 /**
- * Edits the camera as it is now, as a drag does: reset returns to the declared values. Nothing fits
- * it afterwards.
+ * Edits the camera as it is now, not the declared values, as a drag does: reset returns to what is
+ * declared. Writes throw RangeError, as the properties do, for values outside the field's domain.
+ * Nothing fits the camera to the scene afterwards.
  */
 const ofCamera = <K extends keyof Pose>(
   key: K,

@@ -1,5 +1,5 @@
-// Finds the pixels of a picture that differ from the equation. Positions are device pixels from the
-// top left.
+// Finds the pixels of a viewer's picture that differ from the equation. Runs inside the page.
+// Positions are device pixels from the top left, colours 8-bit codes.
 import { add, cross, dot, length, subtract } from '../../phong/math/vector.js';
 import { radians } from '../../phong/math/angle.js';
 import type { PhongViewer } from '../../viewer/index.js';

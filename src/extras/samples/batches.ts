@@ -134,8 +134,9 @@ export class Batches {
 }
 
 /**
- * Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a
- * request.
+ * A message instead of a timer: browsers call nested timers no sooner than after 4 ms
+ * (https://html.spec.whatwg.org/multipage/timers-and-user-prompts.html). `Slices.pause` does the
+ * same; a file for both would be a request of its own.
  */
 function inNextTask(work: () => void): void {
   const { port1, port2 } = new MessageChannel();

@@ -12,7 +12,10 @@ import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
 import { queue, release, seize, sharedSum, take } from './turns.js';
 
-/** Frames without a change before the first sample of a drag: slow ones have such frames. */
+/**
+ * Animation frames without a change before the first sample of a drag: a slow drag has frames in
+ * which nothing moves.
+ */
 const STILL_FRAMES = 3;
 
 /** A change is no part of a drag after all samples, or so long after the last standstill began. */

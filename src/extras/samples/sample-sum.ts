@@ -1,6 +1,7 @@
 // The sum of a picture's samples on the GPU. Each is drawn without multisampling into 8 bits, which
-// clamp as the canvas does. Its codes are added in float32, which holds 1,024 × 255 exactly; half
-// floats lose 8 bits over 64 samples.
+// clamp as the canvas does. Its codes are added in float32, which holds 1,024 × 255 exactly. Half
+// floats do not do: they are exact to 2,048, the codes of 8 white samples, and end at 65,504, those
+// of 256.
 import {
   FloatType,
   NearestFilter,
@@ -13,14 +14,14 @@ import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
 import { ScreenPass } from './screen-pass.js';
 
 /**
- * Most pixels of one sum, at 52 bytes each: 218 MB, and 108 MB at 1080p. Larger pictures have
- * tiles.
+ * Most pixels of one sum. Its buffers take 52 bytes a pixel: 218 MB, and 108 MB at 1080p. Larger
+ * pictures are summed in tiles.
  */
 export const MOST_SUMMED = 2 ** 22;
 
 /**
- * Added at once. Adding single ones takes 1.3 times as long as drawing (sphere, 1080p, H200),
- * blending 4.7 times.
+ * Samples that are added at once. One by one, adding takes 1.3 times as long as drawing (sphere,
+ * one light, 1080p, H200), and blending 4.7 times.
  */
 const LAYERS = 4;
 
@@ -140,9 +141,10 @@ const targetsOf = (width: number, height: number) => {
 };
 
 /**
- * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials only for
- * the canvas and what stands for it, as in WebXR. The internal format must not decode: the texels
- * are the codes.
+ * Gets what the canvas would get. three.js encodes and tone-maps a user's own materials for the
+ * canvas, but for targets only where they stand for the canvas, as those of WebXR do. The colour
+ * space is the materials' alone: with an internal format that decodes, texels would not be the
+ * codes.
  */
 function sampleTarget(width: number, height: number): WebGLArrayRenderTarget {
   const options = { ...NEAREST, internalFormat: 'RGBA8', colorSpace: SRGBColorSpace } as const;

@@ -96,8 +96,8 @@ export function depthRange(
 }
 
 /**
- * A near plane in front of a surface at this depth, by more than float32 loses for vertices 1e5
- * times as far.
+ * A near plane in front of a surface at this depth: a tenth nearer, which is more than float32
+ * loses for vertices 1e5 times as far away.
  */
 export const nearBefore = (depth: number, radius: number): number =>
   Math.max(0.9 * depth, LEAST_NEAR * radius);

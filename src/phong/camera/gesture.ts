@@ -182,7 +182,10 @@ export class PointerGesture {
   }
 }
 
-/** A pointer's travel in pixels of the picture; none where that is seen edge-on. */
+/**
+ * A pointer's travel in pixels of the picture. None where the picture is seen edge-on: nothing can
+ * be pressed there.
+ */
 export function alongAxes(
   [rightX, rightY, downX, downY]: PictureAxes = UPRIGHT,
   x: number,

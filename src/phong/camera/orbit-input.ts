@@ -28,8 +28,8 @@ const MENU_DELAY = 300;
 
 /**
  * CSS pixels that a finger can move mainly up or down before the camera turns, so that scrolling
- * past does not tilt the picture: within its own slop (15 px in Chromium) the browser may make it a
- * scroll and cancel the pointer.
+ * past does not tilt the picture. Within its own slop (15 px in Chromium 156) the browser may still
+ * make the stroke a scroll and cancel the pointer.
  */
 const SCROLL_SLOP = 32;
 
@@ -190,8 +190,9 @@ export class OrbitInput {
   }
 
   /**
-   * Suppresses the context menu once after a secondary drag, and during it: Linux and macOS open it
-   * at the press.
+   * Suppresses the context menu while the secondary button drags and once after a drag. Linux and
+   * macOS open it at the press, when it is not yet known whether a drag follows: it is suppressed
+   * there too.
    */
   #onMenu(event: MouseEvent): void {
     const wanted =

@@ -1,6 +1,6 @@
 // Cuts texts from outside (attributes, files, addresses) for messages: enough stays to recognise
-// them, and never so much that the page suffers. Chromium lays out a word of 100,000 letters for 20
-// s.
+// them, and never so much that the page suffers. Chromium 156 takes 28 s to lay out a word of
+// 100,000 Arabic letters, which join.
 
 /** Longest text that a message repeats, in UTF-16 units. */
 const LONGEST = 100;

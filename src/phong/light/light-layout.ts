@@ -109,8 +109,8 @@ const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCas
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
 /**
- * Not String(n): V8's number-to-string cache grows to 64 KiB for good when numbers collide in it,
- * as these do.
+ * Not String(n): V8's number-to-string cache (Chromium 156) grows to 64 KiB for good when numbers
+ * collide in it, as these do.
  */
 const integer = (n: number): string => n.toFixed();
 

@@ -89,8 +89,8 @@ export interface Packing<T> {
   /** The terms that it enters. Without these its features are left out. */
   readonly terms: readonly Term[];
   /**
-   * Code that only some need, a bit each: `now` by this light, `ever` with another colour, cone or
-   * cutoff.
+   * Code that only some of these lights need, a bit each. `now`: whether this light needs it;
+   * `ever`: whether it may with another colour, cone or cutoff.
    */
   readonly features: Readonly<Record<string, readonly [now: Test, ever?: Test]>>;
 }

@@ -39,7 +39,7 @@ export const LEAST_EXPONENT = 1e-6;
 
 /**
  * Positive numbers below this count as zero: a device may flush numbers below 2^-126. Not 2^-126
- * itself, because Firefox on Mesa reads literals of 1.2e-38 and less as zero.
+ * itself, because Firefox 153 on Mesa reads literals of 1.2e-38 and less as zero.
  */
 export const TINY = 2 ** -120;
 
@@ -62,8 +62,8 @@ const isBlunt = (aperture: number): boolean =>
   aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
 /**
- * Needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_CUTOFF at the
- * axis.
+ * Whether a cone or decay needs chords. A power below 1 is steep behind the light, one above
+ * LARGEST_MILD_CUTOFF at the axis.
  */
 export function isSteep({ aperture, cutoff }: Readonly<LightValues>): boolean {
   const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_MILD_CUTOFF);

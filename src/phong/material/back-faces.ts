@@ -15,7 +15,10 @@ export type Sides = 'closed' | 'single' | 'double';
  */
 const FLATTENED = 1e-9;
 
-/** Whether back faces are culled. Never on a flattened mesh: its two sides coincide. */
+/**
+ * Whether back faces are culled. Never on a flattened mesh: its two sides coincide. `matrixWorld`
+ * and the camera must be up to date.
+ */
 export function cullsBackFaces(
   sides: Sides,
   geometry: BufferGeometry,

@@ -22,8 +22,8 @@ export const createSvg = <Tag extends keyof SVGElementTagNameMap>(
 const written = new WeakMap<Element, Record<string, string | null>>();
 
 /**
- * Writes only changes: every write is restyled, and may be observed. Null removes. Nothing else may
- * write these.
+ * Writes only what changes: every write is a mutation that the browser restyles and that the page
+ * may observe. Null removes an attribute. Nothing else may write these attributes.
  */
 export function set<E extends Element>(element: E, attributes: Attributes): E {
   let known = written.get(element);

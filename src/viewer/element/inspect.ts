@@ -1,6 +1,7 @@
-// Finds elements that may hold a mistake that nothing else reports: by cheap, coarse tests, once
-// each, after the task or the parsing that connected it. Looks for the page's own texts at the same
-// time.
+// Finds elements that may hold a mistake of their author that nothing else reports. Each is tested
+// once, after the task or the parsing that connected it. The tests are cheap and coarse; the code
+// that knows the mistakes and their cures is fetched only if one fails. The page's own texts are
+// looked for at the same time.
 import { registryAround } from './child-registry.js';
 import type { ElementClass, PhongViewer } from './elements.js';
 import { lookForTexts } from './page/page-texts.js';
@@ -10,8 +11,9 @@ const waiting = new Set<Element>();
 const tested = new WeakSet<Element>();
 
 /**
- * Tests `element` once, after the task or the parsing; `again`: a viewer, for elements inside that
- * are not defined.
+ * Tests `element` once, at the end of the task, or once the document is parsed. `again`: tests a
+ * viewer whose content has changed for elements that are not defined. Thousands of children may
+ * come one by one, and the search reads all of them: it runs once a task.
  */
 export function inspect(element: Element, again = false): void {
   if (tested.has(element) && !again) return;

@@ -38,7 +38,8 @@ interface CompareElement extends CompareProperties {
  * @csspart line - the line of a divider
  */
 class CompareElement extends LitElement implements PublicCompare {
-  // Nothing is displayed until it is known where the viewers lie: they would be drawn twice.
+  // Nothing is assigned to a slot, so nothing is displayed, until it is known where the viewers
+  // lie: they would be drawn twice.
   static override readonly shadowRootOptions: ShadowRootInit = {
     mode: 'open',
     slotAssignment: 'manual',

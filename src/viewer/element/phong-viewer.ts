@@ -247,8 +247,8 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   /**
-   * After `moveBefore`, instead of disconnecting and connecting; and when a comparison has placed
-   * the viewer.
+   * The browser calls it after `moveBefore`; without it, it would disconnect and connect the
+   * element. A comparison calls it when it has placed the viewer.
    */
   connectedMoveCallback(): void {
     this.#visibility.look();

@@ -108,8 +108,9 @@ export interface Need {
 }
 
 /**
- * What the content of one mesh holds. What replaces it may take its room, though both are in memory
- * for a while.
+ * What the content of one mesh holds. Content that replaces other content of its mesh may take the
+ * room of it. Both are in memory until the new one is drawn, but otherwise a model of the largest
+ * allowed size could not be replaced by another.
  */
 export class Claim {
   readonly budget: Budget;
@@ -183,8 +184,8 @@ export class Budget {
   }
 
   /**
-   * Triangles that are held now, weighed by memory. Of round shapes with automatic segments, the
-   * coarsest level.
+   * Triangles that are held now, weighed by memory. Round shapes with automatic segments count by
+   * their coarsest level: finer ones take what is left.
    */
   get used(): number {
     return Math.ceil(this.#total.values / VALUES_PER_TRIANGLE);

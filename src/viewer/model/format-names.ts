@@ -3,7 +3,7 @@
 import { lazyCode } from './lazy-code.js';
 import type { ModelReader } from '../../extras/models/model-reader.js';
 
-/** One row per format. */
+/** One row per format, in the order in which contents are tested: the strictest test first. */
 export const FORMAT_NAMES = {
   gltf: {
     name: 'glTF',

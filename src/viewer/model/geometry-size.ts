@@ -104,8 +104,8 @@ function* measured(geometry: BufferGeometry): Steps<GeometrySize | null> {
     position instanceof BufferAttribute &&
     position.itemSize === 3 &&
     position.array instanceof Float32Array;
-  // Most have only finite numbers, and are read without a copy. Animated ones are framed by the
-  // first pose.
+  // Most geometries have only finite numbers, and are read without a copy. Animations write to
+  // theirs, and are framed by the first pose.
   const isStill = plain && position.usage === StaticDrawUsage;
   const array = position.array as Float32Array;
   const found = plain ? yield* sizeAround(isStill ? array : array.slice()) : null;

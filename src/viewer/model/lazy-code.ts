@@ -6,7 +6,8 @@
  * one request. After a failure the next call requests it again, and the error is a sentence for the
  * page's author; the browser's own error is its `cause`.
  * @param load is called with the number of failures so far. The build uses it
- * (.ci/retried-imports.ts): some browsers never request the same address again.
+ * (.ci/retried-imports.ts): browsers that keep failed imports never request the same address again
+ * (https://github.com/whatwg/html/issues/6768).
  * @param what names the part in that sentence: "The code of … could not be fetched."
  */
 export function lazyCode<T>(

@@ -2,13 +2,14 @@
 // less than 1 GB; how memory is freed, and how a lack of it is recognised.
 
 /**
- * Most bytes of one model's files, unpacked: 256 MiB. They are held besides their copies as
- * vertices.
+ * Most bytes of one model, all its files together, as they are after decompression: 256 MiB. The
+ * reader holds the bytes and their copies as vertices, and the GPU holds the vertices once more.
  */
 export const BYTE_LIMIT = 2 ** 28;
 
 /**
- * Most bytes of text, without base64: 128 MiB. Strings, lists and numbers take more than the bytes.
+ * Most bytes of text in one model, 128 MiB: its characters become strings, lists and numbers that
+ * take more than the bytes. Data in base64 is no text.
  */
 export const TEXT_LIMIT = 2 ** 27;
 
@@ -31,12 +32,17 @@ export const WORK_LIMIT = 2 ** 28;
 export const CORNER_LIMIT = 2 ** 24;
 
 /**
- * Most corners and vertices of one Draco mesh: a million triangles, which take 500 MB; two million
- * take 1.1 GB.
+ * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder's heap and
+ * what comes out of it take 500 MB for them, and 1.1 GB for two million. A larger model can have
+ * several such meshes.
  */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 
-/** Most 4-byte values in vertices and indices: 400 MB in the page, and as much on the GPU. */
+/**
+ * Most 4-byte values in a model's vertices and indices, each geometry counted once as it is drawn:
+ * 400 MB in the page, and as much on the GPU. Enough for 5 million triangles with a position and a
+ * normal per corner.
+ */
 export const VALUE_LIMIT = 100_000_000;
 
 /**
@@ -78,8 +84,8 @@ export const PIXEL_LIMIT = 2 ** 26;
 export const IMAGE_SIDE_LIMIT = 8192;
 
 /**
- * Most pixels of an image as it is shown; larger ones are scaled down. The upload takes the memory
- * four times.
+ * Most pixels of an image as it is shown; larger ones are scaled down. While it is uploaded, its
+ * memory is needed four times.
  */
 export const IMAGE_PIXEL_LIMIT = 2 ** 25;
 

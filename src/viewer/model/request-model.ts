@@ -12,8 +12,8 @@ export const modelCode = /* @__PURE__ */ lazyCode(
 /**
  * Requests the code for a model beside its file, not after it: each request that waits for another
  * is a delay that the user sees. The file's name says which format; the content decides what is
- * read. What both chunks import is not requested here: after a failure Firefox would never fetch it
- * again.
+ * read. What both chunks import is not requested here: after a failure Firefox 153 never fetches it
+ * again (https://bugzilla.mozilla.org/show_bug.cgi?id=2055211).
  */
 export function requestCode({ pathname }: URL): void {
   const path = pathname.toLowerCase();

@@ -84,8 +84,9 @@ export function measure(root: Object3D): Extent {
 }
 
 /**
- * Radius of a sphere about `point` that holds all that is visible below `root`: one step per
- * object.
+ * Radius of a sphere about `point` that holds everything visible below `root`: meshes, points,
+ * lines and sprites. At least as large as needed. World matrices must be up to date. Costs one step
+ * per object.
  */
 export function radiusOf(root: Object3D, point: Vec3): number {
   if (!root.visible) return 0;
@@ -248,8 +249,9 @@ const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =
   Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
 
 /**
- * Most that a matrix lengthens vectors: √ of the largest row sum of MᵀM, exact where it does not
- * shear.
+ * Upper bound of the factor by which a matrix lengthens vectors: the square root of the largest row
+ * sum of MᵀM, which is no less than its largest eigenvalue, and equal to it where the matrix does
+ * not shear.
  */
 export function stretch(m: readonly number[]): number {
   const along = (i: number, j: number): number =>

@@ -105,8 +105,9 @@ export class Frame {
 }
 
 /**
- * Moves the far plane to infinity: depth is then w − 2 near, rounded as w is, and no vertex falls
- * behind the plane.
+ * Moves the far plane to infinity: depth is then w − 2 near, so its row equals that of w except for
+ * one number. Both are rounded alike at any size of the vertices, and no vertex falls behind the
+ * far plane by rounding.
  */
 function removeFarPlane({
   near,
@@ -125,8 +126,9 @@ function removeFarPlane({
 const DEEPEST = 2 ** 14;
 
 /**
- * Brings w in clip space near 1: software GL interpolates wrongly in scenes of size 1e-14 and 2e11.
- * Usual scenes keep w as the distance: three.js's sprites and points recognise a perspective by it.
+ * Brings w in clip space near 1 for very small and very large scenes. A multiple of a projection
+ * draws the same picture, but software GL interpolates wrongly in scenes of size 1e-14 and 2e11.
+ * Other scenes keep w as the distance: three.js's sprites and points recognise a perspective by it.
  */
 function scaleClipSpace(camera: PerspectiveCamera, radius: number): void {
   if (radius > 1 / USUAL_RADIUS && radius < USUAL_RADIUS) return;

@@ -23,7 +23,10 @@ import {
 } from './frustum-clip.js';
 import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle-bvh.js';
 
-/** A share of the radius: objects whose vertices only the GPU knows are never cut beyond it. */
+/**
+ * Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond
+ * this distance.
+ */
 const UNKNOWN_NEAREST = 1e-5;
 
 /**

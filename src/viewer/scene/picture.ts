@@ -119,8 +119,8 @@ export class Picture {
   }
 
   /**
-   * Drawing order: other meshes, these, own objects of the page. Where surfaces coincide, the last
-   * one shows.
+   * The order in which the scene is drawn: meshes that are not among these, these, the page
+   * author's own objects. Where surfaces coincide, the last one drawn shows.
    */
   arrange(meshes: readonly SceneMesh[]): void {
     for (const mesh of meshes) {
@@ -132,8 +132,8 @@ export class Picture {
   }
 
   /**
-   * Updates order and world matrices. An unmoved mesh costs one call; a user's objects are always
-   * computed.
+   * Updates order and world matrices before drawing or measuring. A mesh that has not moved costs
+   * one call. A user's objects are computed again each time, as three.js does.
    */
   place(): void {
     const { children } = this.scene;

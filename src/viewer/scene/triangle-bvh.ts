@@ -5,7 +5,10 @@ import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from
 
 export type Position = BufferAttribute | InterleavedBufferAttribute;
 
-/** Triangles in a lowest box, and boxes in the next: testing either costs about the same. */
+/**
+ * Triangles in a box of the lowest level, and boxes in one of the next: a test of a box costs about
+ * as much as one of a triangle.
+ */
 const IN_BOX = 16;
 
 /** Centre and half sizes of each box: six numbers. */

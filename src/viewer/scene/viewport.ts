@@ -175,8 +175,9 @@ export class Viewport {
   }
 
   /**
-   * Second phase: advances motion to `now`, in ms; true requests another frame. All move before the
-   * first draws.
+   * Second phase: advances motion such as a turning camera; true requests another frame. `now` is
+   * the animation frame's time in milliseconds. Pictures that move must all be out of date before
+   * the first one draws: only those share an atlas.
    */
   advance(now: number): boolean {
     return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));

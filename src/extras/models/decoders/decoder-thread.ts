@@ -5,8 +5,9 @@
 import type { CreateDecoder, WorkerAnswer } from './decoder.js';
 
 /**
- * How long a worker waits for another job: each start compiles the decoder again, but its heap
- * never shrinks.
+ * How long a worker waits for another job, in milliseconds. The models of a page come one after
+ * another, and each start fetches and compiles the decoder again. Its heap never shrinks and is
+ * freed when the worker ends.
  */
 const IDLE_MS = 5000;
 

@@ -30,8 +30,9 @@ export interface Accessor {
 }
 
 /**
- * The accessors of a document. The parser reads all, so those that {@link Accessors.read} did not
- * count are empty.
+ * The accessors of a document. One that was not counted by {@link Accessors.read} has no elements
+ * for the parser, which reads all of them, so no reader can get at numbers that the budget does not
+ * know.
  */
 export class Accessors {
   readonly #entries: readonly Entry[];

@@ -1,5 +1,6 @@
-// The animations of a glTF document and what they cost; those with a mistake are left out. Knows
-// the JSON only.
+// The animations of a glTF document that can be played, and what they cost: channels of shown
+// nodes, with samplers that fit their properties. An animation with a mistake is left out, and the
+// model is shown without it. Knows the JSON only.
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';

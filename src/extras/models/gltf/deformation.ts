@@ -1,5 +1,6 @@
-// Meshes with joints or morph targets, deformed on the CPU: bounds, culling and picking read the
-// drawn vertices.
+// The vertices of a mesh with joints or morph targets, computed on the CPU, at load and whenever
+// the pose changes, so that bounds, culling and picking read the vertices that are drawn
+// (src/decisions/skinning-on-the-cpu.md).
 import {
   type Bone,
   Box3,
@@ -212,8 +213,8 @@ export class Deformation {
   }
 
   /**
-   * From the file's own numbers: no error accumulates. Cofactors of the blended matrix suit any
-   * scale, even 0.
+   * Always from the file's own numbers, so that no error accumulates. Normals use the cofactors of
+   * the blended matrix, which are right for any scale, including 0.
    */
   #deform(from: number, to: number): void {
     this.#morph(from, to);

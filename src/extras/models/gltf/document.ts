@@ -335,7 +335,8 @@ async function countDrawn(
 }
 
 /**
- * The scene's nodes, or all, without those that lie below another one: they would be there twice.
+ * The scene's nodes without those that lie below another one: they would be there twice. Without a
+ * scene, all nodes.
  */
 function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly number[] {
   const scenes = objectsAt(json['scenes'], 'scenes');
@@ -375,8 +376,8 @@ function withJoints(drawn: readonly GltfNode[], inScene: ReadonlySet<number>): R
 }
 
 /**
- * The parser would wait for ever on a cycle. @throws ModelError `too-large` if nodes are nested too
- * deeply.
+ * Throws for a cycle of nodes, on which the parser would wait for ever. @throws ModelError
+ * `too-large` if nodes are nested too deeply.
  */
 function requireTree(children: readonly (readonly number[])[]): void {
   const below = new Set<number>();

@@ -60,7 +60,10 @@ export function readTextures(
 interface MaterialValues {
   readonly unlit: boolean;
   readonly emissive: readonly number[];
-  /** Null for glTF's default, a rough metal, which shows nothing but its surroundings. */
+  /**
+   * Null: the file leaves metalness and roughness at glTF's default, a rough metal, which shows
+   * nothing but its surroundings.
+   */
   readonly metalRough: { readonly metalness: number; readonly roughness: number } | null;
   /** Factor of the specular coefficient; null for none. */
   readonly specular: readonly number[] | null;
@@ -162,8 +165,8 @@ function readMetalRough(
 }
 
 /**
- * Metalness without a texture: half of Kd stands for the surroundings, which are not in the
- * equation.
+ * Metalness of a metal all over, without a texture. What it shows of its surroundings is not in the
+ * equation; half of Kd stands for that.
  */
 const MOST_METAL = 0.5;
 
@@ -244,8 +247,8 @@ export function lookOf(
   const vertexColors = geometry.hasAttribute('color');
   const vertexAlpha = vertexColors && geometry.getAttribute('color').itemSize === 4;
   const opacity = material.opacity * alpha;
-  // Exporters often mark opaque materials as blended. Unsorted and without depth, those would show
-  // their backs.
+  // Exporters often mark opaque materials as blended. Blending those, unsorted and without depth,
+  // would show their backs.
   const blends = transparent && (opacity < 1 || maps.map !== null || vertexAlpha);
   const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
   // The usual factors are 1: without the images, all of it would glow, or be metal.

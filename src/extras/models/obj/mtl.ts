@@ -1,5 +1,6 @@
-// Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are kept as written (encoded sRGB),
-// except an Ns of 0. Other statements are skipped, and named if they would change the picture.
+// Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are the coefficients of the equation and
+// are kept as they are written (encoded sRGB, no conversion), except an Ns of 0; Ke is what the
+// surface emits. Other statements are skipped, and named if they would change the picture.
 import { clamp, scale, type Vec3 } from '../../../phong/math/vector.js';
 import type { SurfaceValues } from '../../../phong/material/material-values.js';
 import { LIMITS } from '../../../phong/light/light-state.js';
@@ -286,8 +287,8 @@ export const NO_MATERIAL = /* @__PURE__ */ finished(emptyDraft());
 export const unquoted = (name: string): string => /^"([^"]*)"$/.exec(name)?.[1]?.trim() ?? name;
 
 /**
- * A name as it is compared if it is not found as written: without quotes and a comment, but `#` may
- * be in it.
+ * A material's name as it is compared if it is not found as written: without quotes, and without a
+ * comment behind it. Names can contain `#`, as 3ds Max's own do.
  */
 export const plainName = (name: string): string => unquoted(name.replace(/\s#.*$/, '').trim());
 

@@ -138,8 +138,8 @@ interface Group {
 }
 
 /**
- * Most parts that keep their objects apart. Plans from CAD have an object per screw, slow to draw
- * one by one.
+ * Most parts that keep their objects apart. Plans from CAD have an object per screw; drawing each
+ * of them alone is slow.
  */
 const OBJECT_LIMIT = 1000;
 

@@ -113,8 +113,8 @@ export const itemAt = (list: Growing<Int32Array>, index: number): number =>
   index < list.length ? (list.array[index] ?? NONE) : NONE;
 
 /**
- * A first vertex farther out becomes the origin: maps go to 1e7 metres, and float32 keeps steps of
- * 3 cm at 5e5.
+ * A first vertex farther out than this becomes the origin. Maps and plants have coordinates of 1e5
+ * to 1e7 metres and details of centimetres; float32 keeps steps of 3 cm at 5e5.
  */
 const FAR_OUT = 1024;
 
@@ -194,6 +194,7 @@ export class Growing<A extends TypedArray> {
   length = 0;
 
   /**
+   * @param capacity the length that it will probably have.
    * @param lane lists that are written together have different ones: they are not moved in the same
    * task.
    */

@@ -7,8 +7,9 @@ import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './
 import { faceVector, type FaceVector } from './triangulate.js';
 
 /**
- * Faces without a group are smoothed below 40°: icosahedra keep edges (41.8°), ten-sided cylinders
- * (36°) are round.
+ * Faces without a stated smoothing group are smoothed together if they meet at less than 40°. The
+ * five regular solids keep their edges (an icosahedron's faces meet at 41.8°), and cylinders of ten
+ * sides or more (36°) are round.
  */
 const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
 /**

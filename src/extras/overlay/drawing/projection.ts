@@ -183,8 +183,8 @@ export class Projection {
   }
 
   /**
-   * The end at the near plane. Its depth is set: rounding would lose the difference of large
-   * coordinates.
+   * The segment's end at the near plane. The depth is set, because the difference of large
+   * coordinates would be lost to rounding.
    */
   #cut(a: Vec3, b: Vec3, share: number): Vec3 {
     const [x, y] = add(a, scale(subtract(b, a), share));

@@ -81,7 +81,7 @@ const ARROW = 0.35;
 
 /**
  * Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the
- * scene.
+ * scene: both can be gripped in a scene of any size, at any surface.
  */
 const LONGEST_ARROW = 0.6;
 const LEAST_GRIP = 0.25;

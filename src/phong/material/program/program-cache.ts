@@ -177,7 +177,8 @@ export class ProgramCache {
   }
 
   /**
-   * At most one program of the page is drawn for the first time between two frames of this cache.
+   * The program that takes over now. At most one of the page is drawn for the first time between
+   * two frames of this cache; null, to wait, where another one was.
    */
   #takeOver(entry: Entry, probe: Probe): Variant | null {
     if (takeOvers !== this.#seen.before) return null;
@@ -244,7 +245,10 @@ export function checkLinks(renderer: WebGLRenderer): void {
   }
 }
 
-/** Reports a program that does not link, with the logs. Without a context no program links. */
+/**
+ * Reports a program that does not link to the page's error handlers, with the driver's logs. Not
+ * where the context was lost meanwhile: then no program links.
+ */
 function reportLinkFailure(
   gl: WebGLRenderingContext | WebGL2RenderingContext,
   program: WebGLProgram,

@@ -94,8 +94,8 @@ export class FieldBinding<V extends object> {
   }
 
   /**
-   * Properties set before the upgrade would hide the accessors: moves them to the store, treated
-   * like attributes.
+   * Properties set before the element was upgraded are own properties and would hide the accessors.
+   * Moves them into the store and treats them like attributes.
    */
   upgrade(): void {
     // Few elements have properties of their own at all.
@@ -149,8 +149,9 @@ export class FieldBinding<V extends object> {
 }
 
 /**
- * Gives a class one accessor per field, unless it has its own. `find`: for lights, which take a
- * tenth of the time.
+ * Gives a class one accessor per field. Accessors that the class has itself stay. `find` finds an
+ * element's binding, by default as {@link bindingOf} does; lights are written to so often that a
+ * private field is worth it, which takes a tenth of the time.
  */
 export function defineProperties(
   prototype: HTMLElement,

@@ -53,7 +53,10 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
   return Object.freeze(Object.fromEntries(texts) as ViewerTexts);
 }
 
-/** A value assigned before the upgrade hides the accessor. Wrong ones are warned of and dropped. */
+/**
+ * A value assigned before the upgrade is an own property, which hides the accessor. Wrong ones are
+ * warned of and dropped.
+ */
 export function upgradeProperty(element: object, key: 'texts' | 'maxTriangles'): void {
   if (!Object.hasOwn(element, key)) return;
   const value: unknown = Reflect.get(element, key);
@@ -74,8 +77,9 @@ const page = globalThis as {
 const signs = new Map<string, readonly string[]>();
 
 /**
- * A number to read, as `−0.25`, in the signs of the texts' language, or the page's. Fields keep the
- * point.
+ * A number that is only read, as text such as `−0.25`, in the digits and with the decimal sign of
+ * the texts' language. Texts that do not name theirs are in the page's. Unchanged without a
+ * language or with an unknown one. Fields keep the point: what users type is what stands in HTML.
  */
 export function localNumber(number: string, texts: ViewerTexts | null): string {
   const isUnnamed = texts !== null && texts.en === undefined;

@@ -8,8 +8,8 @@ interface DragListener {
 }
 
 /**
- * Call at the press; the result ends the drag. A press that moves less than `slop` CSS pixels by
- * `distance` is a click; 0: never.
+ * Call at the press; the returned function ends the drag. A press that moves less than `slop` CSS
+ * pixels by `distance` is a click, which the page gets; 0 is for what is never clicked.
  */
 export function followDrag(
   element: HTMLElement,

@@ -30,8 +30,8 @@ export class PageObservers {
         }
       }, init);
     this.#intersection = [
-      // The second threshold tells boxes that only touch, as the slides of a carousel do: their
-      // ratio is 0.
+      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the
+      // second threshold detects that.
       intersection((watcher, entry) => watcher.intersected(entry), { threshold: [0, 1e-6] }),
       intersection((watcher, entry) => watcher.neared(entry), this.#surroundings),
     ];
@@ -44,16 +44,17 @@ export class PageObservers {
   }
 
   /**
-   * How far from the view is near, CSS pixels. Not the window's height: an iframe may be as high as
-   * its content.
+   * How far from the view an element counts as near, CSS pixels: the screen's height. The window's
+   * height would be no measure in an iframe that is as high as its content.
    */
   get margin(): number {
     return this.view.screen.height;
   }
 
   /**
-   * `scrollMargin` widens all that clips; older browsers and iframes of other origins, only their
-   * document's view.
+   * `scrollMargin` widens the window, iframes and scroll containers alike, in browsers that have
+   * it. The others, and iframes of other origins, only let the view of their own document be
+   * widened, as their root.
    */
   get #surroundings(): IntersectionObserverInit {
     const { view } = this;

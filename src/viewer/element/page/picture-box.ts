@@ -14,8 +14,8 @@ const corner = (left: string, top: string) =>
 export const CORNER_MARKS = [corner('0', '0'), corner('100%', '0'), corner('0', '100%')];
 
 /**
- * Of a surface with {@link CORNER_MARKS}. Under a perspective the top and left edges count. No axes
- * while hidden.
+ * The box of a surface that contains {@link CORNER_MARKS}, as it is now. Under a perspective, where
+ * pixels differ in size, the top and left edges count. No axes while it is hidden.
  */
 export function pictureBox(surface: HTMLElement): PictureBox {
   const { clientWidth: width, clientHeight: height } = surface;

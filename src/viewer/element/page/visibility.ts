@@ -12,8 +12,8 @@ export interface ElementView {
   readonly near: boolean;
   readonly visible: boolean;
   /**
-   * The page is about to be printed, and waits until this time, as of `performance.now()`; null: it
-   * is not.
+   * The page is about to be printed, and waits until this time, as of `performance.now()`: only the
+   * picture of this moment counts. Null: it is not.
    */
   readonly printsAt: number | null;
   /** Device pixels, whole. */
@@ -157,8 +157,8 @@ export class Visibility implements ReactiveController {
   }
 
   /**
-   * A report comes after its frame: the element may be shown since. Times are rounded, so equal
-   * ones count.
+   * Reports come after their frame: meanwhile the element may have been shown. Browsers round both
+   * times, so equal ones may be that late too.
    */
   #reported({ time }: IntersectionObserverEntry): void {
     if (time <= this.#located && this.#page !== null) {
@@ -255,7 +255,8 @@ const gap = (a: Edges, b: Edges): number =>
   Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
 
 /**
- * In a closed box, such as an accordion's: without width or height, and nothing shows outside it.
+ * In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. By
+ * its distance from the view its content would count as near.
  */
 function isCollapsed(element: Element): boolean {
   const view = element.ownerDocument.defaultView;

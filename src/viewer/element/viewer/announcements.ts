@@ -19,11 +19,12 @@ import {
 import type { ViewerTree } from './display.js';
 
 /**
- * Milliseconds without a change after which the user has stopped; also the time between two
- * descriptions.
+ * Milliseconds. After so long without a change the user has stopped, so announcements are at least
+ * this far apart. Also the time between two updates of the description while the picture moves.
  */
 const PAUSE = 1000;
 
+/** Most lights in one announcement. */
 const ANNOUNCED = 3;
 
 /** Events in which the panel, and what lies over the picture, write to lights. */

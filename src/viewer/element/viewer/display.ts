@@ -281,8 +281,10 @@ function pageText(viewer: HTMLElement): string {
 }
 
 /**
- * Undefined in browsers without custom states or with dashed ones only (Chrome before 125), and for
- * tags with `is`.
+ * Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`.
+ * Undefined in browsers without them, and where they are refused: Chrome before 125 accepts only
+ * names that begin with two dashes (https://chromestatus.com/feature/5586433790443520), and a tag
+ * with an attribute `is` has none.
  */
 function customStates(element: HTMLElement): Set<string> | undefined {
   try {

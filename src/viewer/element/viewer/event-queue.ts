@@ -1,4 +1,5 @@
-// Dispatches a viewer's events at the end of the task; one `light-change` covers all lights.
+// Dispatches a viewer's events at the end of the task. Several events of one type become one with
+// the last detail, where each only says how things are now; one `light-change` covers all lights.
 import type { Signal } from '../../../phong/fields/signal.js';
 import type { LightState } from '../../../phong/light/light-state.js';
 import type { PhongLight } from '../elements.js';

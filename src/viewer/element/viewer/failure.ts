@@ -103,7 +103,10 @@ export class ViewerFailure {
     this.#events.append('error', detail);
   }
 
-  /** Everything about their own file. Otherwise the console has the advice, the same one once. */
+  /**
+   * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the
+   * console has the advice, once for each file.
+   */
   #factOf(error: unknown, { message }: ViewerErrorDetail, isOwn: boolean, url: URL | null): string {
     const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
     if (hides && !error.logged) {

@@ -280,8 +280,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 }
 
 /**
- * Files dropped on a `droppable` viewer become its model. The browser offers them only during the
- * event.
+ * Files that are dropped on a `droppable` viewer become its model. What the browser offers only
+ * during the event is taken here; the code that reads models decides which of them is the model.
  */
 function takeDrops(viewer: PhongViewer): void {
   let drops = 0;

@@ -34,7 +34,8 @@ export class AtlasCopies {
   readonly #fresh = new Set<Viewport>();
 
   /**
-   * Straight from the WebGL canvas: no intermediate canvas or bitmap was faster
+   * Shows one place of the atlas on `source`. Straight from the WebGL canvas: the browser resolves
+   * it once for all copies that follow each other, and no intermediate canvas or bitmap was faster
    * (src/decisions/one-context.md).
    */
   show(viewport: Viewport, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
@@ -51,8 +52,8 @@ export class AtlasCopies {
     const blank = known === undefined || resized;
     const context = canvas.getContext('2d');
     if (context === null) return; // out of memory: the picture stays as it was
-    // For print, Chromium replays what was drawn since the last frame: `copy` would erase the CSS
-    // background there.
+    // For print, Chromium 156 replays what was drawn since the last frame. There, `copy` erases all
+    // that lies below: the CSS background.
     context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
     if (viewport.holder.firstChild !== canvas) {
@@ -86,8 +87,8 @@ export class AtlasCopies {
   }
 
   /**
-   * Releases the oldest invisible copies beyond the bound, but none of this frame: it may be
-   * printed.
+   * Call after a frame. Releases the copies of invisible pictures beyond the bound, oldest first.
+   * Copies of this frame are kept: an invisible picture is drawn only to be printed.
    */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser

@@ -9,7 +9,10 @@ export class NoWebGL2Error extends Error {
   override readonly name = 'NoWebGL2Error';
 }
 
-/** Longest side in pixels of a drawing, with 4 samples per pixel, that any GPU has memory for. */
+/**
+ * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel.
+ * Tiles of a capture and the canvas of a new context are not larger.
+ */
 export const SAFE_SIDE = 4096;
 
 /**
@@ -107,8 +110,9 @@ export class SharedContext {
   }
 
   /**
-   * Sizes the canvas. False where the browser gives fewer pixels: {@link limit} is lower then, the
-   * canvas has one.
+   * Gives the canvas of an open context exactly this size. False: the browser has no memory for
+   * that and gave a smaller drawing buffer. {@link limit} is lower from then on, and the canvas has
+   * one pixel.
    */
   resize({ width, height }: Size): boolean {
     const renderer = this.#renderer;
@@ -211,8 +215,8 @@ export class SharedContext {
 /**
  * Opens the context at the size of the first drawing: opening small and growing takes 6 ms longer
  * at 600 × 400 and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE}
- * starts with one pixel: Chromium gives no context for 8192 × 8192, nor any other to this page
- * afterwards; one that grows gets a smaller buffer at worst.
+ * starts with one pixel: Chromium 156 with software GL gives no context for 8192 × 8192, nor any
+ * other to this page afterwards; one that grows gets a smaller buffer at worst.
  */
 function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
@@ -260,8 +264,8 @@ function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
 type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
 
 /**
- * Keeps the scene's order: where surfaces coincide, the last in the markup shows. three.js would
- * sort by material.
+ * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup
+ * shows. three.js would sort by material, in the order in which materials were created.
  */
 const byScene = (a: RenderItem, b: RenderItem): number =>
   a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
@@ -272,6 +276,10 @@ const byScene = (a: RenderItem, b: RenderItem): number =>
  */
 const fromBehind = (a: RenderItem, b: RenderItem): number => byScene(a, b) || b.z - a.z;
 
+/**
+ * Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when
+ * the canvas has that size.
+ */
 function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
@@ -284,8 +292,9 @@ function largestSideOf(gl: WebGL2RenderingContext): number {
 }
 
 /**
- * Whether 2D canvases get a restored context's pixels: not in Chromium 156 after a crash of the GPU
- * process.
+ * Whether 2D canvases get the pixels of a restored context. In Chromium 156 they get none after a
+ * crash of the GPU process, however often the context draws: only a new canvas helps. Overwrites
+ * one drawing.
  */
 function canBeCopied(gl: WebGL2RenderingContext): boolean {
   gl.clearColor(1, 1, 1, 1);
@@ -295,7 +304,10 @@ function canBeCopied(gl: WebGL2RenderingContext): boolean {
   return copy?.getImageData(0, 0, 1, 1).data[3] === 255;
 }
 
-/** Releases the context now, or once it is restored. Browsers allow few, and collect late. */
+/**
+ * Releases the context now, or as soon as it is restored. Browsers allow few, and garbage
+ * collection would release it late.
+ */
 function closeContext(gl: WebGL2RenderingContext): void {
   const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
   gl.canvas.addEventListener('webglcontextrestored', close, { once: true });

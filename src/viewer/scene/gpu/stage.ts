@@ -161,8 +161,9 @@ class Stage {
   }
 
   /**
-   * Draws into a 2D canvas of this size, in tiles if need be. `render` must not clear. RangeError
-   * if none holds it.
+   * Draws a picture that is not shown into a 2D canvas of exactly this size, in tiles where it is
+   * larger than the context can hold. `render` draws the given part and must not clear. Throws
+   * RangeError where no canvas can hold the picture.
    */
   capture({ width, height }: Size, render: DrawPart): HTMLCanvasElement {
     const target = this.newTarget({ width, height });
@@ -296,8 +297,8 @@ class Stage {
   }
 
   /**
-   * Makes the canvas at least this large, or false. New sizes cost buffers: a larger canvas stays a
-   * while.
+   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too
+   * large stays for a while. False where there is no memory for it.
    */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;

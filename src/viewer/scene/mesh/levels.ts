@@ -192,8 +192,9 @@ const stepAt = (segments: number): number =>
   segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8;
 
 /**
- * At least so many segments: a multiple of 8, above 64 of an eighth of the next power of two (a
- * quarter too many).
+ * At least so many segments as a level: a multiple of 8, above 64 of an eighth of the next power of
+ * two, so that at most a quarter is more than needed and a camera that comes near passes few
+ * levels.
  */
 export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
@@ -288,8 +289,9 @@ export function segmentsIn(
 }
 
 /**
- * In radii of the bounding sphere. Nearer, an eye sees faces, and slivers below a pixel are shaded
- * worse.
+ * The nearest outline that counts, in radii of the bounding sphere. An eye so close sees faces,
+ * most outlines are farther away, and slivers narrower than a pixel are shaded worse than wider
+ * triangles.
  */
 const NEAREST = 1 / 8;
 

@@ -60,8 +60,9 @@ export const EMPTY: ShownContent = {
 };
 
 /**
- * The geometries of a content, measured. Throws where there is no memory, or no room in `claim` for
- * flat ones.
+ * The measured geometries that show a content, smooth or flat. Allocates all memory that showing it
+ * takes, except the GPU's. Throws if there is not enough, or if flat copies exceed the limit of
+ * `claim`.
  */
 export function geometriesOf(
   content: Content,
@@ -99,7 +100,8 @@ function flatValues({ attributes, index }: BufferGeometry): number {
 }
 
 /**
- * How many parts show a source's flat copy, of over three times its memory. The last one frees it.
+ * Parts that show a flat copy, by the copy's source. The last one frees it: it takes more than
+ * three times the source's memory.
  */
 const flatUsers = new WeakMap<BufferGeometry, number>();
 

@@ -23,8 +23,8 @@ export const GEOMETRIES = [
 export type GeometryName = (typeof GEOMETRIES)[number];
 
 /**
- * Each edge has exactly two triangles. Not the teapot: its spout is open, its parts end inside each
- * other.
+ * Shapes without holes: each edge has exactly two triangles, so their inside cannot be seen from
+ * outside. Not the teapot: its spout is open, and its parts end inside each other.
  */
 export const CLOSED: ReadonlySet<GeometryName> = new Set(
   GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),

@@ -25,8 +25,9 @@ const NO_NORMAL = 1e-5;
 const isBend = (patch: number): boolean => patch === 16 || patch === 17;
 
 /**
- * `segments`: once round the body, at least 12. `isLevel`: with more rows in the spout's bend
- * alone.
+ * `segments`: once round the body, at least 12; rounded to whole divisions of a patch. `isLevel`:
+ * with more rows in the spout's bend alone; otherwise all of the teapot would need a quarter more
+ * segments.
  */
 export function teapot(segments: number, isLevel: boolean): BufferGeometry {
   const divisions = Math.round(segments / PATCHES_AROUND);
