@@ -13,7 +13,14 @@ import { posix } from 'node:path';
  * @property {string[]} types     npm packages for types only
  */
 
-const phong = ['phong/material', 'phong/camera', 'phong/light', 'phong/fields', 'phong/math'];
+const phong = [
+  'phong/mistakes',
+  'phong/material',
+  'phong/camera',
+  'phong/light',
+  'phong/fields',
+  'phong/math',
+];
 const viewer = ['viewer/element', 'viewer/scene', 'viewer/model', ...phong];
 
 /** @type {Record<string, Partial<Layer>>} */
@@ -22,6 +29,7 @@ export const layers = {
   'phong/fields': { layers: ['phong/math'] },
   'phong/light': { layers: ['phong/fields', 'phong/math'] },
   'phong/reference': { layers: ['phong/light', 'phong/fields', 'phong/math'] },
+  'phong/mistakes': { layers: ['phong/light', 'phong/math'] },
   'phong/camera': { layers: ['phong/math'] },
   'phong/material': {
     layers: ['phong/light', 'phong/fields', 'phong/math', 'shaders'],

@@ -1,0 +1,361 @@
+// The usual mistakes in Phong's equation, one entry each: the steps that are written wrongly, in
+// the forms in which people make them, and the sentence that says what is wrong. A sentence fits all
+// forms of its mistake: up or down, one factor or all.
+import { radians } from '../math/angle.js';
+import {
+  add,
+  dot,
+  multiply,
+  negate,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../math/vector.js';
+import {
+  angleOf,
+  evaluate,
+  falloff,
+  type Given,
+  isPositional,
+  type LightTerms,
+  NoH,
+  placeOf,
+  power,
+  RIGHT,
+  RoV,
+  type Steps,
+  type Values,
+} from './steps.js';
+
+/** Steps in place of the right ones. */
+export type Form = Partial<Steps>;
+
+export interface Mistake {
+  /** A key of `texts`. */
+  readonly sentence: string;
+  readonly forms: readonly Form[];
+}
+
+/** The attenuation with another sum in its denominator. */
+const attenuated = (
+  denominator: (so: Readonly<Values>, given: Given) => number,
+): Pick<Steps, 'att'> => ({
+  att: (so, given) => (isPositional(given) ? 1 / denominator(so, given) : 1),
+});
+
+/** The cone with another test of the angle, in radians. A light without a cone has none still. */
+const coned = (
+  isInside: (angle: number, aperture: number) => boolean,
+): Pick<Steps, 'isInside'> => ({
+  isInside: (so, { light }) =>
+    light.aperture >= 180 || dot(so.A, so.A) === 0 || isInside(angleOf(so), light.aperture),
+});
+
+const plus = (k: Vec3, i: Vec3): Vec3 => add(k, i);
+
+const ambientPlus: Form = { ambient: (_, { material, light }) => plus(material.ka, light.ambient) };
+const diffusePlus: Form = {
+  diffuse: ({ att, lambert }, { material, light }) =>
+    scale(plus(material.kd, light.diffuse), att * lambert),
+};
+const specularPlus: Form = {
+  specular: ({ att, spec }, { material, light }) =>
+    scale(plus(material.ks, light.specular), att * spec),
+};
+
+/** All terms times a number. */
+const scaled = (full: number): Form => ({ full: () => full });
+
+/** One term times a number. */
+const termScaled = (term: 'ambient' | 'diffuse' | 'specular', by: number): Form => ({
+  [term]: (so: Readonly<Values>, given: Given) => scale(RIGHT[term](so, given), by),
+});
+
+export const MISTAKES = {
+  'no-clamp': {
+    sentence: 'N·L is not clamped at 0: negative light is subtracted on the far side.',
+    forms: [{ lambert: ({ NoL }) => NoL }],
+  },
+  'abs-for-max': {
+    sentence: 'abs(…) is not max(…, 0): the side away from the light is lit as well.',
+    forms: [
+      { lambert: ({ NoL }) => Math.abs(NoL) },
+      {
+        lambert: ({ NoL }) => Math.abs(NoL),
+        lobe: ({ cosine }, { material }) => power(Math.abs(cosine), material.shininess),
+      },
+      {
+        lobe: ({ cosine }, { material }) => power(Math.abs(cosine), material.shininess),
+      },
+      { lambert: ({ NoL }) => Math.abs(NoL), spec: ({ lobe }) => lobe },
+    ],
+  },
+  'no-gate': {
+    sentence: 'The highlight does not ask whether N·L is above 0: it shows on the far side too.',
+    forms: [{ spec: ({ lobe }) => lobe }],
+  },
+  'half-lambert': {
+    sentence: 'N·L is moved from −1…1 to 0…1 (half Lambert) in place of max(N·L, 0).',
+    forms: [
+      { lambert: ({ NoL }) => 0.5 * NoL + 0.5 },
+      { lambert: ({ NoL }) => (0.5 * NoL + 0.5) ** 2 },
+    ],
+  },
+  'normal-not-unit': {
+    sentence: 'The normal is not normalized: an interpolated normal is shorter than 1.',
+    forms: [
+      { N: (_, { normal }) => normal },
+      { lambert: ({ L }, { normal }) => Math.max(dot(normal, L), 0) },
+      {
+        cosine: ({ L, V }, { normal, reflection }) =>
+          reflection === 'phong'
+            ? dot(subtract(scale(normal, 2 * dot(normal, L)), L), V)
+            : dot(normal, normalize(add(L, V))),
+      },
+    ],
+  },
+  'light-not-unit': {
+    sentence: 'L is not normalized: its length counts in the cosine.',
+    forms: [
+      { L: ({ toLight }) => toLight },
+      { lambert: ({ N, toLight }) => Math.max(dot(N, toLight), 0) },
+      {
+        cosine: ({ N, V, toLight }, { reflection }) =>
+          reflection === 'phong'
+            ? dot(subtract(scale(N, 2 * dot(N, toLight)), toLight), V)
+            : dot(N, normalize(add(toLight, V))),
+      },
+      { c: ({ toLight, A }) => dot(toLight, negate(A)) },
+    ],
+  },
+  'view-not-unit': {
+    sentence: 'V is not normalized: the distance of the eye counts in the highlight.',
+    forms: [{ V: (_, { eye, p }) => subtract(eye, p) }],
+  },
+  'axis-not-unit': {
+    sentence: "The spot's axis is not normalized: its length counts in the cosine.",
+    forms: [
+      { c: ({ L }, { light }) => dot(L, negate(light.axis)) },
+      {
+        c: ({ L }, { light }) => dot(L, negate(light.axis)),
+        isInside: (so, { light }) =>
+          light.aperture >= 180 ||
+          dot(so.A, so.A) === 0 ||
+          dot(so.L, negate(light.axis)) >= Math.cos(radians(light.aperture)),
+      },
+      {
+        isInside: (so, { light }) =>
+          light.aperture >= 180 ||
+          dot(so.A, so.A) === 0 ||
+          dot(so.L, negate(light.axis)) >= Math.cos(radians(light.aperture)),
+      },
+    ],
+  },
+  'light-reversed': {
+    sentence: 'L, or the axis, points the wrong way: L goes from the point to the light.',
+    forms: [
+      { L: (so, given) => negate(RIGHT.L(so, given)) },
+      { lambert: ({ NoL }) => Math.max(-NoL, 0) },
+      { lambert: ({ NoL }) => Math.max(-NoL, 0), spec: ({ NoL, lobe }) => (NoL < 0 ? lobe : 0) },
+      { A: (so, given) => negate(RIGHT.A(so, given)) },
+    ],
+  },
+  'view-reversed': {
+    sentence:
+      'V or R points the wrong way: the highlight is on the opposite side. reflect() takes −L.',
+    forms: [{ cosine: (so, given) => RIGHT.cosine({ ...so, V: negate(so.V) }, given) }],
+  },
+  'eye-at-origin': {
+    sentence: 'V points to the origin, as if the eye were there: V = eye − p.',
+    forms: [{ V: (_, { p }) => normalize(negate(p)) }],
+  },
+  'blinn-for-phong': {
+    sentence: 'The highlight is N·H (Blinn–Phong) where R·V (Phong) is asked for.',
+    forms: [{ cosine: NoH }],
+  },
+  'phong-for-blinn': {
+    sentence: 'The highlight is R·V (Phong) where N·H (Blinn–Phong) is asked for.',
+    forms: [{ cosine: RoV }],
+  },
+  'times-for-power': {
+    sentence: 'The exponent is multiplied by: it is a power, not a factor.',
+    forms: [
+      { lobe: ({ cosine }, { material }) => Math.max(cosine, 0) * material.shininess },
+      { lobe: ({ cosine }) => Math.max(cosine, 0) },
+    ],
+  },
+  'exponent-on-diffuse': {
+    sentence: 'The diffuse term is raised to the exponent: only the highlight has one.',
+    forms: [{ lambert: ({ NoL }, { material }) => power(NoL, material.shininess) }],
+  },
+  'specular-times-cosine': {
+    sentence: 'The highlight is multiplied by N·L: only the diffuse term is.',
+    forms: [{ spec: ({ NoL, lobe }) => (NoL > 0 ? lobe * NoL : 0) }],
+  },
+  'ambient-attenuated': {
+    sentence:
+      'The attenuation is applied to the ambient term too: it belongs to diffuse and specular.',
+    forms: [
+      {
+        ambient: ({ att }, { material, light }) => scale(multiply(material.ka, light.ambient), att),
+      },
+    ],
+  },
+  'no-ambient': {
+    sentence: 'The ambient term is missing: Ka · Ia.',
+    forms: [{ ambient: () => [0, 0, 0] }],
+  },
+  'no-attenuation': {
+    sentence: 'The attenuation is missing: 1 / max(kc + kl·d + kq·d², 1) for a light at a place.',
+    forms: [
+      { att: () => 1 },
+      {
+        diffuse: ({ lambert }, { material, light }) =>
+          scale(multiply(material.kd, light.diffuse), lambert),
+      },
+      {
+        specular: ({ spec }, { material, light }) =>
+          scale(multiply(material.ks, light.specular), spec),
+      },
+    ],
+  },
+  'distance-not-squared': {
+    sentence: 'kq is not multiplied by the square of the distance.',
+    forms: [
+      attenuated(({ d }, { light: { attenuation: k } }) => Math.max(k[0] + k[1] * d + k[2] * d, 1)),
+      attenuated(({ d }, { light: { attenuation: k } }) => k[0] + k[1] * d + k[2] * d),
+    ],
+  },
+  'attenuation-not-clamped': {
+    sentence: 'The attenuation may be above 1: its denominator lacks max(…, 1).',
+    forms: [attenuated(falloff)],
+  },
+  'w-ignored': {
+    sentence: 'position.w is ignored: 0 is a direction, 1 is a place.',
+    forms: [
+      // Every position is a place,
+      {
+        toLight: (_, given) => subtract(placeOf(given), given.p),
+        att: (so, given) => 1 / Math.max(falloff(so, given), 1),
+      },
+      { toLight: (_, given) => subtract(placeOf(given), given.p) },
+      // or a direction,
+      { toLight: (_, given) => placeOf(given), att: () => 1 },
+      { L: (_, given) => normalize(placeOf(given)) },
+      { toLight: (_, given) => placeOf(given) },
+      // or the attenuation does not ask for it.
+      {
+        att: (so, given) => 1 / Math.max(falloff({ ...so, d: lengthTo(given) }, given), 1),
+      },
+    ],
+  },
+  'aperture-in-radians': {
+    sentence: 'The aperture is used as radians: it is in degrees.',
+    forms: [
+      coned((angle, aperture) => Math.cos(angle) >= Math.cos(aperture)),
+      coned((angle, aperture) => angle <= aperture),
+    ],
+  },
+  'whole-aperture': {
+    sentence:
+      'The aperture is taken for the whole angle of the cone, or doubled: it is the angle from the axis to the edge.',
+    forms: [
+      coned((angle, aperture) => angle <= radians(aperture) / 2),
+      coned((angle, aperture) => angle <= 2 * radians(aperture)),
+    ],
+  },
+  'no-cone': {
+    sentence: 'The cone is missing: outside of it the light adds nothing.',
+    forms: [{ isInside: () => true }],
+  },
+  'ambient-outside-cone': {
+    sentence: 'The ambient term is added outside the cone: there the light adds nothing at all.',
+    forms: [
+      {
+        shares: ({ isInside, decay }) => {
+          const share = isInside ? decay : 0;
+          return { ambient: decay, diffuse: share, specular: share };
+        },
+      },
+      {
+        shares: ({ isInside, decay }) => {
+          const share = isInside ? decay : 0;
+          return { ambient: 1, diffuse: share, specular: share };
+        },
+      },
+      {
+        shares: ({ isInside, decay }) => {
+          const share = isInside ? decay : 0;
+          return { ambient: isInside ? decay : 1, diffuse: share, specular: share };
+        },
+      },
+    ],
+  },
+  'cutoff-not-shifted': {
+    sentence: 'The decay is c raised to the cutoff: it is (c + 1) / 2 that is raised.',
+    forms: [{ decay: ({ c, A }, { light }) => (dot(A, A) > 0 ? power(c, light.cutoff) : 1) }],
+  },
+  'no-decay': {
+    sentence: 'The decay away from the axis is missing, or not applied to every term.',
+    forms: [
+      { decay: () => 1 },
+      {
+        shares: ({ isInside, decay }) => {
+          const share = isInside ? decay : 0;
+          return { ambient: isInside ? 1 : 0, diffuse: share, specular: share };
+        },
+      },
+      {
+        shares: ({ isInside, decay }) => {
+          const share = isInside ? decay : 0;
+          return { ambient: share, diffuse: share, specular: isInside ? 1 : 0 };
+        },
+      },
+    ],
+  },
+  'colours-added': {
+    sentence: 'Material and light are added: their colours are multiplied.',
+    forms: [
+      { ...ambientPlus, ...diffusePlus, ...specularPlus },
+      ambientPlus,
+      diffusePlus,
+      specularPlus,
+      { ...diffusePlus, ...specularPlus },
+    ],
+  },
+  'scale-255': {
+    sentence: 'A colour is multiplied or divided by 255: here 1 is full.',
+    forms: [
+      scaled(255),
+      scaled(1 / 255),
+      scaled(1 / 255 ** 2),
+      termScaled('ambient', 255),
+      termScaled('ambient', 1 / 255),
+      termScaled('diffuse', 255),
+      termScaled('diffuse', 1 / 255),
+      termScaled('specular', 255),
+      termScaled('specular', 1 / 255),
+    ],
+  },
+} as const satisfies Readonly<Record<string, Mistake>>;
+
+export type MistakeId = keyof typeof MISTAKES;
+
+/** In the order of the table. */
+export const MISTAKE_IDS = Object.keys(MISTAKES) as readonly MistakeId[];
+
+const lengthTo = (given: Given): number => {
+  const [x, y, z] = subtract(placeOf(given), given.p);
+  return Math.hypot(x, y, z);
+};
+
+/** What a function with this mistake gives, in each of its forms. */
+export const wrongTerms = (id: MistakeId, given: Given): LightTerms[] =>
+  formsOf(id).map((form) => evaluate(given, form));
+
+export const formsOf = (id: MistakeId): readonly Form[] => MISTAKES[id].forms;
+
+/** Two mistakes in one function; undefined where both replace the same step. */
+export const both = (a: Form, b: Form): Form | undefined =>
+  Object.keys(a).some((step) => step in b) ? undefined : { ...a, ...b };

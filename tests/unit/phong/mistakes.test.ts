@@ -1,0 +1,149 @@
+// Is the equation in steps the reference's, and does each usual mistake show?
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { LightState } from '../../../src/phong/light/light-state.js';
+import type { Vec3 } from '../../../src/phong/math/vector.js';
+import { both, formsOf, MISTAKE_IDS, MISTAKES } from '../../../src/phong/mistakes/mistakes.js';
+import { evaluate, type Given, sumOfTerms } from '../../../src/phong/mistakes/steps.js';
+import { shade } from '../../../src/phong/reference/equation.js';
+
+const TERMS = ['ambient', 'diffuse', 'specular'] as const;
+
+const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
+const vector = (size: number): fc.Arbitrary<Vec3> =>
+  fc.tuple(number(-size, size), number(-size, size), number(-size, size));
+const color = fc.tuple(number(0, 1), number(0, 1), number(0, 1));
+
+const given: fc.Arbitrary<Given> = fc.record({
+  light: fc.record({
+    ambient: color,
+    diffuse: color,
+    specular: color,
+    position: fc.tuple(number(-3, 3), number(-3, 3), number(-3, 3), fc.constantFrom(0, 1)),
+    axis: fc.oneof(vector(3), fc.constant<Vec3>([0, 0, 0])),
+    aperture: fc.oneof(number(1, 179), fc.constant(180)),
+    // The steps are written as people write them: behind a spot (c + 1) / 2 cancels digits, and an
+    // exponent below 1 would bring the loss back.
+    cutoff: fc.oneof(number(1, 40), fc.constant(0)),
+    attenuation: fc.tuple(number(0, 2), number(0, 1), number(0, 1)),
+  }),
+  material: fc.record({ ka: color, kd: color, ks: color, shininess: number(1, 256) }),
+  p: vector(2),
+  normal: vector(1),
+  eye: vector(6),
+  reflection: fc.constantFrom('phong', 'blinn-phong'),
+  terms: fc.subarray([...TERMS]),
+});
+
+/** The reference takes colours as HTML writes them. */
+const html = (c: Vec3): Vec3 => [c[0] * 255, c[1] * 255, c[2] * 255];
+
+function byReference({ light, material, terms, reflection, ...fragment }: Given) {
+  const { ambient, diffuse, specular } = light;
+  const values = new LightState({
+    ...light,
+    ambient: html(ambient),
+    diffuse: html(diffuse),
+    specular: html(specular),
+  }).values;
+  const surface = {
+    ka: html(material.ka),
+    kd: html(material.kd),
+    ks: html(material.ks),
+    shininess: material.shininess,
+  };
+  return shade(fragment, surface, [values], { terms, reflection }).shares[0]!;
+}
+
+it('the equation in steps is the reference, term by term', () => {
+  fc.assert(
+    fc.property(given, (at) => {
+      const found = evaluate(at);
+      const expected = byReference(at);
+      for (const term of TERMS) {
+        for (const channel of [0, 1, 2] as const) {
+          expect(Math.abs(found[term][channel] - expected[term][channel])).toBeLessThan(1e-10);
+        }
+      }
+    }),
+    { numRuns: 2000 },
+  );
+});
+
+/** A lamp with all that a lamp may have, near a point that its cone, its decay and its distance touch. */
+const WITH_ALL: Given = {
+  light: {
+    ambient: [0.2, 0.3, 0.1],
+    diffuse: [0.9, 0.8, 0.7],
+    specular: [0.6, 0.7, 0.8],
+    position: [0.3, 1.2, 0.8, 1],
+    axis: [0, -3, -1.6],
+    aperture: 25,
+    cutoff: 6,
+    attenuation: [0.4, 0.3, 0.5],
+  },
+  material: { ka: [0.5, 0.6, 0.7], kd: [0.8, 0.6, 0.4], ks: [0.5, 0.5, 0.5], shininess: 8 },
+  p: [0.1, 0.2, 0.1],
+  normal: [0.1, 0.45, 0.2],
+  eye: [1, 2, 2.5],
+  reflection: 'phong',
+  terms: TERMS,
+};
+
+/** Where a mistake cannot show at the point above. */
+const ELSEWHERE: Readonly<Record<string, Partial<Given>>> = {
+  'no-clamp': { normal: [0, -1, 0] },
+  'abs-for-max': { normal: [0, -1, 0] },
+  'no-gate': {
+    normal: [0.1, -0.5, -0.3],
+    eye: [-0.3, 3, 2],
+    light: { ...WITH_ALL.light, position: [0.2, 1.2, 0.8, 0], aperture: 180, cutoff: 0 },
+    material: { ...WITH_ALL.material, shininess: 1 },
+  },
+  'phong-for-blinn': { reflection: 'blinn-phong' },
+  'specular-times-cosine': {
+    normal: [0.1, 0.9, 1.7],
+    material: { ...WITH_ALL.material, shininess: 1 },
+  },
+  'w-ignored': {
+    light: { ...WITH_ALL.light, position: [0.3, 1.2, 0.8, 0], aperture: 180, cutoff: 0 },
+  },
+  'attenuation-not-clamped': {
+    light: { ...WITH_ALL.light, attenuation: [0.4, 0.1, 0.1] },
+  },
+  'whole-aperture': { p: [0.55, 0.2, 0.1] },
+  'no-cone': { p: [1, 0.2, 0.1] },
+  'ambient-outside-cone': { p: [1, 0.2, 0.1] },
+  'aperture-in-radians': {
+    p: [0.55, 0.2, 0.1],
+    light: { ...WITH_ALL.light, aperture: 25 },
+  },
+};
+
+describe('each mistake', () => {
+  it.each(MISTAKE_IDS)('%s changes the colour in its first form, by more than a step', (id) => {
+    const at = { ...WITH_ALL, ...ELSEWHERE[id] };
+    const right = sumOfTerms(evaluate(at));
+    const wrong = sumOfTerms(evaluate(at, formsOf(id)[0]));
+    const difference = Math.max(...right.map((x, i) => Math.abs(x - wrong[i]!)));
+    expect(difference).toBeGreaterThan(1 / 255);
+  });
+
+  it('has a sentence of its own', () => {
+    const sentences = MISTAKE_IDS.map((id) => MISTAKES[id].sentence);
+    expect(new Set(sentences).size).toBe(sentences.length);
+    for (const sentence of sentences) expect(sentence).toMatch(/^[A-Zakp].*\.$/);
+  });
+
+  it('two of them are one function where they replace different steps', () => {
+    const [clamp] = formsOf('no-clamp');
+    const [ambient] = formsOf('no-ambient');
+    const together = both(clamp!, ambient!)!;
+    const at: Given = { ...WITH_ALL, normal: [0, -1, 0] };
+    expect(evaluate(at, together)).toEqual({
+      ...evaluate(at, clamp),
+      ambient: [0, 0, 0],
+    });
+    expect(both(clamp!, formsOf('abs-for-max')[0]!)).toBeUndefined();
+  });
+});
