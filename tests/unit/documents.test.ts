@@ -2,7 +2,7 @@
 // attribute, and the README stays short.
 
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
@@ -99,6 +99,27 @@ describe('the documents', () => {
     expect(linksOf(path).filter(isBroken)).toEqual([]);
   });
 
+  // For contributors: they name files relative to themselves, to src/ or to the repository.
+  const guides = documents.filter((path) => /^(src\/.*|tests\/|\.ci\/)README\.md$/.test(path));
+
+  it.each(guides)('%s names files and folders that exist', (path) => {
+    const named = codeIn(read(path).replaceAll(/^```[^]*?^```/gm, ''))
+      .filter((text) => /^[\w.-]*[\w-](\/[\w.-]+)*(\/|\.(ts|mjs|js|css|json|glsl))$/.test(text))
+      .filter((text) => !/^(dist|site)\//.test(text));
+    const from = [dirname(path), 'src', '.'].map((folder) => join(repository, folder));
+    expect(named.filter((name) => !from.some((at) => existsSync(join(at, name))))).toEqual([]);
+  });
+
+  it('introduce each folder of src, and each extra, in 10 to 30 lines', () => {
+    const extras = readdirSync(join(repository, 'src/extras'), { withFileTypes: true })
+      .filter((entry) => entry.isDirectory())
+      .map(({ name }) => `extras/${name}`);
+    for (const folder of ['phong', 'viewer', 'extras', ...extras]) {
+      const lines = read(`src/${folder}/README.md`).split('\n').length;
+      expect([folder, lines >= 10 && lines <= 30]).toEqual([folder, true]);
+    }
+  });
+
   it('list every decision', () => {
     const listed = read('src/decisions/README.md');
     for (const path of decisions.filter((name) => !name.endsWith('README.md'))) {
@@ -108,7 +129,7 @@ describe('the documents', () => {
 
   it.each([
     ['README.md', 1200],
-    ['src/README.md', 2510],
+    ['src/README.md', 2150],
     ['src/MODELS.md', 1650],
     ['src/SEEING.md', 2040],
     ['src/API.md', 1610],
