@@ -1,5 +1,5 @@
-// Bytes out of base64, data: URIs and UTF-16, in slices and mostly in place: large files are never
-// strings.
+// Bytes out of base64, data: URIs and UTF-16. In slices and mostly in place: files of hundreds of
+// megabytes are never strings.
 import { ModelError } from '../../viewer/model/model.js';
 import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';

@@ -370,7 +370,10 @@ function updateWidthsAndPrint(gui: GUI, texts: ViewerTexts | null): void {
   }
 }
 
-/** Whether text stands beside `element` in its line, up to a line break or a block. */
+/**
+ * Whether text stands beside `element` in its line: in a neighbour, or around an inline parent, up
+ * to a line break or a block.
+ */
 function isInText(element: Element): boolean {
   for (const side of ['previousSibling', 'nextSibling'] as const) {
     for (let node = element[side]; node !== null; node = node[side]) {

@@ -1,4 +1,5 @@
-// The panel's row of files: opens a model, saves the picture, copies the markup.
+// The panel's row of files: opens a model, saves the picture, copies the markup. Works under a
+// strict Content-Security-Policy.
 import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../../viewer/element/fields/texts.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
@@ -64,7 +65,10 @@ function addCopyButton(row: ButtonRow, markup: () => string): void {
   };
 }
 
-/** Opens the browser's file dialog; several files are one model, as when they are dropped. */
+/**
+ * Opens the browser's file dialog; several files are one model, as when they are dropped. Calls
+ * `chosen` with the model. Nothing is called if the user cancels.
+ */
 export function chooseModel(chosen: (model: Blob) => void): void {
   const dialog = document.createElement('input');
   dialog.type = 'file';

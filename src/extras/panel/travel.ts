@@ -109,6 +109,7 @@ export function numberText(value: number, span = 0): string {
 /** In radii of the scene, because lights are placed around a scene as well as inside it. */
 const REACH = 3;
 
+/** In scene units, where the scene has no size. */
 const EMPTY_REACH = 5;
 
 /**

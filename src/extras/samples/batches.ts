@@ -135,8 +135,9 @@ export class Batches {
 
 /**
  * A message instead of a timer: browsers call nested timers no sooner than after 4 ms
- * (https://html.spec.whatwg.org/multipage/timers-and-user-prompts.html). `Slices.pause` does the
- * same; a file for both would be a request of its own.
+ * (https://html.spec.whatwg.org/multipage/timers-and-user-prompts.html). The port is closed because
+ * an open one is never collected. `Slices.pause` does the same; a file for both would be a request
+ * of its own.
  */
 function inNextTask(work: () => void): void {
   const { port1, port2 } = new MessageChannel();

@@ -83,6 +83,10 @@ export function zoomBy(start: Pose, factor: number, limits: RadiusLimits): Pose 
  */
 const LINE_PIXELS = 16;
 
+/**
+ * Change of the radius's logarithm for each CSS pixel of the wheel; factor of the radius, and
+ * degrees of a turn, for each press of a key.
+ */
 const WHEEL_RATE = 0.001;
 const KEY_ZOOM = 1.1;
 const KEY_DEGREES = 5;

@@ -25,7 +25,9 @@ export interface DepthRange {
  * view.
  */
 const MARGIN = 1.05;
+/** Radius, in scene units, where there is nothing to fit to. */
 const EMPTY_RADIUS = 4;
+/** How many times nearer or farther than `auto` the user can zoom. */
 const ZOOM_REACH = 1e3;
 
 /**

@@ -17,6 +17,7 @@ export interface OrbitInputHost extends GestureHost {
   held?(dragging: boolean): void;
 }
 
+/** Buttons of pointer events, as `button` has them. */
 const PRIMARY = 0;
 const SECONDARY = 2;
 

@@ -1,4 +1,5 @@
-// A list of listeners. They live as long as the signal, so there is no way to unsubscribe.
+// A list of listeners. Parts of one thing use it and live equally long, so there is no way to stop
+// listening.
 
 export class Signal<T = void> {
   readonly #listeners: ((value: T) => void)[] = [];

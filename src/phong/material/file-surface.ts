@@ -1,6 +1,6 @@
 // What a model's file may say about a surface besides Ka, Kd, Ks and the exponent, and how that
-// enters the equation, as file_surface.glsl computes it per fragment: roughness makes an exponent,
-// metalness moves the base colour to Ks.
+// enters the equation. Roughness becomes an exponent, metalness moves the base colour from Kd to
+// Ks. The shader's file_surface.glsl computes the same per fragment.
 import type { Texture } from 'three';
 import { isBlack } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';

@@ -55,6 +55,7 @@ export class DecoderThread<Job, Result> {
   }
 
   /**
+   * @param job is copied for the worker.
    * @throws what the decoder throws, by message and name, or the signal's reason after an abort.
    */
   decode(job: Job, signal: AbortSignal): Promise<Result> {

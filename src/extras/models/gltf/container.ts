@@ -22,6 +22,10 @@ export interface Container {
   readonly body: Uint8Array<ArrayBuffer> | null;
 }
 
+/**
+ * Words of a GLB file (glTF 2.0, GLB File Format Specification): `glTF`, `JSON` and `BIN`; and
+ * bytes of the headers of the file and of a chunk.
+ */
 const MAGIC = 0x46546c67;
 const CHUNK_JSON = 0x4e4f534a;
 const CHUNK_BIN = 0x004e4942;

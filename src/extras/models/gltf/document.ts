@@ -1,5 +1,6 @@
-// Reduces a glTF document to what is shown, and checks all indices and sizes for the parser. Knows
-// the JSON only.
+// Reduces a glTF document to what is shown: the nodes and meshes of its scene, with materials,
+// textures, skins and animations. Everything else is removed before anything is loaded. Every index
+// and size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../phong/fields/clip.js';
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { DRACO_LIMIT } from '../../../viewer/model/limits.js';

@@ -1,5 +1,5 @@
-// The motion of a glTF model: float64 keyframes set nodes, nodes move parts and joints, joints
-// deform geometries.
+// The motion of a glTF model. Keyframes, evaluated in float64, set its nodes, its nodes move parts
+// and joints, and joints and weights deform geometries.
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import type { ContentPart, Motion } from '../../../viewer/model/model.js';
 import { clip, listed } from '../../../phong/fields/clip.js';

@@ -1,5 +1,5 @@
-// All that the views differ in: what their pixels show, which lights have a part in them, and what
-// their legends say.
+// Everything that the views differ in: what their pixels show, which lights have a part in them,
+// and what their legends say. A view of `VIEWS` without an entry does not compile.
 import quantityText from '../../../../shaders/view_quantity.glsl?raw';
 import trianglesText from '../../../../shaders/view_triangles.glsl?raw';
 import type { Term } from '../../light/light-state.js';

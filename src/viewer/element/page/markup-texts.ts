@@ -6,6 +6,7 @@ import known from '../fields/texts.json';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import { declareTexts, TEXT_SCRIPTS } from './page-texts.js';
 
+/** Most unknown keys that a warning names. */
 const NAMED = 5;
 
 const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);

@@ -134,8 +134,9 @@ const KNOT_CENTER = 0.1588989;
 const AHEAD = 0.01;
 
 /**
- * The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box. At
- * least 32 rows.
+ * The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box.
+ * `rows` along the knot, at least 32; those around the tube grow with them, from 8 on. `out`: how
+ * far the vertices are outside the tube.
  */
 function torusKnot(rows: number, out: number): BufferGeometry {
   const columns = Math.max(8, Math.round(rows / 8));
