@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { field } from '../extras/panel/panel-rows.js';
 import { allReady, compare, expect, pixelAt, pixels, test } from '../support/test.js';
 
 const fixtures = fileURLToPath(new URL('../fixtures', import.meta.url));
@@ -141,4 +142,22 @@ test('the classic script imports nothing and is ASCII after its notice', () => {
   const code = text.slice(text.indexOf('*/'));
   expect(code).not.toMatch(/\bimport\s*\(|import\.meta|^\s*(import|export)\b/m);
   expect(/[\u0080-\uffff]/.exec(code)?.[0]).toBeUndefined();
+});
+
+// All code is there before the first picture, so the panel is built before `auto` has found a camera.
+test('the panel of a page opened from disk shows the camera of the first picture', async ({
+  page,
+}) => {
+  for (const shape of ['plane', 'teapot']) {
+    for (const gui of ['gui', 'gui="radius target"']) {
+      const mesh = `<phong-mesh geometry="${shape}" position="0 -0.5 0"></phong-mesh>`;
+      await page.goto(handout(`${classic}<phong-viewer ${sized} ${gui}>${mesh}</phong-viewer>`));
+      await allReady(page);
+      const viewer = page.locator('phong-viewer');
+      const { target, radius } = await viewer.evaluate(({ camera }: PhongViewer) => camera);
+      expect(target).toEqual([0, -0.5, 0]);
+      await expect(field(viewer, 'target y')).toHaveValue('-0.5');
+      expect(Number(await field(viewer, 'radius').inputValue())).toBeCloseTo(radius, 3);
+    }
+  }
 });

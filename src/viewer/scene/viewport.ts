@@ -29,8 +29,8 @@ export class ViewportSignals {
    * themselves.
    */
   readonly frameEnded = new Signal();
-  /** `auto` found another target or radius. Not for the first frame. */
-  readonly fitted = new Signal();
+  /** `auto` found another target or radius. True before the first frame: that is no move. */
+  readonly fitted = new Signal<boolean>();
   /** There is no WebGL 2. {@link contextRestored} follows if a later attempt succeeds. */
   readonly contextMissing = new Signal<Error>();
   readonly contextLost = new Signal();
@@ -77,8 +77,7 @@ export class Viewport {
       this.still.converging?.reset();
       this.animate();
     };
-    // The first fit is not a move.
-    this.picture = new Picture(lights, changed, () => this.#frames > 0 && signals.fitted.emit());
+    this.picture = new Picture(lights, changed, () => signals.fitted.emit(this.#frames === 0));
   }
 
   /** Device pixels, at most what the GPU can draw. */

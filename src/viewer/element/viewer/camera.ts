@@ -48,7 +48,8 @@ export class ViewerCamera implements ReactiveController {
       signals.orderNeeded.emit();
       return this.#frame(now);
     };
-    signals.fitted.listen(() => {
+    signals.fitted.listen((isFirst) => {
+      if (isFirst) return;
       signals.cameraMoved.emit({ source: 'auto', linked: false }); // in the frame that is being drawn
       this.link?.moved(this, 'auto');
     });

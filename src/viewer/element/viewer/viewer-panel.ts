@@ -25,6 +25,7 @@ export class ViewerPanel {
     signals.lightChanged.listen(() => this.changed('lights'));
     signals.meshesChanged.listen(() => this.changed('meshes'));
     signals.cameraMoved.listen(() => this.changed('camera'));
+    signals.fitted.listen(() => this.changed('camera'));
   }
 
   /**
