@@ -2,7 +2,7 @@
 // page's own frames never wait longer. The next batch follows at once: a small one ends long before
 // the next frame.
 import type { WebGLRenderer } from 'three';
-import { pixelOffset } from '../../phong/math/pixel-offsets.js';
+import { centredOffset } from '../../phong/math/pixel-offsets.js';
 import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
 import type { Picture } from '../../viewer/scene/picture.js';
 import type { SampleSum } from './sample-sum.js';
@@ -163,7 +163,7 @@ export function sendBatch(
 ): void {
   picture.make(size, samples); // another frame may have been drawn since
   batches.send(samples - sum.count, () => {
-    const { x, y } = pixelOffset(sum.count);
+    const { x, y } = centredOffset(sum.count, samples);
     sum.add(() => picture.draw(renderer, { ...tile, x: tile.x + x, y: tile.y + y }));
   });
 }

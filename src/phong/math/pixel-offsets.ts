@@ -22,6 +22,30 @@ export function pixelOffset(index: number): { readonly x: number; readonly y: nu
   };
 }
 
+/**
+ * The offset of sample `index` of `count`, moved so that their mean is the pixel's centre. Without
+ * that the first point alone is 0.31 pixels beside it, the mean of four 0.04. Some lie up to 0.03
+ * outside the pixel.
+ */
+export function centredOffset(
+  index: number,
+  count: number,
+): { readonly x: number; readonly y: number } {
+  if (mean.count !== count) {
+    mean = { count, x: 0, y: 0 };
+    for (let i = 0; i < count; i++) {
+      const { x, y } = pixelOffset(i);
+      mean.x += x / count;
+      mean.y += y / count;
+    }
+  }
+  const { x, y } = pixelOffset(index);
+  return { x: x - mean.x, y: y - mean.y };
+}
+
+/** Of the last number of samples that was asked for. */
+let mean = { count: 0, x: 0, y: 0 };
+
 /** Of 400 pairs tried, the one with the least error with 8, 16 and 64 samples. */
 const SCRAMBLE_X = 0x95188cc5;
 const SCRAMBLE_Y = 0xf12f9adc;

@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { describe, expect, it } from 'vitest';
-import { pixelOffset } from '../../../src/phong/math/pixel-offsets.js';
+import { centredOffset, pixelOffset } from '../../../src/phong/math/pixel-offsets.js';
 import { SampleSum } from '../../../src/extras/samples/sample-sum.js';
 
 describe('the offsets of samples', () => {
@@ -19,6 +19,18 @@ describe('the offsets of samples', () => {
         expect(boxes.size, `${2 ** a} columns`).toBe(2 ** k);
       }
     }
+  });
+
+  it("of any number of samples have the pixel's centre as their mean, and stay in the pixel", () => {
+    for (let count = 1; count <= 1024; count++) {
+      const points = Array.from({ length: count }, (_, i) => centredOffset(i, count));
+      for (const axis of ['x', 'y'] as const) {
+        const places = points.map((point) => point[axis]);
+        expect(Math.abs(places.reduce((sum, place) => sum + place, 0) / count)).toBeLessThan(1e-12);
+        expect(Math.max(...places.map(Math.abs)), `${count} samples`).toBeLessThan(0.526);
+      }
+    }
+    expect(centredOffset(0, 1)).toEqual({ x: 0, y: 0 });
   });
 });
 
