@@ -27,7 +27,12 @@ import {
 import type { OwnDrawn, SceneSnapshot } from '../../viewer/scene/scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
-import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
+import {
+  type RaySearch,
+  searchTriangles,
+  type TriangleHit,
+  type ViewRay,
+} from './ray-triangles.js';
 
 /** The point of a Phong-lit surface seen through a pixel. */
 export interface Hit<Owner = unknown> extends TriangleHit {
@@ -46,11 +51,11 @@ export interface Hit<Owner = unknown> extends TriangleHit {
  * nearer; lines, points and culled back faces are ignored. Of blended surfaces the nearest counts,
  * whatever its opacity.
  */
-export function pick<Owner>(
+export function* pick<Owner>(
   snapshot: SceneSnapshot<Owner>,
   column: number,
   row: number,
-): Hit<Owner> | null {
+): RaySearch<Hit<Owner> | null> {
   const { width, height, camera, frame } = snapshot;
   if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
   const { near, far, aspect } = camera;
@@ -70,21 +75,37 @@ export function pick<Owner>(
   // Of what a mask cuts out here, and may not cut out in the picture.
   let cutOut = Infinity;
   for (const drawn of snapshot.objects) {
-    if (drawn.phong !== null) {
-      for (const hit of phongHits(drawn, ray, camera, pixel)) {
-        if (hit.base.discarded) {
-          cutOut = hit.filtered ? Math.min(cutOut, hit.depth) : cutOut;
-        }
-        // As the depth test does: of two at the same depth the later one stays.
-        else if (hit.depth <= depth * (1 + COPLANAR)) {
-          ({ depth } = nearest = hit);
-        }
-      }
-    } else {
+    if (drawn.phong === null) {
       const foreign = foreignDepth(drawn.object, camera, ray);
       if (foreign < depth) {
         [nearest, depth] = [null, foreign];
       }
+      yield 0;
+      continue;
+    }
+    const { geometry, matrixWorld, phong } = drawn;
+    const culled = cullsBackFaces(phong.sides, geometry, matrixWorld, camera);
+    const hit = yield* searchSurface(drawn, ray, (hitDepth, front, read) => {
+      // As the depth test does: of two at the same depth the later one stays.
+      if ((culled && !front) || hitDepth > depth * (1 + COPLANAR)) return false;
+      if (isCutOut(drawn, read)) {
+        if (hitDepth < cutOut && isFiltered(phong, geometry, read(), pixel)) {
+          cutOut = hitDepth;
+        }
+        return false;
+      }
+      depth = hitDepth;
+      return true;
+    });
+    if (hit !== null) {
+      nearest = {
+        ...hit,
+        drawn,
+        base: baseColorAt(phong.look, geometry, hit, phong.linear),
+        filtered: isFiltered(phong, geometry, hit, pixel),
+        frame,
+        p: add(frame.eye, scale(directionOf(ray), hit.depth)),
+      };
     }
   }
   return nearest === null || cutOut > depth ? nearest : { ...nearest, filtered: true };
@@ -94,17 +115,23 @@ export function pick<Owner>(
  * Distance of the nearest surface of any mesh from a place along a unit vector in world space, or
  * Infinity.
  */
-export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3): number {
+export function* distanceAlong(
+  snapshot: SceneSnapshot,
+  from: Vec3,
+  along: Vec3,
+): RaySearch<number> {
   const ray = rayAlong(from, ORIGIN, along);
   let nearest = Infinity;
   for (const drawn of snapshot.objects) {
     if (drawn.phong === null) {
       nearest = Math.min(nearest, foreignDepth(drawn.object, snapshot.camera, ray));
+      yield 0;
     } else {
-      forEachSurface(drawn, ray, ({ depth }, { discarded }) => {
-        if (!discarded) {
-          nearest = Math.min(nearest, depth);
+      yield* searchSurface(drawn, ray, (depth, _, read) => {
+        if (depth < nearest && !isCutOut(drawn, read)) {
+          nearest = depth;
         }
+        return false;
       });
     }
   }
@@ -115,24 +142,29 @@ export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3):
  * Of all surfaces on the line from the eye through a point, drawn or not, the nearest to it; null
  * if none is near.
  */
-export function pickNear<Owner>(
+export function* pickNear<Owner>(
   { frame, objects }: SceneSnapshot<Owner>,
   point: Vec3,
-): Hit<Owner> | null {
+): RaySearch<Hit<Owner> | null> {
   const place = subtract(point, frame.origin);
   const toPoint = subtract(place, frame.eye);
   const along = normalize(toPoint);
+  const ray = rayAlong(frame.origin, frame.eye, along);
+  const placeAt = (depth: number): Vec3 => add(frame.eye, scale(along, depth));
   let nearest: Hit<Owner> | null = null;
   let distance = NEAR * length(toPoint);
   for (const drawn of objects) {
-    if (drawn.phong !== null) {
-      forEachSurface(drawn, rayAlong(frame.origin, frame.eye, along), (hit, base) => {
-        const p = add(frame.eye, scale(along, hit.depth));
-        const away = length(subtract(p, place));
-        if (base.discarded || away > distance) return;
-        nearest = { ...hit, drawn, base, filtered: false, frame, p };
-        distance = away;
-      });
+    if (drawn.phong === null) continue;
+    const { geometry, phong } = drawn;
+    const hit = yield* searchSurface(drawn, ray, (depth, _, read) => {
+      const away = length(subtract(placeAt(depth), place));
+      if (away > distance || isCutOut(drawn, read)) return false;
+      distance = away;
+      return true;
+    });
+    if (hit !== null) {
+      const base = baseColorAt(phong.look, geometry, hit, phong.linear);
+      nearest = { ...hit, drawn, base, filtered: false, frame, p: placeAt(hit.depth) };
     }
   }
   return nearest;
@@ -152,40 +184,23 @@ const ORIGIN: Vec3 = [0, 0, 0];
 /** Relative. Faces in one plane differ in depth by a few roundings of float64, 1e-16 each. */
 const COPLANAR = 1e-12;
 
-function phongHits<Owner>(
-  drawn: OwnDrawn<Owner>,
-  ray: ViewRay,
-  camera: PerspectiveCamera,
-  pixel: PixelSlopes,
-): Hit<Owner>[] {
-  const { geometry, matrixWorld, phong } = drawn;
-  const culled = cullsBackFaces(phong.sides, geometry, matrixWorld, camera);
-  const hits: Hit<Owner>[] = [];
-  forEachSurface(drawn, ray, (hit, base) => {
-    if (culled && !hit.front) return;
-    const filtered = isFiltered(phong, geometry, hit, pixel);
-    const p = add(ray.frame.eye, scale(directionOf(ray), hit.depth));
-    hits.push({ ...hit, drawn, base, filtered, frame: ray.frame, p });
-  });
-  return hits;
-}
-
 /** All of an object, what its texture cuts out included, from either side. */
-function forEachSurface(
-  { geometry, matrixWorld, phong }: OwnDrawn,
+function searchSurface(
+  { geometry, matrixWorld }: OwnDrawn,
   ray: ViewRay,
-  visit: (hit: TriangleHit, base: BaseColor) => void,
-): void {
+  keeps: Parameters<typeof searchTriangles>[4],
+): RaySearch<TriangleHit | null> {
   const { index, drawRange } = geometry;
   const count = (index ?? geometry.getAttribute('position')).count;
   const range = [
     Math.max(drawRange.start, 0),
     Math.min(drawRange.start + drawRange.count, count),
   ] as const;
-  forEachHit(ray, geometry, matrixWorld, range, (hit) =>
-    visit(hit, baseColorAt(phong.look, geometry, hit, phong.linear)),
-  );
+  return searchTriangles(ray, geometry, matrixWorld, range, keeps);
 }
+
+const isCutOut = ({ geometry, phong: { look, linear } }: OwnDrawn, read: () => TriangleHit) =>
+  look.alphaMode === 'mask' && baseColorAt(look, geometry, read(), linear).discarded;
 
 const directionOf = ({ frame: { right, up, back }, slopeX, slopeY }: ViewRay): Vec3 =>
   subtract(add(scale(right, slopeX), scale(up, slopeY)), back);

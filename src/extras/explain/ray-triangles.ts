@@ -4,9 +4,9 @@
 // inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
-import { dot, scale, type Vec3 } from '../../phong/math/vector.js';
+import { scale, type Vec3 } from '../../phong/math/vector.js';
 import { writeModelViewProjection } from '../../viewer/scene/frustum-clip.js';
-import { type BoxList, queryBvh } from '../../viewer/scene/triangle-bvh.js';
+import { type BoxList, bvhInSteps, walkBvh } from '../../viewer/scene/triangle-bvh.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {
@@ -39,17 +39,34 @@ export interface TriangleHit {
 /** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
 type MatrixRow = readonly [number, number, number, number];
 
+/** A search by rays. Yields, after each step, how many triangles it has tested in it. */
+export type RaySearch<Answer> = Generator<number, Answer>;
+
+/** Triangles in a step: about a millisecond. */
+const STEP = 2 ** 14;
+
 /**
- * Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in
- * drawing order.
+ * A hit counts as so many triangles more, and as so many again if it is read: a miss takes 60 ns, a
+ * hit 160, and reading one 250, or more with a texture.
  */
-export function forEachHit(
+const HIT = 2;
+const READ = 16;
+
+/** The numbers of a hit: first corner, vertices, weights, depth, front, and nine of its corners. */
+type HitNumbers = Float64Array;
+
+/**
+ * Tests the triangles whose corners are `first` to `end` (excluded) in drawing order, and returns
+ * the last hit that `keeps` has kept. Millions can lie on one ray: only that hit and those that
+ * `keeps` reads become objects.
+ */
+export function* searchTriangles(
   ray: ViewRay,
   geometry: BufferGeometry,
   matrixWorld: Matrix4,
   [first, end]: readonly [first: number, end: number],
-  visit: (hit: TriangleHit) => void,
-): void {
+  keeps: (depth: number, front: boolean, read: () => TriangleHit) => boolean,
+): RaySearch<TriangleHit | null> {
   const { index } = geometry;
   const position = geometry.getAttribute('position');
   const [rowX, rowY, rowDepth] = rowsOf(ray, matrixWorld);
@@ -57,7 +74,17 @@ export function forEachHit(
     row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
   // As three.js does: a mirroring matrix swaps front and back.
   const mirrored = matrixWorld.determinant() < 0;
-  const test = (from: number, to: number): void => {
+  let here: HitNumbers = new Float64Array(18);
+  let kept: HitNumbers = new Float64Array(18);
+  let found = false as boolean;
+  let tested = 0;
+  const read = (): TriangleHit => {
+    tested += READ;
+    return hitOf(here);
+  };
+  /** True ends a step. */
+  const test = (from: number, to: number): boolean => {
+    tested += (to - from) / 3;
     for (let corner = from; corner + 2 < to; corner += 3) {
       const a = index === null ? corner : index.getX(corner);
       const b = index === null ? corner + 1 : index.getX(corner + 1);
@@ -71,29 +98,78 @@ export function forEachHit(
       const cy = along(rowY, c);
       // Needed besides the areas below, which can underflow to 0 for a triangle seen edge-on.
       if ((ay > 0 && by > 0 && cy > 0) || (ay < 0 && by < 0 && cy < 0)) continue;
-      const [atA, atB, atC] = areas(ax, ay, bx, by, cx, cy);
+      // As areas() below, without a list.
+      const atA = bx * cy - by * cx;
+      const atB = cx * ay - cy * ax;
+      const atC = ax * by - ay * bx;
       const area = atA + atB + atC;
       const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
       if (!inside || area === 0) continue;
-      const weights: Vec3 = [atA / area, atB / area, atC / area];
-      const [az, bz, cz] = [along(rowDepth, a), along(rowDepth, b), along(rowDepth, c)];
-      const depth = dot(weights, [az, bz, cz]);
+      const az = along(rowDepth, a);
+      const bz = along(rowDepth, b);
+      const cz = along(rowDepth, c);
+      const depth = (atA / area) * az + (atB / area) * bz + (atC / area) * cz;
       if (!(depth >= ray.near && depth <= ray.far)) continue;
       const front = area > 0 !== mirrored;
-      const rayPlaces = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] as const; // oxfmt-ignore
-      visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front, rayPlaces });
+      tested += HIT;
+      here[0] = corner;
+      here[1] = a;
+      here[2] = b;
+      here[3] = c;
+      here[4] = atA / area;
+      here[5] = atB / area;
+      here[6] = atC / area;
+      here[7] = depth;
+      here[8] = front ? 1 : 0;
+      here[9] = ax;
+      here[10] = ay;
+      here[11] = az;
+      here[12] = bx;
+      here[13] = by;
+      here[14] = bz;
+      here[15] = cx;
+      here[16] = cy;
+      here[17] = cz;
+      if (!keeps(depth, front, read)) continue;
+      found = true;
+      const free = kept;
+      kept = here;
+      here = free;
     }
+    return tested >= STEP;
   };
   // Runs begin at whole triangles of the index.
-  if (first % 3 !== 0) {
-    test(first, end);
-  } else {
-    queryBvh(geometry, {
-      meets: (boxes, at) => hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at),
-      visit: (from, to) => test(Math.max(from, first), Math.min(to, end)),
-    });
+  const bvh = first % 3 === 0 ? yield* bvhInSteps(geometry) : null;
+  const runs = {
+    meets: (boxes: BoxList, at: number) => hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at),
+    visit: (from: number, to: number) => test(Math.max(from, first), Math.min(to, end)),
+  };
+  for (let at = first; at < end;) {
+    if (bvh === null) {
+      const from = at;
+      at += 3 * STEP;
+      test(from, Math.min(at, end));
+    } else {
+      at = walkBvh(bvh, runs, at);
+    }
+    yield tested;
+    tested = 0;
   }
+  return found ? hitOf(kept) : null;
 }
+
+const hitOf = (n: HitNumbers): TriangleHit => ({
+  triangle: n[0]! / 3,
+  corners: [n[1]!, n[2]!, n[3]!],
+  weights: [n[4]!, n[5]!, n[6]!],
+  depth: n[7]!,
+  front: n[8] === 1,
+  rayPlaces: [
+    [n[9]!, n[10]!, n[11]!],
+    [n[12]!, n[13]!, n[14]!],
+    [n[15]!, n[16]!, n[17]!],
+  ],
+});
 
 /**
  * The weights where a ray whose slopes are larger by x and y meets the triangle's plane, inside it

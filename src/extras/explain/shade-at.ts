@@ -7,6 +7,7 @@ import type * as Reference from '../../phong/reference/index.js';
 import type { LightShare, Shaded } from '../../phong/reference/index.js';
 import { lazyCode } from '../../viewer/model/lazy-code.js';
 import { cornersOf, type Hit, pick, pickNear } from './pick.js';
+import type { RaySearch } from './ray-triangles.js';
 import type { SceneSnapshot } from '../../viewer/scene/scene-snapshot.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
 import type { PhongLight, PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
@@ -41,7 +42,7 @@ export async function shadeAt(
 ): Promise<FragmentExplanation | null> {
   const column = pixel('x', x, width, scene?.width ?? 0, exact);
   const row = pixel('y', y, height, scene?.height ?? 0, exact);
-  return explained(scene === null ? null : pick(scene, column, row), lights);
+  return explained(scene === null ? null : await answerTo(pick(scene, column, row)), lights);
 }
 
 /** The same of a point in world space. */
@@ -55,8 +56,40 @@ export async function explain(
   if (!point.every(Number.isFinite)) {
     throw new RangeError(`explain: the point must be finite, got ${String(point)}`);
   }
-  return explained(scene === null ? null : pickNear(scene, point as unknown as Vec3), lights);
+  const search = scene === null ? null : pickNear(scene, point as unknown as Vec3);
+  return explained(search === null ? null : await answerTo(search), lights);
 }
+
+/** Triangles that a search tests in the first task, up to 60 ms, and in each one after it, 8 ms. */
+const FIRST_TASK = 2 ** 20;
+const LATER_TASK = 2 ** 17;
+
+/** The answer of a search; at once for nearly all scenes. */
+async function answerTo<Answer>(search: RaySearch<Answer>): Promise<Answer> {
+  let left = FIRST_TASK;
+  for (let step = search.next(); ; step = search.next()) {
+    if (step.done === true) return step.value;
+    left -= step.value;
+    if (left <= 0) {
+      await nextTask();
+      left = LATER_TASK;
+    }
+  }
+}
+
+/**
+ * Timers of timers wait 4 ms, messages do not. `Slices.pause` is the same; sharing it would take a
+ * request.
+ */
+const nextTask = async (): Promise<void> =>
+  new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
 
 async function explained(
   hit: Hit<PhongMesh | PhongViewer> | null,

@@ -121,10 +121,11 @@ class NearestSearch implements BvhQuery {
     return boxIsInView(this.#matrix, boxes, at, this.nearest);
   }
 
-  visit(first: number, end: number): void {
+  visit(first: number, end: number): boolean {
     for (let i = first; i + 2 < end; i += 3) {
       this.#triangle(i, i + 1, i + 2);
     }
+    return false;
   }
 
   #triangle(a: number, b: number, c: number): void {

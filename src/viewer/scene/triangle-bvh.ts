@@ -14,7 +14,7 @@ const IN_BOX = 16;
 /** Centre and half sizes of each box: six numbers. */
 export type BoxList = Float64Array;
 
-interface Bvh {
+export interface Bvh {
   readonly position: Position;
   readonly positionVersion: number;
   readonly index: BufferAttribute | null;
@@ -27,32 +27,63 @@ interface Bvh {
 export interface BvhQuery {
   /** False where nothing in the box counts. Its six numbers begin at `at`. */
   meets(boxes: BoxList, at: number): boolean;
-  /** A run of triangles whose boxes all meet: its corners `first` to `end` (excluded). */
-  visit(first: number, end: number): void;
+  /**
+   * A run of triangles whose boxes all meet: its corners `first` to `end` (excluded). `true` ends
+   * the query.
+   */
+  visit(first: number, end: number): boolean;
 }
 
 const known = new WeakMap<BufferGeometry, Bvh>();
 
 export function queryBvh(geometry: BufferGeometry, query: BvhQuery): void {
-  const bvh = bvhOf(geometry);
-  walk(bvh, bvh.levels.length - 1, 0, 1, query);
+  const steps = bvhInSteps(geometry);
+  let step = steps.next();
+  while (step.done !== true) {
+    step = steps.next();
+  }
+  walkBvh(step.value, query);
 }
+
+/**
+ * Runs a query from a corner on that begins a run. Returns the corner after the run that ended it;
+ * Infinity if none did.
+ */
+export const walkBvh = (bvh: Bvh, query: BvhQuery, from = 0): number =>
+  walk(bvh, bvh.levels.length - 1, 0, 1, query, from);
 
 /** The boxes `first` to `end` (excluded) of a level. */
-function walk(bvh: Bvh, level: number, first: number, end: number, query: BvhQuery): void {
+function walk(
+  bvh: Bvh,
+  level: number,
+  first: number,
+  end: number,
+  query: BvhQuery,
+  from: number,
+): number {
   const boxes = bvh.levels[level]!;
   const last = Math.min(end, boxes.length / 6);
-  for (let box = first; box < last; box++) {
+  const inBox = 3 * IN_BOX ** (level + 1);
+  for (let box = Math.max(first, Math.floor(from / inBox)); box < last; box++) {
     if (!query.meets(boxes, 6 * box)) continue;
     if (level > 0) {
-      walk(bvh, level - 1, IN_BOX * box, IN_BOX * (box + 1), query);
+      const stopped = walk(bvh, level - 1, IN_BOX * box, IN_BOX * (box + 1), query, from);
+      if (stopped < Infinity) return stopped;
     } else {
-      query.visit(3 * IN_BOX * box, Math.min(3 * IN_BOX * (box + 1), bvh.corners));
+      const after = Math.min(inBox * (box + 1), bvh.corners);
+      if (query.visit(inBox * box, after)) return after;
     }
   }
+  return Infinity;
 }
 
-function bvhOf(geometry: BufferGeometry): Bvh {
+/**
+ * Triangles in a step of {@link bvhInSteps}: a millisecond. A multiple of {@link IN_BOX}.
+ */
+const STEP = 2 ** 14;
+
+/** The geometry's boxes as it is now. Yields, after each step, how many triangles were read. */
+export function* bvhInSteps(geometry: BufferGeometry): Generator<number, Bvh> {
   const { index } = geometry;
   const position = geometry.getAttribute('position');
   const positionVersion = 'data' in position ? position.data.version : position.version;
@@ -67,7 +98,14 @@ function bvhOf(geometry: BufferGeometry): Bvh {
     return present;
   }
   const corners = (index ?? position).count;
-  const levels = [boxesOfRuns(position, index, 3 * Math.floor(corners / 3))];
+  const whole = 3 * Math.floor(corners / 3);
+  const runs = new Float64Array(6 * Math.ceil(whole / (3 * IN_BOX)));
+  for (let from = 0; from < whole; from += 3 * STEP) {
+    const end = Math.min(from + 3 * STEP, whole);
+    writeBoxesOfRuns(runs, position, index, from, end);
+    yield (end - from) / 3;
+  }
+  const levels: BoxList[] = [runs];
   for (let below = levels[0]!; below.length > 6; below = levels.at(-1)!) {
     levels.push(boxesAround(below));
   }
@@ -76,11 +114,17 @@ function bvhOf(geometry: BufferGeometry): Bvh {
   return bvh;
 }
 
-function boxesOfRuns(position: Position, index: BufferAttribute | null, corners: number): BoxList {
-  const boxes = new Float64Array(6 * Math.ceil(corners / (3 * IN_BOX)));
-  for (let at = 0, corner = 0; corner < corners; at += 6) {
+/** Of the corners `from` to `to` (excluded). */
+function writeBoxesOfRuns(
+  boxes: BoxList,
+  position: Position,
+  index: BufferAttribute | null,
+  from: number,
+  to: number,
+): void {
+  for (let at = (6 * from) / (3 * IN_BOX), corner = from; corner < to; at += 6) {
     clear();
-    for (const end = Math.min(corner + 3 * IN_BOX, corners); corner < end; corner++) {
+    for (const end = Math.min(corner + 3 * IN_BOX, to); corner < end; corner++) {
       const vertex = index === null ? corner : index.getX(corner);
       extend(0, position.getX(vertex), 0);
       extend(1, position.getY(vertex), 0);
@@ -88,7 +132,6 @@ function boxesOfRuns(position: Position, index: BufferAttribute | null, corners:
     }
     write(boxes, at);
   }
-  return boxes;
 }
 
 function boxesAround(below: BoxList): BoxList {

@@ -4,6 +4,8 @@
 import {
   BackSide,
   BoxGeometry,
+  BufferAttribute,
+  type BufferGeometry,
   Group,
   Line,
   Mesh,
@@ -14,7 +16,7 @@ import {
   Scene,
   Sprite,
 } from 'three';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
 import { PhongLighting } from '../../../src/phong/material/lighting.js';
 import { PhongMaterial } from '../../../src/phong/material/phong-material.js';
@@ -23,8 +25,16 @@ import {
   drawnObjects,
   type SceneSnapshot,
 } from '../../../src/viewer/scene/scene-snapshot.js';
-import { cornersOf, distanceAlong, type Hit, pick } from '../../../src/extras/explain/pick.js';
+import {
+  cornersOf,
+  distanceAlong,
+  type Hit,
+  pick,
+  pickNear,
+} from '../../../src/extras/explain/pick.js';
+import { shadeAt, type ViewerSnapshot } from '../../../src/extras/explain/shade-at.js';
 import { Frame } from '../../../src/viewer/scene/frame.js';
+import { answerOf, stepsOf } from './answer-of.js';
 
 const lighting = new PhongLighting();
 const SIZE = 100;
@@ -60,7 +70,7 @@ function snapshotThrough({ camera, shading } = aimed()): SceneSnapshot {
   return { width: SIZE, height: SIZE, frame: copyFrame(shading), camera: camera.clone(), objects };
 }
 
-const look = (snapshot = snapshotThrough()): Hit | null => pick(snapshot, 50, 50);
+const look = (snapshot = snapshotThrough()): Hit | null => answerOf(pick(snapshot, 50, 50));
 
 beforeEach(() => {
   scene = new Scene();
@@ -210,5 +220,85 @@ it("measures a distance along a ray to a page author's own mesh too", () => {
   const other = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial());
   other.position.z = 1;
   scene.add(other);
-  expect(distanceAlong(snapshotThrough(), [0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(4, 12);
+  const distance = answerOf(distanceAlong(snapshotThrough(), [0.1, 0.2, 5], [0, 0, -1]));
+  expect(distance).toBeCloseTo(4, 12);
+});
+
+describe('a search in a pile of triangles', () => {
+  /** The wall's triangles so many times, in one place. */
+  function pile(
+    copies: number,
+    look: ConstructorParameters<typeof PhongMaterial>[1] = {},
+  ): { readonly mesh: Mesh; readonly reads: () => number } {
+    const mesh = wall();
+    const { geometry } = mesh as Mesh<BufferGeometry>;
+    const { array } = geometry.index!;
+    const index = new Uint16Array(copies * array.length);
+    for (let at = 0; at < index.length; at += array.length) {
+      index.set(array, at);
+    }
+    geometry.setIndex(new BufferAttribute(index, 1));
+    const colors = new BufferAttribute(new Float32Array(12).fill(1), 3);
+    let reads = 0;
+    colors.getComponent = (i, c) => {
+      reads += 1;
+      return colors.array[3 * i + c]!;
+    };
+    geometry.setAttribute('color', colors);
+    mesh.material = new PhongMaterial(lighting, { vertexColors: true, ...look });
+    return { mesh, reads: () => reads };
+  }
+  const COPIES = 2 ** 15;
+  /** Three numbers of three corners. */
+  const READ_ONCE = 9;
+  const searches = {
+    'seen at a pixel': (snapshot: SceneSnapshot) => pick(snapshot, 50, 50),
+    'nearest to a point': (snapshot: SceneSnapshot) => pickNear(snapshot, [0.01, 0.02, 0]),
+  };
+
+  it.each(Object.entries(searches))('reads the colour of one surface: the one %s', (_, search) => {
+    const { mesh, reads } = pile(COPIES);
+    const { answer, steps } = stepsOf<Hit | null>(search(snapshotThrough()));
+    expect(answer!.drawn.object).toBe(mesh);
+    expect(answer!.triangle).toBeGreaterThanOrEqual(2 * COPIES - 2);
+    expect(reads()).toBe(READ_ONCE);
+    expect(Math.max(...steps)).toBeLessThan(2 ** 14 + 48 * 3);
+    // Boxes around them, then they themselves, half of which are hit.
+    const all = 4 * COPIES;
+    const counted = steps.reduce((sum, tested) => sum + tested, 0);
+    expect([counted >= all, counted < 2 * all]).toEqual([true, true]);
+  });
+
+  it('reads more only where a mask may cut it out, in steps that are as much shorter', () => {
+    const { reads } = pile(COPIES, { alphaMode: 'mask', alphaCutoff: 2 });
+    const { answer, steps } = stepsOf<Hit | null>(pick(snapshotThrough(), 50, 50));
+    expect(answer).toBeNull();
+    expect(reads()).toBe(COPIES * READ_ONCE);
+    expect(steps.length).toBeGreaterThan(COPIES / 2 ** 10);
+  });
+
+  it('takes one task up to a million triangles, and slices of an eighth from there', async () => {
+    let tasks = 0;
+    class CountedChannel extends MessageChannel {
+      constructor() {
+        super();
+        tasks += 1;
+      }
+    }
+    vi.stubGlobal('MessageChannel', CountedChannel);
+    const tasksWith = async (copies: number): Promise<number> => {
+      const { mesh } = pile(copies);
+      tasks = 0;
+      const whole = { scene: snapshotThrough(), width: SIZE, height: SIZE, lights: [] };
+      const found = await shadeAt(whole as unknown as ViewerSnapshot, 50, 50);
+      expect(found?.object).toBe(mesh);
+      mesh.removeFromParent();
+      return tasks;
+    };
+    expect(await tasksWith(2 ** 17)).toBe(0);
+    const many = await tasksWith(2 ** 19);
+    // Twice a million: their boxes too. Hits count three times.
+    expect([many >= 8, many <= 25]).toEqual([true, true]);
+    vi.unstubAllGlobals();
+  });
 });

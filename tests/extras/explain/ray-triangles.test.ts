@@ -7,10 +7,11 @@ import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../../src/phong/camera/orbit.js';
 import { add, dot, scale, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import {
-  forEachHit,
+  searchTriangles,
   type TriangleHit,
   type ViewRay,
 } from '../../../src/extras/explain/ray-triangles.js';
+import { answerOf } from './answer-of.js';
 
 /** The ray at these slopes of a camera 3 from `target`; by default it looks along −z. */
 function rayAt(
@@ -38,7 +39,11 @@ function hitsOf(
 ) {
   const hits: TriangleHit[] = [];
   const corners = (geometry.index ?? geometry.getAttribute('position')).count;
-  forEachHit(ray, geometry, matrix, range ?? [0, corners], (hit) => hits.push(hit));
+  const keepNone = (_depth: number, _front: boolean, read: () => TriangleHit): boolean => {
+    hits.push(read());
+    return false;
+  };
+  answerOf(searchTriangles(ray, geometry, matrix, range ?? [0, corners], keepNone));
   return hits.sort((a, b) => a.depth - b.depth);
 }
 
@@ -215,7 +220,12 @@ describe('a ray through triangles', () => {
         };
         const met = (): number[] => {
           const found: number[] = [];
-          forEachHit(ray, geometry, new Matrix4(), range, ({ triangle }) => found.push(triangle));
+          const keepAll = (_depth: number, _front: boolean, read: () => TriangleHit): boolean => {
+            found.push(read().triangle);
+            return true;
+          };
+          const last = answerOf(searchTriangles(ray, geometry, new Matrix4(), range, keepAll));
+          expect(last?.triangle).toBe(found.at(-1));
           return found;
         };
         const position = geometry.getAttribute('position') as BufferAttribute;

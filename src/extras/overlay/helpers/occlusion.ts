@@ -3,6 +3,7 @@
 import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { pick } from '../../explain/pick.js';
+import type { RaySearch } from '../../explain/ray-triangles.js';
 import type { SceneSnapshot } from '../../../viewer/scene/scene-snapshot.js';
 import type { Projection } from '../drawing/projection.js';
 
@@ -18,7 +19,7 @@ const SLICE = 4;
 /** Relative. A place on a surface, such as a lamp's on its shade, is not behind it. */
 const TOLERANCE = 1e-3;
 
-export type RayTest<Answer> = (scene: SceneSnapshot) => Answer;
+export type RayTest<Answer> = (scene: SceneSnapshot) => RaySearch<Answer>;
 
 /** Runs tests by rays some time after a frame, in slices, and keeps their answers by key. */
 export class RayTests<Key, Answer> {
@@ -65,49 +66,48 @@ export class RayTests<Key, Answer> {
         this.#answers.delete(key);
       }
     }
-    this.#slice(scene, [...tests], false);
+    this.#slice(this.#series(scene, tests));
   };
 
-  /**
-   * Answers a slice of the questions that are left; `differs`: some answers before were found to
-   * differ.
-   */
-  #slice(scene: SceneSnapshot, left: (readonly [Key, RayTest<Answer>])[], differs: boolean): void {
-    this.#timer = 0;
-    const end = performance.now() + SLICE;
-    let differ = differs;
-    for (
-      let next = left.pop();
-      next !== undefined;
-      next = performance.now() < end ? left.pop() : undefined
-    ) {
-      const [key, test] = next;
-      const answer = test(scene);
+  /** Answers one question after the other. Returns whether an answer differs from the one before. */
+  *#series(scene: SceneSnapshot, tests: ReadonlyMap<Key, RayTest<Answer>>): RaySearch<boolean> {
+    let differ = false;
+    for (const [key, test] of tests) {
+      const answer = yield* test(scene);
       if (answer !== this.#answers.get(key)) {
         differ = true;
       }
       this.#answers.set(key, answer);
     }
-    if (left.length > 0) {
-      this.#timer = window.setTimeout(() => this.#slice(scene, left, differ));
-    } else {
-      if (this.#waiting !== null) {
-        this.follow(this.#waiting);
-      }
-      if (differ) {
-        this.#changed();
-      }
+    return differ;
+  }
+
+  #slice(series: RaySearch<boolean>): void {
+    this.#timer = 0;
+    const end = performance.now() + SLICE;
+    let step = series.next();
+    while (step.done !== true && performance.now() < end) {
+      step = series.next();
+    }
+    if (step.done !== true) {
+      this.#timer = window.setTimeout(() => this.#slice(series));
+      return;
+    }
+    if (this.#waiting !== null) {
+      this.follow(this.#waiting);
+    }
+    if (step.value) {
+      this.#changed();
     }
   }
 }
 
-export const isBehind =
-  (place: Vec3, view: Projection): RayTest<boolean> =>
-  (scene) => {
+export const isBehind = (place: Vec3, view: Projection): RayTest<boolean> =>
+  function* (scene) {
     const point = view.point(place);
     if (point === null) return false;
     const { width, height } = scene;
-    const hit = pick(
+    const hit = yield* pick(
       scene,
       (point.x / view.width) * width - 0.5,
       (point.y / view.height) * height - 0.5,
