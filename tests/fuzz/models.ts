@@ -121,6 +121,66 @@ function varint(value: number): Buffer {
 }
 
 /**
+ * As many vertices in one place, and morph targets that all name one accessor; one animation gives
+ * each target, at its only key, the weight of its place in `weights`.
+ */
+export function morphsGlb(vertices: number, weights: readonly number[]): Buffer {
+  const { bufferViews, buffers, body } = viewsOf([floats(0), floats(...weights)]);
+  const zeros = { componentType: FLOAT, count: vertices, type: 'VEC3' };
+  const scalars = (bufferView: number, count: number): Json => ({
+    ...{ bufferView, componentType: FLOAT, count, type: 'SCALAR' },
+  });
+  const targets = weights.map(() => ({ POSITION: 0 }));
+  const document = triangleDocument({
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, targets }] }],
+    accessors: [zeros, scalars(0, 1), scalars(1, weights.length)],
+    animations: [
+      {
+        samplers: [{ input: 1, output: 2 }],
+        channels: [{ sampler: 0, target: { node: 0, path: 'weights' } }],
+      },
+    ],
+    ...{ bufferViews, buffers },
+  });
+  return glbOf(document, body);
+}
+
+/**
+ * The triangle with as many skins, at a node each, of one joint: the foot of a tree that the scene
+ * does not show. The first skin has the tree's other `nodes` nodes, too.
+ */
+export function skinsGlb(skins: number, nodes: number): Buffer {
+  const { bufferViews, buffers, body } = viewsOf([TRIANGLE, Buffer.alloc(12), floats(0)]);
+  const attributes = { POSITION: 0, JOINTS_0: 1, WEIGHTS_0: 1 };
+  const document = triangleDocument({
+    scenes: [{ nodes: upTo(skins) }],
+    nodes: [
+      ...upTo(skins).map((skin) => ({ mesh: 0, skin })),
+      { children: upTo(nodes).map((i) => skins + 1 + i) },
+      ...upTo(nodes).map(() => ({})),
+    ],
+    skins: upTo(skins).map((i) => ({
+      joints: i > 0 ? [skins] : upTo(nodes + 1).map((k) => skins + k),
+    })),
+    meshes: [{ primitives: [{ attributes }] }],
+    accessors: [
+      POSITIONS,
+      { bufferView: 1, componentType: 5121, count: 3, type: 'VEC4' },
+      { bufferView: 2, componentType: FLOAT, count: 1, type: 'SCALAR' },
+      { componentType: FLOAT, count: 1, type: 'VEC3' },
+    ],
+    animations: [
+      {
+        samplers: [{ input: 2, output: 3 }],
+        channels: [{ sampler: 0, target: { node: skins, path: 'translation' } }],
+      },
+    ],
+    ...{ bufferViews, buffers },
+  });
+  return glbOf(document, body);
+}
+
+/**
  * The triangle, which moves by `channels` channels that share one sampler of `keys` keyframes of
  * zeros.
  */

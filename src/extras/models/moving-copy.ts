@@ -39,6 +39,7 @@ export function movingCopy(content: Content): Content {
     parts,
     motion: {
       names: motion.names,
+      work: motion.work,
       durationOf: (name) => motion.durationOf(name),
       pose: (name, seconds) => {
         motion.pose(name, seconds);

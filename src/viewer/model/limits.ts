@@ -72,6 +72,12 @@ export const JSON_PIECE_LIMIT = 2 ** 16;
 export const JSON_PIECE_BYTES = 2 ** 23;
 
 /**
+ * Most steps of all poses of a frame, by the work of motions: 40 ms. What takes more stays in its
+ * first pose.
+ */
+export const POSE_LIMIT = 2 ** 21;
+
+/**
  * Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024
  * × 1024.
  */

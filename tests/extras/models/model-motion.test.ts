@@ -1,9 +1,13 @@
 // Do a model's poses agree with three.js's own mixer, skinned meshes and morph targets, at any
 // time? What happens to mistakes in animation data?
-import { AnimationMixer, type Mesh, type SkinnedMesh, Vector3 } from 'three';
+import { AnimationMixer, type Mesh, Object3D, type SkinnedMesh, Vector3 } from 'three';
 import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
+import { POSE_LIMIT } from '../../../src/viewer/model/limits.js';
+import { Animations } from '../../../src/viewer/scene/mesh/animation.js';
+import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
+import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
 import { sizeOf } from '../../../src/viewer/model/geometry-size.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';
 import type { Content } from '../../../src/viewer/model/model.js';
@@ -288,4 +292,65 @@ describe('nodes, skins and scenes in any arrangement', () => {
     const model = await load({ ...document, scenes: [{ nodes: [0, 1, 0] }] });
     expect(model.parts).toHaveLength(1);
   });
+});
+
+describe('the work of a pose', () => {
+  const loadGlb = async (bytes: Buffer): Promise<Content> =>
+    modelContent(new URL(`data:model/gltf-binary;base64,${bytes.toString('base64')}`), OPTIONS);
+
+  it('is each vertex once, and once more for each target that a key gives a weight', async () => {
+    const workWith = async (weights: readonly number[]): Promise<number> =>
+      (await loadGlb(morphsGlb(3000, weights))).motion!.work;
+    const none = await workWith([0, 0, 0]);
+    expect(none).toBeGreaterThanOrEqual(3000);
+    expect(await workWith([0, 1, 0])).toBe(none + 3000);
+    expect(await workWith([1, 1, -0.5])).toBe(none + 9000);
+  });
+
+  it('keeps a model within the limit in motion, and shows one above it in its own pose', async () => {
+    const vertices = 3 * 2 ** 16;
+    const within = await loadGlb(morphsGlb(vertices, [1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0]));
+    expect(within.motion?.work).toBeLessThanOrEqual(POSE_LIMIT);
+    expect(within.dropped?.size).toBe(0);
+    const warned = vi.spyOn(console, 'warn').mockReturnValue().mockClear();
+    const above = await loadGlb(morphsGlb(vertices, [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0]));
+    expect(above.motion).toBeNull();
+    expect(above.parts).toHaveLength(1);
+    expect(warned.mock.calls).toEqual([
+      [expect.stringMatching(/ is shown without its animations \(a pose takes [\d,]+ steps; /)],
+    ]);
+  });
+
+  it('counts tracks and joints: thousands of them move one triangle', async () => {
+    const workOf = async (file: Buffer): Promise<number> => (await loadGlb(file)).motion!.work;
+    const tracks = (await workOf(channelsGlb(2000, 1))) - (await workOf(channelsGlb(1000, 1)));
+    expect(tracks).toBeGreaterThanOrEqual(1000 * 3);
+    const joints = (await workOf(skinsGlb(200, 1))) - (await workOf(skinsGlb(100, 1)));
+    expect(joints).toBeGreaterThanOrEqual(100 * (3 + 1));
+  });
+
+  it('updates a tree that many skins name once, not once for each skin', async () => {
+    const [skins, nodes] = [50, 20];
+    const update = vi.spyOn(Object3D.prototype, 'updateWorldMatrix');
+    const { motion } = await loadGlb(skinsGlb(skins, nodes));
+    expect(update.mock.calls.length).toBeLessThanOrEqual(nodes + 1);
+    update.mockClear();
+    motion!.pose('', 0.5);
+    expect(update.mock.calls.length).toBeLessThanOrEqual(nodes + 1);
+    update.mockRestore();
+  });
+});
+
+it('meshes of a picture play as far as the work of their poses is within the limit of a frame', () => {
+  const warned = vi.spyOn(console, 'warn').mockReturnValue().mockClear();
+  const animations = new Animations();
+  const advances = [0, 0, 0];
+  advances.forEach((_, i) => {
+    const mesh = { plays: true, work: 0.4 * POSE_LIMIT, advance: () => void advances[i]!++ };
+    animations.meshes.add(mesh as unknown as SceneMesh);
+  });
+  animations.step(0);
+  animations.step(16);
+  expect(advances).toEqual([2, 2, 0]);
+  expect(warned.mock.calls).toEqual([[expect.stringContaining('Not all animations play')]]);
 });

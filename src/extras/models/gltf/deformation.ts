@@ -122,6 +122,23 @@ export class Deformation {
     }
   }
 
+  /**
+   * Steps of an update: each vertex once, and once for each target that may have a weight. 0 where
+   * nothing moves it. @param weighted 1 for each target that animations give a weight; null if none
+   * names this mesh's.
+   */
+  workOf(weighted: Uint8Array | null): number {
+    const { joints, weights, targets } = this.#rig;
+    if (joints === null && weighted === null) return 0;
+    const used = targets.filter((_, i) => weights[i] !== 0 || weighted?.[i] === 1).length;
+    return (this.#position.length / 3) * (1 + used) + targets.length;
+  }
+
+  /** The weights of the targets. */
+  get weights(): Float64Array {
+    return this.#rig.weights;
+  }
+
   /** Updates the geometry if joints or weights have changed. */
   update(): void {
     const { joints, weights } = this.#rig;
@@ -364,25 +381,22 @@ export class JointPose {
   readonly #skeleton: Skeleton;
   readonly #matrix = new Matrix4();
   /** Joints that lie outside the scene that is shown, each once. */
-  readonly #roots: ReadonlySet<Bone>;
+  readonly roots: ReadonlySet<Bone>;
 
   constructor(skeleton: Skeleton) {
     this.#skeleton = skeleton;
-    this.#roots = new Set(skeleton.bones.filter((bone) => bone.parent === null));
+    this.roots = new Set(skeleton.bones.filter((bone) => bone.parent === null));
     this.matrices = new Float64Array(skeleton.bones.length * 16);
   }
 
   /**
-   * World matrices must be up to date. A joint whose matrix leaves the domain of coordinates stays
+   * World matrices must be up to date, those of {@link roots} too. A joint whose matrix leaves the domain of coordinates stays
    * where it was.
    */
   update(): void {
     const { bones, boneInverses } = this.#skeleton;
     const { matrices } = this;
     let changes = 0;
-    for (const bone of this.#roots) {
-      bone.updateWorldMatrix(false, true);
-    }
     bones.forEach((bone, i) => {
       const { elements } = this.#matrix.multiplyMatrices(
         bone.matrixWorld,

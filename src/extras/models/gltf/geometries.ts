@@ -84,6 +84,7 @@ export class Geometries {
   readonly #source: GeometrySource;
   readonly #slices: Slices;
   readonly #cache = new Map<string, BufferGeometry>();
+  readonly #roots = new Set<Object3D>();
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
 
   constructor(source: GeometrySource, slices: Slices) {
@@ -274,6 +275,12 @@ export class Geometries {
     const known = this.joints.get(skeleton);
     if (known) return known;
     const pose = new JointPose(skeleton);
+    for (const root of pose.roots) {
+      if (!this.#roots.has(root)) {
+        root.updateWorldMatrix(false, true);
+      }
+      this.#roots.add(root); // many skins can share one, with thousands of nodes below it
+    }
     pose.update();
     this.joints.set(skeleton, pose);
     return pose;

@@ -1,6 +1,7 @@
 // The motion of a glTF model. Keyframes, evaluated in float64, set its nodes, its nodes move parts
 // and joints, and joints and weights deform geometries.
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
+import { POSE_LIMIT } from '../../../viewer/model/limits.js';
 import type { ContentPart, Motion } from '../../../viewer/model/model.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
 import type { Slices } from '../slices.js';
@@ -45,6 +46,7 @@ export async function readMotion(
   { dropped, slices }: { readonly dropped: Set<string>; readonly slices: Slices },
 ): Promise<Motion | null> {
   const clips: Clip[] = [];
+  const weighted = new Map<Float64Array, Uint8Array>();
   const numbers = new Map<Attribute, Promise<Numbers>>();
   const numbersOf = async (accessor: Accessor): Promise<Numbers> => {
     const attribute = await source.accessor(accessor);
@@ -69,6 +71,11 @@ export async function readMotion(
       };
       const node = await source.node(channel.node);
       const weights = movable.weights.get(channel.node) ?? new Float64Array(width);
+      if (path === 'weights') {
+        const flags = weighted.get(weights) ?? new Uint8Array(width);
+        weighted.set(weights, flags);
+        (await weightedBy(values, width, slices)).forEach((flag, i) => (flags[i]! |= flag));
+      }
       const target = targetOf(node, path, weights);
       tracks.push({ keyframes, ...target, value: target.rest.slice() });
       await slices.pauseIfDue();
@@ -83,10 +90,35 @@ export async function readMotion(
       dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
     }
   }
-  return clips.length === 0 ? null : motionOf(file, clips, movable);
+  if (clips.length === 0) return null;
+  const work = workOf(clips, movable, weighted);
+  if (work <= POSE_LIMIT) return motionOf(file, clips, movable, work);
+  const [taken, most] = [work, POSE_LIMIT].map((steps) => steps.toLocaleString('en'));
+  dropped.add(`its animations (a pose takes ${taken!} steps; at most ${most!} are computed)`);
+  return null;
 }
 
-function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motion {
+/** Steps of a joint, a track and a part: they take some times as long as a vertex. */
+const JOINT = 8;
+
+/** See {@link Motion.work}. @param weighted by the weights of a node. */
+function workOf(
+  clips: readonly Clip[],
+  { rigid, joints, deformations }: Movable,
+  weighted: ReadonlyMap<Float64Array, Uint8Array>,
+): number {
+  const tracks = clips.map((own) =>
+    own.tracks.reduce((sum, { value }) => sum + JOINT + value.length, 0),
+  );
+  return [
+    tracks.reduce((most, steps) => Math.max(most, steps), 0),
+    JOINT * rigid.length,
+    ...joints.map(({ matrices }) => (JOINT * matrices.length) / 16),
+    ...deformations.map((one) => one.workOf(weighted.get(one.weights) ?? null)),
+  ].reduce((sum, steps) => sum + steps, 0);
+}
+
+function motionOf(file: string, clips: readonly Clip[], movable: Movable, work: number): Motion {
   const { scene, rigid, joints, deformations } = movable;
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
@@ -98,6 +130,10 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
     deformation.keep();
   }
   const tracks = clips.flatMap(({ tracks: own }) => own);
+  // Some have got a parent since: an animation that names one shows what is below it.
+  const roots = new Set(
+    joints.flatMap((pose) => [...pose.roots].filter(({ parent }) => parent === null)),
+  );
   const matrix = new Matrix4();
   let posed: Clip | null = null;
   const unknown = new Set<string>();
@@ -115,6 +151,7 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
   };
   return {
     names: clips.map(({ name }) => name),
+    work,
     durationOf: (name) => clipOf(name).duration,
     pose: (name, seconds) => {
       const next = name === null ? null : clipOf(name);
@@ -132,6 +169,9 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable): Motio
         }
       }
       scene.updateMatrixWorld();
+      for (const root of roots) {
+        root.updateWorldMatrix(false, true);
+      }
       for (const { part, mesh, within } of rigid) {
         if (within === null) {
           matrix.copy(mesh.matrixWorld);
@@ -188,11 +228,13 @@ interface Numbers {
   readonly finite: boolean;
   /** Finite, at least 0, and none smaller than the one before. */
   readonly ordered: boolean;
+  /** By a number of targets: see {@link weightedBy}. */
+  readonly weighted: Map<number, Promise<Uint8Array>>;
 }
 
 async function readNumbers(source: Attribute, slices: Slices): Promise<Numbers> {
   const array = (await gathered(source, null, slices)).array as Float32Array;
-  const numbers = { array, finite: true, ordered: true };
+  const numbers = { array, finite: true, ordered: true, weighted: new Map() };
   await slices.over(array.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
       const isFinite = Number.isFinite(array[i]);
@@ -201,6 +243,28 @@ async function readNumbers(source: Attribute, slices: Slices): Promise<Numbers> 
     }
   });
   return numbers;
+}
+
+/** 1 for each of `width` targets that a key gives a weight. Counted once for each such width. */
+function weightedBy(
+  { array, weighted }: Numbers,
+  width: number,
+  slices: Slices,
+): Promise<Uint8Array> {
+  const count = async (): Promise<Uint8Array> => {
+    const flags = new Uint8Array(width);
+    await slices.over(array.length, (from, to) => {
+      for (let i = from; i < to; i += 1) {
+        if (array[i] !== 0) {
+          flags[i % width] = 1;
+        }
+      }
+    });
+    return flags;
+  };
+  const known = weighted.get(width) ?? count();
+  weighted.set(width, known);
+  return known;
 }
 
 interface Keyframes {

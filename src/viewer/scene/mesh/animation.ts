@@ -1,4 +1,5 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
+import { POSE_LIMIT } from '../../model/limits.js';
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 import type { SceneMesh } from './scene-mesh.js';
@@ -41,6 +42,11 @@ export class MeshAnimation {
     return this.#name !== null && this.#motion.durationOf(this.#name) > 0;
   }
 
+  /** Steps of each pose. */
+  get work(): number {
+    return this.#motion.work;
+  }
+
   advance(seconds: number): void {
     this.#seconds += seconds;
     if (seconds > 0) {
@@ -65,6 +71,7 @@ export class Animations {
   readonly meshes = new Set<SceneMesh>();
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;
+  #warned = false;
 
   get playing(): boolean {
     for (const { plays } of this.meshes) {
@@ -77,9 +84,17 @@ export class Animations {
   step(now: number): boolean {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     const { playing } = this;
+    let work = 0;
     for (const mesh of this.meshes) {
-      if (mesh.plays) {
+      if (!mesh.plays) continue;
+      work += mesh.work;
+      if (work <= POSE_LIMIT) {
         mesh.advance(elapsed);
+      } else if (!this.#warned) {
+        this.#warned = true;
+        console.warn(
+          `Not all animations play: the poses of a frame take at most ${POSE_LIMIT.toLocaleString('en')} steps.`,
+        );
       }
     }
     this.#last = playing ? now : null;

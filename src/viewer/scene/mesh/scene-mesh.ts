@@ -154,6 +154,11 @@ export class SceneMesh {
     return this.#shown.animation?.plays ?? false;
   }
 
+  /** Steps of each pose. */
+  get work(): number {
+    return this.#shown.animation?.work ?? 0;
+  }
+
   advance(seconds: number): void {
     this.#shown.animation?.advance(seconds);
     if (seconds > 0) {
