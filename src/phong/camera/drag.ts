@@ -88,22 +88,24 @@ const LINE_PIXELS = 16;
  * degrees of a turn, for each press of a key.
  */
 const WHEEL_RATE = 0.001;
+/** A trackpad's pinch arrives as a wheel event with Ctrl, and with a tenth of a wheel's pixels. */
+const PINCH_RATE = 0.01;
 const KEY_ZOOM = 1.1;
 const KEY_DEGREES = 5;
 const KEY_DEGREES_FINE = 1;
 
 /**
- * Multiplies the radius by exp(0.001 · pixels): turning back undoes turning forth. `height`: a
- * page, CSS pixels.
+ * Multiplies the radius by exp(0.001 · pixels), by exp(0.01 · pixels) with Ctrl: turning back
+ * undoes turning forth. `height`: a page, CSS pixels.
  */
 export function wheelZoom(
   start: Pose,
-  { deltaY, deltaMode }: Pick<WheelEvent, 'deltaY' | 'deltaMode'>,
+  { deltaY, deltaMode, ctrlKey }: Pick<WheelEvent, 'deltaY' | 'deltaMode' | 'ctrlKey'>,
   height: number,
   limits: RadiusLimits,
 ): Pose {
   const unit = deltaMode === 1 ? LINE_PIXELS : deltaMode === 2 ? height : 1;
-  return zoomBy(start, Math.exp(WHEEL_RATE * deltaY * unit), limits);
+  return zoomBy(start, Math.exp((ctrlKey ? PINCH_RATE : WHEEL_RATE) * deltaY * unit), limits);
 }
 
 /** What a key does: degrees are added to θ and φ, a factor multiplies the radius. */

@@ -218,8 +218,7 @@ export class OrbitInput {
   }
 
   #onWheel(event: WheelEvent): void {
-    // A trackpad's pinch arrives as a wheel event with Ctrl and zooms too. Horizontal scrolling is
-    // left to the page.
+    // Horizontal scrolling is left to the page.
     if (event.deltaY === 0 || !this.#host.allows().zoom || !this.#focused()) return;
     event.preventDefault();
     const { orbit } = this.#host;

@@ -118,8 +118,15 @@ describe('zooming', () => {
     [{ deltaY: 1e300, deltaMode: 0 }, 1e3],
     [{ deltaY: -1e300, deltaMode: 0 }, 1e-3],
     [{ deltaY: NaN, deltaMode: 0 }, 4],
+    // A trackpad's pinch.
+    [{ deltaY: 10, deltaMode: 0, ctrlKey: true }, 4 * Math.exp(0.1)],
+    [{ deltaY: -25, deltaMode: 0, ctrlKey: true }, 4 * Math.exp(-0.25)],
+    [{ deltaY: 1, deltaMode: 1, ctrlKey: true }, 4 * Math.exp(0.16)],
   ])('takes the wheel turn %o to a radius of %d', (wheel, radius) => {
-    expect(wheelZoom(start, wheel, 400, limits).radius).toBeCloseTo(radius, 12);
+    expect(wheelZoom(start, { ctrlKey: false, ...wheel }, 400, limits).radius).toBeCloseTo(
+      radius,
+      12,
+    );
   });
 
   it('adds wheel turns: many small ones equal one large one', () => {
@@ -127,12 +134,13 @@ describe('zooming', () => {
     fc.assert(
       fc.property(fc.array(pixels, { maxLength: 20 }), (turns) => {
         const wide = { min: 1e-9, max: 1e9 };
+        const wheel = (deltaY: number) => ({ deltaY, deltaMode: 0, ctrlKey: false });
         const stepwise = turns.reduce<Pose>(
-          (p, deltaY) => wheelZoom(p, { deltaY, deltaMode: 0 }, 400, wide),
+          (p, deltaY) => wheelZoom(p, wheel(deltaY), 400, wide),
           start,
         );
         const sum = turns.reduce((a, b) => a + b, 0);
-        const once = wheelZoom(start, { deltaY: sum, deltaMode: 0 }, 400, wide);
+        const once = wheelZoom(start, wheel(sum), 400, wide);
         expect(Math.abs(stepwise.radius / once.radius - 1)).toBeLessThan(1e-13);
       }),
     );
@@ -184,7 +192,7 @@ it('gives a pose that an orbit accepts, for any input', () => {
       orbit.set(turn(pose, a, b, anySize));
       orbit.set(shift(pose, a, b, anySize));
       orbit.set(pinch(pose, a, b, bounds));
-      orbit.set(wheelZoom(pose, { deltaY: a, deltaMode: 2 }, b, bounds));
+      orbit.set(wheelZoom(pose, { deltaY: a, deltaMode: 2, ctrlKey: b > 200 }, b, bounds));
       for (const x of [...orbit.eye(), orbit.theta, orbit.radius]) {
         expect(Number.isFinite(x)).toBe(true);
       }

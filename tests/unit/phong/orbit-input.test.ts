@@ -245,7 +245,8 @@ it('the wheel zooms with focus, and is left to the page without it, for horizont
   surface.focused = true;
   expect(wheel(100)).toBe(true);
   expect(orbit.radius).toBeCloseTo(4 * Math.exp(0.1), 14);
-  expect(wheel(100, { ctrlKey: true })).toBe(true);
+  expect(wheel(10, { ctrlKey: true })).toBe(true);
+  expect(orbit.radius).toBeCloseTo(4 * Math.exp(0.2), 14);
   expect(wheel(0)).toBe(false);
   allows.zoom = false;
   expect(wheel(100)).toBe(false);
