@@ -91,11 +91,22 @@ describe('the geometry of an OBJ file', () => {
 
   it('has the colours of its vertices as they are written, white where there is none', async () => {
     const model = await obj(
-      'v 0 0 0\nv 1 0 0 0.5 0.25 2\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4',
+      'v 0 0 0\nv 1 0 0 0.5 0.25 1.9\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4',
     );
     expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [0.5, 0.25, 1], [0, 1, 0]]); // oxfmt-ignore
     expect(cornersOf(model, 'color')[5]).toEqual([1, 1, 1]);
     expect((await obj(`${QUAD}f 1 2 3`)).parts[0]?.geometry.hasAttribute('color')).toBe(false);
+  });
+
+  it('has colours that count to 255 if one of them is above 2, white where there is none', async () => {
+    const model = await obj(
+      'v 0 0 0\nv 1 0 0 255 127.5 0\nv 0 1 0 1 2 -3\nv 0 2 0\nv 1 2 0 300 51 1e999\nf 1 2 3\nf 1 4 5',
+    );
+    const byte = (value: number): number => Math.round((value / 255) * 1e6) / 1e6;
+    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [1, 0.5, 0], [byte(1), byte(2), 0]]); // oxfmt-ignore
+    expect(cornersOf(model, 'color')[5]).toEqual([1, 0.2, 1]);
+    expect(cornersOf(model, 'color')[4]).toEqual([1, 1, 1]);
+    expect(warnings).toEqual([]);
   });
 
   it('is one part per object and material, named after the object', async () => {

@@ -115,7 +115,7 @@ describe('a PLY file', () => {
       header(
         ...['element face 2', 'property list uchar float texcoord', list],
         ...['element vertex 4', ...xyz, ...rgb('float')],
-      ) + '2 9 9 3 0 1 2\n0 3 0 2 3\n0 0 0 1 0 0\n1 0 0 0 0.5 0\n1 1 0 0 0 7\n0 1 0 0 0 0\n';
+      ) + '2 9 9 3 0 1 2\n0 3 0 2 3\n0 0 0 1 0 0\n1 0 0 0 0.5 0\n1 1 0 0 0 1.5\n0 1 0 0 0 0\n';
     const model = await loadFiles({ 'a.ply': text });
     expect(indexOf(model)).toEqual(TWO_TRIANGLES);
     expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 0, 0], [0, 0.5, 0], [0, 0, 1]]); // oxfmt-ignore
@@ -170,6 +170,36 @@ describe('a PLY file', () => {
       'its faces, floats behind, with alpha',
       `${behind}3 0 1 2 1 0 0 1\n3 0 2 3 0 0 1 1\n`,
       OF_FACES,
+      null,
+    ],
+    [
+      'its faces, floats from 0 to 255, with alpha',
+      `${behind}3 0 1 2 255 0 0 255\n3 0 2 3 0 -1 300 255\n`,
+      OF_FACES,
+      null,
+    ],
+    [
+      'its faces, floats from 0 to 255, with alpha as fractions',
+      `${behind}3 0 1 2 255 0 0 1\n3 0 2 3 0 0 255 1\n`,
+      OF_FACES,
+      null,
+    ],
+    [
+      'its faces, floats from 0 to 255, and translucent',
+      `${behind}3 0 1 2 255 0 0 255\n3 0 2 3 0 0 255 128\n`,
+      OF_FACES,
+      'alpha',
+    ],
+    [
+      'its vertices, doubles from 0 to 255',
+      `${mesh(4, 2, rgb('double', ['r', 'g', 'b']))}0 0 0 255 0 0\n1 0 0 0 0 255\n1 1 0 9 9 9\n0 1 0 1 1 1\n3 0 1 2\n3 0 2 3\n`,
+      [RED, BLUE, GREY],
+      null,
+    ],
+    [
+      'its vertices, whole numbers of 32 bits, which count to 255',
+      `${mesh(4, 2, rgb('int'))}0 0 0 255 0 0\n1 0 0 0 0 1000\n1 1 0 9 9 9\n0 1 0 1 1 1\n3 0 1 2\n3 0 2 3\n`,
+      [RED, BLUE, GREY],
       null,
     ],
     [

@@ -10,9 +10,11 @@ import { unquoted } from './mtl.js';
 import {
   CornerLists,
   FACETED,
-  type Growing,
+  FULL,
   NONE,
   NOT_THERE,
+  pushColor,
+  toFractions,
   UNSTATED,
   wrongCoordinate,
 } from '../triangles/corner-lists.js';
@@ -59,6 +61,7 @@ export async function readObjText(
     }
   }
   const text = reader.finish();
+  await toFractions(text.lists.colors, slices);
   await keepSoundFaces(text.lists, leftOut, slices);
   return text;
 }
@@ -196,14 +199,12 @@ class ObjReader {
       : [scanner.number(), scanner.number(), scanner.number()];
     if (Number.isNaN(blue)) {
       if (colors.length > 0) {
-        pushColor(colors, 1, 1, 1);
+        colors.fillTo(3 * places.count, FULL);
       }
       return;
     }
     // Vertices before the first coloured one are white.
-    while (colors.length < 3 * (places.count - 1)) {
-      pushColor(colors, 1, 1, 1);
-    }
+    colors.fillTo(3 * (places.count - 1), FULL);
     pushColor(colors, red, green, blue);
   }
 
@@ -341,12 +342,3 @@ function smoothingOf(word: string): number {
 }
 
 const NO_COLOR = [NaN, NaN, NaN] as const;
-
-function pushColor(
-  colors: Growing<Float32Array>,
-  ...channels: readonly [r: number, g: number, b: number]
-): void {
-  for (const value of channels) {
-    colors.push(value > 0 ? Math.min(value, 1) : 0);
-  }
-}

@@ -6,9 +6,13 @@ import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import {
   CornerLists,
+  FULL,
   type Growing,
+  MOST_FRACTION,
   NONE,
   NOT_THERE,
+  pushColor,
+  toFractions,
   UNSTATED,
   wrongCoordinate,
 } from '../triangles/corner-lists.js';
@@ -116,7 +120,7 @@ class PlyRows {
         for (const { type, countType, slot, full, taken } of columns) {
           if (countType === null) {
             const value = values.next(type);
-            row[slot] = value / full;
+            row[slot] = full === 1 ? value : Math.min(value / full, 1);
             if (slot < NORMAL && Number.isNaN(value)) {
               this.#leftOut.because('vertex', () => values.problem());
             }
@@ -157,8 +161,10 @@ class PlyRows {
     return this.#slices.took(work);
   }
 
-  finish(): CornerLists {
+  async finish(): Promise<CornerLists> {
     this.#chooseColors();
+    await toFractions(this.#lists.colors, this.#slices);
+    await toFractions(this.#lists.faceColors, this.#slices);
     const { count } = this.#lists.places;
     const highest = this.#highestVertex;
     if (highest >= count) {
@@ -288,28 +294,33 @@ class Colors {
   readonly list: Growing<Float32Array>;
   /** Whether they are not all the same. */
   differ = false;
-  hasAlpha = false;
   readonly #first: number;
+  #leastAlpha = Infinity;
+  #mostAlpha = 0;
 
   /** @param first number of the first one in the list; white ones come before it. */
   constructor(list: Growing<Float32Array>, first: number) {
     this.list = list;
     this.#first = 3 * first;
-    list.fillTo(this.#first, 1);
+    list.fillTo(this.#first, FULL);
   }
 
   get count(): number {
     return (this.list.length - this.#first) / 3;
   }
 
+  get hasAlpha(): boolean {
+    return this.#leastAlpha < (this.#mostAlpha > MOST_FRACTION ? 255 : 1);
+  }
+
   push(row: Row): void {
     const { list } = this;
+    pushColor(list, row[COLOR]!, row[COLOR + 1]!, row[COLOR + 2]!);
     for (let c = 0; c < 3; c += 1) {
-      const value = row[COLOR + c]!;
-      list.push(value > 0 ? Math.min(value, 1) : 0);
-      this.differ ||= list.array[this.#first + c] !== list.array[list.length - 1];
+      this.differ ||= list.array[this.#first + c] !== list.array[list.length - 3 + c];
     }
-    this.hasAlpha ||= row[ALPHA]! < 1;
+    this.#leastAlpha = Math.min(this.#leastAlpha, row[ALPHA]!);
+    this.#mostAlpha = Math.max(this.#mostAlpha, row[ALPHA]!);
   }
 }
 

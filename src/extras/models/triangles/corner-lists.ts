@@ -4,6 +4,7 @@ import { Matrix4, type TypedArray } from 'three';
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { LIMITS } from '../../../phong/light/light-state.js';
 import { CORNER_LIMIT, free } from '../../../viewer/model/limits.js';
+import type { Slices } from '../slices.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
 export const UNSTATED = -1;
@@ -17,7 +18,7 @@ export const NOT_THERE = 0x7fffffff;
 
 export class CornerLists {
   readonly places: Positions;
-  /** r g b of each position, or empty. Encoded sRGB, 0 to 1. */
+  /** r g b of each position, or empty. Encoded sRGB, 0 to 1 after {@link toFractions}. */
   readonly colors: Growing<Float32Array>;
   /** u v; the first row of an image is at v = 0, as in glTF. */
   readonly uvs = new Growing(Float32Array);
@@ -176,6 +177,38 @@ const NOWHERE = [NaN, NaN, NaN] as const;
 export function wrongCoordinate(x: number, y: number, z: number): string {
   const value = [x, y, z].find((coordinate) => !(Math.abs(coordinate) <= LIMITS.coordinate));
   return `a vertex has the coordinate ${String(value)}; ±1e15 is the limit`;
+}
+
+/** A channel of a colour that the file does not give: full in whatever range the others have. */
+export const FULL = -1;
+
+export function pushColor(
+  colors: Growing<Float32Array>,
+  ...channels: readonly [r: number, g: number, b: number]
+): void {
+  for (const value of channels) {
+    colors.push(value > 0 ? value : 0);
+  }
+}
+
+/** Floats above this are taken for bytes. A little more than 1 is rounding, or a bright colour. */
+export const MOST_FRACTION = 2;
+
+/** Colours as fractions, clamped to 0–1: a file with a channel above 2 counts to 255. */
+export async function toFractions(colors: Growing<Float32Array>, slices: Slices): Promise<void> {
+  const { array } = colors;
+  let most = 0;
+  await slices.over(colors.length, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      most = Math.max(most, array[i]!);
+    }
+  });
+  const full = most > MOST_FRACTION ? 255 : 1;
+  await slices.over(colors.length, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      array[i] = array[i] === FULL ? 1 : Math.min(array[i]! / full, 1);
+    }
+  });
 }
 
 const FIRST_LENGTH = 1024;
