@@ -98,6 +98,21 @@ describe('the geometry of an OBJ file', () => {
     expect((await obj(`${QUAD}f 1 2 3`)).parts[0]?.geometry.hasAttribute('color')).toBe(false);
   });
 
+  it('ends a number at a #, with a blank before it or without', async () => {
+    const plain = 'v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.5\nvn 0 1 0\ns 7\n';
+    const faces = 'f 1 2 3\nf 1/1/1 3/1/1 4/1/1\nf -4//1 -3//1 -2//1';
+    const model = await obj(plain + faces);
+    for (const comment of ['#', '#9', ' # 0.5 0.5 0.5', '#\\', '# / //']) {
+      const commented = await obj((plain + faces).replace(/$/gm, comment));
+      for (const name of ['position', 'normal', 'color']) {
+        expect(cornersOf(commented, name), comment).toEqual(cornersOf(model, name));
+      }
+    }
+    expect(warnings).toEqual([]);
+    await obj(`${QUAD}v 1 2# 3\nf 1 2 3\nf 1 2 5`);
+    expect(warnings).toEqual([expect.stringMatching(/1 vertex \(line 5: a number is missing\)/)]);
+  });
+
   it('has colours that count to 255 if one of them is above 2, white where there is none', async () => {
     const model = await obj(
       'v 0 0 0\nv 1 0 0 255 127.5 0\nv 0 1 0 1 2 -3\nv 0 2 0\nv 1 2 0 300 51 1e999\nf 1 2 3\nf 1 4 5',
@@ -222,6 +237,8 @@ describe('the materials of an OBJ file', () => {
     // An invisible material makes no sense: such exporters mean opacity.
     ['Tr 1.000000', { opacity: 1 }],
     ['d -halo 0.5', { opacity: 0.5 }],
+    ['Kd 0.5 0.5 0.5#1\nd 0.5#\nNs 10#', { kd: grey, opacity: 0.5, shininess: 10 }],
+    ['Kd 0.5 # 1 1\nd 0.5 # half\nTf 1 1 1 # none', { kd: grey, opacity: 0.5 }],
     ['d 7', { opacity: 1 }],
     ['d', { opacity: 1 }],
     ['d x\nTr y', { opacity: 1 }],

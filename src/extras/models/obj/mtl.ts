@@ -69,7 +69,7 @@ export async function readMtl(
 ): Promise<ReadonlyMap<string, MtlMaterial>> {
   const materials = new Map<string, Draft>();
   let material: Draft | null = null;
-  const scanner = new TextScanner(bytes);
+  const scanner = new TextScanner(bytes, 0, true);
   let { at } = scanner;
   for (let more = scanner.nextWord(); more; more = scanner.nextLine()) {
     const keyword = scanner.word().toLowerCase();
@@ -111,7 +111,7 @@ function readStatement(
     }
   } else if (keyword === 'd') {
     // `-halo` changes the opacity with the angle, which the equation does not.
-    const words = scanner.rest().split(/\s+/);
+    const words = withoutComment(scanner.rest()).split(/\s+/);
     const opacity = Number(words.at(-1));
     if (words[0] === '' || Number.isNaN(opacity)) return;
     material.opacity = clamp(opacity, 0, 1);
@@ -126,11 +126,14 @@ function readStatement(
     material.maps[keyword] = readMap(scanner.rest(), folder);
   } else {
     const name = LEFT_OUT.get(keyword);
-    if (name !== undefined && !NEUTRAL.get(name)?.test(scanner.rest())) {
+    if (name !== undefined && !NEUTRAL.get(name)?.test(withoutComment(scanner.rest()))) {
       material.leftOut.add(name);
     }
   }
 }
+
+/** Of numbers: a name may contain `#`. */
+const withoutComment = (numbers: string): string => numbers.replace(/#.*/, '').trim();
 
 /** Statements that change the picture in other programs, by their lower-case keywords. */
 const LEFT_OUT: ReadonlyMap<string, string> = new Map(

@@ -96,7 +96,7 @@ class ObjReader {
   };
 
   constructor(bytes: Uint8Array, leftOut: LeftOut) {
-    this.#scanner = new TextScanner(bytes);
+    this.#scanner = new TextScanner(bytes, 0, true);
     this.#leftOut = leftOut;
   }
 
@@ -149,7 +149,7 @@ class ObjReader {
         scanner.rest(0);
         break;
       case 's':
-        this.#smoothing = smoothingOf(scanner.word());
+        this.#smoothing = smoothingOf(scanner.number());
         break;
       case 'mtllib':
         this.#libraryNames(scanner.rest());
@@ -335,8 +335,7 @@ const KINDS = [
 /** Longest name of an object or material in bytes. */
 const NAME_LENGTH = 256;
 
-function smoothingOf(word: string): number {
-  const group = Number(word);
+function smoothingOf(group: number): number {
   // `off`, `0` and anything that is not a number mean no group.
   return Number.isInteger(group) && group > 0 && group <= 0x7fffffff ? group : FACETED;
 }

@@ -8,6 +8,7 @@ const LF = 10;
 const CR = 13;
 const SPACE = 32;
 const BACKSLASH = 92;
+const HASH = 35;
 const NOTHING = -1;
 
 const latin1 = new TextDecoder('latin1');
@@ -34,10 +35,14 @@ export class TextScanner {
   readonly #bytes: Uint8Array;
   /** Position of the next byte. */
   at: number;
+  /** A byte that ends a number as a blank does, and is none itself: it begins a comment. */
+  readonly #comment: number;
   #pending: Pending = 'nothing';
 
-  constructor(bytes: Uint8Array, at = 0) {
+  /** @param comments whether `#` begins one, also directly behind a number, as in OBJ and MTL. */
+  constructor(bytes: Uint8Array, at = 0, comments = false) {
     this.#bytes = bytes;
+    this.#comment = comments ? HASH : NOTHING;
     const mark = at === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
     this.at = mark ? 3 : at; // the byte order mark of UTF-8
   }
@@ -123,11 +128,15 @@ export class TextScanner {
     return this.textFrom(start, most);
   }
 
-  /** The next word of this line as a number; NaN if there is none or it is not a number. */
+  /**
+   * The next word of this line as a number; NaN if there is none or it is not a number. Stays
+   * before a comment.
+   */
   number(): number {
     if (this.atLineEnd()) return NaN;
     const bytes = this.#bytes;
     const start = this.at;
+    if (bytes[start] === this.#comment) return NaN;
     let i = start;
     const sign = bytes[i];
     if (sign === 45 || sign === 43) {
@@ -169,7 +178,7 @@ export class TextScanner {
         i = at;
       }
     }
-    if (seen === 0 || digits > EXACT_DIGITS || Math.abs(exponent) > 22 || !isBreak(bytes[i])) {
+    if (seen === 0 || digits > EXACT_DIGITS || Math.abs(exponent) > 22 || !this.#endsNumber(i)) {
       return this.#slowNumber();
     }
     this.at = i;
@@ -187,7 +196,10 @@ export class TextScanner {
     for (let i = 0; i < count && problem === null; i += 1) {
       const from = this.atLineEnd() ? NOTHING : this.at;
       if (!Number.isNaN(this.number())) continue;
-      problem = from === NOTHING ? 'a number is missing' : `${this.#quoted(from)} is not a number`;
+      problem =
+        from === NOTHING || this.at === from
+          ? 'a number is missing'
+          : `${this.#quoted(from)} is not a number`;
     }
     this.at = at;
     return problem;
@@ -231,9 +243,14 @@ export class TextScanner {
     return this.#bytes[this.at] === byte;
   }
 
-  /** Whether a word ends before the next byte. */
+  /** Whether a number ends before the next byte. */
   get atBreak(): boolean {
-    return isBreak(this.#bytes[this.at]);
+    return this.#endsNumber(this.at);
+  }
+
+  #endsNumber(at: number): boolean {
+    const byte = this.#bytes[at];
+    return isBreak(byte) || byte === this.#comment;
   }
 
   #quoted(start: number): string {
@@ -272,6 +289,10 @@ export class TextScanner {
     const start = this.at;
     this.#skipToken();
     if (this.at - start > NUMBER_LENGTH) return NaN;
+    const comment = this.#bytes.subarray(start, this.at).indexOf(this.#comment);
+    if (comment > 0) {
+      this.at = start + comment;
+    }
     const text = this.#latin1From(start, NUMBER_LENGTH);
     // `Number` also reads 0x10, Infinity and more.
     return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
