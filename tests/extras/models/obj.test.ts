@@ -226,6 +226,84 @@ describe('the materials of an OBJ file', () => {
     expect(warnings).toEqual([]);
   });
 
+  it.each([
+    [
+      'UTF-8',
+      [
+        [0xc3, 0xa4],
+        [0xc3, 0xb6],
+      ],
+      'ä',
+    ],
+    ['Latin-1', [[0xe4], [0xf6]], 'ä'],
+    [
+      'Latin-1 with two accented letters in a row',
+      [
+        [0xf6, 0xdf],
+        [0xf6, 0xe4],
+      ],
+      'öß',
+    ],
+    [
+      'GBK',
+      [
+        [0xb4, 0xf3, 0xd0, 0xa1],
+        [0xb4, 0xf3, 0xb4, 0xf3],
+      ],
+      '大小',
+    ],
+    [
+      'GBK with a single character',
+      [
+        [0xb4, 0xf3],
+        [0xd0, 0xa1],
+      ],
+      '大',
+    ],
+    [
+      'GBK with a character of an odd kind',
+      [
+        [0xb4, 0xf3, 0x8a, 0x41],
+        [0xb4, 0xf3],
+      ],
+      '大夾',
+    ],
+    [
+      'an unknown encoding',
+      [
+        [0xff, 0x20, 0xe4],
+        [0xff, 0x20, 0xe5],
+      ],
+      'ÿ ä',
+    ],
+  ] as const)('may have names in %s', async (_, [one, other], text) => {
+    standInImages();
+    const name = String.fromCharCode(...one);
+    const bytes = (characters: string) => Uint8Array.from(characters, (c) => c.charCodeAt(0));
+    const model = await loadFiles({
+      'a.obj': bytes(
+        `mtllib l${name}.mtl\n${QUAD}vt 0 0\nusemtl m${name}\nf 1/1 2/1 3/1\n` +
+          `usemtl m${String.fromCharCode(...other)}\nf 1/1 3/1 4/1`,
+      ),
+      // The server has the names as Unicode.
+      [`l${text}.mtl`]: bytes(
+        `newmtl m${name}\nKd 1 0 0\nmap_Kd maps\\${name}.png\n` +
+          `newmtl m${String.fromCharCode(...other)}\nKd 0 1 0\n`,
+      ),
+      [`maps/${text}.png`]: png(),
+    });
+    expect(model.parts.map(({ surface }) => surface.kd)).toEqual([inHtml(1, 0, 0), inHtml(0, 1, 0)]); // oxfmt-ignore
+    expect(model.parts.map(({ look }) => look.map === null)).toEqual([false, true]);
+    expect([model.missing, warnings]).toEqual([[], []]);
+  });
+
+  it('name a missing file once, whatever the encoding of its name', async () => {
+    const text = `mtllib \xe4.mtl\nusemtl m\n${QUAD}f 1 2 3`;
+    const model = await loadFiles({ 'a.obj': Uint8Array.from(text, (c) => c.charCodeAt(0)) });
+    expect(model.missing).toEqual(['ä.mtl']);
+    expect(warnings).toHaveLength(1);
+  });
+
   const grey = inHtml(0.5, 0.5, 0.5);
   it.each([
     // MeshLab, Blender and 3ds Max write it beside a bright Ks where there is no highlight.

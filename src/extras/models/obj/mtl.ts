@@ -24,8 +24,11 @@ export interface MtlMaterial {
 
 /** A texture. */
 export interface MtlMap {
-  /** Its path from the model, with slashes instead of backslashes. */
-  readonly file: string;
+  /**
+   * Its path from the model, with slashes instead of backslashes, as it may be read: the likeliest
+   * first.
+   */
+  readonly files: readonly [string, ...string[]];
   /** Texture coordinates are multiplied by this, in the file's own directions (v upward). */
   readonly scale: readonly [u: number, v: number];
   /** Then this is added. */
@@ -123,7 +126,7 @@ function readStatement(
     // 1 would be invisible. Programs that write it mean opaque.
     material.opacity = transparency < 1 ? 1 - clamp(transparency, 0, 1) : 1;
   } else if (keyword === 'map_kd' || keyword === 'map_ke' || keyword === 'map_ka') {
-    material.maps[keyword] = readMap(scanner.rest(), folder);
+    material.maps[keyword] = mapOf(scanner.readings(), folder);
   } else {
     const name = LEFT_OUT.get(keyword);
     if (name !== undefined && !NEUTRAL.get(name)?.test(withoutComment(scanner.rest()))) {
@@ -203,6 +206,13 @@ const OPTION = /^\s*(-[a-z]+)(?=\s)/i;
 const TRAILING =
   /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
 
+function mapOf(readings: readonly string[], folder: string): MtlMap | null {
+  const [first = null, ...others] = readings.map((text) => readMap(text, folder));
+  return (
+    first && { ...first, files: [first.files[0], ...others.flatMap((map) => map?.files ?? [])] }
+  );
+}
+
 function readMap(text: string, folder: string): MtlMap | null {
   const options: Options = { scale: [1, 1], offset: [0, 0], clamped: false };
   let rest = takeOptions(text, options);
@@ -211,10 +221,10 @@ function readMap(text: string, folder: string): MtlMap | null {
   takeOptions(behind ?? rest.slice(end), options);
   rest = quoted ?? rest.slice(0, end);
   const file = imageName(rest);
-  return file === '' ? null : { file: folder + file, ...options };
+  return file === '' ? null : { files: [folder + file], ...options };
 }
 
-type Options = { -readonly [K in Exclude<keyof MtlMap, 'file'>]: MtlMap[K] };
+type Options = { -readonly [K in Exclude<keyof MtlMap, 'files'>]: MtlMap[K] };
 
 /** Reads the options at the start of a text. Returns what follows them. */
 function takeOptions(text: string, options: Options): string {
@@ -263,7 +273,7 @@ function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMate
   // plain surfaces. As an exponent it would add all of Ks to every lit point.
   const ks = shininess === 0 ? BLACK : colors.ks;
   // The map of Kd is that of Ka too.
-  if (maps.map_ka && maps.map_ka.file !== map?.file) {
+  if (maps.map_ka && maps.map_ka.files[0] !== map?.files[0]) {
     leftOut.add('map_Ka');
   }
   return {

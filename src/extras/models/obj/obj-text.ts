@@ -31,9 +31,11 @@ export interface ObjRun extends CornerRange {
 export interface ObjText {
   readonly lists: CornerLists;
   readonly runs: readonly ObjRun[];
-  /** Material libraries, as they are named. */
-  readonly libraries: readonly string[];
+  /** Paths of material libraries, each as it may be read: the likeliest first. */
+  readonly libraries: readonly LibraryPaths[];
 }
+
+export type LibraryPaths = readonly [string, ...string[]];
 
 /**
  * Most changes of object or material: drawings of plants have tens of thousands. More would block
@@ -72,7 +74,7 @@ class ObjReader {
   readonly #lists = new CornerLists();
   readonly #polygons = new Polygons(this.#lists);
   readonly #runs: ObjRun[] = [];
-  readonly #libraries: string[] = [];
+  readonly #libraries: LibraryPaths[] = [];
   readonly #materials = new Set<string>();
   #begun = false;
   #lineStart = 0;
@@ -152,7 +154,7 @@ class ObjReader {
         this.#smoothing = smoothingOf(scanner.number());
         break;
       case 'mtllib':
-        this.#libraryNames(scanner.rest());
+        this.#nameLibraries(scanner.readings());
         break;
       default: {
         const kind = LEFT_OUT.get(word);
@@ -280,15 +282,12 @@ class ObjReader {
     return index;
   }
 
-  /** Names in quotes, or that end in .mtl, apart by blanks, which they may also contain. */
-  #libraryNames(text: string): void {
-    // Whatever else there is matches too: the search would begin again at each of its characters.
-    const names = /("[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$)|[^"]+|"/gi;
-    for (const [, written = ''] of text.matchAll(names)) {
+  #nameLibraries(readings: readonly string[]): void {
+    const [names = [], ...others] = readings.map(libraryNames);
+    for (const [i, name] of names.entries()) {
       if (this.#libraries.length >= LIBRARY_LIMIT) return;
-      const name = unquoted(written.trim()).replace(/\\/g, '/');
-      if (name !== '' && !name.startsWith('#') && !this.#libraries.includes(name)) {
-        this.#libraries.push(name);
+      if (!this.#libraries.some(([known]) => known === name)) {
+        this.#libraries.push([name, ...others.flatMap((other) => other[i] ?? [])]);
       }
     }
   }
@@ -338,6 +337,15 @@ const NAME_LENGTH = 256;
 function smoothingOf(group: number): number {
   // `off`, `0` and anything that is not a number mean no group.
   return Number.isInteger(group) && group > 0 && group <= 0x7fffffff ? group : FACETED;
+}
+
+/** Names in quotes, or that end in .mtl, apart by blanks, which they may also contain. */
+function libraryNames(text: string): string[] {
+  // Whatever else there is matches too: the search would begin again at each of its characters.
+  const names = /("[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$)|[^"]+|"/gi;
+  return Array.from(text.matchAll(names), ([, written = '']) =>
+    unquoted(written.trim()).replace(/\\/g, '/'),
+  ).filter((name) => name !== '' && !name.startsWith('#'));
 }
 
 const NO_COLOR = [NaN, NaN, NaN] as const;

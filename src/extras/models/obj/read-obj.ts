@@ -13,7 +13,7 @@ import { clip } from '../../../phong/fields/clip.js';
 import { type FileBytes, type ModelReader, type ModelSource, ownedModel } from '../model-reader.js';
 import { ImageTextures } from '../image.js';
 import { LeftOut } from '../left-out.js';
-import type { ContentPart } from '../../../viewer/model/model.js';
+import { type ContentPart, ModelError } from '../../../viewer/model/model.js';
 import { Slices } from '../slices.js';
 import { asUtf8 } from '../encodings.js';
 import { IndexedGeometries, type CornerRange } from '../triangles/indexed-geometry.js';
@@ -65,7 +65,7 @@ export const read: ModelReader = async (source) => {
 
 /** Null if its file is missing or broken. */
 function mtlTexture(
-  { file, scale, offset, clamped }: MtlMap,
+  { files, scale, offset, clamped }: MtlMap,
   textures: ImageTextures,
   { linked }: ModelSource,
 ): Promise<Texture | null> {
@@ -76,16 +76,33 @@ function mtlTexture(
     wrapS: wrap,
     wrapT: wrap,
   } as const;
-  const load = async (): Promise<FileBytes> => ({ bytes: await linked(addressOf(file)), type: '' });
+  const load = async (): Promise<FileBytes> => ({ bytes: await firstOf(files, linked), type: '' });
   // The file's v points up, the geometry's points down: 1 − (v·s + o) = (1 − v)·s + (1 − s − o).
-  return textures.of(file, file, load, sampler, {
+  return textures.of(files[0], files[0], load, sampler, {
     scale,
     offset: [offset[0], 1 - scale[1] - offset[1]],
   });
 }
 
-/** OBJ and MTL files name files by paths, not by addresses. */
-const addressOf = (path: string): string => path.split('/').map(encodeURIComponent).join('/');
+/**
+ * The first of these files that is there. OBJ and MTL files name files by paths, not by addresses.
+ * @throws what the first one ends with, if none is there.
+ */
+async function firstOf(
+  paths: readonly [string, ...string[]],
+  linked: ModelSource['linked'],
+): Promise<FileBytes['bytes']> {
+  let missing: ModelError | null = null;
+  for (const path of paths) {
+    try {
+      return await linked(path.split('/').map(encodeURIComponent).join('/'));
+    } catch (error) {
+      if (!(error instanceof ModelError && error.code === 'load-failed')) throw error;
+      missing ??= error;
+    }
+  }
+  throw missing!;
+}
 
 /** The materials of a model's libraries: by name, as it is written and plain. */
 type Materials = ReadonlyMap<string, MtlMaterial>;
@@ -105,13 +122,14 @@ async function readLibraries(
 ): Promise<Materials> {
   const used = new Set(runs.map(({ material }) => material));
   const usedPlain = new Set(Array.from(used, plainName));
-  const pending = libraries.map(async (library) => {
+  const pending = libraries.map(async (paths) => {
+    const [library] = paths;
     const readAll = async (bytes: FileBytes['bytes']): Promise<Materials> => {
       budget.add({ text: bytes.byteLength });
       const folder = library.slice(0, library.lastIndexOf('/') + 1);
       return readMtl(await asUtf8(bytes, budget, slices), folder, slices);
     };
-    const found = await optional(library, () => linked(addressOf(library)), readAll);
+    const found = await optional(library, () => firstOf(paths, linked), readAll);
     return found && [...found].filter(([name]) => usedPlain.has(plainName(name)));
   });
   const found = await Promise.all(pending);

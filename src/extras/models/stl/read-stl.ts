@@ -331,7 +331,7 @@ class StlTextReader {
     const end = AFTER_NAME.exec(scanner.ahead(NAME_SEARCH))?.index;
     if (end === undefined) return scanner.rest(NAME_LENGTH);
     scanner.at = start + end;
-    return scanner.textFrom(start, NAME_LENGTH);
+    return scanner.readingsFrom(start, NAME_LENGTH)[0] ?? '';
   }
 }
 

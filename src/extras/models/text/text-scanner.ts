@@ -3,6 +3,7 @@
 // the end of a line continues it.
 import { clip } from '../../../phong/fields/clip.js';
 import type { Slices } from '../slices.js';
+import { nameReadings } from './name-readings.js';
 
 const LF = 10;
 const CR = 13;
@@ -113,19 +114,24 @@ export class TextScanner {
       : this.#latin1From(start, most);
   }
 
+  /** The likeliest of {@link readings}. */
+  rest(most?: number): string {
+    return this.readings(most)[0] ?? '';
+  }
+
   /**
-   * The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before
-   * the line's end.
+   * The rest of this line in the encodings that it may have, without blanks at its ends, cut after
+   * `most` bytes. Stays before the line's end.
    */
-  rest(most = 4096): string {
-    if (this.atLineEnd()) return '';
+  readings(most = 4096): readonly string[] {
+    if (this.atLineEnd()) return [];
     const bytes = this.#bytes;
     const start = this.at;
     const end = this.#pieceEnd;
     while (this.at < end && !isLineEnd(bytes[this.at] ?? NOTHING)) {
       this.at += 1;
     }
-    return this.textFrom(start, most);
+    return this.readingsFrom(start, most);
   }
 
   /**
@@ -259,14 +265,10 @@ export class TextScanner {
     );
   }
 
-  /**
-   * The text from `start` to the next byte as UTF-8 without blanks at its ends, cut after `most`
-   * bytes.
-   */
-  textFrom(start: number, most: number): string {
-    return most === 0
-      ? ''
-      : utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
+  /** The same of the text from `start` to the next byte. */
+  readingsFrom(start: number, most: number): readonly string[] {
+    const end = Math.min(this.at, start + most);
+    return most === 0 ? [] : nameReadings(this.#bytes.subarray(start, end), end < this.at);
   }
 
   /** The next bytes of this line, a character each. Stays before them. */
