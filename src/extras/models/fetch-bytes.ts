@@ -33,7 +33,12 @@ type FetchBytes = (
   url: URL,
   redirect: RequestRedirect,
   request?: FileRequest | null,
-) => Promise<FileBytes>;
+) => Promise<FetchedBytes>;
+
+interface FetchedBytes extends FileBytes {
+  /** The address that answered: another one after a redirect. */
+  readonly from: URL;
+}
 
 /** A download function for the files of one model, which share budget and progress. */
 export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes {
@@ -57,7 +62,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
     if (isDataUri(url.href)) {
       const file = await decodeDataUri(url.href, new Slices(signal));
       budget.add({ bytes: file.bytes.byteLength });
-      return file;
+      return { ...file, from: url };
     }
     const response = await answerTo(
       url,
@@ -66,6 +71,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       heard,
     );
     const type = response.headers.get('content-type') ?? '';
+    const from = new URL(response.url || url);
     const expected = expectedLength(response);
     if (expected === 0) {
       known = false;
@@ -90,12 +96,13 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
         claim(loaded);
         transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
       }
-      if (size === expected) return { bytes: whole, type };
+      if (size === expected) return { bytes: whole, type, from };
       // Another length was announced than came, or none.
       const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
       return {
         bytes: await new Slices(signal).joined([whole.subarray(0, begun), ...chunks]),
         type,
+        from,
       };
     } catch (error) {
       reader?.cancel().catch(ignored); // the rest is neither sent nor unpacked

@@ -111,12 +111,18 @@ function openAddress(
 ): OpenedModel {
   const fetchBytes = byteFetcher(options, budget);
   const anywhere = options.crossOrigin !== null;
+  /** Where the model is: the address that answered. */
+  let model = url;
   return {
     name: nameOf(url),
-    read: () => fetchBytes(url, 'follow', request),
+    read: async () => {
+      const file = await fetchBytes(url, 'follow', request);
+      model = file.from;
+      return file;
+    },
     // A redirect could lead out of the folder. If any address is allowed, it does no harm.
     linked: async (uri) =>
-      (await fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error')).bytes,
+      (await fetchBytes(linkedUrl(uri, model, anywhere), anywhere ? 'follow' : 'error')).bytes,
   };
 }
 

@@ -112,7 +112,7 @@ describe('a download', () => {
       });
       const headers = announced === '' ? {} : { 'content-length': announced };
       vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { headers }));
-      expect(await download('/x').ended).toEqual({
+      expect(await download('/x').ended).toMatchObject({
         bytes: new Uint8Array([1, 2, 3, 4, 5, 6, 7]),
         type: '',
       });

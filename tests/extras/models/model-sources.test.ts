@@ -4,9 +4,11 @@ import { describe, expect, it, vi } from 'vitest';
 import { decodeDataUri } from '../../../src/extras/models/encodings.js';
 import { Slices } from '../../../src/extras/models/slices.js';
 import { formatOf } from '../../../src/extras/models/format.js';
-import { linkedUrl } from '../../../src/extras/models/model-content.js';
+import { linkedUrl, modelContent } from '../../../src/extras/models/model-content.js';
 
 const MODEL = new URL('https://shop.example/models/chairs/one.gltf?v=2');
+
+const REFUSED = expect.stringContaining('is not in the folder of a.obj') as string;
 
 describe('the files that a model names', () => {
   it.each([
@@ -65,6 +67,33 @@ describe('the files that a model names', () => {
         expect(href.startsWith('https://shop.example/models/chairs/')).toBe(true);
       }),
     );
+  });
+
+  it.each([
+    ['another folder', 'https://shop.example/v3/a.obj', 'https://shop.example/v3/wood.mtl', []],
+    ['another origin', 'https://cdn.example/v3/a.obj', 'https://cdn.example/v3/wood.mtl', []],
+    ['another origin', 'https://cdn.example/v3/a.obj', '//shop.example/models/wood.mtl', [REFUSED]],
+    ['a deeper folder', 'https://shop.example/models/v3/a.obj', '../wood.mtl', [REFUSED]],
+  ])('are looked for where a redirect to %s has led', async (_, answered, library, missing) => {
+    const warn = vi.spyOn(console, 'warn').mockReturnValue();
+    const asked: string[] = [];
+    const uri = missing.length === 0 ? 'wood.mtl' : library;
+    vi.spyOn(globalThis, 'fetch').mockImplementation((input) => {
+      asked.push((input as URL).href);
+      const isModel = asked.length === 1;
+      const text = isModel
+        ? `mtllib ${uri}\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3`
+        : 'newmtl m\nKd 1 0 0';
+      const url = isModel ? answered : '';
+      return Promise.resolve(Object.defineProperty(new Response(text), 'url', { value: url }));
+    });
+    const signal = new AbortController().signal;
+    const address = new URL('https://shop.example/models/a.obj');
+    const model = await modelContent(address, { signal, crossOrigin: null });
+    expect(asked).toEqual([address.href, ...(missing.length === 0 ? [library] : [])]);
+    expect(warn.mock.calls.flat()).toEqual(missing);
+    expect(model.missing).toHaveLength(missing.length);
+    vi.restoreAllMocks();
   });
 
   it.each(['data:model/gltf+json,{}', 'blob:https://shop.example/1'])(
