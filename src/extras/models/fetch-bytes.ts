@@ -96,19 +96,28 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
         claim(loaded);
         transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
       }
-      if (size === expected) return { bytes: whole, type, from };
-      // Another length was announced than came, or none.
+      // Another length may have been announced than came, or none.
       const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
-      return {
-        bytes: await new Slices(signal).joined([whole.subarray(0, begun), ...chunks]),
-        type,
-        from,
-      };
+      const pieces = [whole.subarray(0, begun), ...chunks];
+      const bytes = size === expected ? whole : await new Slices(signal).joined(pieces);
+      requireContent(bytes, nameOf(url));
+      return { bytes, type, from };
     } catch (error) {
       reader?.cancel().catch(ignored); // the rest is neither sent nor unpacked
       throw error;
     }
   };
+}
+
+/** The first words of a pointer in the version control of a file that is kept elsewhere. */
+const POINTER = /^version https?:\/\/(git-lfs|hawser)\.github\.com\//;
+
+/** @throws ModelError `bad-model` for a file of Git LFS that was published without its content. */
+export function requireContent(bytes: Uint8Array, name: string): void {
+  if (!POINTER.test(String.fromCharCode(...bytes.subarray(0, 64)))) return;
+  throw new ModelError('bad-model', `${name} is only a pointer of Git LFS to the file.`, {
+    advice: 'Publish the file itself: `git lfs pull` fetches it.',
+  });
 }
 
 async function answerTo(

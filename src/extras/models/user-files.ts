@@ -1,6 +1,7 @@
 // The files of a model from the user's disk, dropped or chosen together: which of them is the
 // model, and which ones it names. Found by their paths; nothing is fetched.
 import { listed } from '../../phong/fields/clip.js';
+import { requireContent } from './fetch-bytes.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';
@@ -106,13 +107,16 @@ export function openFile(model: Blob, budget: ModelBudget): OpenedModel {
 
   const bytesOf = async (file: Blob): Promise<Uint8Array<ArrayBuffer>> => {
     budget.add({ bytes: file.size });
+    let bytes: Uint8Array<ArrayBuffer>;
     try {
-      return new Uint8Array(await file.arrayBuffer());
+      bytes = new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
       // Files can be changed or deleted after they were chosen.
       const fact = `${fileName(file)} could not be read. Was it moved or changed? Choose it again.`;
       throw new ModelError('load-failed', fact, { cause });
     }
+    requireContent(bytes, fileName(file));
+    return bytes;
   };
 
   return {

@@ -51,6 +51,34 @@ const obj = (images: readonly string[]): Readonly<Record<string, string>> => {
   };
 };
 
+const POINTER = `version https://git-lfs.github.com/spec/v1\noid sha256:${'0'.repeat(64)}\nsize 12345\n`;
+
+describe('a pointer of Git LFS', () => {
+  it.each([
+    ['model', { 'a.glb': POINTER }],
+    ['model whose name says another format', { 'a.obj': POINTER }],
+    ['buffer', { 'a.gltf': gltf({ buffers: [{ byteLength: 60, uri: 'a.bin' }] }), 'a.bin': POINTER }], // oxfmt-ignore
+  ])('is named in the error, in place of a %s', async (_, files) => {
+    const error = await failureOf(files);
+    expect(error.code).toBe('bad-model');
+    expect(error.message).toMatch(/^a\.(glb|obj|bin) is only a pointer of Git LFS .*git lfs pull/);
+  });
+
+  it('is named in the warning, in place of a library', async () => {
+    const model = await loadFiles({ ...obj(['x.png']), 'lib/a.mtl': POINTER });
+    expect(model.missing).toEqual(['lib/a.mtl']);
+    expect(warnings).toEqual([expect.stringContaining('a.mtl is only a pointer of Git LFS')]);
+  });
+
+  it('is named among dropped files too', async () => {
+    const file = new File([POINTER], 'a.stl');
+    const model = await droppedModel([], [file]);
+    await expect(modelContent(new URL('file:///a.stl'), OPTIONS, model)).rejects.toThrow(
+      /^a\.stl is only a pointer of Git LFS/,
+    );
+  });
+});
+
 const mapsOf = ({ parts }: Content): boolean[] => parts.map(({ look }) => look.map !== null);
 
 const broken: readonly (readonly [
@@ -62,6 +90,7 @@ const broken: readonly (readonly [
   ['whose connection breaks', BREAKS_OFF, /connection broke/],
   ['that is cut after its header', pngHeader(), /cannot be decoded by this browser/],
   ['that is no image', 'no picture', /is no PNG, JPEG, WebP or KTX2 image/],
+  ['of which the server has a pointer', POINTER, /oak wood\.png is only a pointer of Git LFS/],
 ];
 
 beforeEach(() => void standInImages());
