@@ -152,6 +152,45 @@ describe('textures', () => {
     }
   });
 
+  it('may use any set of coordinates: those above the fourth take the places of unused ones', async () => {
+    vi.stubGlobal('createImageBitmap', bitmapOf);
+    const sets = [0, 1, 4, 5, 9];
+    const attributes = Object.fromEntries(sets.map((n, i) => [`TEXCOORD_${n}`, i + 1]));
+    const moved = { KHR_texture_transform: { texCoord: 9, scale: [2, 2] } };
+    const model = await gltf(
+      [triangle, ...sets.map((u) => new Float32Array([u, 0, u, 1, u, 2]))],
+      [POSITION, ...sets.map((_, i) => view(i + 1, 'VEC2'))],
+      {
+        meshes: [{ primitives: [0, 1].map((material) => ({ attributes: { POSITION: 0, ...attributes }, material })) }], // oxfmt-ignore
+        materials: [
+          {
+            pbrMetallicRoughness: {
+              baseColorTexture: { index: 0, texCoord: 5 },
+              metallicRoughnessTexture: { index: 0, texCoord: 0 },
+            },
+            emissiveTexture: { index: 0, texCoord: 5 },
+            emissiveFactor: [1, 1, 1],
+            normalTexture: { index: 0, extensions: moved },
+            occlusionTexture: { index: 0, texCoord: 12 },
+          },
+          { pbrMetallicRoughness: { baseColorTexture: { index: 0, texCoord: 8 } } },
+        ],
+        textures: [{ source: 0 }],
+        images: [{ uri: image }],
+        extensionsUsed: ['KHR_texture_transform'],
+      },
+    );
+    const usedBy = (map: 'map' | 'metalRoughMap' | 'emissiveMap' | 'normalMap'): number => {
+      const channel = model.parts[0]?.look[map]?.channel ?? NaN;
+      return numbersOf(model, channel === 0 ? 'uv' : `uv${channel}`)[0]!;
+    };
+    expect([usedBy('map'), usedBy('metalRoughMap')]).toEqual([5, 0]);
+    expect([usedBy('emissiveMap'), usedBy('normalMap')]).toEqual([5, 9]);
+    expect(model.parts[0]?.look.normalMap?.matrix.elements[0]).toBe(2);
+    // A set that the mesh lacks: without the texture, as for the first four.
+    expect(model.parts[1]?.look.map).toBe(null);
+  });
+
   it('are closed when another part of the model fails', async () => {
     const close = vi.fn();
     vi.stubGlobal('createImageBitmap', (blob: Blob) => bitmapOf(blob, close));

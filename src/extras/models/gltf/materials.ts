@@ -10,6 +10,7 @@ import { clamp, map, multiply, type Vec3 } from '../../../phong/math/vector.js';
 import type { ContentPart } from '../../../viewer/model/model.js';
 import type { Slices } from '../slices.js';
 import {
+  countAt,
   indexAt,
   numberAt,
   numbersAt,
@@ -75,6 +76,11 @@ interface MaterialValues {
   readonly mapped: { readonly emissive: boolean; readonly metalRough: boolean };
 }
 
+export interface GltfMaterial extends JsonObject {
+  /** Sets of texture coordinates that take the places of others, by these. */
+  readonly uvSets: ReadonlyMap<number, number>;
+}
+
 /**
  * For the parser, with {@link MaterialValues} as `extras.surface`. @param dropped gets textures
  * that are left out.
@@ -84,7 +90,7 @@ export function readMaterials(
   textures: readonly GltfTexture[],
   dropped: Set<string>,
   slices: Slices,
-): Promise<readonly JsonObject[]> {
+): Promise<readonly GltfMaterial[]> {
   return slices.map(objectsAt(json['materials'], 'materials'), (material, i) => {
     const what = `materials[${String(i)}]`;
     const metallic = optionalObject(material['pbrMetallicRoughness'], what);
@@ -102,10 +108,14 @@ export function readMaterials(
         dropped.add(name);
       }
     }
-    const use = (value: unknown): JsonObject | undefined =>
-      value === undefined ? undefined : readTextureUse(value, textures, what);
+    const uses: TextureUse[] = [];
+    const use = (value: unknown): TextureUse | undefined => {
+      if (value === undefined) return undefined;
+      uses.push(readTextureUse(value, textures, what));
+      return uses.at(-1);
+    };
     const normal = optionalObject(material['normalTexture'], what);
-    return {
+    const read = {
       name: textAt(material['name']),
       alphaMode: textAt(material['alphaMode']) || 'OPAQUE',
       doubleSided: material['doubleSided'] === true,
@@ -131,7 +141,26 @@ export function readMaterials(
         } satisfies MaterialValues,
       },
     };
+    return { ...read, uvSets: movedUvSets(uses) };
   });
+}
+
+/**
+ * Gives the uses of sets above the fourth one of the first four that the material does not use.
+ * Which sets have moved, by the places that they have moved to: four uses need no more than four.
+ */
+function movedUvSets(uses: readonly TextureUse[]): ReadonlyMap<number, number> {
+  const used = new Set(uses.map(({ texCoord }) => texCoord));
+  const moved = new Map<number, number>();
+  for (const set of used) {
+    if (set < UV_SETS) continue;
+    const place = [0, 1, 2, 3].find((free) => !used.has(free) && !moved.has(free))!;
+    moved.set(place, set);
+    for (const use of uses.filter(({ texCoord }) => texCoord === set)) {
+      use.texCoord = place;
+    }
+  }
+  return moved;
 }
 
 const BLACK = [0, 0, 0];
@@ -184,18 +213,23 @@ function readSpecular(
 /** A number clamped to 0–1; 1 by default. */
 const share = (value: unknown, what: string): number => clamp(numberAt(value, what, 1), 0, 1);
 
+interface TextureUse extends JsonObject {
+  /** The set of texture coordinates. */
+  texCoord: number;
+}
+
 function readTextureUse(
   value: unknown,
   textures: readonly GltfTexture[],
   what: string,
-): JsonObject {
+): TextureUse {
   const use = optionalObject(value, what);
   const extensions = optionalObject(use['extensions'], what);
   const transform = extensions['KHR_texture_transform'];
   const moved = optionalObject(transform, what);
   return {
     index: indexAt(use['index'], textures.length, `${what}'s texture`),
-    texCoord: indexAt(use['texCoord'] ?? 0, UV_SETS, `${what}'s texCoord`),
+    texCoord: countAt(moved['texCoord'] ?? use['texCoord'], `${what}'s texCoord`, 0),
     extensions:
       transform === undefined ? undefined : { KHR_texture_transform: readTransform(moved, what) },
   };
@@ -205,13 +239,11 @@ function readTextureUse(
 const UV_SETS = 4;
 
 function readTransform(transform: JsonObject, what: string): JsonObject {
-  const { texCoord } = transform;
   return {
     offset: numbersAt(transform['offset'], 2, what),
     scale: numbersAt(transform['scale'], 2, what),
     rotation:
       transform['rotation'] === undefined ? undefined : numberAt(transform['rotation'], what, 0),
-    texCoord: texCoord === undefined ? undefined : indexAt(texCoord, UV_SETS, `${what}'s texCoord`),
   };
 }
 

@@ -3,6 +3,7 @@
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';
+import type { GltfMaterial } from './materials.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
 
 export const DRACO = 'KHR_draco_mesh_compression';
@@ -45,7 +46,7 @@ export type MorphAccessors = Readonly<Partial<Record<(typeof MORPHED)[number], A
 
 export interface PrimitiveContext {
   readonly accessors: Accessors;
-  readonly materials: readonly JsonObject[];
+  readonly materials: readonly GltfMaterial[];
   /** Number of buffer views. */
   readonly views: number;
   /** Receives what is left out, by the file's own names. */
@@ -98,9 +99,15 @@ function isDrawn(primitive: JsonObject, dropped: Set<string>): boolean {
 }
 
 function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
-  const { accessors } = context;
+  const { accessors, materials } = context;
+  const material =
+    primitive['material'] === undefined
+      ? undefined
+      : indexAt(primitive['material'], materials.length, 'material');
+  const nameOf = (written: string): string => drawnName(written, materials[material ?? -1]);
   const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(
-    ([name, value]) => {
+    ([written, value]) => {
+      const name = nameOf(written);
       const least = ATTRIBUTES.get(name);
       if (least === undefined) return [];
       const accessor = accessors.at(value, name);
@@ -112,10 +119,11 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   );
   const order =
     primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
-  const material = primitive['material'];
   const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
   const packed =
-    extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
+    extension === undefined
+      ? undefined
+      : readDraco(objectAt(extension, DRACO), indexes, nameOf, context);
   const vertices = attributes.find(({ name }) => name === 'POSITION')?.accessor.count ?? 0;
   const count = (order ?? { count: vertices }).count;
   // The Draco decoder returns separate triangles, whatever the mode was.
@@ -123,8 +131,7 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   const definition = {
     attributes: indexes,
     indices: order?.index,
-    material:
-      material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
+    material,
     mode: TRIANGLES,
     extensions: packed ? { [DRACO]: packed } : {},
   };
@@ -146,6 +153,17 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     targets,
     packed: packed?.bufferView,
   };
+}
+
+/** The name under which an attribute is drawn: a material may use another set in its place. */
+function drawnName(name: string, material: GltfMaterial | undefined): string {
+  const [, digits] = /^TEXCOORD_(\d+)$/.exec(name) ?? [];
+  if (digits === undefined || material === undefined) return name;
+  const set = Number(digits);
+  for (const [place, moved] of material.uvSets) {
+    if (moved === set) return `TEXCOORD_${String(place)}`;
+  }
+  return material.uvSets.has(set) ? 'unused' : name;
 }
 
 function readTargets(
@@ -186,10 +204,12 @@ function readTargets(
 function readDraco(
   extension: JsonObject,
   wanted: JsonObject,
+  nameOf: (written: string) => string,
   context: PrimitiveContext,
 ): { bufferView: number; attributes: JsonObject } {
   const attributes: Record<string, number> = {};
-  for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
+  for (const [written, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
+    const name = nameOf(written);
     if (Object.hasOwn(wanted, name)) {
       attributes[name] = countAt(id, `${DRACO}.${name}`);
     }
