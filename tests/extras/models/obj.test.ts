@@ -179,6 +179,39 @@ describe('the geometry of an OBJ file', () => {
     }
   });
 
+  it.each(['cylinder', 'dome'])(
+    'is smooth on each side of a %s that is written twice, front and back, in one group',
+    async (shape) => {
+      const n = 7;
+      const at = (i: number, j: number): readonly number[] => {
+        const [a, b] = [(i / (n - 1) - 0.5) * 2, (j / (n - 1) - 0.5) * 2];
+        return shape === 'dome'
+          ? [a, b, Math.sqrt(3 - a * a - b * b)]
+          : [Math.sin(a), b, Math.cos(a)];
+      };
+      const grid = Array.from({ length: n * n }, (_, k) => at(k % n, Math.floor(k / n)));
+      const quads = Array.from({ length: n * n }, (_, k) => k + 1)
+        .filter((k) => k % n !== 0 && k <= n * (n - 1))
+        .map((k) => [k, k + 1, k + 1 + n, k + n]);
+      const text = (faces: readonly number[][]): string =>
+        `${grid.map((v) => `v ${v.join(' ')}\n`).join('')}s 1\n${faces.map((f) => `f ${f.join(' ')}\n`).join('')}`;
+      const normalsOf = async (
+        faces: readonly number[][],
+      ): Promise<ReadonlyMap<string, string>> => {
+        const model = await obj(text(faces));
+        const [places, normals] = [cornersOf(model, 'position'), cornersOf(model, 'normal')];
+        return new Map(places.map((place, i) => [place.join(' '), normals[i]!.map((c) => c.toFixed(5)).join(' ')])); // oxfmt-ignore
+      };
+      const backs = quads.map((face) => face.toReversed());
+      const [front, back] = [await normalsOf(quads), await normalsOf(backs)];
+      // Of the side that comes last, a corner overwrites that of the other.
+      expect(await normalsOf([...backs, ...quads])).toEqual(front);
+      expect(await normalsOf([...quads, ...backs])).toEqual(back);
+      expect(await normalsOf(quads.flatMap((face, i) => [face, backs[i]!]))).toEqual(back);
+      expect(new Set(front.values()).size).toBe(shape === 'dome' ? n * n : n);
+    },
+  );
+
   it.each([
     ['v 0 0\nf 1 1 1', /line 1: a number is missing/],
     ['v 0 0 3.1+e2\nf 1 1 1', /line 1: "3\.1\+e2" is not a number/],

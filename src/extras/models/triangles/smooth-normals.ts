@@ -18,6 +18,9 @@ const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
  */
 const HALF_CREASE_COSINE = Math.cos((19.9 * Math.PI) / 180);
 
+/** Cosine of 120°: a neighbour in a sheet that turns by up to 60° there is on its other side. */
+const TURNED_AWAY = -0.5;
+
 /**
  * Most corners at a vertex that are compared in pairs. With more, each triangle has its own normal
  * there.
@@ -74,13 +77,21 @@ class Fan {
   readonly #angles = new Float64Array(FAN_LIMIT);
   readonly #triangles = new Int32Array(FAN_LIMIT);
   readonly #groups = new Int32Array(FAN_LIMIT);
+  /** The corners of its face before and after each corner, or those of its triangle. */
+  readonly #before = new Uint32Array(FAN_LIMIT);
+  readonly #after = new Uint32Array(FAN_LIMIT);
   /** The mean normal of the faces that are smoothed with the last one asked for; any length. */
   readonly #sum: FaceVector = { x: 0, y: 0, z: 0 };
 
-  load(corners: Uint32Array, { groups }: CornerLists, { normals, angles }: Faces): void {
+  load(corners: Uint32Array, lists: CornerLists, { normals, angles }: Faces): void {
+    const { groups } = lists;
+    const vertices = lists.corners.array;
     for (let i = 0; i < corners.length; i += 1) {
       const corner = corners[i] ?? 0;
       const triangle = Math.floor(corner / 3);
+      const place = corner - 3 * triangle;
+      this.#before[i] = vertices[3 * triangle + ((place + 2) % 3)] ?? 0;
+      this.#after[i] = vertices[3 * triangle + ((place + 1) % 3)] ?? 0;
       this.#triangles[i] = triangle;
       this.#x[i] = normals[3 * triangle] ?? 0;
       this.#y[i] = normals[3 * triangle + 1] ?? 0;
@@ -88,6 +99,31 @@ class Fan {
       this.#angles[i] = angles[corner] ?? 0;
       this.#groups[i] = itemAt(groups, triangle);
     }
+    for (let first = 0, i = 1; i <= corners.length; i += 1) {
+      const triangle = this.#triangles[i] ?? 0;
+      const goesOn = i < corners.length && triangle === this.#triangles[i - 1]! + 1;
+      if (goesOn && lists.joined.array[triangle] === 1) continue;
+      this.#joinFace(first, i);
+      first = i;
+    }
+  }
+
+  /**
+   * Two sides of a sheet are the same faces, but not the same triangles: forgets the diagonals
+   * between the triangles of one face.
+   */
+  #joinFace(from: number, to: number): void {
+    let before = this.#before[from]!;
+    let after = this.#after[from]!;
+    for (let i = from + 1; i < to; i += 1) {
+      if (this.#after[i] === before) {
+        before = this.#before[i]!;
+      } else if (this.#before[i] === after) {
+        after = this.#after[i]!;
+      }
+    }
+    this.#before.fill(before, from, to);
+    this.#after.fill(after, from, to);
   }
 
   /**
@@ -131,6 +167,12 @@ class Fan {
     const z = this.#z[i] ?? 0;
     const triangle = this.#triangles[i] ?? 0;
     const group = this.#groups[i] ?? UNSTATED;
+    const least =
+      group === UNSTATED
+        ? CREASE_COSINE
+        : group !== FACETED && this.#hasOtherSide(i, count)
+          ? 0
+          : -Infinity;
     let sumX = 0;
     let sumY = 0;
     let sumZ = 0;
@@ -141,7 +183,7 @@ class Fan {
       const otherZ = this.#z[j] ?? 0;
       if (this.#triangles[j] !== triangle) {
         if (group === FACETED || this.#groups[j] !== group) continue;
-        if (group === UNSTATED && x * otherX + y * otherY + z * otherZ < CREASE_COSINE) continue;
+        if (x * otherX + y * otherY + z * otherZ < least) continue;
       }
       const angle = this.#angles[j] ?? 0;
       sumX += angle * otherX;
@@ -159,6 +201,25 @@ class Fan {
     this.#sum.x = sumX;
     this.#sum.y = sumY;
     this.#sum.z = sumZ;
+  }
+
+  /**
+   * Whether the sheet around this vertex is written twice, front and back: a face of the same group
+   * looks the other way and has the same edge in the same direction, or both edges reversed.
+   */
+  #hasOtherSide(i: number, count: number): boolean {
+    const x = this.#x[i] ?? 0;
+    const y = this.#y[i] ?? 0;
+    const z = this.#z[i] ?? 0;
+    const [before, after, group] = [this.#before[i], this.#after[i], this.#groups[i]];
+    for (let j = 0; j < count; j += 1) {
+      const isSame = this.#before[j] === before || this.#after[j] === after;
+      const isTwin = this.#before[j] === after && this.#after[j] === before;
+      if (j === i || !(isSame || isTwin) || this.#groups[j] !== group) continue;
+      const along = x * (this.#x[j] ?? 0) + y * (this.#y[j] ?? 0) + z * (this.#z[j] ?? 0);
+      if (along < TURNED_AWAY) return true;
+    }
+    return false;
   }
 
   #takeOwn(i: number): void {
