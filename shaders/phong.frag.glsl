@@ -60,22 +60,22 @@ in vec3 vNormal;
 
 layout(location = 0) out highp vec4 outColor;
 
-/** Colours of models are stored encoded: used as they are, or decoded for linear shading. */
-vec4 decodeBase(vec4 color) {
-#ifdef IS_LINEAR
-  color.rgb = srgbDecode(color.rgb);
-#endif
-  return color;
-}
-
 /** The factor of Ka and Kd from texture and vertex colours; opacity in w. */
 vec4 baseColor() {
   vec4 color = vec4(1.0, 1.0, 1.0, uOpacity);
 #ifdef HAS_MAP
-  color *= decodeBase(texture(uMap, vMapUv, uMapBias));
+  vec4 texel = texture(uMap, vMapUv, uMapBias);
+#ifdef DECODES_MAP
+  texel.rgb = srgbDecode(texel.rgb);
+#endif
+  color *= texel;
 #endif
 #ifdef HAS_VERTEX_COLOR
-  color *= decodeBase(vColor);
+#ifdef ENCODES_VERTEX_COLOR
+  color *= vec4(srgbEncode(vColor.rgb), vColor.a);
+#else
+  color *= vColor;
+#endif
 #endif
   return color;
 }
@@ -133,7 +133,11 @@ void main() {
 #ifdef HAS_EMISSIVE
   vec3 emissive = uEmissive;
 #ifdef HAS_EMISSIVE_MAP
-  emissive *= decodeBase(texture(uEmissiveMap, vEmissiveMapUv, uMapBias)).rgb;
+  vec3 emitted = texture(uEmissiveMap, vEmissiveMapUv, uMapBias).rgb;
+#ifdef DECODES_EMISSIVE_MAP
+  emitted = srgbDecode(emitted);
+#endif
+  emissive *= emitted;
 #endif
   color += emissive;
 #endif

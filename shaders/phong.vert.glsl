@@ -90,6 +90,9 @@ void main() {
 #endif
 #ifdef HAS_VERTEX_COLOR
   vColor = color;
+#ifdef DECODES_VERTEX_COLOR
+  vColor.rgb = srgbDecode(color.rgb);
+#endif
 #endif
 #ifndef IS_UNLIT
   vec3 N = unitOrZero(normalMatrix * normal);

@@ -9,25 +9,37 @@ import {
   type Wrapping,
   type BufferGeometry,
 } from 'three';
+import { isDecodable } from '../../phong/material/decoded-texture.js';
+import { srgbDecode } from '../../phong/math/color.js';
 import type { Vec4 } from '../../phong/math/vector.js';
 import { type TriangleHit, weightsBeside } from './ray-triangles.js';
 import { NoWebGL2Error } from '../../viewer/scene/gpu/stage.js';
 
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
 
-/** Channels, 0–1, at u, v after the texture's transform. */
-export function sampleTexture(texels: Texels, map: Sampler, u: number, v: number): Vec4 {
+/**
+ * Channels, 0–1, at u, v after the texture's transform. @param decoded whether the colours of texels
+ * are decoded before they are filtered.
+ */
+export function sampleTexture(
+  texels: Texels,
+  map: Sampler,
+  u: number,
+  v: number,
+  decoded = false,
+): Vec4 {
   const x = u * texels.width;
   const y = (map.flipY ? 1 - v : v) * texels.height;
   const column = (i: number): number => wrap(i, texels.width, map.wrapS);
   const row = (j: number): number => wrap(j, texels.height, map.wrapT);
-  if (map.magFilter === NearestFilter) {
-    return texel(texels, column(Math.floor(x)), row(Math.floor(y)));
-  }
+  const at = (i: number, j: number): Vec4 => {
+    const [r, g, b, a] = texel(texels, column(i), row(j));
+    return decoded ? [srgbDecode(r), srgbDecode(g), srgbDecode(b), a] : [r, g, b, a];
+  };
+  if (map.magFilter === NearestFilter) return at(Math.floor(x), Math.floor(y));
   const [i, j] = [Math.floor(x - 0.5), Math.floor(y - 0.5)];
   const [right, below] = [x - 0.5 - i, y - 0.5 - j];
-  const line = (at: number): Vec4 =>
-    mix(texel(texels, column(i), row(at)), texel(texels, column(i + 1), row(at)), right);
+  const line = (k: number): Vec4 => mix(at(i, k), at(i + 1, k), right);
   return mix(line(j), line(j + 1), below);
 }
 
@@ -54,6 +66,14 @@ function wrap(i: number, size: number, wrapping: Wrapping): number {
 /** A texture at the hit, through its own coordinates and transform. */
 export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: TrianglePoint): Vec4 {
   return sampleTexture(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
+}
+
+/** The same of colours in linear light. */
+export function decodedAt(texture: Texture, geometry: BufferGeometry, hit: TrianglePoint): Vec4 {
+  const place = coordinatesAt(texture, geometry, hit);
+  const isDecoded = isDecodable(texture);
+  const [r, g, b, a] = sampleTexture(texelsOf(texture), texture, ...place, isDecoded);
+  return isDecoded ? [r, g, b, a] : [srgbDecode(r), srgbDecode(g), srgbDecode(b), a];
 }
 
 type TrianglePoint = Pick<TriangleHit, 'corners' | 'weights'>;
@@ -114,16 +134,23 @@ export function isMinified(
   });
 }
 
-/** A vertex attribute at the hit; empty if the geometry lacks it. */
+/**
+ * A vertex attribute at the hit; empty if the geometry lacks it. @param convert is applied to each
+ * corner's numbers before.
+ */
 export function interpolated(
   geometry: BufferGeometry,
   name: string,
   { corners, weights }: TrianglePoint,
+  convert: (value: number, component: number) => number = (value) => value,
 ): number[] {
   if (!geometry.hasAttribute(name)) return [];
   const attribute = geometry.getAttribute(name);
   return Array.from({ length: attribute.itemSize }, (_, c) =>
-    corners.reduce((sum, corner, k) => sum + weights[k]! * attribute.getComponent(corner, c), 0),
+    corners.reduce(
+      (sum, corner, k) => sum + weights[k]! * convert(attribute.getComponent(corner, c), c),
+      0,
+    ),
   );
 }
 

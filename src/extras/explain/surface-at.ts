@@ -23,7 +23,7 @@ import {
 } from '../../phong/math/vector.js';
 import type { DrawnLook } from '../../viewer/scene/scene-snapshot.js';
 import type { TriangleHit } from './ray-triangles.js';
-import { interpolated, isMinified, type PixelSlopes, sampleAt } from './sample.js';
+import { interpolated, isMinified, type PixelSlopes, sampleAt, decodedAt } from './sample.js';
 
 /** A surface as the reference equation takes it. */
 export interface SurfaceHere extends Readonly<SurfaceValues> {
@@ -48,9 +48,9 @@ export function surfaceAt(
     roughness !== null && varies
       ? exponentOfRoughness(roughness * metalRough[1])
       : surface.shininess;
-  const light = emissiveMap === null ? WHITE : texelAt(emissiveMap, geometry, hit);
+  const light = emissiveMap === null ? WHITE : texelAt(emissiveMap, geometry, hit, linear);
   const emissive = linear
-    ? map(multiply(map(look.emissive, srgbDecode), map(light, srgbDecode)), srgbEncode)
+    ? map(multiply(map(look.emissive, srgbDecode), light), srgbEncode)
     : multiply(look.emissive, light);
   return {
     ...surface,
@@ -103,8 +103,13 @@ export function mappedNormalAt(
 const BLACK: Vec3 = [0, 0, 0];
 const WHITE: Vec3 = [1, 1, 1];
 
-function texelAt(texture: Texture, geometry: BufferGeometry, hit: TriangleHit): Vec3 {
-  const [r, g, b] = sampleAt(texture, geometry, hit);
+function texelAt(
+  texture: Texture,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  decoded = false,
+): Vec3 {
+  const [r, g, b] = (decoded ? decodedAt : sampleAt)(texture, geometry, hit);
   return [r, g, b];
 }
 
@@ -118,7 +123,7 @@ export interface BaseColor {
 
 /**
  * The look's colour times its texture times its vertex colours. With `linear`, colours are decoded
- * before they are multiplied, and the product is encoded again.
+ * before they are filtered or interpolated, and the product is encoded again.
  */
 export function baseColorAt(
   look: BaseLook,
@@ -126,17 +131,17 @@ export function baseColorAt(
   hit: TriangleHit,
   linear: boolean,
 ): BaseColor {
-  const factors: Vec4[] = [[...look.baseColor, look.opacity]];
+  const own = linear ? map(look.baseColor, srgbDecode) : look.baseColor;
+  const factors: Vec4[] = [[...own, look.opacity]];
   if (look.map !== null) {
-    factors.push(sampleAt(look.map, geometry, hit));
+    factors.push((linear ? decodedAt : sampleAt)(look.map, geometry, hit));
   }
-  if (look.vertexColors) {
-    const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit);
-    factors.push([r, g, b, a]);
+  if (look.vertexColors !== false) {
+    factors.push(vertexColorAt(look.vertexColors === 'linear', geometry, hit, linear));
   }
   const product = (channel: 0 | 1 | 2): number => {
-    if (!linear) return factors.reduce((all, factor) => all * factor[channel], 1);
-    return srgbEncode(factors.reduce((all, factor) => all * srgbDecode(factor[channel]), 1));
+    const value = factors.reduce((all, factor) => all * factor[channel], 1);
+    return linear ? srgbEncode(value) : value;
   };
   const alpha = factors.reduce((all, factor) => all * factor[3], 1);
   return {
@@ -144,4 +149,19 @@ export function baseColorAt(
     opacity: look.alphaMode === 'blend' ? alpha : 1,
     discarded: look.alphaMode === 'mask' && alpha < look.alphaCutoff,
   };
+}
+
+/** @param storedLinear whether the attribute is in linear light, otherwise encoded. */
+function vertexColorAt(
+  storedLinear: boolean,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  linear: boolean,
+): Vec4 {
+  const decode = linear && !storedLinear;
+  const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit, (value, component) =>
+    decode && component < 3 ? srgbDecode(value) : value,
+  );
+  const color: Vec3 = [r, g, b];
+  return [...(storedLinear && !linear ? map(color, srgbEncode) : color), a];
 }

@@ -16,13 +16,16 @@ export interface BaseLook {
   /** With `mask`, fragments with a lower alpha are discarded. */
   readonly alphaCutoff: number;
   /**
-   * Multiplies the base colour. Encoded sRGB, read without decoding (`NoColorSpace`). Sampled with
-   * `uv` transformed by `map.matrix` (up to date), with the file's filters and wrapping. The first
+   * Multiplies the base colour. Encoded sRGB with `NoColorSpace`: filtered as it is stored, under
+   * `linear` decoded before. Sampled with `uv` transformed by `map.matrix` (up to date), with the file's filters and wrapping. The first
    * row is the top of the image, as in glTF.
    */
   readonly map: Texture | null;
-  /** The geometry's attribute `color` multiplies the base colour. */
-  readonly vertexColors: boolean;
+  /**
+   * The geometry's attribute `color` multiplies the base colour. `true`: encoded sRGB, decoded
+   * before it is interpolated under `linear`. `linear`: interpolated as stored, then encoded.
+   */
+  readonly vertexColors: boolean | 'linear';
   /** The colour is the base colour: no light is summed, and nothing is emitted besides. */
   readonly unlit: boolean;
   /**

@@ -16,6 +16,7 @@ import type { Texture } from 'three';
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
+import { decodedTexture } from './decoded-texture.js';
 import { type BaseLook, PLAIN_LOOK, lobeScale, usesRoughnessMap } from './file-surface.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
@@ -93,7 +94,7 @@ export class PhongMaterial extends RawShaderMaterial {
       uniforms,
       glslVersion: GLSL3,
       side: DoubleSide,
-      vertexColors: look.vertexColors,
+      vertexColors: look.vertexColors !== false,
       premultipliedAlpha: true,
       transparent: look.alphaMode === 'blend',
       toneMapped: false,
@@ -156,6 +157,7 @@ export class PhongMaterial extends RawShaderMaterial {
     if (this.#linear !== this.linear) {
       this.#writeSurface();
     }
+    this.#chooseTextures();
     const mirrors = this.#place(mesh);
     const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
     Object.assign(this.uniforms, this.#lighting.view?.program?.uniforms);
@@ -225,6 +227,16 @@ export class PhongMaterial extends RawShaderMaterial {
     const before = uMirrored.value;
     uMirrored.value = model.determinant() < 0 ? -1 : 1;
     return uMirrored.value !== before;
+  }
+
+  /** Under `linear`, colours are decoded before they are filtered. */
+  #chooseTextures(): void {
+    const { uMap, uEmissiveMap } = this.#uniforms;
+    const { map: base, emissiveMap } = this.look;
+    const chosen = (texture: Texture | null): Texture | null =>
+      texture !== null && this.#linear ? decodedTexture(texture) : texture;
+    uMap.value = chosen(base);
+    uEmissiveMap.value = chosen(emissiveMap);
   }
 
   #writeSurface(): void {

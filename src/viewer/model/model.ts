@@ -33,7 +33,7 @@ export interface ContentPart {
   /**
    * Attributes: `position` (float, finite); `normal` (float, unit length or zero); for each map of
    * the look the texture coordinates of its channel (`uv`, `uv1`, …); `tangent` (unit, w ±1) for a
-   * normal map; `color` (encoded sRGB, 3 or 4 components, 0 to 1) if the look has vertex colours.
+   * normal map; `color` (as the look says, 3 or 4 components, 0 to 1) if it has vertex colours.
    * Indexed or not. Parts can share geometries or attributes. Vertices that {@link Motion} changes
    * have `DynamicDrawUsage`.
    */

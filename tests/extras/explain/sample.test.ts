@@ -10,6 +10,7 @@ import {
   type Wrapping,
 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { srgbDecode } from '../../../src/phong/math/color.js';
 import { sampleTexture, type Sampler } from '../../../src/extras/explain/sample.js';
 
 /** Red tells the column, green the row, in codes of 255. */
@@ -68,5 +69,16 @@ describe('a texture', () => {
     expect(at(linear(ClampToEdgeWrapping), 0, 0)).toEqual([0, 0]);
     expect(at(linear(RepeatWrapping), 0, 0)).toEqual([1.5, 0.5]);
     expect(at(linear(MirroredRepeatWrapping), 1, 0)).toEqual([3, 0]);
+  });
+
+  it('is decoded before it is interpolated, but for alpha', () => {
+    const data = new Uint8Array([0, 0, 0, 0, 255, 255, 255, 255]);
+    const between = (decoded: boolean) =>
+      sampleTexture({ width: 2, height: 1, data }, sampler(ClampToEdgeWrapping, LinearFilter), 0.375, 0.5, decoded); // oxfmt-ignore
+    expect(between(true)).toEqual([0.25, 0.25, 0.25, 0.25]);
+    data.fill(128);
+    const [red, , , alpha] = between(true);
+    expect([red, alpha]).toEqual([srgbDecode(128 / 255), 128 / 255]);
+    expect(between(false)[0]).toBe(128 / 255);
   });
 });

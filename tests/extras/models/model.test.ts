@@ -148,14 +148,15 @@ it.each([
 );
 
 describe('looks', () => {
-  it('encodes linear vertex colours and factors, and leaves alpha alone', async () => {
+  it('encodes factors, and leaves vertex colours linear', async () => {
     const { geometry, look } = onlyPart(await load('/fixtures/vertex-colours.glb'));
     expect(look.baseColor[0]).toBeCloseTo(0.5, 6);
     expect(look.baseColor[1]).toBeCloseTo(1, 12);
     expect(look.baseColor[2]).toBeCloseTo(srgbEncode(0.5), 12);
     const colors = values(geometry, 'color');
     expect(colors.slice(0, 4)).toEqual([1, 0, 0, 1]);
-    expect(colors[12]).toBeCloseTo(srgbEncode(55 / 255), 6);
+    expect(look.vertexColors).toBe('linear');
+    expect(colors[12]).toBeCloseTo(55 / 255, 6);
     expect(colors[15]).toBeCloseTo(128 / 255, 6);
   });
 

@@ -147,6 +147,71 @@ test('the picture of each kind of material is what shadeAt explains, within one 
   }
 });
 
+test('colours are mixed in the light that the file and the viewer ask for, and explained so', async ({
+  mount,
+}) => {
+  const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+  const text = (type: string, body: string): string =>
+    `data:${type};base64,${Buffer.from(body).toString('base64')}`;
+  const COLORS = ['1 0 0', '0 1 0'];
+  // Red on the left, green on the right.
+  const corners = [-1, 1, 1, -1].map((x, i) => `${x} ${i < 2 ? -1 : 1} 0 ${COLORS[(x + 1) / 2]}`);
+  const obj = text('model/obj', `${corners.map((v) => `v ${v}\n`).join('')}f 1 2 3 4`);
+  const ply = text('model/ply', `ply\nformat ascii 1.0\nelement vertex 4\n${['x', 'y', 'z', 'red', 'green', 'blue'].map((name) => `property float ${name}\n`).join('')}element face 1\nproperty list uchar int vertex_indices\nend_header\n${corners.join('\n')}\n4 0 1 2 3\n`); // oxfmt-ignore
+  const texture: readonly Texel[] = [[255, 0, 0], [0, 255, 0], [255, 0, 0], [0, 255, 0]]; // oxfmt-ignore
+  const gltf = patch({
+    material: { pbrMetallicRoughness: { metallicFactor: 0, baseColorTexture: { index: 0 } } },
+    textures: [texture],
+  });
+  const glowing = patch({
+    material: {
+      pbrMetallicRoughness: { metallicFactor: 0, baseColorFactor: [0, 0, 0, 1] },
+      emissiveFactor: [1, 1, 1],
+      emissiveTexture: { index: 0 },
+    },
+    textures: [texture],
+  });
+  const half = Math.round(255 * encoded(0.5));
+  for (const [what, src, inSrgb, inLinear] of [
+    ['an OBJ file', obj, 128, half],
+    ['a PLY file', ply, 128, half],
+    ['a texture', gltf, 128, half],
+    ['an emissive texture', glowing, 128, half],
+    ['a glTF file', '/fixtures/cases/gltf/color-gradient.gltf', half, half],
+  ] as const) {
+    for (const [shading, color] of [
+      ['phong', 'srgb'],
+      ['phong', 'linear'],
+      ['gouraud', 'srgb'],
+      ['gouraud', 'linear'],
+      ['flat', 'linear'],
+    ] as const) {
+      const name = `${what}, ${shading}, ${color}`;
+      await show(
+        viewer,
+        `<phong-viewer src="${src}" ka="255" theta="0" phi="90" target="0 0 0" radius="3" shading="${shading}" color-interpolation="${color}">
+          <phong-light ambient="255" diffuse="0" specular="0"></phong-light></phong-viewer>`,
+      );
+      const [red, green, explained] = await viewer.evaluate(async (element: PhongViewer) => {
+        const { width, height } = element.getBoundingClientRect();
+        const bitmap = await createImageBitmap(await element.toBlob());
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+        context.drawImage(bitmap, 0, 0);
+        const [x, y] = [Math.floor(width / 2), Math.floor(height / 2)];
+        const { data } = context.getImageData(x, y, 1, 1);
+        const { color } = (await element.shadeAt(x + 0.5, y + 0.5))!;
+        return [data[0]!, data[1]!, color.map((c) => c * 255)] as const;
+      });
+      const expected = color === 'linear' ? inLinear : inSrgb;
+      // The pixel's centre lies beside the middle, by half of it.
+      expect.soft(Math.abs(red - expected), `${name}: red ${red}`).toBeLessThanOrEqual(4);
+      expect.soft(Math.abs(green - expected), `${name}: green ${green}`).toBeLessThanOrEqual(4);
+      expect.soft(Math.abs(explained[0]! - red), `${name}: shadeAt`).toBeLessThanOrEqual(1);
+      expect.soft(Math.abs(explained[1]! - green), `${name}: shadeAt`).toBeLessThanOrEqual(1);
+    }
+  }
+});
+
 test.describe('by the rules of src/MODELS.md', () => {
   const base = RED.slice(0, 3).map(encoded);
 

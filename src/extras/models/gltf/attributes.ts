@@ -1,8 +1,7 @@
 // Turns a file's vertex attributes, of any layout, into finite floats, normals of unit length and
-// encoded colours.
+// colours from 0 to 1.
 import { BufferAttribute, type InterleavedBufferAttribute } from 'three';
 import { LIMITS } from '../../../phong/light/light-state.js';
-import { srgbEncode } from '../../../phong/math/color.js';
 import type { Slices } from '../slices.js';
 
 export type Attribute = BufferAttribute | InterleavedBufferAttribute;
@@ -74,16 +73,15 @@ export const floatUvs: Conversion = async (source, slices) => {
   return uvs;
 };
 
-/** Encodes linear colours as sRGB, clamped to 0–1. Alpha is only clamped. */
-export const encodedColors: Conversion = async (source, slices) => {
+/** Linear colours, and alpha, clamped to 0–1. */
+export const clampedColors: Conversion = async (source, slices) => {
   const items = source.itemSize === 4 ? 4 : 3;
   const values = new Float32Array(source.count * items);
   await slices.over(source.count, (from, to) => {
     for (let i = from; i < to; i += 1) {
       for (let c = 0; c < items; c += 1) {
         const value = source.getComponent(i, c);
-        const inside = value > 0 ? Math.min(value, 1) : 0;
-        values[i * items + c] = c === 3 ? inside : srgbEncode(inside);
+        values[i * items + c] = value > 0 ? Math.min(value, 1) : 0;
       }
     }
   });

@@ -15,7 +15,7 @@ import type { Slices } from '../slices.js';
 import {
   type Attribute,
   type Conversion,
-  encodedColors,
+  clampedColors,
   floatPositions,
   floatUvs,
   gathered,
@@ -203,7 +203,7 @@ export class Geometries {
     for (const [name, conversion, items] of [
       ['position', floatPositions, 3],
       ['normal', unitNormals, 3],
-      ['color', encodedColors, 4],
+      ['color', clampedColors, 4],
       ...(tangents && source.hasAttribute('normal') ? [['tangent', unitTangents, 4] as const] : []),
       ...uvs.map((uv) => [uv, floatUvs, 2] as const),
     ] as const) {

@@ -299,7 +299,7 @@ export function lookOf(
       opacity: alphaMode === 'opaque' ? 1 : clamp(opacity, 0, 1),
       alphaMode,
       alphaCutoff: alphaTest,
-      vertexColors,
+      vertexColors: vertexColors && 'linear',
       ...maps,
       unlit,
       emissive: encoded(glows ? emissive : BLACK),

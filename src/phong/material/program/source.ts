@@ -102,7 +102,11 @@ export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceCo
       ].join('\n');
     const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
     shaders = {
-      vertexShader: [head('vertex'), phongVertex].join('\n'),
+      vertexShader: [
+        head('vertex'),
+        where('defined(DECODES_VERTEX_COLOR)', srgb),
+        phongVertex,
+      ].join('\n'),
       fragmentShader: [
         head('fragment'),
         ENCODING_GLSL,

@@ -5,6 +5,7 @@ import { kindFeatures } from '../../light/light-features.js';
 import { FEATURES, HEADER, ROWS } from '../../light/light-layout.js';
 import { KINDS, type LightKind, type Term } from '../../light/light-state.js';
 import { forEachLight, type PackedLights } from '../../light/pack-lights.js';
+import { isDecodable } from '../decoded-texture.js';
 import { emits, hasMetalness, usesRoughnessMap, type BaseLook } from '../file-surface.js';
 import type { ShadingStyle } from '../material-values.js';
 import { type Shaders, shadersOf } from './source.js';
@@ -46,7 +47,9 @@ export function generalVariant(
     IS_UNLIT: unlit,
     IS_BLENDED: alphaMode === 'blend',
     HAS_ALPHA_MASK: alphaMode === 'mask',
-    HAS_VERTEX_COLOR: look.vertexColors,
+    HAS_VERTEX_COLOR: look.vertexColors !== false,
+    DECODES_VERTEX_COLOR: linear && look.vertexColors === true,
+    ENCODES_VERTEX_COLOR: !linear && look.vertexColors === 'linear',
     HAS_EMISSIVE: emits(look),
     HAS_METALNESS: hasMetalness(look),
     HAS_ROUGHNESS: usesRoughnessMap(look, style),
@@ -68,6 +71,9 @@ export function generalVariant(
       [`${name}_UV`]: uv,
       [`HAS_${uv.toUpperCase()}`]: '',
     });
+    if (linear && !isDecodable(map)) {
+      defines[`DECODES_${name}`] = '';
+    }
   }
   return variantOf(defines);
 }
