@@ -18,7 +18,7 @@ const TOOK = 2 ** 11;
 const CLAIMED = 2 ** 18;
 
 /** Items between two looks at the clock in {@link Slices.map}, less one. */
-const MAP_MASK = 0xff;
+const MAP_MASK = 0xf;
 
 /** Loops that share a clock and end when the load is aborted. */
 export class Slices {
@@ -48,7 +48,7 @@ export class Slices {
     }
   }
 
-  /** The results of `work`, whose steps take at most 20 µs each, for all items. */
+  /** The results of `work`, whose steps take at most 300 µs each, for all items. */
   async map<Item, Result>(
     items: readonly Item[],
     work: (item: Item, i: number) => Result,

@@ -54,6 +54,7 @@ export async function readAnimations(
   const counted = new Set<Accessor>();
   const animations: GltfAnimation[] = [];
   for (const [i, animation] of objectsAt(json['animations'], 'animations').entries()) {
+    await slices.pauseIfDue();
     try {
       const channels = await readChannels(animation, context);
       if (channels.length === 0) continue;
@@ -74,7 +75,6 @@ export async function readAnimations(
       if (!(error instanceof Error) || error.name !== 'Error') throw error; // too large
       dropped.add(`animations[${String(i)}] (${error.message})`);
     }
-    await slices.pauseIfDue();
   }
   return animations;
 }

@@ -83,7 +83,7 @@ export async function readDocument(
     dropped,
     slices,
   });
-  const skins = readSkins(json, accessors);
+  const skins = await readSkins(json, accessors, slices);
   const nodes = await readNodes(json, { meshes, skins, accessors, budget, dropped }, slices);
   const roots = readRoots(json, nodes);
   const inScene = withChildren(nodes, roots);
@@ -113,14 +113,17 @@ export async function readDocument(
         name,
         primitives: primitives.map(({ definition }) => definition),
       })),
-      skins: skins.map(({ joints, inverseBindMatrices: own }) => ({
+      skins: await slices.map(skins, ({ joints, inverseBindMatrices: own }) => ({
         joints,
         inverseBindMatrices: own?.index,
       })),
       materials,
-      textures: textures.map(() => ({})),
+      textures: await slices.map(textures, () => ({})),
       accessors: await accessors.definitions(slices),
-      bufferViews: bufferViews.map(({ byteLength, byteStride }) => ({ byteLength, byteStride })),
+      bufferViews: await slices.map(bufferViews, ({ byteLength, byteStride }) => ({
+        byteLength,
+        byteStride,
+      })),
       extensionsUsed: [
         ...(draco.size > 0 ? [DRACO] : []),
         'KHR_mesh_quantization',
@@ -128,7 +131,7 @@ export async function readDocument(
       ],
     },
     bufferViews,
-    buffers: bufferDefs.map((buffer, i) => ({
+    buffers: await slices.map(bufferDefs, (buffer, i) => ({
       byteLength: countAt(buffer['byteLength'], `buffers[${String(i)}].byteLength`),
       uri: typeof buffer['uri'] === 'string' ? buffer['uri'] : undefined,
     })),
@@ -162,12 +165,17 @@ interface Skin {
   readonly inverseBindMatrices: Accessor | undefined;
 }
 
-function readSkins(json: JsonObject, accessors: Accessors): readonly Skin[] {
+function readSkins(
+  json: JsonObject,
+  accessors: Accessors,
+  slices: Slices,
+): Promise<readonly Skin[]> {
   const nodeCount = listAt(json['nodes'], 'nodes').length;
-  return objectsAt(json['skins'], 'skins').map((skin, i) => {
+  return slices.map(objectsAt(json['skins'], 'skins'), (skin, i) => {
     const what = `skins[${String(i)}]`;
-    const joints = listAt(skin['joints'], `${what}.joints`).map((joint) =>
-      indexAt(joint, nodeCount, `${what}.joints`),
+    const listName = `${what}.joints`;
+    const joints = listAt(skin['joints'], listName).map((joint) =>
+      indexAt(joint, nodeCount, listName),
     );
     if (skin['inverseBindMatrices'] === undefined) {
       return { index: i, joints, inverseBindMatrices: undefined };
@@ -253,8 +261,8 @@ async function readNodes(
     const primitives = instances?.count === 0 ? [] : (mesh?.primitives ?? []);
     // A float64 each, in the file's list and in the pose.
     budget.add({ values: 4 * targets });
-    const given =
-      node['weights'] === undefined ? fallback : listAt(node['weights'], `${what}.weights`);
+    const weightsName = `${what}.weights`;
+    const given = node['weights'] === undefined ? fallback : listAt(node['weights'], weightsName);
     const visible = optionalObject(optionalObject(node['extensions'], what)[VISIBILITY], what)[
       'visible'
     ];
@@ -267,7 +275,7 @@ async function readNodes(
       primitives,
       instances,
       skin: bound && skin !== undefined ? skins[skin] : undefined,
-      weights: Array.from({ length: targets }, (_, k) => numberAt(given[k], `${what}.weights`, 0)),
+      weights: Array.from({ length: targets }, (_, k) => numberAt(given[k], weightsName, 0)),
       definition: {
         name: textAt(node['name']),
         matrix: numbersAt(node['matrix'], 16, `${what}.matrix`),
@@ -340,18 +348,19 @@ async function countDrawn(
  * scene, all nodes.
  */
 function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly number[] {
-  const scenes = objectsAt(json['scenes'], 'scenes');
-  const all = nodes.map((_, i) => i);
+  const scenes = listAt(json['scenes'], 'scenes');
+  const shown = scenes.length === 0 ? 0 : indexAt(json['scene'] ?? 0, scenes.length, 'scene');
+  // The others can be millions.
+  const scene = optionalObject(scenes[shown], `scenes[${String(shown)}]`);
   const listed =
     scenes.length === 0
-      ? all
-      : listAt(
-          scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')]?.['nodes'],
-          'the scene',
-        ).map((root) => indexAt(root, nodes.length, 'the scene'));
-  const children = listed.flatMap((root) => nodes[root]?.children ?? []);
+      ? nodes.map((_, i) => i)
+      : listAt(scene['nodes'], 'the scene').map((root) => indexAt(root, nodes.length, 'the scene'));
+  // Each once: thousands of entries can name one node with thousands of children.
+  const roots = [...new Set(listed)];
+  const children = roots.flatMap((root) => nodes[root]!.children);
   const below = withChildren(nodes, children);
-  return [...new Set(listed)].filter((root) => !below.has(root));
+  return roots.filter((root) => !below.has(root));
 }
 
 function withChildren(nodes: readonly GltfNode[], roots: readonly number[]): ReadonlySet<number> {

@@ -52,10 +52,9 @@ export function numbersAt(
 ): readonly number[] | undefined {
   if (value === undefined) return undefined;
   const list = listAt(value, what);
-  const finite = list.every(
-    (item): item is number => typeof item === 'number' && Number.isFinite(item),
-  );
-  if (finite && list.length === length) return list;
+  const isFinite = (item: unknown): item is number => Number.isFinite(item);
+  // The length first: others can be millions long.
+  if (list.length === length && list.every(isFinite)) return list;
   throw new Error(`${what} is not ${String(length)} numbers`);
 }
 

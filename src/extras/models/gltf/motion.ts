@@ -57,6 +57,7 @@ export async function readMotion(
   for (const [i, { name, channels }] of animations.entries()) {
     const tracks: Track[] = [];
     for (const channel of channels) {
+      await slices.pauseIfDue();
       const { path, width, interpolation } = channel;
       const times = await numbersOf(channel.input);
       const values = await numbersOf(channel.output);
@@ -78,7 +79,6 @@ export async function readMotion(
       }
       const target = targetOf(node, path, weights);
       tracks.push({ keyframes, ...target, value: target.rest.slice() });
-      await slices.pauseIfDue();
     }
     const duration = tracks.reduce(
       (end, { keyframes }) => Math.max(end, keyframes.times.at(-1) ?? 0),

@@ -1,0 +1,114 @@
+// Does reading a glTF document let other tasks run after a bounded amount of work, whichever of its
+// lists is long? Every look at the clock says that the task has taken long enough, so that the
+// pauses count the slices.
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import type { Json } from '../../fuzz/glb.js';
+import { triangleDocument, triangleGlb } from '../../fuzz/models.js';
+import { heardWarnings, loadFiles } from './model-files.js';
+
+heardWarnings();
+
+let pauses = 0;
+
+beforeEach(() => {
+  let now = 0;
+  vi.spyOn(performance, 'now').mockImplementation(() => (now += 100));
+  pauses = 0;
+  vi.stubGlobal(
+    'MessageChannel',
+    class extends MessageChannel {
+      constructor() {
+        super();
+        pauses += 1;
+      }
+    },
+  );
+});
+
+const MANY = 2 ** 13;
+
+/** Pauses of a load of the triangle with this in its document, readable or not. */
+async function pausesWith(more: Json): Promise<number> {
+  const file = new Uint8Array(triangleGlb(more));
+  await loadFiles({ 'a.glb': file }).catch(() => undefined);
+  return pauses;
+}
+
+const SCALAR = { componentType: 5126, count: 1, type: 'SCALAR' };
+const VEC3 = { componentType: 5126, count: 1, type: 'VEC3' };
+const [POSITIONS] = triangleDocument()['accessors'] as Json[];
+const sampler = { input: 1, output: 2 };
+const channel = { sampler: 0, target: { node: 0, path: 'translation' } };
+/** Its times are out of order. */
+const broken = { samplers: [{ input: 3, output: 2 }], channels: [channel] };
+const back = { ...SCALAR, count: 2, bufferView: 0, byteOffset: 12 };
+
+describe('a document is read in slices', () => {
+  it.each<[what: string, more: Json]>([
+    ['skins', { skins: Array<Json>(MANY).fill({ joints: [0] }) }],
+    ['materials', { materials: Array<Json>(MANY).fill({}) }],
+    ['textures', { textures: Array<Json>(MANY).fill({}) }],
+    ['buffers', { buffers: [{ byteLength: 36 }, ...Array<Json>(MANY).fill({ byteLength: 1 })] }],
+    ['empty animations', { animations: Array<Json>(MANY).fill({}) }],
+    [
+      'animations without samplers',
+      { animations: Array<Json>(MANY).fill({ channels: [channel] }) },
+    ],
+    [
+      'animations whose times go back',
+      {
+        accessors: [POSITIONS!, SCALAR, { ...VEC3, count: 2 }, back],
+        animations: Array<Json>(MANY).fill(broken),
+      },
+    ],
+    [
+      'animations that play',
+      {
+        accessors: [POSITIONS!, SCALAR, VEC3],
+        animations: Array<Json>(MANY).fill({ samplers: [sampler], channels: [channel] }),
+      },
+    ],
+  ])('of many %s', async (_, more) => {
+    const before = await pausesWith({});
+    pauses = 0;
+    // Besides parsing, which pauses after some thousand values.
+    expect((await pausesWith(more)) - before).toBeGreaterThanOrEqual(MANY / 32);
+  });
+});
+
+it('the nodes that a scene names thousands of times are visited once', async () => {
+  let visits = 0;
+  const flatMap = vi.spyOn(Array.prototype, 'flatMap').mockImplementation(function (
+    this: unknown[],
+    each: (item: unknown, i: number, all: unknown[]) => unknown,
+  ) {
+    const found = this.map((item, i) => each(item, i, this)).flat();
+    visits += found.length;
+    return found;
+  } as never);
+  const [children, roots] = [300, 1000];
+  const { parts } = await loadFiles({
+    'a.glb': new Uint8Array(
+      triangleGlb({
+        scenes: [{ nodes: Array<number>(roots).fill(0) }],
+        nodes: [
+          { mesh: 0, children: Array.from({ length: children }, (_, i) => i + 1) },
+          ...Array<Json>(children).fill({}),
+        ],
+      }),
+    ),
+  });
+  flatMap.mockRestore();
+  expect(parts).toHaveLength(1);
+  expect(visits).toBeLessThan(10 * (children + roots));
+});
+
+it('lists of another length than wanted are not walked', async () => {
+  const isFinite = vi.spyOn(Number, 'isFinite');
+  const long = Array<number>(10_000).fill(1);
+  const material = { pbrMetallicRoughness: { baseColorFactor: long } };
+  await expect(
+    loadFiles({ 'a.glb': new Uint8Array(triangleGlb({ materials: [material] })) }),
+  ).rejects.toThrow(/is not 4 numbers/);
+  expect(isFinite.mock.calls.length).toBeLessThan(1000);
+});
