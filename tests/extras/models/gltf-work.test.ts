@@ -2,7 +2,7 @@
 // lists is long? Every look at the clock says that the task has taken long enough, so that the
 // pauses count the slices.
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Json } from '../../fuzz/glb.js';
+import { glbOf, type Json } from '../../fuzz/glb.js';
 import { triangleDocument, triangleGlb } from '../../fuzz/models.js';
 import { heardWarnings, loadFiles } from './model-files.js';
 
@@ -111,4 +111,36 @@ it('lists of another length than wanted are not walked', async () => {
     loadFiles({ 'a.glb': new Uint8Array(triangleGlb({ materials: [material] })) }),
   ).rejects.toThrow(/is not 4 numbers/);
   expect(isFinite.mock.calls.length).toBeLessThan(1000);
+});
+
+it('thousands of buffers in base64 are found by their keys', async () => {
+  const buffers = Array.from({ length: 400 }, (_, i) => {
+    const bytes = Buffer.alloc(3072 + 3 * i);
+    return {
+      byteLength: bytes.length,
+      uri: `data:application/octet-stream;base64,${bytes.toString('base64')}`,
+    };
+  });
+  let visits = 0;
+  const { find } = Array.prototype;
+  vi.spyOn(Array.prototype, 'find').mockImplementation(function (
+    this: unknown[],
+    each: (item: unknown, i: number, all: unknown[]) => boolean,
+  ) {
+    return find.call(this, (item, i, all) => {
+      visits += 1;
+      return each(item, i, all);
+    });
+  } as never);
+  const document = triangleDocument({
+    buffers,
+    bufferViews: buffers.map(({ byteLength }, buffer) => ({ buffer, byteLength })),
+    accessors: buffers.map((_, bufferView) => ({ ...POSITIONS!, bufferView })),
+    scenes: [{ nodes: buffers.map((_, i) => i) }],
+    nodes: buffers.map((_, mesh) => ({ mesh })),
+    meshes: buffers.map((_, i) => ({ primitives: [{ attributes: { POSITION: i } }] })),
+  });
+  const { parts } = await loadFiles({ 'a.glb': new Uint8Array(glbOf(document)) });
+  expect(parts).toHaveLength(buffers.length);
+  expect(visits).toBeLessThan(20 * buffers.length);
 });

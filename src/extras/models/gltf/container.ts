@@ -226,10 +226,11 @@ const keyOf = (index: number): string => `data:;part-of-file,${String(index)}`;
 
 function dataByKey(cuts: readonly Cut[], slices: Slices): Container['data'] {
   const decoded = new Map<string, Promise<FileBytes>>();
+  const byKey = new Map(cuts.map((cut, i) => [keyOf(i), cut]));
   return (key) => {
     const known = decoded.get(key);
     if (known !== undefined) return known;
-    const cut = cuts.find((_, i) => keyOf(i) === key);
+    const cut = byKey.get(key);
     const data =
       cut === undefined
         ? decodeDataUri(key, slices)
