@@ -1,7 +1,7 @@
 // @ts-check
-// The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), and #private
-// instead of `private`. Not a plugin of oxlint: with one it takes 4 GiB of address space for each
-// core, and a small machine refuses that.
+// The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), #private instead of
+// `private`, and what `breaches` says more. Not a plugin of oxlint: with one it takes 4 GiB of
+// address space for each core, and a small machine refuses that.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { parseSync, Visitor } from 'vite';
@@ -42,6 +42,16 @@ export function breaches(file, code) {
       report(node, 'Private members are #private.');
     }
   };
+  /** @param {any} node */
+  const abort = (node) => {
+    const { callee } = node;
+    if (callee.property?.name === 'abort' && node.arguments.length === 0) {
+      report(
+        node,
+        'abort() makes an error that keeps its callers alive: give a text as the reason.',
+      );
+    }
+  };
   const { program, errors } = parseSync(file, code);
   // Of what does not parse there is no tree. Oxlint and tsc say more.
   for (const { message } of errors) {
@@ -55,6 +65,7 @@ export function breaches(file, code) {
     TSImportType: lazy,
     PropertyDefinition: member,
     MethodDefinition: member,
+    CallExpression: abort,
   }).visit(program);
   return found;
 }

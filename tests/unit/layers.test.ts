@@ -71,6 +71,13 @@ describe('layers of src/', () => {
     ]);
   });
 
+  it('wants a reason of each abort', () => {
+    const file = 'src/viewer/index.ts';
+    expect(breaches(file, "a.abort('ended');\na.#b?.abort();")).toEqual([
+      expect.stringMatching(/^2: abort\(\) makes an error that keeps its callers alive/),
+    ]);
+  });
+
   it.each([
     ['class A { private a = 1; }', ['1: Private members are #private.']],
     ['class A {\n  private a(): void {}\n}', ['2: Private members are #private.']],

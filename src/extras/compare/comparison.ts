@@ -51,7 +51,7 @@ export class Comparison implements ReactiveController {
   hostDisconnected(): void {
     this.#observer.disconnect();
     leaveTexts(this.#textUser);
-    this.#listeners.abort();
+    this.#listeners.abort('disconnected');
   }
 
   /** The panes are there: assigns the viewers to them, unless they have them already. */

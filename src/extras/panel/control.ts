@@ -243,7 +243,7 @@ class Control {
       viewer.addController(updates);
       const history = historyOf(viewer);
       this.#stops.push(history.listen(refresh), listenForUndo(viewer, box, history), () => {
-        events.abort();
+        events.abort('rebound');
         viewer.removeController(updates);
       });
     }

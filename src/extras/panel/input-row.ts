@@ -118,7 +118,7 @@ export class Readout extends Controller {
   }
 
   override destroy(): void {
-    this.#stop.abort();
+    this.#stop.abort('destroyed');
     super.destroy();
   }
 }

@@ -95,5 +95,5 @@ export function listenForUndo(
     },
     { signal: outside.signal },
   );
-  return () => outside.abort();
+  return () => outside.abort('closed');
 }

@@ -100,7 +100,7 @@ export class OrbitInput {
 
   /** Releases listeners and captured pointers and ends a drag. `connect` can follow. */
   disconnect(): void {
-    this.#listeners?.abort();
+    this.#listeners?.abort('detached');
     this.#listeners = undefined;
     this.#end();
   }

@@ -56,7 +56,7 @@ export function requestModelFile(url: URL, options: RequestOptions): FileRequest
 export function endEarly(): void {
   for (const { request, end } of early.values()) {
     request.stop();
-    end.abort();
+    end.abort('unclaimed');
   }
   early.clear();
 }
@@ -92,7 +92,7 @@ export function requestFile(
   const refusal = refusalOf(url, watch.signal);
   const response = fetch(url, { signal, redirect, credentials });
   response.catch(() => undefined); // the code that awaits it reports the error
-  const stop = (): void => watch.abort();
+  const stop = (): void => watch.abort('answered');
   return { response, refusal, stop };
 }
 

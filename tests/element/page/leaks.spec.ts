@@ -5,7 +5,7 @@ import type { Page } from '@playwright/test';
 import { findTestBrowser, softwareGl } from '../../../.ci/browser.mjs';
 import { expect, test } from '../../support/test.js';
 import { countEverything, countsOf } from '../support/counting.js';
-import { comeAndGo, Ledger } from './many-viewers.js';
+import { comeAndGo, Ledger, remember, stillAlive } from './many-viewers.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
 
 const size = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
@@ -85,4 +85,135 @@ test('moving a viewer on its page opens no context and uploads nothing', async (
   await nextFrame(page);
   expect(await held(page)).toEqual(before);
   expect(Buffer.compare(await viewer.screenshot(), shot)).toBe(0);
+});
+
+const light = '<phong-light position="1 2 3 1"></phong-light>';
+const box = (attributes = ''): string =>
+  `<phong-viewer geometry="box" ${attributes}>${light}</phong-viewer>`;
+
+type Last = readonly [
+  markup: string,
+  use?: ((page: Page) => Promise<unknown>) | undefined,
+  said?: RegExp,
+];
+
+/** What is the last of its kind on a page, how it is used before it is removed, and what it says. */
+const lasts: Record<string, Last> = {
+  'one viewer': [box()],
+  'four viewers': [kinds.join('')],
+  'forty viewers': [box().repeat(40)],
+  'a viewer that was dragged and turned by keys': [
+    box(),
+    async (page) => {
+      await page.mouse.move(45, 30);
+      await page.mouse.down();
+      await page.mouse.move(60, 35, { steps: 3 });
+      await page.mouse.up();
+      await page.keyboard.press('ArrowLeft');
+    },
+  ],
+  'a comparison': [
+    `<phong-compare labels="a|b">${box()}${box('shading="flat"')}</phong-compare>`,
+    async (page) => {
+      await page.mouse.move(10, 30);
+      await page.mouse.down();
+      await page.mouse.move(30, 35, { steps: 3 });
+      await page.mouse.up();
+    },
+  ],
+  'a control': [
+    `${box('id="a"')}<phong-control for="a" attribute="theta">turn</phong-control>`,
+    async (page) => {
+      await page.locator('phong-control input').first().focus();
+      await page.keyboard.press('ArrowUp');
+      await page.keyboard.press('Control+z');
+    },
+  ],
+  'a viewer with a panel': [
+    box('gui="camera lights"'),
+    async (page) => {
+      await page.locator('[part=panel] input').first().focus();
+      await page.keyboard.press('ArrowUp');
+      await page.keyboard.press('Control+z');
+    },
+  ],
+  'a viewer with helpers': [
+    box('helpers="lights axes grid normals bounds"'),
+    (page) => page.keyboard.press('Tab'),
+  ],
+  'a viewer with a probe': [
+    box('probe'),
+    async (page) => {
+      await page.mouse.move(45, 30);
+      await page.mouse.click(45, 30);
+    },
+  ],
+  'a viewer with a pinned probe': [box('probe probe-at="0.5 0.5 0.5"')],
+  'a viewer that shows a view': [box('view="n-dot-l"')],
+  'a viewer that converges': [box('antialias="full" samples="16"')],
+  'viewers with one camera': [box('camera-group="a"').repeat(2)],
+  'a viewer of which a picture is kept': [
+    box(),
+    (page) =>
+      page.evaluate(async () => {
+        const viewer = document.querySelector('phong-viewer')!;
+        const files = [await viewer.toBlob(), await viewer.toBlob({ samples: 4 })];
+        const point = await viewer.shadeAt(45, 30);
+        Object.assign(window, { kept: [files, viewer.toHTML(), point?.color] });
+      }),
+  ],
+  'a viewer that lost its context': [
+    box(),
+    (page) =>
+      page.evaluate(async () => {
+        const canvas = document.querySelector('phong-viewer')!.shadowRoot!.querySelector('canvas')!;
+        canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!.loseContext();
+        await new Promise((resolve) => setTimeout(resolve, 50));
+      }),
+  ],
+  'a viewer that failed': [
+    '<phong-viewer src="/fixtures/models/none.glb"></phong-viewer>',
+    undefined,
+    /404/,
+  ],
+};
+
+for (const [what, [markup, use, said]] of Object.entries(lasts)) {
+  test(`frees ${what}, the last of the page`, async ({ page, mount, consoleGuard }) => {
+    if (said !== undefined) {
+      consoleGuard.allow(said);
+    }
+    await mount(markup, size);
+    await use?.(page);
+    await nextFrame(page);
+    await remember(page);
+    await page.evaluate(() => document.body.replaceChildren());
+    await expect.poll(() => stillAlive(page)).toEqual([]);
+  });
+}
+
+test('frees the last light, mesh and control of a viewer that stays', async ({ page, mount }) => {
+  const markup = `<phong-viewer id="a" gui helpers="lights" probe>${light}
+    <phong-mesh geometry="box"></phong-mesh></phong-viewer>
+    <phong-control for="a" attribute="theta">turn</phong-control>`;
+  await mount(markup, size);
+  await remember(page);
+  await page.evaluate(async () => {
+    document.querySelector('phong-viewer')!.replaceChildren();
+    document.querySelector('phong-control')!.remove();
+    await document.querySelector('phong-viewer')!.ready;
+  });
+  await expect.poll(() => stillAlive(page)).toEqual(['phong-viewer', 'scene']);
+});
+
+test('frees the last viewer of an iframe that is removed with it', async ({ page, mount }) => {
+  await mount(`${box()}<iframe></iframe>`, size);
+  await page.evaluate(async () => {
+    const viewer = document.querySelector('phong-viewer')!;
+    document.querySelector('iframe')!.contentDocument!.body.append(viewer);
+    await viewer.ready;
+    Object.assign(window, { remembered: [['phong-viewer', new WeakRef(viewer)]] });
+    document.querySelector('iframe')!.remove();
+  });
+  await expect.poll(() => stillAlive(page)).toEqual([]);
 });

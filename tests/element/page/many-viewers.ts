@@ -133,6 +133,38 @@ export class Ledger {
   }
 }
 
+/**
+ * Remembers, without keeping them alive, all elements of the package that are on the page, and the
+ * scenes of its viewers.
+ */
+export const remember = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    const remembered: [name: string, object: WeakRef<object>][] = [];
+    for (const element of document.querySelectorAll('*')) {
+      if (!element.localName.startsWith('phong-')) continue;
+      remembered.push([element.localName, new WeakRef(element)]);
+      if ('scene' in element) {
+        remembered.push(['scene', new WeakRef(element.scene as object)]);
+      }
+    }
+    Object.assign(window, { remembered });
+  });
+
+/** What is alive of what was remembered last, by name, after a garbage collection. */
+export async function stillAlive(page: Page): Promise<string[]> {
+  const session = await page.context().newCDPSession(page);
+  await nextFrame(page);
+  for (let time = 0; time < 2; time++) {
+    await session.send('HeapProfiler.collectGarbage');
+  }
+  await session.detach();
+  return page.evaluate(() => {
+    type Remembered = readonly [name: string, object: WeakRef<object>];
+    const { remembered } = window as unknown as { remembered: readonly Remembered[] };
+    return remembered.filter(([, weak]) => weak.deref() !== undefined).map(([name]) => name);
+  });
+}
+
 const first = `document.querySelector('phong-viewer')`;
 const drawn = `${first}.scene.getObjectByProperty('isMesh', true)`;
 const above = (object: string): string => `Object.getPrototypeOf(Object.getPrototypeOf(${object}))`;

@@ -149,6 +149,6 @@ async function answerOf<Result>(
       worker.postMessage(message);
     });
   } finally {
-    done.abort();
+    done.abort('answered');
   }
 }

@@ -73,7 +73,7 @@ class Probe implements Extra {
   }
 
   dispose(): void {
-    this.#listening.abort();
+    this.#listening.abort('disposed');
     // Like the camera, the pin stays with a viewer that leaves the page.
     if (this.#host.values.probe === false) {
       viewerPins.delete(this.#host.viewer);

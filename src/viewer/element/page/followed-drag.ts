@@ -25,7 +25,7 @@ export function followDrag(
   let dragged = slop === 0;
   const end = (): void => {
     if (signal.aborted) return;
-    listening.abort();
+    listening.abort('ended');
     release(dragged);
     if (element.hasPointerCapture(pointerId)) {
       element.releasePointerCapture(pointerId);

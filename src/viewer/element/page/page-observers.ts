@@ -96,7 +96,8 @@ export class PageObservers {
       observer.unobserve(element);
     }
     if (this.#watched.size === 0) {
-      this.#listeners.abort();
+      // By a text: an error as the reason would keep the callers on its stack, and so the last viewer.
+      this.#listeners.abort('unwatched');
     }
   }
 

@@ -81,7 +81,7 @@ export class ContentLoad {
 
   drop(): void {
     const dropped = this.pending || this.#failed;
-    this.#loading?.abort();
+    this.#loading?.abort('dropped');
     this.#loading = null;
     this.#failed = false;
     this.#request = null;
@@ -137,7 +137,7 @@ export class ContentLoad {
       if (this.#loading === loading) {
         this.#loading = null;
       }
-      loading.abort(); // ends what is still being downloaded
+      loading.abort('failed'); // ends what is still being downloaded
       this.fail(url, error);
     }
   }

@@ -135,7 +135,7 @@ class SharedModel {
     this.#users -= 1;
     if (this.#users > 0) return;
     this.#forget();
-    this.#loading.abort(); // ends what is still being downloaded
+    this.#loading.abort('unused'); // ends what is still being downloaded
     this.#content.then(
       (content) => content.dispose(),
       () => undefined,
