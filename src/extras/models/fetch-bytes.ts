@@ -10,6 +10,8 @@ import {
   requestFile,
 } from '../../viewer/model/request-model.js';
 import type { ModelBudget } from './model-budget.js';
+import { requireAtMost } from '../../viewer/model/budget.js';
+import { FILE_LIMIT } from '../../viewer/model/limits.js';
 import { ModelError } from '../../viewer/model/model.js';
 import { Slices } from './slices.js';
 
@@ -57,13 +59,35 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
     budget.add({ bytes: bytes - claimed });
     claimed = bytes;
   };
-  return async (url, redirect, request) => {
+  let files = 0;
+  let free = AT_ONCE;
+  const waiting: (() => void)[] = [];
+  /** Runs `load` when fewer than {@link AT_ONCE} others are running. */
+  const inTurn: FetchBytes = async (...request) => {
+    if (free > 0) {
+      free -= 1;
+    } else {
+      await new Promise<void>((resolve) => waiting.push(resolve));
+    }
+    try {
+      return await load(...request);
+    } finally {
+      const next = waiting.shift();
+      if (next === undefined) {
+        free += 1;
+      } else {
+        next();
+      }
+    }
+  };
+  const load: FetchBytes = async (url, redirect, request) => {
     signal.throwIfAborted();
     if (isDataUri(url.href)) {
       const file = await decodeDataUri(url.href, new Slices(signal));
       budget.add({ bytes: file.bytes.byteLength });
       return { ...file, from: url };
     }
+    requireAtMost(++files, FILE_LIMIT, 'files');
     const response = await answerTo(
       url,
       request ?? requestFile(url, redirect, transfer),
@@ -107,6 +131,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       throw error;
     }
   };
+  return inTurn;
 }
 
 /** The first words of a pointer in the version control of a file that is kept elsewhere. */
@@ -119,6 +144,9 @@ export function requireContent(bytes: Uint8Array, name: string): void {
     advice: 'Publish the file itself: `git lfs pull` fetches it.',
   });
 }
+
+/** Files of one model that are requested at a time. Browsers open six connections to a host. */
+const AT_ONCE = 8;
 
 async function answerTo(
   url: URL,

@@ -71,6 +71,9 @@ export const JSON_PIECE_LIMIT = 2 ** 16;
  */
 export const JSON_PIECE_BYTES = 2 ** 23;
 
+/** Most files that a model names and are requested. Real ones have some dozens. */
+export const FILE_LIMIT = 1000;
+
 /**
  * Most steps of all poses of a frame, by the work of motions: 40 ms. What takes more stays in its
  * first pose.

@@ -57,6 +57,7 @@ afterAll(() => {
 });
 
 afterEach(() => {
+  vi.restoreAllMocks();
   vi.useRealTimers();
   responses = [];
 });
@@ -164,5 +165,66 @@ describe('a download', () => {
     expect(await Promise.race([ended, tick('still waiting')])).toBe('still waiting');
     vi.advanceTimersByTime(1);
     expect(await ended).toMatchObject(failed(expect.stringMatching(/60 seconds/)));
+  });
+});
+
+describe('the files of one model', () => {
+  /** As many requests of one load. `open` are those that the server has not answered yet. */
+  function requests(count: number, signal = never) {
+    const open: (() => void)[] = [];
+    let asked = 0;
+    vi.spyOn(globalThis, 'fetch').mockImplementation(async () => {
+      asked += 1;
+      await new Promise<void>((resolve, reject) => {
+        open.push(resolve);
+        signal.addEventListener('abort', () => reject(new Error('aborted')));
+      });
+      return new Response('x');
+    });
+    const fetchBytes = byteFetcher({ signal, crossOrigin: null }, new ModelBudget());
+    const results = Array.from({ length: count }, (_, i) =>
+      fetchBytes(new URL(`${String(i)}.bin`, 'https://shop.example'), 'error').then(
+        () => 'loaded',
+        (error: Error & { code?: string }) => error.code ?? error.message,
+      ),
+    );
+    return { open, results, asked: () => asked };
+  }
+
+  const tick = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+  it('are requested eight at a time', async () => {
+    const { open, results, asked } = requests(20);
+    await tick();
+    expect([asked(), open.length]).toEqual([8, 8]);
+    let most = 0;
+    while (open.length > 0) {
+      most = Math.max(most, open.length);
+      open.shift()!();
+      await tick();
+    }
+    expect([most, asked()]).toEqual([8, 20]);
+    expect(new Set(await Promise.all(results))).toEqual(new Set(['loaded']));
+  });
+
+  it('are a thousand at most', async () => {
+    const { open, results, asked } = requests(1010);
+    await tick();
+    while (open.length > 0) {
+      open.splice(0).forEach((answer) => answer());
+      await tick();
+    }
+    const ends = await Promise.all(results);
+    expect(asked()).toBe(1000);
+    expect(ends.filter((end) => end === 'too-large')).toHaveLength(10);
+  });
+
+  it('that wait are not requested after the end of the load', async () => {
+    const end = new AbortController();
+    const { results, asked } = requests(20, end.signal);
+    await tick();
+    end.abort(new Error('gone'));
+    expect(new Set(await Promise.all(results))).toEqual(new Set(['gone']));
+    expect(asked()).toBe(8);
   });
 });
