@@ -2,7 +2,6 @@
 // premultiplication, first row on top. The browser decodes all but KTX2. No blob: address is
 // fetched, as a strict CSP requires.
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
-import { requireAtMost } from '../../viewer/model/budget.js';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/model/limits.js';
 import type { FileBytes, ModelSource } from './model-reader.js';
@@ -89,10 +88,11 @@ export class ImageTextures {
         );
       }
       const pixels = size.width * size.height;
-      const isPacked = isKtx2(file.bytes);
-      if (isPacked) {
-        requireAtMost(pixels, IMAGE_PIXEL_LIMIT, 'pixels in one KTX2 image');
+      if (pixels > IMAGE_PIXEL_LIMIT) {
+        const [has, most] = [pixels, IMAGE_PIXEL_LIMIT].map((count) => count.toLocaleString('en'));
+        throw new Error(`has ${has!} pixels; at most ${most!} can be shown`);
       }
+      const isPacked = isKtx2(file.bytes);
       budget.add({ pixels });
       const scale = scaledDown(size);
       const atOnce = Math.min(pixels, PIXELS_AT_ONCE);
@@ -160,10 +160,7 @@ async function decodeByBrowser(
 }
 
 function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {
-  const factor = Math.min(
-    IMAGE_SIDE_LIMIT / Math.max(width, height),
-    Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)),
-  );
+  const factor = IMAGE_SIDE_LIMIT / Math.max(width, height);
   if (factor >= 1) return {};
   return {
     resizeWidth: Math.max(Math.floor(width * factor), 1),

@@ -497,12 +497,13 @@ describe('the materials of an OBJ file', () => {
 
   it('are too-large past the limit of pixels, and all images are closed', async () => {
     const images = standInImages();
-    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}usemtl n\n${TEXTURED}`;
-    const mtl = 'newmtl m\nmap_Kd x.png\nnewmtl n\nmap_Kd y.png';
-    const pictures = { 'x.png': png(8192, 4096), 'y.png': png(8192, 4097) };
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\n${TEXTURED}usemtl n\n${TEXTURED}usemtl o\n${TEXTURED}`;
+    const mtl = 'newmtl m\nmap_Kd x.png\nnewmtl n\nmap_Kd y.png\nnewmtl o\nmap_Kd z.png';
+    const large = png(8192, 4096);
+    const pictures = { 'x.png': large, 'y.png': large, 'z.png': png(1, 1) };
     const tooLarge = await failureOf({ 'a.obj': text, 'a.mtl': mtl, ...pictures });
     expect(tooLarge.code).toBe('too-large');
-    expect(images.decoded()).toBe(1);
-    expect(images.closed()).toBe(1);
+    expect(images.decoded()).toBe(2);
+    expect(images.closed()).toBe(2);
   });
 });
