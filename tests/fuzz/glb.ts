@@ -45,6 +45,23 @@ export function pngWith(width: number, height: number, bits: 1 | 32, data: Uint8
   return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), ...parts]);
 }
 
+/** A progressive JPEG, in headers and markers only, of so many scans. */
+export function jpegWith(width: number, height: number, scans: number): Buffer {
+  const size = Buffer.alloc(4);
+  size.writeUInt16BE(height);
+  size.writeUInt16BE(width, 2);
+  const frame = Buffer.concat([
+    Buffer.from([0xff, 0xd8, 0xff, 0xc2, 0, 11, 8]),
+    size,
+    Buffer.from([1, 1, 0x11, 0]),
+  ]);
+  // Data with a stuffed byte and a restart, which are no markers of scans, and a fill byte.
+  const scan = Buffer.from([
+    0xff, 0xda, 0, 8, 1, 1, 0, 0, 0, 0, 7, 0xff, 0, 0xda, 0xff, 0xd3, 7, 0xff,
+  ]);
+  return Buffer.concat([frame, ...Array<Buffer>(scans).fill(scan), Buffer.from([0xff, 0xd9])]);
+}
+
 /** Buffer views end to end in one binary chunk. */
 export function viewsOf(blobs: readonly Uint8Array[]) {
   let byteOffset = 0;

@@ -5,6 +5,7 @@ import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/model/limits.js';
 import type { FileBytes, ModelSource } from './model-reader.js';
+import { Slices } from './slices.js';
 
 /**
  * Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of
@@ -92,6 +93,7 @@ export class ImageTextures {
         const [has, most] = [pixels, IMAGE_PIXEL_LIMIT].map((count) => count.toLocaleString('en'));
         throw new Error(`has ${has!} pixels; at most ${most!} can be shown`);
       }
+      await requireFewScans(file.bytes, new Slices(signal));
       const isPacked = isKtx2(file.bytes);
       budget.add({ pixels });
       const scale = scaledDown(size);
@@ -268,6 +270,33 @@ function jpegSize(view: DataView): ImageSize | null {
     at += 2 + (standsAlone ? 0 : view.getUint16(at + 2));
   }
   return null;
+}
+
+/** Encoders write about ten. A decoder visits all pixels for each. */
+const MOST_SCANS = 100;
+
+/** Throws for a JPEG with more. Other files pass. */
+async function requireFewScans(file: Uint8Array, slices: Slices): Promise<void> {
+  if (file[0] !== 0xff || file[1] !== 0xd8) return;
+  const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
+  let scans = 0;
+  for (
+    let at = file.indexOf(0xff, 2);
+    at >= 0 && at + 4 <= file.length;
+    at = file.indexOf(0xff, at)
+  ) {
+    const marker = file[at + 1]!;
+    if (marker === 0xd9) return;
+    if (marker === 0xda && ++scans > MOST_SCANS) {
+      throw new Error(`has more than ${String(MOST_SCANS)} scans`);
+    }
+    // Fill bytes, zeros after a byte of data, and what stands alone: RST0–RST7, SOI, TEM.
+    const isSegment = marker > 1 && marker < 0xff && (marker < 0xd0 || marker > 0xd8);
+    at += marker === 0xff ? 1 : 2 + (isSegment ? view.getUint16(at + 2) : 0);
+    if (slices.took()) {
+      await slices.pause();
+    }
+  }
 }
 
 /**

@@ -10,7 +10,7 @@ import { modelContent } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/viewer/model/model.js';
 import { bitmapOf, OPTIONS, view } from './model-files.js';
 import { bar } from '../../support/animated-gltf.js';
-import { floats, glbOf, type Json, openGlb, pngWith, viewsOf } from '../../fuzz/glb.js';
+import { floats, glbOf, jpegWith, type Json, openGlb, pngWith, viewsOf } from '../../fuzz/glb.js';
 import * as hostile from '../../fuzz/models.js';
 
 const load = (file: Buffer | Blob): Promise<Content> => {
@@ -281,6 +281,21 @@ describe('images', () => {
       [8192, 500],
       [undefined, undefined],
     ]);
+  });
+
+  it('of more than a hundred scans are left out, whatever the header says', async () => {
+    vi.spyOn(console, 'warn').mockReturnValue();
+    const withScans = async (scans: number): Promise<unknown> => {
+      const image = jpegWith(640, 480, scans);
+      return (await load(hostile.texturedGlb([image], [{ source: 0 }]))).missing;
+    };
+    expect(await withScans(101)).toEqual(['images[0]']);
+    expect(decode).not.toHaveBeenCalled();
+    decode.mockImplementationOnce(() =>
+      Promise.resolve({ width: 640, height: 480, close: vi.fn() } as never),
+    );
+    expect(await withScans(100)).toEqual([]);
+    expect(decode).toHaveBeenCalledTimes(1);
   });
 
   it('with more than half of all pixels are left out, KTX2 too, and nothing is decoded', async () => {
