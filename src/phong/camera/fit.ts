@@ -53,7 +53,10 @@ export function fitRadius(sphereRadius: number, fov: number, aspect: number): nu
   const sinVertical = sinDegrees(fov / 2);
   const tanHorizontal =
     (sinVertical / cosDegrees(fov / 2)) * (aspect > 0 && aspect < 1 ? aspect : 1);
-  const sinHalf = Math.min(sinVertical, tanHorizontal / Math.hypot(1, tanHorizontal));
+  const sinHalf = Math.min(
+    sinVertical,
+    tanHorizontal / Math.sqrt(1 + tanHorizontal * tanHorizontal),
+  );
   const radius = (MARGIN * sphereRadius) / sinHalf;
   return radius > 0 ? Math.min(radius, LARGEST_LENGTH) : EMPTY_RADIUS;
 }

@@ -96,7 +96,8 @@ export const LEAST_FILE_EXPONENT = 1;
  * it (Fisher and Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994).
  */
 export function exponentOfRoughness(roughness: number): number {
-  const alpha = Math.max(roughness, LEAST_ROUGHNESS) ** 2;
+  const least = Math.max(roughness, LEAST_ROUGHNESS);
+  const alpha = least * least;
   return Math.max(0.5 / (alpha * alpha) - 0.5, LEAST_FILE_EXPONENT);
 }
 

@@ -1,4 +1,5 @@
 // Degrees to radians, and sine and cosine of degrees that are exact at multiples of 90°.
+import { cosSmall, sinSmall } from './elementary.js';
 
 const RADIANS_PER_DEGREE = Math.PI / 180;
 export const radians = (degrees: number): number => degrees * RADIANS_PER_DEGREE;
@@ -29,7 +30,7 @@ export function cosDegrees(degrees: number): number {
 
 /** Sine for |d| ≤ 90. Beyond 45° the cosine of the complement is better conditioned. */
 function sinFirstQuadrants(d: number): number {
-  if (d > 45) return Math.cos(radians(90 - d));
-  if (d < -45) return -Math.cos(radians(90 + d));
-  return Math.sin(radians(d));
+  if (d > 45) return cosSmall(radians(90 - d));
+  if (d < -45) return -cosSmall(radians(90 + d));
+  return sinSmall(radians(d));
 }

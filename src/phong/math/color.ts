@@ -1,5 +1,6 @@
 // The sRGB transfer curve, on single channels where 1 is full. Constants: IEC 61966-2-1. The GLSL
 // of the same curve is generated from SRGB. Colours by channels.
+import { pow } from './elementary.js';
 import type { Vec3 } from './vector.js';
 
 export const SRGB = {
@@ -19,7 +20,7 @@ export const SRGB = {
 export function srgbDecode(encoded: number): number {
   if (!(encoded > 0)) return 0;
   if (encoded <= SRGB.encodedKnee) return encoded / SRGB.slope;
-  return ((encoded + SRGB.offset) / (1 + SRGB.offset)) ** SRGB.exponent;
+  return pow((encoded + SRGB.offset) / (1 + SRGB.offset), SRGB.exponent);
 }
 
 /**
@@ -28,7 +29,7 @@ export function srgbDecode(encoded: number): number {
 export function srgbEncode(linear: number): number {
   if (!(linear > 0)) return 0;
   if (linear <= SRGB.linearKnee) return linear * SRGB.slope;
-  return (1 + SRGB.offset) * linear ** (1 / SRGB.exponent) - SRGB.offset;
+  return (1 + SRGB.offset) * pow(linear, 1 / SRGB.exponent) - SRGB.offset;
 }
 
 /** All three components are 0. */

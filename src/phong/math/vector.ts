@@ -38,8 +38,18 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Euclidean length, without intermediate overflow or underflow: Math.hypot scales. */
-export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
+/** Squares from here to its inverse neither overflow nor lose digits to subnormal numbers. */
+const SAFE_SQUARE = 1e-280;
+
+/** Euclidean length, without intermediate overflow or underflow. The same bits in every engine. */
+export function length(a: Vec3): number {
+  const squared = dot(a, a);
+  if (squared > SAFE_SQUARE && squared < 1 / SAFE_SQUARE) return Math.sqrt(squared);
+  const largest = Math.max(Math.abs(a[0]), Math.abs(a[1]), Math.abs(a[2]));
+  if (!(largest > 0 && largest < Infinity)) return largest;
+  const s: Vec3 = [a[0] / largest, a[1] / largest, a[2] / largest];
+  return largest * Math.sqrt(dot(s, s));
+}
 
 /**
  * The unit vector along `a`, or the zero vector if `a` is zero. Scales by the largest component
@@ -49,7 +59,7 @@ export function normalize(a: Vec3): Vec3 {
   const largest = Math.max(Math.abs(a[0]), Math.abs(a[1]), Math.abs(a[2]));
   if (!(largest > 0)) return [0, 0, 0];
   const s: Vec3 = [a[0] / largest, a[1] / largest, a[2] / largest];
-  return scale(s, 1 / Math.hypot(s[0], s[1], s[2]));
+  return scale(s, 1 / Math.sqrt(dot(s, s)));
 }
 
 /** A unit vector across `a`, which is not zero. */

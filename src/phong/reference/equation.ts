@@ -4,6 +4,7 @@
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
 import type { LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
+import { atan2, exp, log1p, pow } from '../math/elementary.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';
 import {
   add,
@@ -236,7 +237,7 @@ function placeLight(
  * Tolerance of the cone's edge in radians: a few roundings of float64. Simple directions do lie
  * exactly on an edge, such as 0 1 1 seen along 1 0 1 at 120°.
  */
-const EDGE = 16 * Number.EPSILON;
+export const EDGE = 16 * Number.EPSILON;
 
 /**
  * Cone and decay. Everything passes if the axis or the direction is zero, or there is neither cone
@@ -247,7 +248,7 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   const away = negate(A);
   if (dot(A, A) === 0 || dot(L, L) === 0) return { c: 1, insideCone: true, decay: 1 };
   const c = dot(L, away);
-  const angle = Math.atan2(length(cross(L, away)), c);
+  const angle = atan2(length(cross(L, away)), c);
   return {
     c,
     insideCone: angle <= radians(light.aperture) + EDGE,
@@ -267,9 +268,9 @@ function halfChord(a: Vec3, b: Vec3): number {
  * max(x, 0)^n with x^0 = 1 for every x. `y` = 1 - x, given separately because 1 - x would cancel
  * near x = 1.
  */
-function power(x: number, y: number, n: number): number {
+export function power(x: number, y: number, n: number): number {
   if (n < LEAST_EXPONENT) return 1;
   // H has no length where L and V are opposite, and y is then 1/2 or a rounding less.
   if (x <= 0) return 0;
-  return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : x ** n;
+  return y < 0.5 ? exp(n * log1p(-y)) : pow(x, n);
 }

@@ -245,8 +245,10 @@ const isEvenlyScaled = (m: readonly number[]): boolean =>
   !isTurned(m) && Math.abs(m[0]!) === Math.abs(m[5]!) && Math.abs(m[5]!) === Math.abs(m[10]!);
 
 /** Coordinates are below 1e30, so that their squares are finite. */
-const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =>
-  Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
+function distance([px, py, pz]: Vec3, x: number, y: number, z: number): number {
+  const [dx, dy, dz] = [x - px, y - py, z - pz];
+  return Math.sqrt(dx * dx + dy * dy + dz * dz);
+}
 
 /**
  * Upper bound of the factor by which a matrix lengthens vectors: the square root of the largest row

@@ -1,5 +1,6 @@
 // Builds geometries of curved surfaces row by row.
 import { BufferAttribute, BufferGeometry } from 'three';
+import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
 
 /** Place, unit normal and texture coordinates of all vertices, one after the other. */
 export interface Vertices {
@@ -118,6 +119,6 @@ function indexRow(
  * ones, exactly.
  */
 export function circle(n: number): { readonly cos: Float64Array; readonly sin: Float64Array } {
-  const angles = Float64Array.from({ length: n + 1 }, (_, i) => ((i % n) / n) * Math.PI * 2);
-  return { cos: angles.map(Math.cos), sin: angles.map(Math.sin) };
+  const angles = Float64Array.from({ length: n + 1 }, (_, i) => ((i % n) / n) * 360);
+  return { cos: angles.map(cosDegrees), sin: angles.map(sinDegrees) };
 }

@@ -1,5 +1,14 @@
 // The geometries of named shapes. Every shape is centred on the origin, in its mesh's own units.
-import { Box3, BoxGeometry, type BufferGeometry, PlaneGeometry, Sphere, Vector3 } from 'three';
+import {
+  Box3,
+  BoxGeometry,
+  type BufferGeometry,
+  Matrix4,
+  PlaneGeometry,
+  Sphere,
+  Vector3,
+} from 'three';
+import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
 import type { Vec3 } from '../../../../phong/math/vector.js';
 import { declareSize, type GeometrySize, type Vertices } from '../../../model/geometry-size.js';
 import { lazyCode } from '../../../model/lazy-code.js';
@@ -107,9 +116,9 @@ function sphere(columns: number, out: number): BufferGeometry {
       closedFirst: true,
       closedLast: true,
       row: (row, into, first) => {
-        const polar = (row / rows) * Math.PI;
-        const across = row === rows ? 0 : Math.sin(polar); // the poles are points
-        const y = Math.cos(polar);
+        const polar = (row / rows) * 180;
+        const across = sinDegrees(polar);
+        const y = cosDegrees(polar);
         // The texture's corner at a pole is over the middle of its triangle.
         const shift = row === 0 ? 0.5 / columns : row === rows ? -0.5 / columns : 0;
         for (let i = 0; i <= columns; i++) {
@@ -136,7 +145,7 @@ function sphere(columns: number, out: number): BufferGeometry {
 /**
  * The sagitta of a circle of radius 1/2, times n²: the distance of a chord's middle from the arc.
  */
-const SAGITTA = Math.PI ** 2 / 4;
+const SAGITTA = (Math.PI * Math.PI) / 4;
 
 const HALF: Vec3 = [0.5, 0.5, 0.5];
 
@@ -157,6 +166,9 @@ const FLAT = { segments: 1, least: 1 };
 
 /** Curved shapes enclose space from 3 segments on. */
 const AROUND = { segments: 64, least: 3 };
+
+/** Turns +z to +y and +y to −z, exactly: `rotateX` leaves 6e-17 of the sine's rounding. */
+const UPWARD = /* @__PURE__ */ new Matrix4(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
 
 /**
  * `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for
@@ -221,7 +233,7 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     least: 12,
     create: (n, _, isLevel) => teapotCode((code) => code.teapot(n, isLevel)),
     // 32 patches, four to a turn. Two of a level have more, those at the poles have less.
-    triangles: (n) => 67 * Math.round(n / 4) ** 2,
+    triangles: (n) => 67 * Math.round(n / 4) * Math.round(n / 4),
     // Its parts have seams: vertices moved outward would open them. The lid's rim is farther off
     // (2.8), and hidden.
     round: {
@@ -236,7 +248,7 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   },
   plane: {
     ...FLAT,
-    create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2),
+    create: (n) => new PlaneGeometry(1, 1, n, n).applyMatrix4(UPWARD),
     triangles: (n) => 2 * n * n,
   },
 };
@@ -278,7 +290,7 @@ export function createGeometry(
   const { create, round } = SHAPES[name];
   const n = effectiveSegments(name, segments);
   if (round === undefined) return create(n, 0, false);
-  const out = isLevel ? round.out / n ** 2 : 0;
+  const out = isLevel ? round.out / (n * n) : 0;
   const geometry = create(n, out, isLevel);
   return geometry instanceof Promise
     ? geometry.then((ready) => bounded(name, ready, out))

@@ -1,5 +1,6 @@
 // The less common shapes, in one chunk: separate chunks would be smaller than a request costs.
 import { BufferGeometry, Float32BufferAttribute } from 'three';
+import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
 import { cross, normalize, subtract, type Vec3 } from '../../../../phong/math/vector.js';
 import { circle, type Grid, gridGeometry, put } from './grid-geometry.js';
 
@@ -31,7 +32,7 @@ export const SOLIDS: Readonly<
 function side(n: number, top: number, bottom: number, exact = false): Grid {
   const { cos, sin } = circle(n);
   const slope = top === bottom ? 0 : 0.5;
-  const across = 1 / Math.hypot(1, slope);
+  const across = 1 / Math.sqrt(1 + slope * slope);
   const up = slope * across;
   return {
     columns: n,
@@ -44,10 +45,10 @@ function side(n: number, top: number, bottom: number, exact = false): Grid {
         const [x, z] = [radius * sin[i]!, radius * cos[i]!];
         let [nx, ny, nz] = [across * sin[i]!, up, across * cos[i]!];
         if (radius === 0) {
-          const middle = ((i - 0.5) / n) * Math.PI * 2;
+          const middle = ((i - 0.5) / n) * 360;
           [nx, ny, nz] = exact
             ? [0, 0, 0]
-            : [across * Math.sin(middle), up, across * Math.cos(middle)];
+            : [across * sinDegrees(middle), up, across * cosDegrees(middle)];
         }
         put(into, first + i, x, 0.5 - row, z, nx, ny, nz, i / n, 1 - row);
       }
@@ -130,8 +131,8 @@ const KNOT_TUBE = 0.4;
 const KNOT_EXTENT = 3.62822984;
 const KNOT_CENTER = 0.1588989;
 
-/** How far ahead three.js looks for the knot's direction, in radians of its own angle. */
-const AHEAD = 0.01;
+/** How far ahead three.js looks for the knot's direction, in degrees of its own angle. */
+const AHEAD = 1.8 / Math.PI;
 
 /**
  * The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box.
@@ -148,7 +149,7 @@ function torusKnot(rows: number, out: number): BufferGeometry {
       rows,
       corners: [0, 2, 1, 2, 3, 1],
       row: (row, into, first) => {
-        const angle = ((row % rows) / rows) * 4 * Math.PI;
+        const angle = ((row % rows) / rows) * 720;
         const [x, y, z] = curve(angle);
         const next = curve(angle + AHEAD);
         const along = subtract(next, [x, y, z]);
@@ -172,11 +173,11 @@ function torusKnot(rows: number, out: number): BufferGeometry {
 
 /** The middle of the tube, in three.js's size. */
 function curve(angle: number): Vec3 {
-  const distance = KNOT_RADIUS * (2 + Math.cos(1.5 * angle)) * 0.5;
+  const distance = KNOT_RADIUS * (2 + cosDegrees(1.5 * angle)) * 0.5;
   return [
-    distance * Math.cos(angle),
-    distance * Math.sin(angle),
-    KNOT_RADIUS * Math.sin(1.5 * angle) * 0.5,
+    distance * cosDegrees(angle),
+    distance * sinDegrees(angle),
+    KNOT_RADIUS * sinDegrees(1.5 * angle) * 0.5,
   ];
 }
 
