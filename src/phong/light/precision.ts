@@ -1,6 +1,6 @@
 // What float32 can tell apart, on the worst lawful driver too: thresholds that TypeScript and GLSL
 // share, and the cones and powers that a cosine and log2 are precise enough for.
-import { radians } from '../math/angle.js';
+import { sinDegrees } from '../math/angle.js';
 import type { LightValues } from './light-state.js';
 
 /**
@@ -74,11 +74,13 @@ export function isSteep({ aperture, cutoff }: Readonly<LightValues>): boolean {
 export function coneLimit(aperture: number): number {
   if (aperture >= 180) return LIMIT_OPEN;
   // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
-  return aperture <= 90 ? Math.sin(radians(aperture) / 2) ** 2 : farLimit(aperture);
+  return aperture <= 90 ? squaredSine(aperture / 2) : farLimit(aperture);
 }
 
 /** The limit as it is compared on the far side of the axis. */
-const farLimit = (aperture: number): number => -(Math.sin(radians(180 - aperture) / 2) ** 2);
+const farLimit = (aperture: number): number => -squaredSine((180 - aperture) / 2);
+
+const squaredSine = (degrees: number): number => sinDegrees(degrees) * sinDegrees(degrees);
 
 /**
  * The limit for float32. A fragment exactly on the axis can be 1e-6 rad off it there (inversesqrt

@@ -109,7 +109,7 @@ export function writeFaceNormals(
     const x = uy * vz - uz * vy;
     const y = uz * vx - ux * vz;
     const z = ux * vy - uy * vx;
-    const size = Math.hypot(x, y, z);
+    const size = Math.sqrt(x * x + y * y + z * z);
     for (let corner = at; corner < at + 9; corner += 3) {
       normals[corner] = size > 0 ? x / size : 0;
       normals[corner + 1] = size > 0 ? y / size : 0;

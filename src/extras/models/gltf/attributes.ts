@@ -44,7 +44,7 @@ const unitVectors =
         if (items === 4) {
           values[at + 3] = source.getW(i) < 0 ? -1 : 1;
         }
-        const length = Math.hypot(x, y, z);
+        const length = Math.sqrt(x * x + y * y + z * z);
         if (!(length > 0 && length < Infinity)) continue;
         values[at] = x / length;
         values[at + 1] = y / length;

@@ -105,7 +105,7 @@ export async function addTangents(
       const along = nx * ux + ny * uy + nz * uz;
       const [x, y, z] = [ux - nx * along, uy - ny * along, uz - nz * along];
       const [vx, vy, vz] = [alongV[3 * i]!, alongV[3 * i + 1]!, alongV[3 * i + 2]!];
-      const length = Math.hypot(x, y, z);
+      const length = Math.sqrt(x * x + y * y + z * z);
       if (length > 0 && length < Infinity) {
         values.set([x / length, y / length, z / length], 4 * i);
       }

@@ -361,7 +361,7 @@ function add(
 function normalizeAll(values: Float32Array, stride: number, from: number, to: number): void {
   for (let i = from * stride; i < to * stride; i += stride) {
     const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!];
-    const length = Math.hypot(x, y, z);
+    const length = Math.sqrt(x * x + y * y + z * z);
     const valid = length > 0 && length < Infinity;
     values[i] = valid ? x / length : 0;
     values[i + 1] = valid ? y / length : 0;

@@ -101,7 +101,7 @@ export async function placeInstances(
 /** Quantised rotations are not of unit length. One without length turns nothing. */
 function setRotation(rotation: Quaternion, source: Attribute, i: number): void {
   const [x, y, z, w] = [source.getX(i), source.getY(i), source.getZ(i), source.getW(i)];
-  const length = Math.hypot(x, y, z, w);
+  const length = Math.sqrt(x * x + y * y + z * z + w * w);
   if (length > 0 && length < Infinity) {
     rotation.set(x / length, y / length, z / length, w / length);
   } else {
@@ -113,7 +113,9 @@ function colorOf(source: Attribute, i: number): readonly number[] {
   // Integers stand for 0 to 1, whether the file says so or not.
   const { array, normalized } = source;
   const full =
-    normalized || array instanceof Float32Array ? 1 : 2 ** (8 * array.BYTES_PER_ELEMENT) - 1;
+    normalized || array instanceof Float32Array
+      ? 1
+      : 256 * (1 << (8 * array.BYTES_PER_ELEMENT - 8)) - 1;
   return Array.from({ length: 4 }, (_, c) => {
     const value = c < source.itemSize ? source.getComponent(i, c) / full : 1;
     return value > 0 ? Math.min(value, 1) : 0;

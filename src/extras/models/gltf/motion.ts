@@ -1,5 +1,7 @@
 // The motion of a glTF model. Keyframes, evaluated in float64, set its nodes, its nodes move parts
 // and joints, and joints and weights deform geometries.
+import { sinDegrees } from '../../../phong/math/angle.js';
+import { acos } from '../../../phong/math/elementary.js';
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import { POSE_LIMIT } from '../../../viewer/model/limits.js';
 import type { ContentPart, Motion } from '../../../viewer/model/model.js';
@@ -356,15 +358,15 @@ function slerp(values: Float32Array, a: number, b: number, t: number): readonly 
     dot += values[a + c]! * values[b + c]!;
   }
   const sign = dot < 0 ? -1 : 1;
-  const angle = Math.acos(Math.min(Math.abs(dot), 1));
-  const sine = Math.sin(angle);
+  const angle = (acos(Math.min(Math.abs(dot), 1)) * 180) / Math.PI;
+  const sine = sinDegrees(angle);
   if (sine < NEARLY_EQUAL) return [1 - t, sign * t];
-  return [Math.sin((1 - t) * angle) / sine, (sign * Math.sin(t * angle)) / sine];
+  return [sinDegrees((1 - t) * angle) / sine, (sign * sinDegrees(t * angle)) / sine];
 }
 
 /** A quaternion without length becomes no rotation. */
 function normalize(q: Float64Array): void {
-  const length = Math.hypot(q[0]!, q[1]!, q[2]!, q[3]!);
+  const length = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]! + q[3]! * q[3]!);
   if (!(length > 0)) {
     q.set(NO_ROTATION);
   } else {

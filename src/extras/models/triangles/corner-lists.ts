@@ -91,7 +91,7 @@ export class CornerLists {
   }
 
   pushNormal(x: number, y: number, z: number): void {
-    const length = Math.hypot(x, y, z);
+    const length = Math.sqrt(x * x + y * y + z * z);
     const scale = length > 0 && length < Infinity ? 1 / length : 0;
     this.normals.push(scale === 0 ? 0 : x * scale);
     this.normals.push(scale === 0 ? 0 : y * scale);

@@ -1,6 +1,8 @@
 // Normals for corners that have none: the mean, in float64, of the faces around a vertex that are
 // smoothed together, weighted by their angles there, so that it does not depend on how polygons are
 // cut into triangles.
+import { cosDegrees } from '../../../phong/math/angle.js';
+import { atan2 } from '../../../phong/math/elementary.js';
 import { free } from '../../../viewer/model/limits.js';
 import type { Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
@@ -11,12 +13,12 @@ import { faceVector, type FaceVector } from './triangulate.js';
  * five regular solids keep their edges (an icosahedron's faces meet at 41.8°), and cylinders of ten
  * sides or more (36°) are round.
  */
-const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
+const CREASE_COSINE = /* @__PURE__ */ cosDegrees(40);
 /**
  * Faces that are less than half of that from their mean are all smoothed together. A little less,
  * for rounding.
  */
-const HALF_CREASE_COSINE = Math.cos((19.9 * Math.PI) / 180);
+const HALF_CREASE_COSINE = /* @__PURE__ */ cosDegrees(19.9);
 
 /** Cosine of 120°: a neighbour in a sheet that turns by up to 60° there is on its other side. */
 const TURNED_AWAY = -0.5;
@@ -52,7 +54,7 @@ export async function smoothNormals(lists: CornerLists, slices: Slices): Promise
     const end = starts[vertex + 1] ?? 0;
     const smoothed = end - start <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
     if (smoothed) {
-      pairs += (end - start) ** 2;
+      pairs += (end - start) * (end - start);
     }
     for (let from = start; from < end; from += FAN_LIMIT) {
       const corners = around.subarray(from, Math.min(from + FAN_LIMIT, end));
@@ -300,9 +302,9 @@ async function measuredFaces({ corners, places }: CornerLists, slices: Slices): 
     normals[3 * i] = face.x / doubleArea;
     normals[3 * i + 1] = face.y / doubleArea;
     normals[3 * i + 2] = face.z / doubleArea;
-    angles[3 * i] = Math.atan2(doubleArea, edgesDot(position, a, b, c));
-    angles[3 * i + 1] = Math.atan2(doubleArea, edgesDot(position, b, c, a));
-    angles[3 * i + 2] = Math.atan2(doubleArea, edgesDot(position, c, a, b));
+    angles[3 * i] = atan2(doubleArea, edgesDot(position, a, b, c));
+    angles[3 * i + 1] = atan2(doubleArea, edgesDot(position, b, c, a));
+    angles[3 * i + 2] = atan2(doubleArea, edgesDot(position, c, a, b));
   }
   return { normals, angles };
 }

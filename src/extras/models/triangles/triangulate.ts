@@ -236,5 +236,5 @@ export function faceVector(
   out.x = uy * vz - uz * vy;
   out.y = uz * vx - ux * vz;
   out.z = ux * vy - uy * vx;
-  return Math.hypot(out.x, out.y, out.z);
+  return Math.sqrt(out.x * out.x + out.y * out.y + out.z * out.z);
 }

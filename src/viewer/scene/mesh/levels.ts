@@ -37,7 +37,7 @@ const PIXELS_PER_TRIANGLE = 16;
  * 31 % of a teapot in 400 × 400; with them it is 100 % and 91 %. Meshes share them, so a thousand
  * dots are not a thousand fine spheres.
  */
-const FREE_TRIANGLES = 2 ** 14;
+const FREE_TRIANGLES = 16384;
 
 /** Most of them for each pixel that a shape covers: a dot needs none. */
 const FREE_PER_PIXEL = 8;
@@ -188,8 +188,13 @@ export function levelIn(
 }
 
 /** The step from a level of about so many segments to the next. */
-const stepAt = (segments: number): number =>
-  segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8;
+function stepAt(segments: number): number {
+  let step = 8;
+  while (8 * step < segments) {
+    step *= 2;
+  }
+  return step;
+}
 
 /**
  * At least so many segments as a level: a multiple of 8, above 64 of an eighth of the next power of
