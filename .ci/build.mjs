@@ -23,6 +23,8 @@ const entries = [
   'react',
   'react-standalone',
   'playwright',
+  'still',
+  'still-worker',
 ];
 
 /** @type {Readonly<Record<string, () => void | Promise<void>>>} */

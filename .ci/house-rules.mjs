@@ -1,9 +1,11 @@
 // @ts-check
 // The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), #private instead of
-// `private`, and what `breaches` says more. Not a plugin of oxlint: with one it takes 4 GiB of
-// address space for each core, and a small machine refuses that.
+// `private`, what `breaches` says more, and arithmetic that is the same in every engine in the files
+// that stills import. Not a plugin of oxlint: with one it takes 4 GiB of address space for each
+// core, and a small machine refuses that.
 
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { posix } from 'node:path';
 import { parseSync, Visitor } from 'vite';
 import { forbidden } from './layers.mjs';
 
@@ -70,14 +72,83 @@ export function breaches(file, code) {
   return found;
 }
 
+/** What all engines compute alike, to the last bit, and constants. */
+const EXACT = /^(abs|min|max|floor|ceil|round|trunc|sign|sqrt|imul|fround|PI|SQRT2|SQRT1_2)$/;
+
+/**
+ * Where engines may differ in the last bits, with its line before each message: other functions of
+ * `Math`, and `**` but for two literals, of which the compiler makes a constant.
+ * @param {string} file @param {string} code
+ * @returns {string[]}
+ */
+export function inexact(file, code) {
+  /** @type {string[]} */
+  const found = [];
+  /** @param {{ start: number }} node @param {string} what */
+  const report = ({ start }, what) => {
+    const line = code.slice(0, start).split('\n').length;
+    found.push(`${line}: ${what} differs between engines: use src/phong/math/elementary.ts.`);
+  };
+  new Visitor({
+    MemberExpression: (node) => {
+      const { object, property, computed } = /** @type {any} */ (node);
+      if (object.name !== 'Math') return;
+      if (computed || !EXACT.test(property.name)) {
+        report(node, `Math.${property.name}`);
+      }
+    },
+    BinaryExpression: (node) => {
+      const { operator, left, right } = /** @type {any} */ (node);
+      const isConstant = [left, right.argument ?? right].every(({ type }) => type === 'Literal');
+      if (operator === '**' && !isConstant) {
+        report(node, 'x ** y');
+      }
+    },
+  }).visit(parseSync(file, code).program);
+  return found;
+}
+
+/**
+ * The files of src/ that run in a still: those that it imports, in turn, but for types and what the
+ * build leaves out.
+ * @returns {string[]}
+ */
+export function filesOfStills() {
+  const found = new Set(['src/extras/still/index.ts', 'src/extras/still/worker.ts']);
+  for (const file of found) {
+    const { program } = parseSync(file, readFileSync(file, 'utf8'));
+    /** @param {any} node */
+    const visit = ({ source, importKind, exportKind }) => {
+      if (importKind === 'type' || exportKind === 'type' || !source?.value?.startsWith('.')) return;
+      const path = posix.join(posix.dirname(file), source.value.replace(/\.js$/, '.ts'));
+      if (path.endsWith('.ts') && existsSync(path) && !WITHOUT.test(path)) {
+        found.add(path);
+      }
+    };
+    new Visitor({
+      ImportDeclaration: visit,
+      ExportNamedDeclaration: visit,
+      ExportAllDeclaration: visit,
+      ImportExpression: visit,
+    }).visit(program);
+  }
+  return [...found];
+}
+
+/** Decoders that stills refuse. */
+const WITHOUT = /\/(decoders|ktx2)\/|\/(draco|meshopt)/;
+
 /** The same for all files of src/, with their paths. */
 export function breachesInSrc() {
   const files = readdirSync('src', { recursive: true }).map((name) =>
     `src/${name}`.replaceAll('\\', '/'),
   );
+  const ofStills = new Set(filesOfStills());
   return files
     .filter((file) => file.endsWith('.ts'))
-    .flatMap((file) =>
-      breaches(file, readFileSync(file, 'utf8')).map((found) => `${file}:${found}`),
-    );
+    .flatMap((file) => {
+      const code = readFileSync(file, 'utf8');
+      const found = [...breaches(file, code), ...(ofStills.has(file) ? inexact(file, code) : [])];
+      return found.map((one) => `${file}:${one}`);
+    });
 }

@@ -82,6 +82,21 @@ export const layers = {
     packages: ['react'],
     types: ['react', 'solid-js', 'svelte', 'vue'],
   },
+  // Runs in Node, and in pages without threads.
+  'extras/still': {
+    layers: ['phong/reference', ...viewer],
+    lazy: ['extras/models'],
+    packages: [
+      'three',
+      'parse5',
+      'fflate',
+      'pngjs',
+      'jpeg-js',
+      'node:worker_threads',
+      'node:fs',
+      'node:os',
+    ],
+  },
   // Runs in Node and sends functions into pages: the elements are types to it.
   'extras/playwright': {
     layers: ['phong/reference', 'phong/light', 'phong/math'],

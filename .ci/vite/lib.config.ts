@@ -1,6 +1,6 @@
 // Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js,
-// react.js, react-standalone.js and playwright.js. three, Lit, lil-gui, React and Playwright stay
-// imports for the user's bundler. `npm run build` runs this first; the standalone and the classic
+// react.js, react-standalone.js, playwright.js, still.js and still-worker.js. Packages stay imports,
+// for the user's bundler or Node. `npm run build` runs this first; the standalone and the classic
 // file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
@@ -29,7 +29,9 @@ function staysImport(specifier: string): boolean {
   ) {
     return false;
   }
-  return /^(three|lit|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
+  return /^(node:.*|three|lit|lil-gui|react|@playwright\/test|parse5|fflate|pngjs|jpeg-js)(\/|$)/.test(
+    specifier,
+  );
 }
 
 /**
@@ -86,6 +88,8 @@ const entries: Readonly<Record<string, string>> = {
   react: source('extras/frameworks/react.ts'),
   'react-standalone': source('extras/frameworks/react.ts'),
   playwright: source('extras/playwright/index.ts'),
+  still: source('extras/still/index.ts'),
+  'still-worker': source('extras/still/worker.ts'),
 };
 
 const workerPlugins = (): Plugin[] => [
@@ -94,29 +98,41 @@ const workerPlugins = (): Plugin[] => [
   licences({ listed: false }),
 ];
 
+/** Stills refuse what needs WebAssembly, so its code is left out. */
+const withoutDecoders: Plugin = {
+  name: 'without-decoders',
+  enforce: 'pre',
+  resolveId: (specifier) => (/^\.\/(draco|ktx2|meshopt)\.js$/.test(specifier) ? '\0none' : null),
+  load: (id) => (id === '\0none' ? 'export {};' : null),
+};
+
+/** Those that Node runs as they are. */
+const isForNode = (mode: string): boolean => /^(playwright|still|still-worker)$/.test(mode);
+
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
   publicDir: false,
   plugins: [
     dracoDecoder(),
     basisTranscoder(),
-    wasmFiles(),
+    wasmFiles({ file: mode !== 'still' }),
     strippedGlsl(),
     textKeys(),
     inPage(),
-    decoderWorkers({ plugins: workerPlugins }),
+    decoderWorkers({ plugins: workerPlugins, files: mode !== 'still' }),
     beforeLit,
     reactEntries[mode],
+    mode === 'still' ? withoutDecoders : null,
     licences({ listed: false }),
   ],
   build: {
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
     target: 'es2022',
-    // Node's entry runs as it is. A map would point stack traces to sources that the package does
+    // Node's entries run as they are. A map would point stack traces to sources that the package does
     // not have.
-    sourcemap: mode !== 'playwright',
-    minify: mode !== 'playwright',
+    sourcemap: !isForNode(mode),
+    minify: !isForNode(mode),
     lib: {
       entry: { [mode]: entries[mode] ?? missing(mode) },
       formats: ['es'],
@@ -129,8 +145,9 @@ export default defineConfig(({ mode }) => ({
       // entry are one chunk.
       preserveEntrySignatures: 'allow-extension',
       output: {
-        chunkFileNames: 'shared/[name].js',
-        minify: mode !== 'playwright',
+        // A second entry's chunks import that entry: they are not the first one's.
+        chunkFileNames: mode === 'still' ? 'still/[name].js' : 'shared/[name].js',
+        minify: !isForNode(mode),
         codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
       },
     },

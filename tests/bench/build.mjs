@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { outputFolder } from '../../.ci/output-folder.mjs';
-import { casterCode } from '../support/caster/cast.mjs';
+import { casterCode } from '../support/cast.mjs';
 import { writeFirstModels, writeModels } from './models.mjs';
 import { PAGE_NAMES } from './pages.mjs';
 import { copyPeers, installPeers } from './peers/install.mjs';

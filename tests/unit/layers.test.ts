@@ -1,7 +1,7 @@
 // Do the house's own lint rules report what they should? Asks them about texts under made-up paths.
 
 import { describe, expect, it } from 'vitest';
-import { breaches } from '../../.ci/house-rules.mjs';
+import { breaches, filesOfStills, inexact } from '../../.ci/house-rules.mjs';
 
 describe('layers of src/', () => {
   const allowed = [
@@ -84,5 +84,28 @@ describe('layers of src/', () => {
     ['class A { protected a = 1; #b = 2; }', []],
   ])('wants #private: %j', (code, found) => {
     expect(breaches('src/phong/math/vector.ts', code)).toEqual(found);
+  });
+});
+
+describe('files that stills import', () => {
+  it('are found through other files, without types and decoders', () => {
+    const files = filesOfStills();
+    expect(files).toContain('src/extras/still/tracer.ts');
+    expect(files).toContain('src/phong/math/angle.ts');
+    expect(files).toContain('src/viewer/scene/mesh/shapes/teapot.ts');
+    expect(files).toContain('src/extras/models/triangles/smooth-normals.ts');
+    expect(files).not.toContain('src/phong/material/phong-material.ts');
+    expect(files).not.toContain('src/extras/models/gltf/draco.ts');
+  });
+
+  it.each(['Math.pow(x, 2)', 'angles.map(Math.cos)', 'x ** 2', "Math['sin'](x)", '2 ** x'])(
+    'may not compute %s',
+    (code) => {
+      expect(inexact('src/phong/math/angle.ts', code)).toHaveLength(1);
+    },
+  );
+
+  it.each(['Math.sqrt(x)', 'x * x', '2 ** 20', '2 ** -23', 'Math.PI'])('may compute %s', (code) => {
+    expect(inexact('src/phong/math/angle.ts', code)).toEqual([]);
   });
 });

@@ -1,13 +1,15 @@
 // How far is a picture from its own triangles in float64? In 8-bit codes. Under Gouraud shading the
 // colours of their vertices are interpolated.
-import { BufferAttribute, type BufferGeometry, Matrix3, Vector3 } from 'three';
+import { type BufferGeometry, Matrix3, Vector3 } from 'three';
 import { flatGeometry } from '../../src/phong/material/flat-geometry.js';
 import { srgbEncode } from '../../src/phong/math/color.js';
 import { add, map, scale, type Vec3 } from '../../src/phong/math/vector.js';
 import { shade } from '../../src/phong/reference/equation.js';
 import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
 import { coneMargin } from '../stress/contract.js';
-import { Tracer } from '../support/caster/tracer.js';
+import type { CastScene } from '../../src/extras/still/cast-scene.js';
+import { Tracer } from '../../src/extras/still/tracer.js';
+import { shadedAt } from '../support/shaded-at.js';
 import type { Picture } from '../support/test.js';
 import { around, CONE_EDGE, type Errors, outside, remembered } from './against-reference.js';
 import {
@@ -88,14 +90,11 @@ interface Seen {
 const seenOf = remembered(
   (scene: DeclaredScene, width: number, height: number, shading: string) => {
     const geometry = cornersOf(scene.meshes[0]!, shading);
-    const tracer = new Tracer(
-      castSceneOf(scene, () => trianglesOf(geometry)),
-      width,
-      height,
-    );
+    const cast = castSceneOf(scene, () => trianglesOf(geometry));
+    const tracer = new Tracer(cast, width, height);
     const triangleAt = (x: number, y: number): number => tracer.hitAt(x + 0.5, y + 0.5).triangle;
     const colorAt =
-      shading === 'gouraud' ? perVertex(scene, tracer, geometry) : perFragment(scene, tracer);
+      shading === 'gouraud' ? perVertex(scene, tracer, geometry) : perFragment(scene, tracer, cast);
     const inside: (Seen & { readonly x: number; readonly y: number })[] = [];
     for (let y = 1; y < height - 1; y++) {
       for (let x = 1; x < width - 1; x++) {
@@ -112,26 +111,19 @@ const seenOf = remembered(
   },
 );
 
-/**
- * The mesh's own triangles. Corners share nothing, and u and v are the shares of a triangle's first
- * two corners.
- */
+/** The mesh's own triangles. Corners share nothing. */
 function cornersOf({ geometry, segments }: CastMesh, shading: string): BufferGeometry {
   const made = createGeometry(geometry, segments) as BufferGeometry;
   const split = shading === 'flat' ? flatGeometry(made) : made;
-  const corners = split.index === null ? split : split.toNonIndexed();
-  const shares = Array.from({ length: corners.getAttribute('position').count / 3 }, () => [
-    1, 0, 0, 1, 0, 0,
-  ]);
-  return corners.setAttribute('uv', new BufferAttribute(Float32Array.from(shares.flat()), 2));
+  return split.index === null ? split : split.toNonIndexed();
 }
 
 type ColorAt = (x: number, y: number) => Seen;
 
 const perFragment =
-  (scene: DeclaredScene, tracer: Tracer): ColorAt =>
+  (scene: DeclaredScene, tracer: Tracer, cast: CastScene): ColorAt =>
   (x, y) => {
-    const shaded = tracer.shadedAt(x + 0.5, y + 0.5)!;
+    const shaded = shadedAt(tracer, cast, x + 0.5, y + 0.5)!;
     return { color: shaded.color, margin: Math.abs(coneMargin(scene.lights, shaded)) };
   };
 
@@ -168,9 +160,9 @@ function perVertex(scene: DeclaredScene, tracer: Tracer, geometry: BufferGeometr
     return made;
   };
   return (x, y) => {
-    const { triangle, front, u, v } = tracer.hitAt(x + 0.5, y + 0.5);
+    const { triangle, front, a, b, c } = tracer.hitAt(x + 0.5, y + 0.5);
     const corners = [0, 1, 2].map((k) => shadeCorner(3 * triangle + k, front));
-    const sum = [u, v, 1 - u - v].map((share, k) => scale(corners[k]!.sum, share)).reduce(add);
+    const sum = [a, b, c].map((share, k) => scale(corners[k]!.sum, share)).reduce(add);
     const encoded = scene.options.linear === true ? map(sum, srgbEncode) : sum;
     return {
       color: map(encoded, (one) => Math.min(Math.max(one, 0), 1)),

@@ -3,7 +3,7 @@
 import { basisOf } from '../../src/phong/camera/orbit.js';
 import type { PhongViewer } from '../../src/viewer/index.js';
 import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
-import { Tracer } from '../support/caster/tracer.js';
+import { Tracer } from '../../src/extras/still/tracer.js';
 import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, type Picture, pixels, test } from '../support/test.js';
 import { expectNoHoles, markupOf } from './coverage.js';

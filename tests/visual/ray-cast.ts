@@ -7,9 +7,10 @@ import type { LightValues } from '../../src/phong/light/light-state.js';
 import { radians } from '../../src/phong/math/angle.js';
 import { add, scale, type Vec3 } from '../../src/phong/math/vector.js';
 import type { ReferenceOptions, Shaded, Surface } from '../../src/phong/reference/equation.js';
+import { shadedAt } from '../support/shaded-at.js';
 import { coneMargin } from '../stress/contract.js';
-import type { CastCamera, CastScene, CastShape } from '../support/caster/scene.js';
-import { Tracer } from '../support/caster/tracer.js';
+import type { CastCamera, CastScene, CastShape } from '../../src/extras/still/cast-scene.js';
+import { Tracer } from '../../src/extras/still/tracer.js';
 
 export interface CastMesh extends Surface {
   readonly geometry: 'plane' | 'box' | 'sphere';
@@ -50,7 +51,8 @@ export function caster(
   width: number,
   height: number,
 ): (x: number, y: number) => Hit | null {
-  const tracer = new Tracer(castSceneOf(scene, idealShape), width, height);
+  const cast = castSceneOf(scene, idealShape);
+  const tracer = new Tracer(cast, width, height);
   return (column, row) => {
     const [x, y] = [column + 0.5, row + 0.5];
     const { t, object: mesh, triangle } = tracer.hitAt(x, y);
@@ -58,7 +60,7 @@ export function caster(
     let known: Shaded | undefined;
     return {
       get shaded() {
-        return (known ??= tracer.shadedAt(x, y)!);
+        return (known ??= shadedAt(tracer, cast, x, y)!);
       },
       get coneMargin() {
         return Math.abs(coneMargin(scene.lights, this.shaded));
@@ -102,7 +104,7 @@ export const trianglesOf = (geometry: BufferGeometry): CastShape => ({
   kind: 'triangles',
   positions: geometry.getAttribute('position').array,
   normals: geometry.getAttribute('normal').array,
-  uvs: geometry.getAttribute('uv').array,
+  uvs: [geometry.getAttribute('uv').array],
   ...(geometry.index && { index: geometry.index.array }),
 });
 

@@ -3,9 +3,9 @@
 
 import { patch, type Texel } from '../support/gltf.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
-import { castPicture } from '../support/caster/cast.mjs';
-import { drawnScene } from '../support/caster/drawn-scene.js';
-import type { CastTexture } from '../support/caster/scene.js';
+import { castPicture } from '../support/cast.mjs';
+import { drawnScene } from '../support/drawn-scene.js';
+import type { CastTexture } from '../../src/extras/still/cast-scene.js';
 
 const size = { width: 48, height: 36 };
 const full = 'alt="" antialias="full" samples="64"';

@@ -6,6 +6,7 @@ import {
   nameOf,
   isDataUri,
   type CrossOrigin,
+  type Fetch,
   type FileRequest,
   requestFile,
 } from '../../viewer/model/request-model.js';
@@ -26,6 +27,8 @@ interface Transfer {
   /** To be aborted after a failure too: that ends the other requests of the model. */
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
+  /** In place of the browser's. */
+  readonly fetch?: Fetch | undefined;
   /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: ((loaded: number, total: number) => void) | undefined;
 }

@@ -4,7 +4,7 @@
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/model/limits.js';
-import type { FileBytes, ModelSource } from './model-reader.js';
+import { type FileBytes, type ModelSource, requireDecoders } from './model-reader.js';
 import { Slices } from './slices.js';
 
 /**
@@ -80,7 +80,7 @@ export class ImageTextures {
   }
 
   #decode(name: string, read: () => Promise<FileBytes>): Image['decoded'] {
-    const { optional, budget, signal } = this.#source;
+    const { optional, budget, signal, decodeImage } = this.#source;
     return optional(name, read, async (file) => {
       const size = imageSize(file.bytes);
       if (!size) {
@@ -101,9 +101,12 @@ export class ImageTextures {
       await acquire(atOnce);
       try {
         signal.throwIfAborted(); // while it waited
-        const decode = isPacked
-          ? decodeKtx2(file.bytes, scale, signal)
-          : decodeByBrowser(file, size, scale);
+        if (isPacked) {
+          requireDecoders(this.#source, 'KTX2');
+        }
+        const decode =
+          decodeImage?.(file) ??
+          (isPacked ? decodeKtx2(file.bytes, scale, signal) : decodeByBrowser(file, size, scale));
         return { pixels, bitmap: await decode };
       } finally {
         release(atOnce);

@@ -7,9 +7,14 @@ import { free, isOutOfMemory } from '../../viewer/model/limits.js';
 import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
-import { nameOf, type CrossOrigin, type FileRequest } from '../../viewer/model/request-model.js';
+import {
+  nameOf,
+  type CrossOrigin,
+  type Fetch,
+  type FileRequest,
+} from '../../viewer/model/request-model.js';
 import { formatOf } from './format.js';
-import { neededCode, type ReadOptional } from './model-reader.js';
+import { type DecodeImage, neededCode, type ReadOptional } from './model-reader.js';
 import { asUtf8 } from './encodings.js';
 import { type Content, ModelError } from '../../viewer/model/model.js';
 import { measureInSlices } from '../../viewer/model/geometry-size.js';
@@ -41,6 +46,11 @@ export interface LoadOptions {
    * and server tell.
    */
   readonly type?: string;
+  /** In place of the browser's. */
+  readonly fetch?: Fetch;
+  readonly decodeImage?: DecodeImage;
+  /** What the model is shown without. Default: the console's warnings. */
+  readonly warn?: (message: string) => void;
 }
 
 /**
@@ -54,7 +64,7 @@ export async function modelContent(
   options: LoadOptions,
   from: FileRequest | Blob | null = null,
 ): Promise<Content> {
-  const { signal, type = '' } = options;
+  const { signal, type = '', decodeImage, warn = (message) => console.warn(message) } = options;
   const budget = new ModelBudget(options.onClaim);
   const isRequest = from === null || 'response' in from;
   const { name, read, linked } = isRequest
@@ -69,7 +79,7 @@ export async function modelContent(
     const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
     const reader = await neededCode(format.code(), `The code that reads ${format.name} files`);
     signal.throwIfAborted();
-    const model = await reader.read({ url, bytes, signal, linked, optional, budget });
+    const model = await reader.read({ url, bytes, signal, linked, optional, budget, decodeImage });
     free(bytes);
     try {
       // The bounds that framing and culling will need: the first frame would find them in one task.
@@ -85,11 +95,11 @@ export async function modelContent(
       throw error;
     }
     if (missing.size > 0) {
-      warnOfMissing(name, missing);
+      warn(missingText(name, missing));
     }
     const dropped = [...(model.dropped ?? [])];
     if (dropped.length > 0) {
-      console.warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
+      warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
     }
     return { ...model, missing: [...missing.keys()] };
   } catch (cause) {
@@ -161,12 +171,10 @@ function reasonOf(name: string, error: unknown): string {
 /** Most reasons in the warning. A material library can name thousands of images. */
 const MOST_REASONS = 10;
 
-function warnOfMissing(model: string, missing: ReadonlyMap<string, string>): void {
+function missingText(model: string, missing: ReadonlyMap<string, string>): string {
   const names = [...missing.keys()];
   const reasons = [...new Set(missing.values())].slice(0, MOST_REASONS);
-  console.warn(
-    `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`,
-  );
+  return `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`;
 }
 
 // Some servers treat an escaped slash as a slash, after the URL parser has resolved `..`.

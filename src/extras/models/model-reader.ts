@@ -21,6 +21,22 @@ export interface ModelSource {
   readonly optional: ReadOptional;
   /** Has the bytes of the files; the reader claims everything else. */
   readonly budget: ModelBudget;
+  readonly decodeImage?: DecodeImage | undefined;
+}
+
+/**
+ * Decodes an image in place of the browser. Where there is one, nothing is decoded by workers or
+ * WebAssembly: neither KTX2 nor Draco nor meshopt.
+ */
+export type DecodeImage = (file: FileBytes) => Promise<ImageBitmap>;
+
+/** @throws ModelError, which names what it is that would need WebAssembly. */
+export function requireDecoders(
+  { decodeImage }: Pick<ModelSource, 'decodeImage'>,
+  what: string,
+): void {
+  if (decodeImage === undefined) return;
+  throw new ModelError('bad-model', `${what} cannot be read without WebAssembly.`);
 }
 
 /**

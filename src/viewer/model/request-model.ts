@@ -63,9 +63,13 @@ export function endEarly(): void {
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
 
+export type Fetch = (url: URL, init: RequestInit) => Promise<Response>;
+
 interface RequestOptions {
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
+  /** In place of the browser's. */
+  readonly fetch?: Fetch | undefined;
 }
 
 export interface FileRequest {
@@ -85,12 +89,12 @@ export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
 export function requestFile(
   url: URL,
   redirect: RequestRedirect,
-  { signal, crossOrigin }: RequestOptions,
+  { signal, crossOrigin, fetch: request = fetch }: RequestOptions,
 ): FileRequest {
   const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
   const watch = new AbortController();
   const refusal = refusalOf(url, watch.signal);
-  const response = fetch(url, { signal, redirect, credentials });
+  const response = request(url, { signal, redirect, credentials });
   response.catch(() => undefined); // the code that awaits it reports the error
   const stop = (): void => watch.abort('answered');
   return { response, refusal, stop };

@@ -148,15 +148,7 @@ export class AutoFit {
    * framing says.
    */
   fitOf({ target }: Framing): Fit {
-    const extent = this.measure();
-    const { bounds } = extent;
-    const empty = bounds === null;
-    const fitted = fitPose(bounds, this.#fov, this.#aspect);
-    if (target === 'auto') return { ...fitted, empty };
-    const radius = empty
-      ? fitted.radius
-      : fitRadius(extent.radiusAbout(target), this.#fov, this.#aspect);
-    return { target, radius, empty };
+    return fitTo(this.measure(), target, this.#fov, this.#aspect);
   }
 
   #refit(): void {
@@ -164,6 +156,16 @@ export class AutoFit {
     this.#shared?.changed();
     this.#picture.invalidate();
   }
+}
+
+/** The camera that shows a scene of this extent, about `target`. `fov`: vertical, in degrees. */
+export function fitTo(extent: Extent, target: Framing['target'], fov: number, aspect: number): Fit {
+  const { bounds } = extent;
+  const empty = bounds === null;
+  const fitted = fitPose(bounds, fov, aspect);
+  if (target === 'auto') return { ...fitted, empty };
+  const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), fov, aspect);
+  return { target, radius, empty };
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];

@@ -5,7 +5,7 @@
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { castPicture } from '../../support/caster/cast.mjs';
+import { castPicture } from '../../support/cast.mjs';
 import { openPage } from '../browser.mjs';
 import { CASTER } from '../build.mjs';
 import { CODES, FULL, full, PLAIN, RMSE, TIME, WITHIN } from '../pictures.mjs';

@@ -9,8 +9,13 @@ import {
   type Texture,
   type Wrapping,
 } from 'three';
-import { sceneOnPage } from '../../support/caster/drawn-scene.js';
-import type { CastScene, CastTexture, TrueShape, Wrap } from '../../support/caster/scene.js';
+import { sceneOnPage } from '../../support/drawn-scene.js';
+import type {
+  CastScene,
+  CastTexture,
+  TrueShape,
+  Wrap,
+} from '../../../src/extras/still/cast-scene.js';
 import type { Viewer } from './element-side.js';
 import { pictureOf, type ShownMaterial } from './equation-material.js';
 

@@ -1,7 +1,7 @@
 // A whole picture by the element: the plain one, with averaged highlights, or the mean of many
 // samples.
 import { onlyContext, runFrame } from './page-hooks.js';
-import type { TrueShape } from '../../support/caster/scene.js';
+import type { TrueShape } from '../../../src/extras/still/cast-scene.js';
 import { castSceneOf } from './cast-scene.js';
 import { drawUntilReady, type Viewer } from './element-side.js';
 import type { OpenPicture } from './picture.js';

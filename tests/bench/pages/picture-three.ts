@@ -15,7 +15,7 @@ import { OutputPass } from 'three/addons/postprocessing/OutputPass.js';
 import { SSAARenderPass } from 'three/addons/postprocessing/SSAARenderPass.js';
 import { TAARenderPass } from 'three/addons/postprocessing/TAARenderPass.js';
 import { CODES, MULTISAMPLED, SSAA, ssaa, TAA, TAA_PASS } from '../pictures.mjs';
-import { sceneOnPage } from '../../support/caster/drawn-scene.js';
+import { sceneOnPage } from '../../support/drawn-scene.js';
 import type { Viewer } from './element-side.js';
 import { shownMeshes } from './cast-scene.js';
 import { equationMaterial } from './equation-material.js';

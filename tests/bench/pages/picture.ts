@@ -2,7 +2,7 @@
 // picture.html?scene=sphere&side=full&width=400&height=300. Each way of the element has a page of
 // its own, so that its programs stay.
 import './page-hooks.js';
-import type { CastScene } from '../../support/caster/scene.js';
+import type { CastScene } from '../../../src/extras/still/cast-scene.js';
 import { FULL, full, PLAIN } from '../pictures.mjs';
 import type { Mode } from './picture-element.js';
 import { PICTURE_SCENES, type PictureName, type PictureScene } from './picture-scenes.js';

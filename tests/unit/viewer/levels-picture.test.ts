@@ -12,9 +12,9 @@ import {
   type GeometryName,
   roundOf,
 } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
-import { outlineErrors } from '../../support/caster/outlines.js';
-import type { CastShape } from '../../support/caster/scene.js';
-import { type Sample, Tracer } from '../../support/caster/tracer.js';
+import { outlineErrors } from '../../support/outlines.js';
+import type { CastShape } from '../../../src/extras/still/cast-scene.js';
+import { type Sample, Tracer } from '../../../src/extras/still/tracer.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
 
 type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;

@@ -3,7 +3,7 @@
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { lazyCode } from '../../../viewer/model/lazy-code.js';
 import { isDataUri } from '../../../viewer/model/request-model.js';
-import { type FileBytes, type ModelSource, neededCode } from '../model-reader.js';
+import { type FileBytes, type ModelSource, neededCode, requireDecoders } from '../model-reader.js';
 import { BYTE_LIMIT } from '../../../viewer/model/limits.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
@@ -55,6 +55,9 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
     view: async (index: number): Promise<ArrayBuffer> => {
       const view = document.bufferViews[index];
       const meshopt = view?.meshopt;
+      if (meshopt) {
+        requireDecoders(source, 'meshopt');
+      }
       const bytes = await slice(index);
       const length = meshopt ? meshopt.count * meshopt.stride : bytes.byteLength;
       const size = length + (view?.byteStride ?? 0);

@@ -16,7 +16,7 @@ import {
 } from 'three/addons/loaders/GLTFLoader.js';
 import { ImageTextures } from '../image.js';
 import type { ContentPart } from '../../../viewer/model/model.js';
-import { mapsOfLook, type ModelReader, ownedModel } from '../model-reader.js';
+import { mapsOfLook, type ModelReader, ownedModel, requireDecoders } from '../model-reader.js';
 import { nameOf } from '../../../viewer/model/request-model.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
@@ -65,6 +65,7 @@ export const read: ModelReader = async (source) => {
   loader.register(pluginOf);
   try {
     if (document.draco.size > 0) {
+      requireDecoders(source, 'Draco');
       loader.setDRACOLoader(dracoLoader(slices, source.signal));
     }
     source.signal.throwIfAborted();

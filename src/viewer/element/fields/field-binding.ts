@@ -1,6 +1,6 @@
 // How attributes and properties reach a FieldStore: a bad attribute warns and gives the default, a
 // bad property throws.
-import { show } from '../../../phong/fields/field.js';
+import { type Field, show } from '../../../phong/fields/field.js';
 import type { FieldStore } from '../../../phong/fields/field-store.js';
 import { nearest } from '../../../phong/fields/nearest.js';
 import { attributeOf, parseText } from './attribute-text.js';
@@ -126,14 +126,7 @@ export class FieldBinding<V extends object> {
 
   /** One warning per element, attribute and value. */
   #warn(key: keyof V & string, value: unknown): void {
-    const { expected, fallback, choices } = this.store.fields[key];
-    const instead =
-      (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
-    const meant =
-      typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
-    const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
-    const tag = this.#element.localName;
-    const message = `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
+    const message = valueWarning(this.#element.localName, key, value, this.store.fields[key]);
     const warned = (this.#warned ??= new Set());
     if (warned.has(message)) return;
     if (warned.size >= WARNINGS_KEPT) {
@@ -146,6 +139,23 @@ export class FieldBinding<V extends object> {
   #about(key: string, message: string): string {
     return `<${this.#element.localName}>.${key}: ${message}`;
   }
+}
+
+/** What is wrong with a declared value, and what is used instead. */
+export function valueWarning(
+  tag: string,
+  key: string,
+  value: unknown,
+  { expected, fallback, choices }: Field<unknown>,
+): string {
+  const words = Array.isArray(fallback)
+    ? fallback.join(' ')
+    : (fallback as { toString(): string } | null);
+  const instead = words?.toString() || 'none';
+  const meant =
+    typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
+  const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
+  return `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
 }
 
 /**

@@ -1,9 +1,9 @@
 // What a viewer draws, for the ray caster: its meshes' triangles, its camera and its lights.
 import type { Locator } from '@playwright/test';
-import { basisOf } from '../../../src/phong/camera/orbit.js';
-import type { PhongViewer } from '../../../src/viewer/index.js';
-import { LIGHT_FIELDS, type LightValues } from '../../../src/phong/light/light-state.js';
-import type { CastScene, CastTexture } from './scene.js';
+import { basisOf } from '../../src/phong/camera/orbit.js';
+import type { PhongViewer } from '../../src/viewer/index.js';
+import { LIGHT_FIELDS, type LightValues } from '../../src/phong/light/light-state.js';
+import type { CastScene, CastTexture } from '../../src/extras/still/cast-scene.js';
 
 /** What a mesh of a viewer's scene has, and other objects have not. */
 interface DrawnMesh {
@@ -35,7 +35,7 @@ function shownIn(element: PhongViewer, lightKeys: readonly string[]) {
         kind: 'triangles',
         positions: position!.array,
         normals: normal!.array,
-        ...(uv && { uvs: uv.array }),
+        ...(uv && { uvs: [uv.array] }),
         ...(geometry.index && { index: geometry.index.array }),
       },
       matrix: [...object.matrixWorld.elements],

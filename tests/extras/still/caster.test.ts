@@ -2,14 +2,19 @@
 // shapes. On smaller pictures than in a release run.
 import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { LightState, type Vec3 } from '../../src/phong/reference/index.js';
-import { add, dot, normalize, scale, subtract } from '../../src/phong/math/vector.js';
-import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
-import { castPicture } from '../support/caster/cast.mjs';
-import { castHere } from '../support/caster/picture.js';
-import type { CastMaterial, CastObject, CastScene, TrueShape } from '../support/caster/scene.js';
-import { type Sample, Tracer } from '../support/caster/tracer.js';
-import { fullOr } from '../support/repeats.js';
+import { LightState, type Vec3 } from '../../../src/phong/reference/index.js';
+import { add, dot, normalize, scale, subtract } from '../../../src/phong/math/vector.js';
+import { createGeometry } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import { castPicture } from '../../support/cast.mjs';
+import { castHere } from '../../../src/extras/still/threads.js';
+import type {
+  CastMaterial,
+  CastObject,
+  CastScene,
+  TrueShape,
+} from '../../../src/extras/still/cast-scene.js';
+import { type Sample, Tracer } from '../../../src/extras/still/tracer.js';
+import { fullOr } from '../../support/repeats.js';
 
 const FOV = 45;
 const WHITE: CastMaterial = { ka: [0, 0, 0], kd: [255, 255, 255], ks: [0, 0, 0], shininess: 32 };
@@ -70,7 +75,7 @@ describe('a picture by the ray caster', () => {
     const here = castHere(scene, options);
     expect(await castPicture(scene, options)).toEqual(here);
     expect(await castPicture(scene, options)).toEqual(here);
-    expect(existsSync(new URL('../../truths', import.meta.url))).toBe(true);
+    expect(existsSync(new URL('../../../truths', import.meta.url))).toBe(true);
   });
 });
 

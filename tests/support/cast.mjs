@@ -9,12 +9,9 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { serialize } from 'node:v8';
 import { Worker } from 'node:worker_threads';
-import { outputFolder } from '../../../.ci/output-folder.mjs';
+import { outputFolder } from '../../.ci/output-folder.mjs';
 
-/** @import { CastOptions, CastScene } from './scene.js' */
-
-/** Rows that a thread casts at a time: small enough that all end together. */
-const BAND = 4;
+/** @import { CastOptions, CastScene } from '../../src/extras/still/cast-scene.js' */
 
 /** @type {Promise<string> | undefined} */
 let bundled;
@@ -53,30 +50,15 @@ export async function castPicture(scene, options, code) {
  * {Promise<Float64Array>}
  */
 async function castNow(code, scene, options) {
-  const { width, height } = options;
-  const picture = new Float64Array(4 * width * height);
-  let next = 0;
+  const next = new Int32Array(new SharedArrayBuffer(4));
+  const means = new Float64Array(new SharedArrayBuffer(32 * options.width * options.height));
+  const workerData = { scene, options, next, means };
   const thread = () =>
     new Promise((resolve, reject) => {
-      const worker = new Worker(moduleUrl(code), { workerData: { scene, options } });
-      const order = () => {
-        if (next >= height) {
-          void worker.terminate().then(resolve);
-          return;
-        }
-        const from = next;
-        next = Math.min(height, from + BAND);
-        worker.postMessage({ from, to: next });
-      };
-      worker.on('error', reject);
-      worker.on('message', ({ from, means }) => {
-        picture.set(means, 4 * width * from);
-        order();
-      });
-      order();
+      new Worker(moduleUrl(code), { workerData }).on('error', reject).on('exit', resolve);
     });
   await Promise.all(Array.from({ length: availableParallelism() }, thread));
-  return picture;
+  return means;
 }
 
 /** The thread's module without imports. @returns {Promise<string>} */
@@ -86,7 +68,7 @@ async function bundle() {
     configFile: false,
     logLevel: 'error',
     build: {
-      ssr: fileURLToPath(new URL('worker.ts', import.meta.url)),
+      ssr: fileURLToPath(new URL('../../src/extras/still/worker.ts', import.meta.url)),
       write: false,
       target: 'node20',
     },

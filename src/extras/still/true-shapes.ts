@@ -1,8 +1,8 @@
 // Rays against the true round shapes, in closed form and in the shapes' own space.
-import { add, dot, scale, type Vec3 } from '../../../src/phong/math/vector.js';
+import { add, dot, scale, type Vec3 } from '../../phong/math/vector.js';
 import type { Hit, Intersect } from './hit.js';
 import { rootsIn } from './polynomial.js';
-import type { TrueShape } from './scene.js';
+import type { TrueShape } from './cast-scene.js';
 
 const RADIUS = 0.5;
 const HALF_HEIGHT = 0.5;
@@ -116,7 +116,7 @@ const torus: Intersect = (o, d, hit) => {
   const count = rootsIn(c, -reach - TUBE, reach + TUBE, roots);
   return roots.subarray(0, count).some((s) => {
     const [x, y, z] = at(m, u, s);
-    const shrink = 1 - RING / Math.hypot(x, y);
+    const shrink = 1 - RING / Math.sqrt(x * x + y * y);
     return offer(hit, middle + s / length, d, [x * shrink, y * shrink, z]);
   });
 };

@@ -7,10 +7,10 @@
 // eighth of a pixel outside its own. A curve that enters between two of those, 5/8 of a pixel apart
 // at most, without reaching one has a radius below 0.4 pixels. And no channel varies by 2 codes
 // over 16 samples, or 8 over 64. Where the colour is linear, the mean then has a standard error
-// below 2 / √16 / √12 / √16 = 0.036 codes; rounding to 8 bits has 0.29. `tests/unit/caster.test.ts`
+// below 2 / √16 / √12 / √16 = 0.036 codes; rounding to 8 bits has 0.29. `tests/extras/still/caster.test.ts`
 // measures it.
-import type { CastOptions, CastScene } from './scene.js';
-import { NOTHING, type Sample, Tracer } from './tracer.js';
+import type { CastOptions } from './cast-scene.js';
+import { NOTHING, type Sample, type Tracer } from './tracer.js';
 
 /** Sides of the squares of samples that quiet pixels get. */
 const FEW = [4, 8];
@@ -56,10 +56,6 @@ export function castRows(
   return means;
 }
 
-/** All rows, in this thread. */
-export const castHere = (scene: CastScene, options: CastOptions): Float64Array =>
-  castRows(new Tracer(scene, options.width, options.height), options, 0, options.height);
-
 /** Writes the mean of few samples; false where it may not be good enough. */
 function isQuiet(
   tracer: Tracer,
@@ -80,7 +76,7 @@ function isQuiet(
     sides = [sides.at(-1)!]; // what is small and alone shows in many samples only
   }
   for (const side of sides) {
-    const most = side ** 2 / 8;
+    const most = (side * side) / 8;
     let others = 0;
     mean.fill(0);
     low.fill(Infinity);
@@ -91,7 +87,7 @@ function isQuiet(
       }
       for (let i = 0; i < 4; i++) {
         const value = color[i as 0];
-        mean[i]! += value / side ** 2;
+        mean[i]! += value / (side * side);
         if (value < low[i]!) {
           low[i] = value;
         }
@@ -137,6 +133,6 @@ function randomFrom(pixel: number): () => number {
     state = (state + 0x6d2b79f5) | 0;
     let x = Math.imul(state ^ (state >>> 15), state | 1);
     x ^= x + Math.imul(x ^ (x >>> 7), x | 61);
-    return ((x ^ (x >>> 14)) >>> 0) / 2 ** 32;
+    return ((x ^ (x >>> 14)) >>> 0) / 4294967296;
   };
 }

@@ -1,8 +1,8 @@
 // How far are the outlines of one scene from those of another, in pixels? Inner outlines count too,
 // where something hides what is behind it: both are jumps of depth along a row or a column of the
 // picture.
-import { dot, type Vec3 } from '../../../src/phong/math/vector.js';
-import type { Tracer } from './tracer.js';
+import { dot, type Vec3 } from '../../src/phong/math/vector.js';
+import type { Tracer } from '../../src/extras/still/tracer.js';
 
 interface OutlineErrors {
   /** The largest distance, across the outline. */

@@ -1,0 +1,235 @@
+// From declared values to a scene for the ray caster: what a viewer of this size shows at first.
+import { Matrix4, Mesh, Scene } from 'three';
+import { Orbit } from '../../phong/camera/orbit.js';
+import type { LightValues } from '../../phong/light/light-state.js';
+import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
+import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
+import type { Vec3 } from '../../phong/math/vector.js';
+import { clipMessage, listed } from '../../phong/fields/clip.js';
+import { requireAtMost } from '../../viewer/model/budget.js';
+import { TRIANGLE_LIMIT } from '../../viewer/model/limits.js';
+import type { ContentPart } from '../../viewer/model/model.js';
+import type { ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
+import { fitTo } from '../../viewer/scene/auto-fit.js';
+import { measure } from '../../viewer/scene/bounds.js';
+import type { Frustum } from '../../viewer/scene/frustum-clip.js';
+import { levelFor, SAMPLED_TOLERANCE, segmentsIn } from '../../viewer/scene/mesh/levels.js';
+import type { MeshState } from '../../viewer/scene/mesh/mesh-fields.js';
+import { appearanceOf } from '../../viewer/scene/mesh/parts.js';
+import {
+  createGeometry,
+  type GeometryName,
+  roundOf,
+} from '../../viewer/scene/mesh/shapes/shapes.js';
+import type {
+  CastMaterial,
+  CastObject,
+  CastOptions,
+  CastScene,
+  CastShape,
+  Quantity,
+  TrueShape,
+} from './cast-scene.js';
+import type { Declared, Warn } from './markup.js';
+import { meshShape } from './mesh-shape.js';
+import { modelOf, type ModelPlace } from './models.js';
+import { columnsOf, isFlattened } from './triangles.js';
+
+/** A part of a declared mesh. */
+interface PlacedPart {
+  readonly state: MeshState;
+  readonly part: ContentPart;
+  /** The built-in shape that it is; null for a model's. */
+  readonly shape: GeometryName | null;
+  readonly object: Mesh;
+}
+
+/** @throws where something is declared that cannot be drawn, and names it. */
+export async function castSceneOf(
+  { viewer, lights, meshes }: Declared,
+  { width, height }: CastOptions,
+  place: ModelPlace,
+): Promise<CastScene> {
+  const { values } = viewer;
+  const { view, fov, theta, phi, reflection } = values;
+  if (view === 'triangles') throw new TypeError('a still cannot show view="triangles"');
+  const scene = new Scene();
+  const parts: PlacedPart[] = [];
+  for (const state of [viewer as MeshState, ...meshes]) {
+    parts.push(...(await partsOf(state, values, place)));
+  }
+  for (const { object } of parts) {
+    scene.add(object);
+  }
+  const fit = fitTo(measure(scene), values.target, fov, width / height);
+  const radius = values.radius === 'auto' ? fit.radius : values.radius;
+  const orbit = new Orbit({ theta, phi, radius, target: fit.target });
+  const camera = { eye: orbit.eye(), ...orbit.basis(), fov };
+  const slopeY = sinDegrees(fov / 2) / cosDegrees(fov / 2);
+  const seen: Seen = {
+    view: { frame: { ...camera, origin: ZERO }, slopeX: (slopeY * width) / height, slopeY, radius },
+    pixels: height / (2 * slopeY),
+  };
+  const objects: CastObject[] = [];
+  let triangles = 0;
+  for (const part of parts) {
+    const object = await objectOf(part, values, seen);
+    const { shape } = object;
+    if (shape.kind === 'triangles') {
+      triangles += (shape.index ?? shape.positions).length / (shape.index === undefined ? 9 : 3);
+      requireAtMost(triangles, TRIANGLE_LIMIT, 'triangles', 'The still has');
+    }
+    objects.push(object);
+  }
+  const term = view === 'ambient' || view === 'diffuse' || view === 'specular';
+  return {
+    camera,
+    lights: chosenLights(
+      lights.map((light) => light.values),
+      values,
+      place.warn,
+    ),
+    objects,
+    reflection,
+    terms: term ? [view] : values.terms,
+    linear: values.colorInterpolation === 'linear',
+    ...(view !== 'shaded' && !term && { quantity: view }),
+  };
+}
+
+async function partsOf(
+  state: MeshState,
+  viewer: Readonly<ViewerValues>,
+  place: ModelPlace,
+): Promise<PlacedPart[]> {
+  const { geometry, src } = state.values;
+  const matrix = matrixOf(state.values);
+  const placed = (part: ContentPart, shape: GeometryName | null): PlacedPart => {
+    const object = new Mesh(part.geometry);
+    object.matrixWorld.multiplyMatrices(matrix, part.matrix);
+    return { state, part, shape, object };
+  };
+  if (src !== '') {
+    const model = await modelOf(state.values, viewer.crossOrigin, place);
+    return model.parts.map((part) => placed(part, null));
+  }
+  if (geometry === null) return [];
+  const part: ContentPart = {
+    name: geometry,
+    geometry: await createGeometry(geometry, undefined),
+    matrix: new Matrix4(),
+    look: PLAIN_LOOK,
+    sides: 'double',
+    surface: {},
+  };
+  return [placed(part, geometry)];
+}
+
+async function objectOf(
+  { state, part, shape: name, object }: PlacedPart,
+  viewer: Readonly<ViewerValues>,
+  { view: frustum, pixels }: Seen,
+): Promise<CastObject> {
+  const { look, surface, sides, ...own } = appearanceOf(state, part);
+  const shading = own.shading ?? viewer.shading;
+  const matrix = object.matrixWorld.elements;
+  let { geometry } = part;
+  let shape: CastShape | null = null;
+  if (name !== null) {
+    const { segments } = state.values;
+    const round = segments === 'auto' && shading === 'phong' ? roundOf(name) : undefined;
+    if (round !== undefined && isTrue(name) && !isFlattened(columnsOf(matrix))) {
+      shape = { kind: name };
+    } else if (round !== undefined || segments !== 'auto') {
+      const fine =
+        round === undefined
+          ? Number(segments)
+          : // As finely as in the samples of a still picture, whatever pixels it covers.
+            levelFor(
+              Math.max(
+                segmentsIn(frustum, pixels / SAMPLED_TOLERANCE, round, matrix) ?? 0,
+                round.smooth,
+              ),
+              name,
+            );
+      geometry = await createGeometry(name, fine, round !== undefined);
+    }
+  }
+  const mesh = meshShape(geometry, look);
+  const { view } = viewer;
+  // A view of one term is without emissive and unlit colours.
+  const isTerm = view === 'ambient' || view === 'diffuse' || view === 'specular';
+  const material: CastMaterial = {
+    ...surface,
+    ...mesh.textures,
+    shading,
+    reflection: own.reflection ?? viewer.reflection,
+    single: sides === 'single',
+    baseColor: isTerm && look.unlit ? ZERO : look.baseColor,
+    emissive: isTerm ? ZERO : look.emissive,
+    unlit: look.unlit,
+    metalness: look.metalness,
+    lobeScale: look.roughness === null ? 1 : lobeScale(surface.shininess),
+    ...(look.roughness !== null && { roughness: look.roughness }),
+    normalScale: look.normalScale,
+    opacity: look.opacity,
+    alphaMode: look.alphaMode,
+    alphaCutoff: look.alphaCutoff,
+  };
+  return { shape: shape ?? mesh.shape, matrix, material };
+}
+
+/** The camera, and the pixels of a unit of length at depth 1. */
+interface Seen {
+  readonly view: Frustum;
+  readonly pixels: number;
+}
+
+const ZERO: Vec3 = [0, 0, 0];
+
+const isTrue = (name: GeometryName): name is TrueShape['kind'] =>
+  ['sphere', 'cylinder', 'cone', 'torus'].includes(name);
+
+const ONE_LIGHT: readonly string[] = [
+  'n-dot-l',
+  'r-dot-v',
+  'attenuation',
+  'decay',
+] satisfies Quantity[];
+
+/** The lights that the view is limited to, as the legend chooses them. */
+function chosenLights(
+  lights: readonly Readonly<LightValues>[],
+  { view, viewLight }: Readonly<ViewerValues>,
+  warn: Warn,
+): readonly Readonly<LightValues>[] {
+  if (viewLight === '') {
+    return ONE_LIGHT.includes(view) ? lights.filter(({ active }) => active).slice(0, 1) : lights;
+  }
+  const names = lights.map(({ name }, i) => name || `light ${String(i + 1)}`);
+  const index = names.indexOf(viewLight);
+  if (index >= 0) return [lights[index]!];
+  const quoted = names.map((name) => JSON.stringify(name));
+  warn(
+    clipMessage(
+      `<phong-viewer view-light=${JSON.stringify(viewLight)}>: no light has this name, so none is shown. Names of lights: ${listed(quoted)}.`,
+    ),
+  );
+  return [];
+}
+
+/** As three.js has it, order XYZ, but by degrees: right angles are exact. */
+function matrixOf({ position, rotation, scale }: MeshState['values']): Matrix4 {
+  const [x, y, z] = rotation ?? ZERO;
+  const [a, b] = [cosDegrees(x), sinDegrees(x)];
+  const [c, d] = [cosDegrees(y), sinDegrees(y)];
+  const [e, f] = [cosDegrees(z), sinDegrees(z)];
+  const [sx, sy, sz] = scale ?? [1, 1, 1];
+  const [px, py, pz] = position ?? ZERO;
+  return new Matrix4(
+    ...[sx * c * e, sy * -c * f, sz * d, px],
+    ...[sx * (a * f + b * e * d), sy * (a * e - b * f * d), sz * -b * c, py],
+    ...[sx * (b * f - a * e * d), sy * (b * e + a * f * d), sz * a * c, pz],
+    ...[0, 0, 0, 1],
+  );
+}

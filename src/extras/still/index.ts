@@ -1,0 +1,75 @@
+// `phong-viewer/still`: the picture of a viewer's markup, without a browser and a GPU, and the same
+// bytes on every machine.
+import { castSceneOf } from './build-scene.js';
+import { readMarkup } from './markup.js';
+import { encodePng } from './png.js';
+import { castHere, castOnThreads } from './threads.js';
+
+export interface StillOptions {
+  /** Pixels. Whole numbers from 1. */
+  readonly width: number;
+  readonly height: number;
+  /** What addresses in the markup are relative to: a `file:` or `http:` address. */
+  readonly base?: URL | string;
+  /** Hears what a browser's console would say of the markup. Default: `console.warn`. */
+  readonly warn?: (message: string) => void;
+  /** Threads in Node. They change no pixel. Default: one for each core; 1: the caller's own. */
+  readonly threads?: number;
+}
+
+export interface Still {
+  readonly width: number;
+  readonly height: number;
+  /** r, g, b, a of each pixel, 0–255, straight alpha, rows from the top. */
+  readonly pixels: Uint8Array;
+  /** The same as a file. */
+  readonly png: Uint8Array;
+}
+
+/** Larger pictures than this take more than a gigabyte. */
+const MOST_PIXELS = 33554432;
+
+/**
+ * What a viewer of this size with `antialias="full"` converges to. Bad values warn and are left
+ * out, as in a browser.
+ * @throws TypeError, RangeError or ModelError for what cannot be drawn, and names it.
+ */
+export async function still(markup: string, options: StillOptions): Promise<Still> {
+  const { width, height, base, warn = (message) => console.warn(message) } = options;
+  const isSize = (n: number): boolean => Number.isInteger(n) && n >= 1;
+  if (!isSize(width) || !isSize(height) || width * height > MOST_PIXELS) {
+    throw new RangeError(`a still has whole numbers of pixels, at most ${String(MOST_PIXELS)}`);
+  }
+  const scene = await castSceneOf(readMarkup(markup, warn), { width, height }, { base, warn });
+  const threads = options.threads ?? (await cores());
+  const means =
+    threads > 1
+      ? await castOnThreads(scene, { width, height }, threads, WORKER)
+      : castHere(scene, { width, height });
+  const pixels = straight(means);
+  return { width, height, pixels, png: encodePng(width, height, pixels) };
+}
+
+/** Beside this file once it is built. */
+const WORKER = new URL('./still-worker.js', import.meta.url);
+
+/** 1 in browsers. */
+async function cores(): Promise<number> {
+  if (!('process' in globalThis)) return 1;
+  const { availableParallelism } = await import('node:os');
+  return availableParallelism();
+}
+
+/** Premultiplied means as 8-bit codes with straight alpha. */
+function straight(means: Float64Array): Uint8Array {
+  const pixels = new Uint8Array(means.length);
+  for (let i = 0; i < means.length; i += 4) {
+    const alpha = means[i + 3]!;
+    pixels[i + 3] = Math.round(alpha);
+    if (pixels[i + 3] === 0) continue;
+    for (let k = i; k < i + 3; k++) {
+      pixels[k] = Math.round(Math.min((255 * means[k]!) / alpha, 255));
+    }
+  }
+  return pixels;
+}

@@ -1,0 +1,183 @@
+// The equation's sums over the lights, as the reference has them, for millions of points: what does
+// not depend on the point is prepared once, and nothing is allocated. All places are relative to
+// the eye, so that scenes far from the origin lose no digits.
+import { LEAST_EXPONENT, NEAREST } from '../../phong/light/precision.js';
+import { cosDegrees, radians } from '../../phong/math/angle.js';
+import { srgbDecode } from '../../phong/math/color.js';
+import { atan2 } from '../../phong/math/elementary.js';
+import { add, map, normalize, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import { EDGE, power } from '../../phong/reference/equation.js';
+import type { LightValues } from '../../phong/reference/index.js';
+import type { CastCamera } from './cast-scene.js';
+
+interface Prepared {
+  readonly positional: boolean;
+  /** The place, or the unit vector to the light; zero if it has none. */
+  readonly place: Vec3;
+  /** Unit, or zero: neither cone nor decay. */
+  readonly axis: Vec3;
+  readonly cosine: number;
+  /** Radians; at 180° no direction is compared. */
+  readonly aperture: number;
+  readonly cutoff: number;
+  readonly attenuation: Vec3;
+  readonly ambient: Vec3;
+  readonly diffuse: Vec3;
+  readonly specular: Vec3;
+}
+
+/** Cosines this far from the cone's decide without the angle. Their own error is below 1e-15. */
+const CLEAR = 1e-7;
+
+export class LightSums {
+  /** Ambient, diffuse and specular light at the last point, r g b each. */
+  readonly sums = new Float64Array(9);
+  /** N·L, the lobe's cosine, attenuation and decay of the last light; no term is 0 by them. */
+  readonly last = { NoL: 0, RoV: 0, att: 1, decay: 1 };
+  /** Equal where the same lights' cones and horizons hold the point. */
+  piece = 0;
+  readonly #lights: readonly Prepared[];
+
+  constructor(lights: readonly Readonly<LightValues>[], camera: CastCamera, linear: boolean) {
+    this.#lights = lights
+      .filter(({ active }) => active)
+      .map((light) => prepared(light, camera, linear));
+  }
+
+  get count(): number {
+    return this.#lights.length;
+  }
+
+  /** Sums at a point with unit vectors N (or zero) and V. `n`: the exponent. */
+  at(
+    px: number,
+    py: number,
+    pz: number,
+    nx: number,
+    ny: number,
+    nz: number,
+    vx: number,
+    vy: number,
+    vz: number,
+    n: number,
+    isBlinn: boolean,
+  ): void {
+    const { sums, last } = this;
+    sums.fill(0);
+    let piece = 0;
+    for (const light of this.#lights) {
+      const { place, axis, cutoff, ambient, diffuse, specular } = light;
+      let lx = place[0];
+      let ly = place[1];
+      let lz = place[2];
+      let att = 1;
+      if (light.positional) {
+        lx -= px;
+        ly -= py;
+        lz -= pz;
+        const far = Math.sqrt(lx * lx + ly * ly + lz * lz);
+        const d = far < NEAREST ? 0 : far;
+        const k = light.attenuation;
+        att = 1 / Math.max(k[0] + k[1] * d + k[2] * d * d, 1);
+        const factor = d > 0 ? 1 / d : 0;
+        lx *= factor;
+        ly *= factor;
+        lz *= factor;
+      }
+      const ax = axis[0];
+      const ay = axis[1];
+      const az = axis[2];
+      let decay = 1;
+      let inside = true;
+      if ((ax !== 0 || ay !== 0 || az !== 0) && (lx !== 0 || ly !== 0 || lz !== 0)) {
+        inside = isInside(light, lx, ly, lz);
+        // By chords: behind the spot (1 + c) / 2 would lose all digits.
+        if (cutoff >= LEAST_EXPONENT) {
+          decay = power(
+            squared(lx - ax, ly - ay, lz - az) / 4,
+            squared(lx + ax, ly + ay, lz + az) / 4,
+            cutoff,
+          );
+        }
+      }
+      const NoL = nx * lx + ny * ly + nz * lz;
+      piece = Math.imul(piece, 0x9e3779b1) + Number(inside) + 2 * Number(NoL > 0);
+      // R and V, or H and N.
+      let rx = 2 * NoL * nx - lx;
+      let ry = 2 * NoL * ny - ly;
+      let rz = 2 * NoL * nz - lz;
+      if (isBlinn) {
+        rx = lx + vx;
+        ry = ly + vy;
+        rz = lz + vz;
+        const length = Math.sqrt(squared(rx, ry, rz));
+        const factor = length > 0 ? 1 / length : 0;
+        rx *= factor;
+        ry *= factor;
+        rz *= factor;
+      }
+      const qx = isBlinn ? nx : vx;
+      const qy = isBlinn ? ny : vy;
+      const qz = isBlinn ? nz : vz;
+      const RoV = rx * qx + ry * qy + rz * qz;
+      last.NoL = NoL;
+      last.RoV = RoV;
+      last.att = att;
+      last.decay = decay;
+      if (!inside) continue;
+      sums[0]! += ambient[0] * decay;
+      sums[1]! += ambient[1] * decay;
+      sums[2]! += ambient[2] * decay;
+      if (!(NoL > 0)) continue;
+      const d = att * decay * NoL;
+      sums[3]! += diffuse[0] * d;
+      sums[4]! += diffuse[1] * d;
+      sums[5]! += diffuse[2] * d;
+      const s = att * decay * power(RoV, squared(rx - qx, ry - qy, rz - qz) / 2, n);
+      sums[6]! += specular[0] * s;
+      sums[7]! += specular[1] * s;
+      sums[8]! += specular[2] * s;
+    }
+    this.piece = piece;
+  }
+}
+
+const squared = (x: number, y: number, z: number): number => x * x + y * y + z * z;
+
+/** Of a light whose axis and direction are no zero vectors. */
+function isInside({ axis, cosine, aperture }: Prepared, x: number, y: number, z: number): boolean {
+  const ax = axis[0];
+  const ay = axis[1];
+  const az = axis[2];
+  const c = -(x * ax + y * ay + z * az);
+  if (Math.abs(c - cosine) > CLEAR || cosine === -1) return c > cosine || cosine === -1;
+  const across = squared(y * az - z * ay, z * ax - x * az, x * ay - y * ax);
+  return atan2(Math.sqrt(across), c) <= aperture + EDGE;
+}
+
+function prepared(
+  light: Readonly<LightValues>,
+  { eye, right, up, back }: CastCamera,
+  linear: boolean,
+): Prepared {
+  const [x, y, z, w] = light.position;
+  const positional = w === 1;
+  const turned = ([a, b, c]: Vec3): Vec3 => add(add(scale(right, a), scale(up, b)), scale(back, c));
+  const ofCamera = light.space === 'camera';
+  const given: Vec3 = ofCamera ? turned([x, y, z]) : [x, y, z];
+  const color = (c255: Vec3): Vec3 =>
+    map(scale(c255, 1 / 255), (c) => (linear ? srgbDecode(c) : c));
+  const isSpot = light.aperture < 180 || light.cutoff >= LEAST_EXPONENT;
+  return {
+    positional,
+    place: !positional ? normalize(given) : ofCamera ? given : subtract(given, eye),
+    axis: isSpot ? normalize(ofCamera ? turned(light.axis) : light.axis) : [0, 0, 0],
+    cosine: cosDegrees(light.aperture),
+    aperture: radians(light.aperture),
+    cutoff: light.cutoff,
+    attenuation: light.attenuation,
+    ambient: color(light.ambient),
+    diffuse: color(light.diffuse),
+    specular: color(light.specular),
+  };
+}

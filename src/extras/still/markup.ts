@@ -1,0 +1,90 @@
+// Reads the markup of one viewer: its values and those of its lights and meshes, by the tables of
+// fields that the elements have, with the same defaults and warnings.
+import { type DefaultTreeAdapterTypes, parseFragment } from 'parse5';
+import type { Field } from '../../phong/fields/field.js';
+import { FieldStore } from '../../phong/fields/field-store.js';
+import { LightState, type LightValues } from '../../phong/light/light-state.js';
+import { valueWarning } from '../../viewer/element/fields/field-binding.js';
+import { attributeOf, parseText } from '../../viewer/element/fields/attribute-text.js';
+import { VIEWER_FIELDS, type ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
+import { MESH_FIELDS, type MeshValues } from '../../viewer/scene/mesh/mesh-fields.js';
+import { cssColor } from './css-colors.js';
+
+export type Warn = (message: string) => void;
+
+/** What markup declares, in document order. */
+export interface Declared {
+  readonly viewer: FieldStore<ViewerValues>;
+  readonly lights: readonly LightState[];
+  readonly meshes: readonly FieldStore<MeshValues>[];
+}
+
+type Element = DefaultTreeAdapterTypes.Element;
+
+/** @throws TypeError unless there is one viewer. */
+export function readMarkup(markup: string, warn: Warn): Declared {
+  const viewers = elementsBelow(parseFragment(markup), 'phong-viewer');
+  const [viewer] = viewers;
+  if (viewer === undefined || viewers.length > 1) {
+    const count = String(viewers.length);
+    throw new TypeError(`a still is of one <phong-viewer>, and the markup has ${count}`);
+  }
+  const once = new Set<string>();
+  const warnOnce = (message: string): void => {
+    if (!once.has(message)) warn(message);
+    once.add(message);
+  };
+  const declared = <V extends object, S extends FieldStore<V>>(
+    element: Element,
+    store: S & FieldStore<V>,
+  ): S => {
+    read<V>(element, store, warnOnce);
+    return store;
+  };
+  const lights = elementsBelow(viewer, 'phong-light').map((element) =>
+    declared<LightValues, LightState>(element, new LightState()),
+  );
+  // Without any light there is a head-light.
+  if (lights.length === 0) {
+    lights.push(new LightState({ space: 'camera', position: [0, 0, 1, 0] }));
+  }
+  return {
+    viewer: declared(viewer, new FieldStore(VIEWER_FIELDS)),
+    lights,
+    meshes: elementsBelow(viewer, 'phong-mesh').map((element) =>
+      declared(element, new FieldStore(MESH_FIELDS)),
+    ),
+  };
+}
+
+/** In document order, without what templates hold. */
+function elementsBelow(node: DefaultTreeAdapterTypes.ParentNode, tag: string): Element[] {
+  return node.childNodes.flatMap((child) => {
+    if (!('tagName' in child)) return [];
+    const below = elementsBelow(child, tag);
+    return child.tagName === tag ? [child, ...below] : below;
+  });
+}
+
+function read<V extends object>(element: Element, store: FieldStore<V>, warn: Warn): void {
+  const keys = Object.keys(store.fields) as (keyof V & string)[];
+  const keyOf = new Map(keys.map((key) => [attributeOf(key), key]));
+  for (const { name, value } of element.attrs) {
+    const key = keyOf.get(name);
+    if (key === undefined) continue;
+    const field: Field<unknown> = store.fields[key];
+    const typed = valueOf(value, field);
+    try {
+      if (typed === undefined) throw new TypeError('malformed');
+      store.set(key, typed);
+    } catch {
+      store.set(key, null);
+      warn(valueWarning(element.tagName, key, value, field));
+    }
+  }
+}
+
+const valueOf = (text: string, field: Field<unknown>): unknown =>
+  field.kind === 'color'
+    ? (parseText(text, { ...field, kind: 'numbers' }) ?? cssColor(text) ?? undefined)
+    : parseText(text, field);

@@ -1,0 +1,100 @@
+// A geometry and a file's look as the ray caster reads them.
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  ClampToEdgeWrapping,
+  type InterleavedBufferAttribute,
+  MirroredRepeatWrapping,
+  NearestFilter,
+  type Texture,
+  type Wrapping,
+} from 'three';
+import type { BaseLook } from '../../phong/material/file-surface.js';
+import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
+import type { CastMaterial, CastTexture, TrianglesShape } from './cast-scene.js';
+
+/** What `images.ts` decodes. */
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  /** r, g, b, a of each pixel, straight, rows from the top. */
+  readonly data: Uint8Array;
+  close(): void;
+}
+
+type Textures = Pick<
+  CastMaterial,
+  'texture' | 'emissiveTexture' | 'metalRoughTexture' | 'normalTexture'
+>;
+
+/** The triangles of a geometry, and the maps of a look with coordinates of their own. */
+export function meshShape(
+  geometry: BufferGeometry,
+  { map, emissiveMap, metalRoughMap, normalMap, vertexColors }: BaseLook,
+): { readonly shape: TrianglesShape; readonly textures: Textures } {
+  const uvs: Float64Array[] = [];
+  const textureOf = (name: keyof Textures, texture: Texture | null): Textures => {
+    if (texture === null) return {};
+    const { width, height, data } = texture.image as Pixels;
+    const uv = uvs.push(coordinatesOf(geometry, texture)) - 1;
+    const nearest = texture.magFilter === NearestFilter;
+    const [wrapS, wrapT] = [wrapOf(texture.wrapS), wrapOf(texture.wrapT)];
+    return { [name]: { width, height, data, wrapS, wrapT, nearest, uv } satisfies CastTexture };
+  };
+  const textures = {
+    ...textureOf('texture', map),
+    ...textureOf('emissiveTexture', emissiveMap),
+    ...textureOf('metalRoughTexture', metalRoughMap),
+    ...textureOf('normalTexture', normalMap),
+  };
+  const { position, normal, tangent, color } = geometry.attributes;
+  const index = geometry.index?.array;
+  const shape: TrianglesShape = {
+    kind: 'triangles',
+    positions: numbersOf(position!),
+    normals: numbersOf(normal!),
+    uvs,
+    ...(tangent !== undefined && normalMap !== null && { tangents: numbersOf(tangent) }),
+    ...(color !== undefined && vertexColors && { colors: withAlpha(color) }),
+    ...(index !== undefined && { index }),
+  };
+  return { shape, textures };
+}
+
+type Attribute = BufferAttribute | InterleavedBufferAttribute;
+
+function numbersOf(attribute: Attribute): ArrayLike<number> {
+  const { array, itemSize, count } = attribute;
+  if (!('data' in attribute) && array instanceof Float32Array) return array;
+  return Float64Array.from({ length: count * itemSize }, (_, i) =>
+    attribute.getComponent(Math.floor(i / itemSize), i % itemSize),
+  );
+}
+
+const withAlpha = (color: Attribute): Float64Array =>
+  Float64Array.from({ length: 4 * color.count }, (_, i) =>
+    i % 4 < color.itemSize ? color.getComponent(Math.floor(i / 4), i % 4) : 1,
+  );
+
+/** The texture's own coordinates, moved as it says. three.js's matrix needs the engine's sines. */
+function coordinatesOf({ attributes }: BufferGeometry, texture: Texture): Float64Array {
+  const { channel, offset, repeat, center, rotation } = texture;
+  const uv = attributes[channel === 0 ? 'uv' : `uv${String(channel)}`];
+  if (uv === undefined) return new Float64Array();
+  const degrees = (rotation * 180) / Math.PI;
+  const [c, s] = [cosDegrees(degrees), sinDegrees(degrees)];
+  const moved = new Float64Array(2 * uv.count);
+  for (let i = 0; i < uv.count; i++) {
+    const [u, v] = [uv.getX(i) - center.x, uv.getY(i) - center.y];
+    moved[2 * i] = repeat.x * (c * u + s * v) + center.x + offset.x;
+    moved[2 * i + 1] = repeat.y * (c * v - s * u) + center.y + offset.y;
+  }
+  return moved;
+}
+
+const wrapOf = (wrapping: Wrapping): NonNullable<CastTexture['wrapS']> =>
+  wrapping === ClampToEdgeWrapping
+    ? 'clamp'
+    : wrapping === MirroredRepeatWrapping
+      ? 'mirror'
+      : 'repeat';

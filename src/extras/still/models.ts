@@ -1,0 +1,59 @@
+// Models by the project's readers: files are read from disk or fetched, images are decoded by plain
+// JavaScript.
+import { clip } from '../../phong/fields/clip.js';
+import { type Content, ModelError } from '../../viewer/model/model.js';
+import {
+  type CrossOrigin,
+  type Fetch,
+  modelCode,
+  nameOf,
+} from '../../viewer/model/request-model.js';
+import type { ShapeValues } from '../../viewer/scene/mesh/mesh-fields.js';
+import type { Warn } from './markup.js';
+
+/** Where a model's address is relative to, and who hears of what is left out. */
+export interface ModelPlace {
+  readonly base: URL | string | undefined;
+  readonly warn: Warn;
+}
+
+type Named = Pick<ShapeValues, 'src' | 'type' | 'autoplay' | 'animationName'>;
+
+/** In its first pose. @throws ModelError, and TypeError for an address that is none. */
+export async function modelOf(
+  { src, type, autoplay, animationName }: Named,
+  crossOrigin: CrossOrigin,
+  { base, warn }: ModelPlace,
+): Promise<Content> {
+  const address = src as string; // markup has no files
+  if (!URL.canParse(address, base)) {
+    throw new TypeError(
+      `src=${JSON.stringify(clip(address))} is not an address without options.base`,
+    );
+  }
+  const { modelContent } = await modelCode();
+  const content = await modelContent(new URL(address, base), {
+    signal: new AbortController().signal,
+    crossOrigin,
+    type: type ?? '',
+    fetch: fetchOrRead,
+    decodeImage: async (file) => {
+      const { decodeImage } = await import('./images.js');
+      return decodeImage(file);
+    },
+    warn,
+  });
+  if (autoplay) {
+    content.motion?.pose(animationName, 0);
+  }
+  return content;
+}
+
+const fetchOrRead: Fetch = async (url, init) => {
+  if (url.protocol !== 'file:') return fetch(url, init);
+  const { readFile } = await import('node:fs/promises');
+  const bytes = await readFile(url).catch((cause: unknown) => {
+    throw new ModelError('load-failed', `The file ${nameOf(url)} cannot be read.`, { cause });
+  });
+  return new Response(bytes);
+};

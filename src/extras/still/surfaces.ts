@@ -1,0 +1,225 @@
+// What a surface is at a hit: its normal, its coefficients and its opacity, as phong.frag.glsl has
+// them. One record is written over and over.
+import { coefficientsOf, type ReferenceOptions } from '../../phong/reference/index.js';
+import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surface.js';
+import { srgbDecode } from '../../phong/math/color.js';
+import { map, type Vec3 } from '../../phong/math/vector.js';
+import type { CastObject, CastTexture, TrianglesShape } from './cast-scene.js';
+import type { Hit } from './hit.js';
+import { type Decode, readTexture } from './texture.js';
+import { columnsOf, type Placed, transformedAll, unitAt } from './triangles.js';
+
+const BYTES = Float64Array.from({ length: 256 }, (_, code) => code / 255);
+const DECODED = BYTES.map(srgbDecode);
+
+/** An object of the scene, prepared for millions of hits. */
+export class ObjectSurface {
+  readonly object: CastObject;
+  readonly isBlinn: boolean;
+  /** Ka, Kd and Ks as they enter the sum, with what textures and vertex colours multiply. */
+  readonly #ka: Vec3;
+  readonly #kd: Vec3;
+  readonly #ks: Vec3;
+  readonly #base: Vec3;
+  readonly #emissive: Vec3;
+  readonly #shape: TrianglesShape | null;
+  readonly #placed: Placed | null;
+  readonly #tangents: Float64Array | null;
+  readonly #linear: boolean;
+  readonly #decode: Decode;
+
+  /** @param placed of triangles; null for a true shape. */
+  constructor(object: CastObject, placed: Placed | null, options: ReferenceOptions) {
+    const { material, shape } = object;
+    const { linear = false, terms = ['ambient', 'diffuse', 'specular'] } = options;
+    this.object = object;
+    this.isBlinn = (material.reflection ?? options.reflection) === 'blinn-phong';
+    const plain = { ...material, baseColor: WHITE, metalness: 0, lobeScale: 1 };
+    const { ka, kd, ks } = coefficientsOf(plain, linear);
+    this.#ka = terms.includes('ambient') ? ka : BLACK;
+    this.#kd = terms.includes('diffuse') ? kd : BLACK;
+    this.#ks = terms.includes('specular') ? ks : BLACK;
+    const decoded = (color: Vec3): Vec3 => (linear ? map(color, srgbDecode) : color);
+    this.#base = decoded(material.baseColor ?? WHITE);
+    this.#emissive = decoded(material.emissive ?? BLACK);
+    this.#shape = shape.kind === 'triangles' ? shape : null;
+    this.#placed = placed;
+    this.#linear = linear;
+    this.#decode = linear ? DECODED : BYTES;
+    const matrix = columnsOf(object.matrix);
+    const tangents = this.#shape?.tangents;
+    this.#tangents =
+      material.normalTexture === undefined || tangents === undefined
+        ? null
+        : transformedAll(tangents, 4, matrix, BLACK);
+    for (let i = 0; this.#tangents !== null && i < this.#tangents.length; i += 3) {
+      unitAt(this.#tangents, i);
+    }
+  }
+
+  /** The opacity at a hit, before `alphaMode`. */
+  opacityAt(hit: Hit): number {
+    const { texture, opacity = 1 } = this.object.material;
+    let alpha = opacity;
+    if (texture !== undefined) {
+      this.#read(texture, hit, BYTES);
+      alpha *= texel[3]!;
+    }
+    const { colors } = this.#shape ?? {};
+    return colors === undefined ? alpha : alpha * this.#mix(colors, 4, 3, hit);
+  }
+
+  /** Writes {@link surface} for a hit. True shapes have their normal in the hit. */
+  at(hit: Hit, out: SurfacePoint): void {
+    const { material } = this.object;
+    const { texture, metalRoughTexture, emissiveTexture, unlit = false } = material;
+    out.alpha = material.alphaMode === 'blend' ? this.opacityAt(hit) : 1;
+    let [r, g, b] = this.#base;
+    if (texture !== undefined) {
+      this.#read(texture, hit, this.#decode);
+      r *= texel[0]!;
+      g *= texel[1]!;
+      b *= texel[2]!;
+    }
+    const { colors } = this.#shape ?? {};
+    if (colors !== undefined) {
+      const channel = (k: number): number => {
+        const c = this.#mix(colors, 4, k, hit);
+        return this.#linear ? srgbDecode(c) : c;
+      };
+      r *= channel(0);
+      g *= channel(1);
+      b *= channel(2);
+    }
+    const base: Vec3 = [r, g, b];
+    out.base = base;
+    if (unlit) return;
+    let { metalness: m = 0, lobeScale: lobe = 1, shininess: n } = material;
+    if (metalRoughTexture !== undefined) {
+      this.#read(metalRoughTexture, hit, BYTES);
+      m *= texel[2]!;
+      if (material.roughness !== undefined && material.shading !== 'gouraud') {
+        n = exponentOfRoughness(material.roughness * texel[1]!);
+        lobe = lobeScale(n);
+      }
+    }
+    out.n = n;
+    for (const k of [0, 1, 2] as const) {
+      out.ka[k] = this.#ka[k] * base[k];
+      out.kd[k] = this.#kd[k] * base[k] * (1 - m);
+      out.ks[k] = this.#ks[k] * ((1 - m) * lobe + m * base[k]);
+      out.emissive[k] = this.#emissive[k];
+    }
+    if (emissiveTexture !== undefined) {
+      this.#read(emissiveTexture, hit, this.#decode);
+      for (const k of [0, 1, 2] as const) {
+        out.emissive[k] *= texel[k]!;
+      }
+    }
+  }
+
+  /** Writes the unit normal on the side that is seen to the hit; zero where there is none. */
+  turn(hit: Hit): void {
+    const { shading, normalTexture, normalScale = 1 } = this.object.material;
+    const placed = this.#placed;
+    if (placed !== null && shading === 'flat') {
+      this.#faceNormal(hit, placed);
+    } else if (placed !== null) {
+      hit.nx = this.#mix(placed.normals, 3, 0, hit);
+      hit.ny = this.#mix(placed.normals, 3, 1, hit);
+      hit.nz = this.#mix(placed.normals, 3, 2, hit);
+    }
+    const tangents = this.#tangents;
+    if (normalTexture !== undefined && tangents !== null && shading !== 'flat') {
+      unit(hit, 1);
+      this.#read(normalTexture, hit, BYTES);
+      const [tx, ty, tz] = [texel[0]! * 2 - 1, texel[1]! * 2 - 1, texel[2]! * 2 - 1];
+      const [x, y, z] = [0, 1, 2].map((k) => this.#mix(tangents, 3, k, hit)) as [
+        number,
+        number,
+        number,
+      ];
+      const side = this.#mix(this.#shape!.tangents!, 4, 3, hit) * (placed!.mirrored ? -1 : 1);
+      const { nx, ny, nz } = hit;
+      const s = normalScale;
+      hit.nx = s * (tx * x + ty * side * (ny * z - nz * y)) + tz * nx;
+      hit.ny = s * (tx * y + ty * side * (nz * x - nx * z)) + tz * ny;
+      hit.nz = s * (tx * z + ty * side * (nx * y - ny * x)) + tz * nz;
+    }
+    unit(hit, hit.front ? 1 : -1);
+  }
+
+  /** The mean of the corners' values, `size` numbers each, by the hit's shares. */
+  mix(values: ArrayLike<number>, size: number, k: number, hit: Hit): number {
+    return this.#mix(values, size, k, hit);
+  }
+
+  #mix(values: ArrayLike<number>, size: number, k: number, { triangle, a, b, c }: Hit): number {
+    const index = this.#shape!.index;
+    const first = 3 * triangle;
+    if (index === undefined) {
+      const at = size * first + k;
+      return a * values[at]! + b * values[at + size]! + c * values[at + 2 * size]!;
+    }
+    return (
+      a * values[size * index[first]! + k]! +
+      b * values[size * index[first + 1]! + k]! +
+      c * values[size * index[first + 2]! + k]!
+    );
+  }
+
+  #read(texture: CastTexture, hit: Hit, decode: Decode): void {
+    const uv = this.#shape?.uvs?.[texture.uv ?? 0] ?? NO_UV;
+    readTexture(texture, this.#mix(uv, 2, 0, hit), this.#mix(uv, 2, 1, hit), decode, texel);
+  }
+
+  /** The triangle's own, on the side that its corners turn to. */
+  #faceNormal(hit: Hit, { places, index, mirrored }: Placed): void {
+    const corner = (k: number): number =>
+      3 * (index === undefined ? 3 * hit.triangle + k : index[3 * hit.triangle + k]!);
+    const [i, j, k] = [corner(0), corner(1), corner(2)];
+    const edge = (to: number, axis: number): number => places[to + axis]! - places[i + axis]!;
+    const side = mirrored ? -1 : 1;
+    hit.nx = side * (edge(j, 1) * edge(k, 2) - edge(j, 2) * edge(k, 1));
+    hit.ny = side * (edge(j, 2) * edge(k, 0) - edge(j, 0) * edge(k, 2));
+    hit.nz = side * (edge(j, 0) * edge(k, 1) - edge(j, 1) * edge(k, 0));
+  }
+}
+
+/** Colours 0–1, decoded where shading is linear. */
+export interface SurfacePoint {
+  /** The base colour. */
+  base: Vec3;
+  readonly ka: [number, number, number];
+  readonly kd: [number, number, number];
+  readonly ks: [number, number, number];
+  readonly emissive: [number, number, number];
+  /** Exponent. */
+  n: number;
+  alpha: number;
+}
+
+export const newSurfacePoint = (): SurfacePoint => ({
+  base: WHITE,
+  ka: [0, 0, 0],
+  kd: [0, 0, 0],
+  ks: [0, 0, 0],
+  emissive: [0, 0, 0],
+  n: 0,
+  alpha: 1,
+});
+
+/** Makes the hit's normal unit, times `side`. Zero stays zero. */
+function unit(hit: Hit, side: number): void {
+  const length = Math.sqrt(hit.nx * hit.nx + hit.ny * hit.ny + hit.nz * hit.nz);
+  const factor = length > 0 ? side / length : 0;
+  hit.nx *= factor;
+  hit.ny *= factor;
+  hit.nz *= factor;
+}
+
+const WHITE: Vec3 = [1, 1, 1];
+const BLACK: Vec3 = [0, 0, 0];
+const NO_UV: readonly number[] = [];
+/** Of the last {@link readTexture}. */
+const texel = new Float64Array(4);

@@ -1,0 +1,61 @@
+// The ray caster's sums over the lights are the reference's, at random points under random lights.
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { LightSums } from '../../../src/extras/still/lights.js';
+import { basisOf } from '../../../src/phong/camera/orbit.js';
+import { add, map, normalize, type Vec3 } from '../../../src/phong/math/vector.js';
+import { shade } from '../../../src/phong/reference/index.js';
+import { light as lightOf } from '../../unit/arbitraries.js';
+
+const number = (min: number, max: number): fc.Arbitrary<number> =>
+  fc.double({ min, max, noNaN: true });
+/** Thousandths: points that are 1e-300 apart have no common direction in both spaces. */
+const length = fc.integer({ min: -3000, max: 3000 }).map((n) => n / 1000);
+const vector = fc.tuple(length, length, length);
+const anyLight = fc
+  .record({
+    position: fc.tuple(length, length, length, fc.constantFrom(0, 1)),
+    axis: fc.oneof(vector, fc.constant([0, 0, 0] as const)),
+    aperture: fc.oneof(number(0, 180), fc.constantFrom(0, 90, 180)),
+    cutoff: fc.oneof(number(0, 64), fc.constantFrom(0, 1e-7, 1e4)),
+    attenuation: fc.tuple(number(0, 2), number(0, 1), number(0, 1)),
+    ambient: fc.tuple(number(0, 99), number(0, 99), number(0, 99)),
+    diffuse: fc.tuple(number(0, 999), number(0, 255), number(0, 255)),
+    space: fc.constantFrom('world' as const, 'camera' as const),
+    active: fc.boolean(),
+  })
+  .map(lightOf);
+
+it('has the light sums of the reference', () => {
+  const white = { ka: [255, 255, 255], kd: [255, 255, 255], ks: [255, 255, 255] } as const;
+  const scene = fc.record({
+    lights: fc.array(anyLight, { maxLength: 4 }),
+    p: vector.filter((v) => v.some((x) => x !== 0)),
+    n: vector,
+    eye: vector,
+    shininess: fc.oneof(number(0, 200), fc.constantFrom(0, 1e5)),
+    isBlinn: fc.boolean(),
+    linear: fc.boolean(),
+  });
+  fc.assert(
+    fc.property(scene, ({ lights, p, n, eye, shininess, isBlinn, linear }) => {
+      const camera = { eye, ...basisOf({ theta: 20, phi: 50 }), fov: 45 };
+      const N = normalize(n);
+      const V = normalize(map(p, (x) => -x));
+      const sums = new LightSums(lights, camera, linear);
+      sums.at(...p, ...N, ...V, shininess, isBlinn);
+      const surface = { ...white, shininess };
+      const options = { camera, linear, reflection: isBlinn ? 'blinn-phong' : 'phong' } as const;
+      const { shares } = shade({ p: add(eye, p), normal: N, eye }, surface, lights, options);
+      const total = (term: 'ambient' | 'diffuse' | 'specular'): Vec3 =>
+        shares.reduce<Vec3>((sum, s) => (s === null ? sum : add(sum, s[term])), [0, 0, 0]);
+      const expected = [...total('ambient'), ...total('diffuse'), ...total('specular')];
+      // The point relative to the eye rounds otherwise than in the world: 1e-15 times the exponent.
+      const most = 1e-13 * Math.max(1, shininess, ...lights.map(({ cutoff }) => cutoff));
+      expected.forEach((value, i) => {
+        expect(Math.abs(sums.sums[i]! - value)).toBeLessThan(most * Math.max(1, value));
+      });
+    }),
+    { seed: 20261128, numRuns: 3000 },
+  );
+});
