@@ -2,6 +2,7 @@
 // for samples.
 import {
   Scene,
+  type Material,
   type Mesh,
   type WebGLRenderer,
   type Object3D,
@@ -226,20 +227,32 @@ export class Picture {
 
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
-    this.materials.sweep();
+    // Not only what is in the scene: a content may wait for the one after it to be drawn, and
+    // three.js keeps each material that it has drawn alive, and so the lighting and the viewer.
+    const materials = new Set<Material>(this.materials.all);
+    const geometries = new Set([...this.meshes].flatMap((mesh) => mesh.geometries));
     this.scene.traverse((object) => {
-      const { geometry, material } = object as Partial<Mesh>;
-      geometry?.dispose();
-      for (const one of [material ?? []].flat()) {
-        one.dispose();
-        const { uniforms = {} } = one as Partial<ShaderMaterial>;
-        for (const { value } of Object.values(uniforms)) {
-          if (value instanceof Texture) {
-            value.dispose();
-          }
-        }
+      const { geometry, material = [] } = object as Partial<Mesh>;
+      if (geometry !== undefined) {
+        geometries.add(geometry);
+      }
+      for (const one of [material].flat()) {
+        materials.add(one);
       }
     });
+    this.materials.sweep();
+    for (const geometry of geometries) {
+      geometry.dispose();
+    }
+    for (const material of materials) {
+      material.dispose();
+      const { uniforms = {} } = material as Partial<ShaderMaterial>;
+      for (const { value } of Object.values(uniforms)) {
+        if (value instanceof Texture) {
+          value.dispose();
+        }
+      }
+    }
     this.lighting.dispose();
   }
 

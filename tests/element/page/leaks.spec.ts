@@ -217,3 +217,59 @@ test('frees the last viewer of an iframe that is removed with it', async ({ page
   });
   await expect.poll(() => stillAlive(page)).toEqual([]);
 });
+
+// What is shown before the load, and so what is replaced by it.
+const before = {
+  nothing: '',
+  'a shape': 'geometry="torus"',
+  'a model': 'src="/fixtures/models/textured.glb"',
+};
+
+for (const [what, attributes] of Object.entries(before)) {
+  test(`frees viewers that showed ${what} and are removed while a model loads`, async ({
+    page,
+    mount,
+  }) => {
+    await mount(stays, size);
+    // At each time after the request, and around each event of the load.
+    await page.evaluate(async (html) => {
+      const remembered: [name: string, object: WeakRef<object>][] = [];
+      const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+      const moments: Record<string, (viewer: PhongViewer) => Promise<unknown>> = {
+        'at once': () => Promise.resolve(),
+        'in the next frame': frame,
+      };
+      for (let ms = 0; ms < 100; ms += 4) {
+        moments[`after ${ms} ms`] = () => new Promise((resolve) => setTimeout(resolve, ms));
+      }
+      for (const type of ['progress', 'load', 'render']) {
+        const event = (viewer: PhongViewer) =>
+          new Promise((resolve) => viewer.addEventListener(type, resolve, { once: true }));
+        moments[`at ${type}`] = event;
+        moments[`a task after ${type}`] = async (viewer) => {
+          await event(viewer);
+          await new Promise((resolve) => setTimeout(resolve));
+        };
+        moments[`a frame after ${type}`] = async (viewer) => {
+          await event(viewer);
+          await frame();
+        };
+      }
+      let count = 0;
+      for (const [moment, comes] of Object.entries(moments)) {
+        const place = document.createElement('section');
+        place.innerHTML = html;
+        document.body.append(place);
+        const viewer = place.firstElementChild as PhongViewer;
+        await viewer.ready;
+        const come = comes(viewer);
+        viewer.src = `/fixtures/models/textured.glb?${count++}`;
+        await come;
+        place.remove();
+        remembered.push([moment, new WeakRef(viewer)]);
+      }
+      Object.assign(window, { remembered });
+    }, `<phong-viewer ${attributes}>${light}</phong-viewer>`);
+    await expect.poll(() => stillAlive(page)).toEqual([]);
+  });
+}

@@ -1,6 +1,6 @@
 // One declared mesh in the scene: follows its values, and shows the last content until the next one
 // can be shown.
-import type { Object3D } from 'three';
+import type { BufferGeometry, Object3D } from 'three';
 import type { Shading } from '../../../phong/material/material-values.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { radians } from '../../../phong/math/angle.js';
@@ -92,6 +92,14 @@ export class SceneMesh {
 
   get parts(): readonly Readonly<Part>[] {
     return this.#shown.parts;
+  }
+
+  /** All that it may have drawn: its own, flat copies, and those before the present content. */
+  get geometries(): BufferGeometry[] {
+    return [...this.parts, ...(this.#before?.parts ?? [])].flatMap(({ mesh, source }) => [
+      mesh.geometry,
+      source.geometry,
+    ]);
   }
 
   /** What the model is shown without, by the names in it. */

@@ -54,6 +54,11 @@ export class SharedMaterials {
     }
   }
 
+  /** Those without users that were not freed yet included. */
+  get all(): Iterable<PhongMaterial> {
+    return this.#byMaterial.keys();
+  }
+
   /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */
   geometryShading(own: Shading | null): Shading {
     return this.#lighting.view?.separate === true ? 'flat' : (own ?? this.#style.shading);
