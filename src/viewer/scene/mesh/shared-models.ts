@@ -9,6 +9,7 @@ import {
   modelCode,
   requestModelFile,
 } from '../../model/request-model.js';
+import { WeakValues } from '../../model/weak-values.js';
 
 interface ModelName {
   /** A file's address is not fetched: it is for messages. */
@@ -26,7 +27,7 @@ interface ModelUser {
   readonly onProgress: (loaded: number, total: number) => void;
 }
 
-const shared = new Map<string, SharedModel>();
+const shared = new WeakValues<SharedModel>();
 
 /**
  * For one more mesh, which disposes of it once. Rejects if it is unreadable or too large for the
@@ -34,8 +35,10 @@ const shared = new Map<string, SharedModel>();
  */
 export function acquireModel(name: ModelName, user: ModelUser): Promise<Content> {
   const key = keyOf(name);
-  const model = shared.get(key) ?? new SharedModel(key, name);
-  shared.set(key, model);
+  let model = shared.get(key);
+  if (model === undefined) {
+    shared.set(key, (model = new SharedModel(key, name)));
+  }
   return model.use(user);
 }
 

@@ -4,6 +4,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../../../phong/material/file-surface.js';
 import { claimsOf, type Need } from '../../../model/budget.js';
 import type { Content } from '../../../model/model.js';
+import { WeakValues } from '../../../model/weak-values.js';
 import {
   CLOSED,
   coarsestOf,
@@ -59,7 +60,7 @@ interface Shared {
   freeing?: ReturnType<typeof setTimeout>;
 }
 
-const shared = new Map<string, Shared>();
+const shared = new WeakValues<Shared>();
 
 const keyOf = ({ name, segments, isLevel }: ShapeKey): string =>
   `${isLevel ? 'auto ' : ''}${name} ${String(effectiveSegments(name, segments))}`;
