@@ -275,9 +275,11 @@ export function captureSamples(
   samples: number,
 ): Promise<HTMLCanvasElement> {
   const picture = last.then(() => draw(viewport, size, samples));
-  last = picture.catch(() => undefined);
+  last = picture.then(nothing, nothing); // not the picture: this promise stays
   return picture;
 }
+
+const nothing = (): void => undefined;
 
 async function draw(viewport: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
   for (let restarts = 0; ; restarts++) {

@@ -60,7 +60,8 @@ export class DecoderThread<Job, Result> {
    */
   decode(job: Job, signal: AbortSignal): Promise<Result> {
     const result = this.#last.then(() => this.#decodeNow(job, signal));
-    this.#last = result.catch(() => undefined);
+    const nothing = (): void => undefined;
+    this.#last = result.then(nothing, nothing); // not the result, which can be large: this promise stays
     return result;
   }
 
