@@ -177,8 +177,11 @@ function missingText(model: string, missing: ReadonlyMap<string, string>): strin
   return `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`;
 }
 
-// Some servers treat an escaped slash as a slash, after the URL parser has resolved `..`.
-const ESCAPED_SLASH = /%(2f|5c)/i;
+/**
+ * What the URL parser leaves in a path and a server may still take for `..` or a slash: some
+ * unescape, once or twice, and some drop `;` and what follows it in a part of the path.
+ */
+const CLIMBS = /%(25)*(2f|5c)|(^|\/)(\.|%(25)*2e){2}(;|%(25)*3b|\/|$)/i;
 
 /**
  * The address of the file that the model at `model` refers to as `uri`.
@@ -202,7 +205,7 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
     url.password === model.password &&
     /^(https?|file):$/.test(url.protocol) &&
     url.pathname.startsWith(folder) &&
-    !ESCAPED_SLASH.test(url.pathname.slice(folder.length));
+    !CLIMBS.test(url.pathname.slice(folder.length));
   if (below) return url;
   const fact = `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`;
   throw new ModelError('load-failed', fact, {

@@ -14,6 +14,8 @@ describe('the files that a model names', () => {
   it.each([
     ['one.bin', 'https://shop.example/models/chairs/one.bin'],
     ['./wood/oak.png', 'https://shop.example/models/chairs/wood/oak.png'],
+    ['a..;b/..c', 'https://shop.example/models/chairs/a..;b/..c'],
+    ['50%25.png', 'https://shop.example/models/chairs/50%25.png'],
     ['wood/../one.bin', 'https://shop.example/models/chairs/one.bin'],
     ['/models/chairs/one.bin?x#y', 'https://shop.example/models/chairs/one.bin?x#y'],
     [
@@ -27,6 +29,12 @@ describe('the files that a model names', () => {
   it.each([
     'a%2F..%2f..%2Fone.bin',
     'a%5c..%5cone.bin',
+    'a%252f..%252fone.bin',
+    '..;/one.bin',
+    'a/..;jsessionid=1/one.bin',
+    'a/.%2E;/one.bin',
+    'a/..%3b/one.bin',
+    'a/%252e%252e/one.bin',
     '/models/chairs-old/one.bin',
     'http://shop.example/models/chairs/one.bin',
     'https://shop.example:8443/models/chairs/one.bin',
