@@ -54,6 +54,10 @@ export function breaches(file, code) {
       );
     }
   };
+  /** @param {any} node */
+  const forIn = (node) => {
+    report(node, 'for … in also visits what a page added to Object.prototype: use Object.keys.');
+  };
   const { program, errors } = parseSync(file, code);
   // Of what does not parse there is no tree. Oxlint and tsc say more.
   for (const { message } of errors) {
@@ -68,6 +72,7 @@ export function breaches(file, code) {
     PropertyDefinition: member,
     MethodDefinition: member,
     CallExpression: abort,
+    ForInStatement: forIn,
   }).visit(program);
   return found;
 }

@@ -71,10 +71,13 @@ describe('layers of src/', () => {
     ]);
   });
 
-  it('wants a reason of each abort', () => {
+  it('wants a reason of each abort, and no for … in', () => {
     const file = 'src/viewer/index.ts';
     expect(breaches(file, "a.abort('ended');\na.#b?.abort();")).toEqual([
       expect.stringMatching(/^2: abort\(\) makes an error that keeps its callers alive/),
+    ]);
+    expect(breaches(file, 'for (const key in a) {}\nfor (const key of a) {}')).toEqual([
+      expect.stringMatching(/^1: for … in also visits/),
     ]);
   });
 

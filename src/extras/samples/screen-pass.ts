@@ -49,8 +49,11 @@ export class ScreenPass {
       'position',
       new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3),
     );
+    // Without prototypes: three.js would use what a page added to Object.prototype.
+    Object.setPrototypeOf(geometry.attributes, null);
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
+      defines: Object.create(null) as Record<string, string>,
       vertexShader: VERTEX,
       fragmentShader: `
 precision highp float;

@@ -72,14 +72,17 @@ export class FieldStore<V extends object> {
 
   /** Sets several values as {@link set} does. All are checked before the first is written. */
   assign(values: Partial<V>): void {
-    for (const key in values) {
-      if (!Object.hasOwn(this.fields, key)) throw new TypeError(`there is no value named ${key}`);
+    // Not for … in, here and elsewhere: pages may add to Object.prototype.
+    const keys = Object.keys(values) as (keyof V)[];
+    for (const key of keys) {
+      if (!Object.hasOwn(this.fields, key))
+        throw new TypeError(`there is no value named ${String(key)}`);
       const value = values[key];
       if (value !== undefined && value !== null) {
         this.fields[key].check(value);
       }
     }
-    for (const key in values) {
+    for (const key of keys) {
       this.set(key, values[key]);
     }
   }

@@ -67,6 +67,9 @@ function separateTriangles(
   names: readonly string[],
 ): BufferGeometry {
   const corners = new BufferGeometry();
+  // three.js would separate what a page added to Object.prototype.
+  Object.setPrototypeOf(corners.attributes, null);
+  Object.setPrototypeOf(corners.morphAttributes, null);
   for (const name of names) {
     if (name !== 'normal' && name in attributes) {
       corners.setAttribute(name, attributes[name]!);

@@ -30,7 +30,7 @@ export function set<E extends Element>(element: E, attributes: Attributes): E {
   if (known === undefined) {
     written.set(element, (known = {}));
   }
-  for (const name in attributes) {
+  for (const name of Object.keys(attributes)) {
     const value = attributes[name] ?? null;
     if ((known[name] ?? null) === value) continue;
     known[name] = value;

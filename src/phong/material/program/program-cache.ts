@@ -189,7 +189,8 @@ export class ProgramCache {
 }
 
 export const variantParameters = ({ defines, vertexShader, fragmentShader }: Variant) => ({
-  defines: { ...defines },
+  // Without a prototype: three.js would define what a page added to Object.prototype.
+  defines: Object.assign(Object.create(null) as object, defines),
   vertexShader,
   fragmentShader,
 });

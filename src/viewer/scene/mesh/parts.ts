@@ -74,10 +74,13 @@ export function geometriesOf(
   }
   return content.parts.map(({ geometry }) => {
     sizeOf(geometry);
-    if (!flat) return geometry;
-    const copy = flatGeometry(geometry);
-    shareSize(geometry, copy);
-    return copy;
+    const shown = flat ? flatGeometry(geometry) : geometry;
+    // three.js would send what a page added to Object.prototype.
+    Object.setPrototypeOf(shown.attributes, null);
+    if (flat) {
+      shareSize(geometry, shown);
+    }
+    return shown;
   });
 }
 

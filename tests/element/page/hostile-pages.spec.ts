@@ -1,0 +1,42 @@
+// Does a viewer work on pages that change what every script relies on, or say what is wrong with
+// them?
+
+import type { Page } from '@playwright/test';
+import { compare, expect, pixels, test } from '../../support/test.js';
+import { nextFrame, record, type PhongViewer, settled } from '../support/viewer.js';
+
+const size = { width: 200, height: 150 };
+const light = '<phong-light position="1 2 3 1" cutoff="5"></phong-light>';
+const model = '/fixtures/models/textured.glb';
+
+/** As old frameworks do, enumerable: a function, a text and a list. */
+const pollute = (page: Page): Promise<unknown> =>
+  page.addInitScript(() => {
+    Object.assign(Object.prototype, {
+      extend(other: object) {
+        return other;
+      },
+      note: 'a text',
+      entries: [1, 2],
+    });
+  });
+
+const scenes = {
+  'a shape': `<phong-viewer geometry="teapot">${light}</phong-viewer>`,
+  'a flat shape': `<phong-viewer geometry="sphere" shading="flat">${light}</phong-viewer>`,
+  'a text model': `<phong-viewer src="/fixtures/models/quads.obj">${light}</phong-viewer>`,
+  'a converged picture': `<phong-viewer geometry="box" antialias="full" samples="16">${light}</phong-viewer>`,
+  'a viewer with all extras': `<phong-viewer geometry="box" gui helpers="lights axes grid normals bounds"
+    view="n-dot-l" probe probe-at="0.5 0.5 0.5" camera-group="a">${light}</phong-viewer>`,
+  'a comparison': `<phong-compare><phong-viewer geometry="box">${light}</phong-viewer>
+    <phong-viewer geometry="torus">${light}</phong-viewer></phong-compare>`,
+};
+
+for (const [what, markup] of Object.entries(scenes)) {
+  test(`shows ${what} alike whatever a page adds to Object.prototype`, async ({ page, mount }) => {
+    const clean = await pixels(await mount(markup, size));
+    await pollute(page);
+    expect(compare(await pixels(await mount(markup, size)), clean).max).toBe(0);
+  });
+}
+
