@@ -40,3 +40,46 @@ for (const [what, markup] of Object.entries(scenes)) {
   });
 }
 
+const extras = [
+  'probe',
+  'probe probe-at="0.5 0.5 0.5"',
+  'probe="formula"',
+  'probe-at="0.5 0.5 0.5"',
+  'helpers="lights"',
+  'view="n-dot-l"',
+  'gui',
+  'camera-group="a"',
+  `src="${model}"`,
+];
+
+for (const extra of extras) {
+  test(`a viewer with ${extra} moves into a template at any time, and back`, async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(`<phong-viewer geometry="box"></phong-viewer>`, size);
+    await page.evaluate(async (attributes) => {
+      const pause = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
+      for (let ms = -1; ms < 60; ms += ms < 8 ? 1 : 10) {
+        const template = document.createElement('template');
+        document.body.append(template);
+        const place = document.createElement('section');
+        place.innerHTML = `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
+        document.body.append(place);
+        const moved = place.firstElementChild as PhongViewer;
+        await (ms < 0 ? undefined : pause(ms));
+        template.content.append(moved);
+        await pause(20);
+        moved.theta += 5;
+        await moved.ready;
+        place.append(moved);
+        await moved.ready;
+        place.remove();
+        template.remove();
+      }
+    }, extra);
+    await nextFrame(page);
+    await settled(viewer);
+  });
+}
+

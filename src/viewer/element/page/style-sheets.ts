@@ -22,6 +22,9 @@ export function addStyles(root: ShadowRoot, text: string): void {
 export function removeStyles(root: ShadowRoot, text: string): void {
   used.get(root)?.delete(text);
   const sheet = sheetOf(root.ownerDocument, text);
+  // In a document without a window, such as a template's, the root may still have the sheets of the
+  // one before, which cannot be assigned there.
+  if (sheet === null) return;
   root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
 }
 
