@@ -20,7 +20,12 @@ providePanel(lazyCode(() => import('../extras/panel/panel.js'), 'the control pan
 provideControl(lazyCode(() => import('../extras/panel/control.js'), '<phong-control>'));
 
 // Children first: the viewer then finds all of them at once when it is upgraded.
-if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
+const page = typeof customElements === 'undefined' ? undefined : globalThis.document;
+if (page !== undefined && page.contentType !== 'text/html') {
+  console.warn(
+    `<phong-viewer>: the page is served as ${page.contentType}, so the elements are not defined. Serve it as text/html.`,
+  );
+} else if (page !== undefined) {
   for (const [name, element] of [
     ['phong-light', PhongLight],
     ['phong-mesh', PhongMesh],
@@ -32,8 +37,8 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
       customElements.define(name, element);
     }
   }
-  endEarly();
 }
+endEarly();
 
 export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
 export type { ViewerErrorCode, ViewerTexts } from './element/fields/texts.js';

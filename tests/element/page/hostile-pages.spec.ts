@@ -83,3 +83,18 @@ for (const extra of extras) {
   });
 }
 
+test('says once on a page of XHTML that it needs HTML', async ({ page, site, consoleGuard }) => {
+  const said = consoleGuard.allow(/served as application\/xhtml\+xml/, 1);
+  await page.route('**/page.xhtml', (route) =>
+    route.fulfill({
+      contentType: 'application/xhtml+xml',
+      body: `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>x</title>
+        <script src="/dist/phong-viewer.classic.js" defer="defer"></script></head>
+        <body><phong-viewer geometry="box"><phong-light></phong-light></phong-viewer></body></html>`,
+    }),
+  );
+  await page.goto(`${site.origin}/page.xhtml`);
+  await expect.poll(() => said.length).toBe(1);
+  await nextFrame(page);
+});
+
