@@ -39,6 +39,8 @@ export class ViewportSignals {
   moveTo: (now: number) => boolean = () => false;
   /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
   awaited: () => boolean = () => false;
+  /** It shows content for the first time that the GPU may have no memory for. */
+  unproven: () => boolean = () => false;
   /**
    * Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw,
    * and may throw.
@@ -212,6 +214,9 @@ export class Viewport {
     this.#painted = version;
     try {
       if (this.#paint()) {
+        if (this.#signals.unproven() && stage.outOfMemory()) {
+          throw new RangeError('the GPU has no memory for it');
+        }
         this.#frames += 1;
         this.#signals.drawn.emit();
       } else {

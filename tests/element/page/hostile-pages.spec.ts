@@ -98,3 +98,47 @@ test('says once on a page of XHTML that it needs HTML', async ({ page, site, con
   await nextFrame(page);
 });
 
+test('a model for which the GPU has no memory is too large, and the picture before it stays', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  // Drawing with what was not allocated: the browser's own words.
+  consoleGuard.allow(/Insufficient buffer size/);
+  await page.addInitScript(() => {
+    const { bufferData, getError } = WebGL2RenderingContext.prototype;
+    let refused = false;
+    const refuses = (data: unknown) =>
+      (window as { full?: boolean }).full === true && ArrayBuffer.isView(data);
+    WebGL2RenderingContext.prototype.bufferData = function (
+      this: WebGL2RenderingContext,
+      ...given: unknown[]
+    ) {
+      if (refuses(given[1])) {
+        refused = true;
+      } else {
+        Reflect.apply(bufferData, this, given);
+      }
+    } as typeof bufferData;
+    WebGL2RenderingContext.prototype.getError = function () {
+      const error = refused ? this.OUT_OF_MEMORY : getError.call(this);
+      refused = false;
+      return error;
+    };
+  });
+  const viewer = await mount(`<phong-viewer geometry="box">${light}</phong-viewer>`, size);
+  const before = await pixels(viewer);
+  const heard = await record(viewer, 'error');
+  await viewer.evaluate((element: PhongViewer, src) => {
+    Object.assign(window, { full: true });
+    element.src = src;
+    return element.ready;
+  }, model);
+  await expect
+    .poll(() => heard.take())
+    .toEqual([
+      { type: 'error', detail: expect.objectContaining({ code: 'too-large' }) as unknown },
+    ]);
+  await viewer.evaluate(() => Object.assign(window, { full: false }));
+  expect(compare(await pixels(viewer), before).max).toBe(0);
+});

@@ -46,6 +46,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     viewport.picture.add(this.ownMesh);
     signals.awaited = () =>
       !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
+    signals.unproven = () => [...this.#undrawn].some(({ complete }) => complete === 'model');
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.drawn.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {

@@ -130,6 +130,22 @@ class Stage {
   }
 
   /**
+   * Whether the GPU has refused memory since the last question: buffers and textures are then
+   * incomplete. Waits for the GPU.
+   */
+  outOfMemory(): boolean {
+    const gl = this.#context.renderer?.getContext();
+    let refused = false;
+    // A context keeps each of its six kinds of errors once.
+    for (let kind = 0; kind < 6 && gl !== undefined; kind++) {
+      const error = gl.getError();
+      if (error === gl.NO_ERROR) break;
+      refused ||= error === gl.OUT_OF_MEMORY;
+    }
+    return refused;
+  }
+
+  /**
    * The renderer of the open context, which `size` opens where there is none. Throws where it is
    * lost.
    */
