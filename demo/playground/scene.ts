@@ -30,6 +30,8 @@ export interface Scene {
 export const MOST_ELEMENTS = 1000;
 /** The same in triangles: 0.23 GB. */
 export const MOST_TRIANGLES = 2 ** 22;
+/** The same in estimated bytes, images included: as much as one viewer may take. */
+export const MOST_MEMORY = 950_000_000;
 /** Viewers of a comparison. */
 const MOST_VIEWERS = 4;
 const MOST_MESSAGES = 5;

@@ -1,7 +1,7 @@
 // Makes the live viewer follow the scene. What has not changed is left alone, so that the camera,
 // the panel and loaded models stay while someone types. Builds only the elements of a checked
 // scene.
-import { MOST_TRIANGLES, type Scene, type SceneElement } from './scene.js';
+import { MOST_MEMORY, MOST_TRIANGLES, type Scene, type SceneElement } from './scene.js';
 
 type Viewer = HTMLElementTagNameMap['phong-viewer'];
 
@@ -13,7 +13,7 @@ export function showScene(viewer: Viewer, before: Scene | null, scene: Scene): v
   const known = before?.elements ?? [];
   update(viewer, known[0], root);
   compareWith(viewer, before, scene);
-  viewer.maxTriangles = shareOf(scene);
+  limit(viewer, scene);
   // The panel's markup may list the children in another order than they stand in: then all are
   // built again.
   const inStep =
@@ -55,15 +55,19 @@ function compareWith(viewer: Viewer, before: Scene | null, scene: Scene): void {
   if (around !== null && before !== null && textOf(before.others) === textOf(scene.others)) return;
   const others = scene.others.map(([root, ...children]) => {
     const other = built(root!) as Viewer;
-    other.maxTriangles = shareOf(scene);
+    limit(other, scene);
     other.append(...children.map(built));
     return other;
   });
   compare.replaceChildren(viewer, ...others);
 }
 
-/** Triangles of each viewer: a whole number, whatever their number. */
-const shareOf = ({ others }: Scene): number => Math.floor(MOST_TRIANGLES / (1 + others.length));
+/** The viewers of the page have one budget: each gets an equal share, a whole number. */
+function limit(viewer: Viewer, { others }: Scene): void {
+  const count = 1 + others.length;
+  viewer.maxTriangles = Math.floor(MOST_TRIANGLES / count);
+  viewer.maxMemory = Math.floor(MOST_MEMORY / count);
+}
 
 const textOf = (viewers: Scene['others']): string =>
   JSON.stringify(viewers.map((one) => one.map(({ tag, attributes }) => [tag, ...attributes])));

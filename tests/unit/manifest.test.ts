@@ -111,6 +111,7 @@ describe('the custom elements manifest', () => {
     expect(writable('phong-viewer')).toMatchObject([
       { name: 'texts', type: { text: 'ViewerTexts | null' } },
       { name: 'maxTriangles', type: { text: 'number' } },
+      { name: 'maxMemory', type: { text: 'number' } },
     ]);
     expect(writable('phong-light')).toEqual([]);
     const { properties } = tags.find(({ name }) => name === 'phong-viewer')!.js;

@@ -103,7 +103,11 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
   } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),
 );
 
-const OWN_PROPS: readonly string[] = ['texts', 'maxTriangles'] satisfies (keyof ViewerOwnProps)[];
+const OWN_PROPS: readonly string[] = [
+  'texts',
+  'maxTriangles',
+  'maxMemory',
+] satisfies (keyof ViewerOwnProps)[];
 
 type AllEvents = PhongViewerEventMap & PhongCompareEventMap;
 

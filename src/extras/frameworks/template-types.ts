@@ -68,6 +68,7 @@ type AnyElement = Elements[keyof Elements];
 export interface ViewerOwnProps {
   readonly texts?: ViewerTexts | null | undefined;
   readonly maxTriangles?: number | null | undefined;
+  readonly maxMemory?: number | null | undefined;
 }
 
 type Dashed<S extends string> = S extends `${infer Head}${infer Tail}`

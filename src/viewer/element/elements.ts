@@ -87,6 +87,14 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    */
   get maxTriangles(): number;
   set maxTriangles(triangles: number | null | undefined);
+  /**
+   * Most bytes that vertices and images may take together, by an estimate for the page and the GPU
+   * process; the limits of files, images and draws shrink with it. As {@link maxTriangles};
+   * default and most: 950,000,000. Where one page shows several viewers of strangers, give each its
+   * share.
+   */
+  get maxMemory(): number;
+  set maxMemory(bytes: number | null | undefined);
   readonly stats: ViewerStats;
   /**
    * Resolves once everything requested has been drawn, or could be drawn if it were visible. Never

@@ -174,6 +174,19 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   set maxTriangles(triangles: number | null | undefined) {
     this.#context.picture.budget.limit = triangles ?? null;
+    this.#limited();
+  }
+
+  get maxMemory(): number {
+    return this.#context.picture.budget.memory;
+  }
+
+  set maxMemory(bytes: number | null | undefined) {
+    this.#context.picture.budget.memory = bytes ?? null;
+    this.#limited();
+  }
+
+  #limited(): void {
     this.#context.picture.invalidate(); // other levels of detail may fit
     if (this.hasUpdated) {
       this.#loading.retry();
@@ -233,6 +246,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#binding.upgrade();
     upgradeProperty(this, 'texts');
     upgradeProperty(this, 'maxTriangles');
+    upgradeProperty(this, 'maxMemory');
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();

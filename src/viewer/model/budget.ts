@@ -66,14 +66,18 @@ const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
       2000 * nodes,
   );
 
-/** @throws ModelError `too-large` if one file claims more than may be shown. */
-export function requireWithin(amounts: Amounts, subject = 'The model has'): void {
+/**
+ * @param share of all limits.
+ * @throws ModelError `too-large` if one file claims more than may be shown.
+ */
+export function requireWithin(amounts: Amounts, subject = 'The model has', share = 1): void {
   for (const key of KEYS) {
-    requireAtMost(amounts[key], ...LIMITS[key], subject);
+    const [limit, what] = LIMITS[key];
+    requireAtMost(amounts[key], Math.floor(share * limit), what, subject);
   }
   requireAtMost(
     memoryOf(amounts),
-    limits.MEMORY_LIMIT,
+    Math.floor(share * limits.MEMORY_LIMIT),
     'bytes in memory (vertices and images)',
     subject,
   );
@@ -157,6 +161,7 @@ interface Use {
 /** What all meshes of one viewer hold. */
 export class Budget {
   #limit = TRIANGLE_LIMIT;
+  #memory = limits.MEMORY_LIMIT;
   readonly #total = { ...NO_CLAIMS };
   readonly #uses = new Map<Need['key'], Use>();
   readonly #claims = new Map<object, Set<Claim>>();
@@ -171,16 +176,17 @@ export class Budget {
    * default.
    */
   set limit(limit: number | null) {
-    const most = limit ?? TRIANGLE_LIMIT;
-    if (typeof most !== 'number') {
-      throw new TypeError(`maxTriangles must be a number, not ${typeof most}.`);
-    }
-    if (!Number.isInteger(most) || most < 0 || most > TRIANGLE_LIMIT) {
-      throw new RangeError(
-        `maxTriangles must be a whole number from 0 to ${String(TRIANGLE_LIMIT)}, not ${String(most)}.`,
-      );
-    }
-    this.#limit = most;
+    this.#limit = upTo(TRIANGLE_LIMIT, limit, 'maxTriangles');
+  }
+
+  /** Most bytes in memory, by {@link memoryOf}. All limits but {@link limit} shrink with it. */
+  get memory(): number {
+    return this.#memory;
+  }
+
+  /** As {@link limit}. */
+  set memory(bytes: number | null) {
+    this.#memory = upTo(limits.MEMORY_LIMIT, bytes, 'maxMemory');
   }
 
   /**
@@ -209,11 +215,10 @@ export class Budget {
     this.hold(claim, needs);
     try {
       requireAtMost(this.used, this.#limit, 'triangles', SUBJECT);
+      const share = this.#memory / limits.MEMORY_LIMIT;
       // Triangles have been counted, in place of their values.
-      requireWithin(
-        { ...this.#total, values: Math.min(this.#total.values, limits.VALUE_LIMIT) },
-        SUBJECT,
-      );
+      const values = Math.min(this.#total.values, Math.floor(share * limits.VALUE_LIMIT));
+      requireWithin({ ...this.#total, values }, SUBJECT, share);
     } catch (error) {
       this.hold(claim, []);
       for (const [own, held] of before) {
@@ -267,6 +272,19 @@ export class Budget {
       this.#total[key] += sign * (claims[key] ?? 0) * (key === 'parts' ? size : Math.min(size, 1));
     }
   }
+}
+
+function upTo(most: number, value: unknown, name: string): number {
+  const number = value ?? most;
+  if (typeof number !== 'number') {
+    throw new TypeError(`${name} must be a number, not ${typeof number}.`);
+  }
+  if (!Number.isInteger(number) || number < 0 || number > most) {
+    throw new RangeError(
+      `${name} must be a whole number from 0 to ${String(most)}, not ${String(number)}.`,
+    );
+  }
+  return number;
 }
 
 const SUBJECT = 'With this the viewer would hold';

@@ -163,6 +163,28 @@ test('the page for frames says that it loads nothing from other sites, and that 
   await openLink(page, 'embed.html#scene=AAAAAAAA____');
   await expect(page.getByRole('status')).toContainText('This link is broken');
 });
+for (const where of ['playground/', 'embed.html']) {
+  test(`the viewers of a link to ${where} hold together what one viewer may`, async ({ page }) => {
+    const limitsOf = async (count: number): Promise<number[]> => {
+      const viewers = '<phong-viewer alt="part"></phong-viewer>'.repeat(count);
+      const link = linkTo(`<phong-compare>${viewers}</phong-compare>`);
+      await openLink(page, link.replace('playground/', where));
+      await expect(page.locator('phong-viewer[alt=part]')).toHaveCount(count);
+      return page.evaluate(() => {
+        const all = [...document.querySelectorAll('phong-viewer')];
+        const sum = (values: readonly number[]): number => values.reduce((a, b) => a + b, 0);
+        return [
+          sum(all.map(({ maxMemory }) => maxMemory)),
+          sum(all.map(({ maxTriangles }) => maxTriangles)),
+        ];
+      });
+    };
+    const single = await limitsOf(1);
+    expect(single).toEqual([950_000_000, 2 ** 22]);
+    expect(await limitsOf(4)).toEqual(single);
+  });
+}
+
 test('the removed parts are named, briefly', async ({ page, consoleGuard }) => {
   consoleGuard.allow(REPORTS);
   const many = Array.from({ length: 30 }, (_, i) => `<x-${i}-${'long'.repeat(50)}></x->`).join('');

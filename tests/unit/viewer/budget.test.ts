@@ -42,6 +42,50 @@ it.each(GEOMETRIES)(
   },
 );
 
+describe('the budget of memory', () => {
+  const quarter = limits.MEMORY_LIMIT / 4;
+
+  it('holds four viewers that have a quarter each to the limits of one, of every kind', () => {
+    const kinds: readonly [keyof Claims, number][] = [
+      ['bytes', limits.BYTE_LIMIT],
+      ['text', limits.TEXT_LIMIT],
+      ['pixels', PIXEL_LIMIT],
+      ['parts', PART_LIMIT],
+      ['nodes', limits.NODE_LIMIT],
+    ];
+    for (const [kind, most] of kinds) {
+      let held = 0;
+      for (let i = 0; i < 4; i++) {
+        const budget = new Budget();
+        budget.memory = quarter;
+        // One source after the other, until one is refused.
+        for (let k = 0; k < 100; k++) {
+          try {
+            budget.claim({}).add(holds({ [kind]: most / 50 }));
+            held += most / 50;
+          } catch (error) {
+            expect(error, kind).toEqual(tooLarge);
+            break;
+          }
+        }
+      }
+      expect(held, kind).toBeLessThanOrEqual(most);
+      expect(held, kind).toBeGreaterThan(most / 2);
+    }
+  });
+
+  it('is a whole number from 0 to the default; null restores the default', () => {
+    const budget = new Budget();
+    budget.memory = quarter;
+    for (const wrong of ['1', Number.NaN, -1, 0.5, limits.MEMORY_LIMIT + 1]) {
+      expect(() => (budget.memory = wrong as number)).toThrow(/^maxMemory must be a /);
+      expect(budget.memory).toBe(quarter);
+    }
+    budget.memory = null;
+    expect(budget.memory).toBe(limits.MEMORY_LIMIT);
+  });
+});
+
 describe('the budget of triangles', () => {
   it('refuses with too-large what is beyond the limit, and changes nothing then', () => {
     const budget = budgetOf(10);

@@ -57,7 +57,10 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
  * A value assigned before the upgrade is an own property, which hides the accessor. Wrong ones are
  * warned of and dropped.
  */
-export function upgradeProperty(element: object, key: 'texts' | 'maxTriangles'): void {
+export function upgradeProperty(
+  element: object,
+  key: 'texts' | 'maxTriangles' | 'maxMemory',
+): void {
   if (!Object.hasOwn(element, key)) return;
   const value: unknown = Reflect.get(element, key);
   Reflect.deleteProperty(element, key);
