@@ -2,6 +2,7 @@
 // segments?
 import { Box3, type BufferAttribute, type BufferGeometry, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
+import { Dice } from '../../visual/random-scene.js';
 import { cross, dot, length, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import {
   CLOSED,
@@ -10,6 +11,12 @@ import {
   type GeometryName,
   roundOf,
 } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import {
+  type Cut,
+  cutGeometry,
+  keyOfCut,
+  MOST_CUT_TRIANGLES,
+} from '../../../src/viewer/scene/mesh/shapes/cut-faces.js';
 import {
   acquireShape,
   FIXED,
@@ -136,6 +143,58 @@ function edgesOf(geometry: BufferGeometry): { readonly open: number; readonly od
 }
 
 const LEVELS = [16, 24, 80];
+
+describe('a cut shape', () => {
+  const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+  it(`has the sides of the whole one, few triangles, and two at each edge of a box (seed ${String(seed)})`, () => {
+    const dice = new Dice(seed);
+    for (let i = 0; i < 200; i++) {
+      // Round numbers too: cubes that end exactly in a face or in an edge.
+      const round = dice.chance(0.5);
+      const place = (): number =>
+        round ? dice.pick([-1, -0.5, -0.25, 0, 0.5, 1]) : dice.from(-1, 1);
+      const size = 2 ** -dice.pick([1, 2, 5, 10, 16]);
+      const cut: Cut = {
+        center: [place(), place(), place()],
+        half: [size, round ? size : size * dice.from(0.5, 2), 3 * size],
+      };
+      for (const name of ['box', 'plane'] as const) {
+        const geometry = cutGeometry(name, cut);
+        let area = 0;
+        for (const { normals, area: across } of triangles(geometry)) {
+          area += Math.min(...normals.map((N) => dot(N, across))) / 2;
+        }
+        expect(area, keyOfCut(cut)).toBeCloseTo(name === 'box' ? 6 : 1, 6);
+        expect(geometry.index!.count / 3).toBeLessThanOrEqual(MOST_CUT_TRIANGLES);
+        const solid = edgesOf(geometry);
+        expect(solid.odd, keyOfCut(cut)).toBe(0);
+        if (name === 'box') {
+          expect(solid.open, keyOfCut(cut)).toBe(0);
+        }
+      }
+    }
+  });
+
+  it.each(['box', 'plane'] as const)(
+    'has the texture coordinates of the whole %s',
+    async (name) => {
+      const at = (geometry: BufferGeometry): string[] =>
+        Array.from({ length: geometry.getAttribute('position').count }, (_, i) =>
+          [
+            ...vertex(geometry, 'position', i),
+            ...vertex(geometry, 'normal', i),
+            geometry.getAttribute('uv').getX(i),
+            geometry.getAttribute('uv').getY(i),
+          ]
+            .map((x) => Math.round(x * 1e6) / 1e6 + 0)
+            .join(' '),
+        );
+      const cut = cutGeometry(name, { center: [0.1, 0.6, 0.2], half: [0.2, 0.2, 0.2] });
+      expect(at(cut)).toEqual(expect.arrayContaining(at(await createGeometry(name, 1))));
+    },
+  );
+});
 
 describe('closed shapes', () => {
   it.each([...CLOSED])(

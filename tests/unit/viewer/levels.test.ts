@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../src/phong/math/vector.js';
 import { basisOf } from '../../../src/phong/camera/orbit.js';
 import {
+  cutFor,
   isLargeFor,
   levelFor,
   levelIn,
@@ -17,6 +18,7 @@ import {
   roundOf,
   trianglesOf,
 } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import type { Cut } from '../../../src/viewer/scene/mesh/shapes/cut-faces.js';
 import type { Frustum } from '../../../src/viewer/scene/frustum-clip.js';
 
 type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;
@@ -227,5 +229,24 @@ describe('a flat shape', () => {
     expect(isLarge('plane', [1, 1, 1], [4, 1e-9, 0])).toBe(false);
     expect(isLarge('box', [10, 6, 10], [0, 0, 0])).toBe(false);
     expect(isLarge('box', [10, 6, 10], [0, -2, 0])).toBe(true);
+  });
+
+  it('that is large is cut the same for an eye that moves a little, by cubes that reach its distance', () => {
+    const cutFrom = (x: number, y: number): Cut => {
+      const view = viewFrom(1);
+      const frame = { ...view.frame, origin: [0, 0, 0] as Vec3, eye: [x, y, 0] as Vec3 };
+      const matrix = new Matrix4().makeScale(80, 1, 40).elements;
+      return cutFor({ ...view, frame }, 'plane', matrix);
+    };
+    const cut = cutFrom(10, 1);
+    expect(cut).toEqual({ center: [0.125, 1, 0], half: [2 / 80, 2, 2 / 40] });
+    expect(cutFrom(10.2, 1.1)).toEqual(cut);
+    expect(cutFrom(11, 1)).not.toEqual(cut);
+    expect(cutFrom(10, 0.05).half[0]).toBeLessThan(0.002);
+    for (const y of [0, 1e-30]) {
+      const flat = cutFrom(10, y);
+      expect(Math.min(...flat.half)).toBeGreaterThan(0);
+      expect([...flat.center, ...flat.half].every(Number.isFinite)).toBe(true);
+    }
   });
 });

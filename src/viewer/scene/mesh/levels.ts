@@ -1,5 +1,5 @@
-// Gives the round shapes of a picture as many segments as its pixels show, and flat ones more where
-// they are large for the eye's distance. Camera, transforms and size alone decide: the same scene
+// Gives the round shapes of a picture as many segments as its pixels show, and cuts flat ones that
+// are large for the eye's distance. Camera, transforms and size alone decide: the same scene
 // has the same triangles.
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
@@ -7,7 +7,8 @@ import type { Frame } from '../frame.js';
 import type { Frustum } from '../frustum-clip.js';
 import type { Picture } from '../picture.js';
 import type { SceneMesh } from './scene-mesh.js';
-import { FIXED } from './shapes/shared-shapes.js';
+import { type Cut, type CutName, keyOfCut, MOST_CUT_TRIANGLES } from './shapes/cut-faces.js';
+import { FIXED, type Level } from './shapes/shared-shapes.js';
 import {
   coarsestOf,
   type GeometryName,
@@ -81,7 +82,7 @@ export class Levels {
     for (const mesh of this.#picture.meshes) {
       const { auto } = mesh;
       if (auto === null) continue;
-      let level = FIXED;
+      let level: Level = FIXED;
       if (!isRound(auto)) {
         level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, frame.view);
       } else if (!isFixed && !mesh.isFixed) {
@@ -102,7 +103,7 @@ export class Levels {
     name: GeometryName,
     { view, height, samples }: Frame,
     count: number,
-  ): number {
+  ): Level {
     const { elements } = parts[0]!.mesh.matrixWorld;
     const wanted = levelIn(view, height, samples > 1, name, elements, FREE_TRIANGLES / count);
     if (wanted === null) return level; // out of view it stays as it is
@@ -114,54 +115,103 @@ export class Levels {
     return limit - used;
   }
 
-  #flatLevelOf({ parts }: SceneMesh, name: GeometryName, view: Frustum): number {
+  #flatLevelOf({ parts, level }: SceneMesh, name: GeometryName, view: Frustum): Level {
+    const { elements } = parts[0]!.mesh.matrixWorld;
+    if (!isLargeFor(view, name, elements)) return FIXED;
     const room = this.#room + trianglesOf(name, undefined);
-    const isLarge = isLargeFor(view, name, parts[0]!.mesh.matrixWorld.elements);
-    return isLarge && trianglesOf(name, LARGE_SEGMENTS) <= room ? LARGE_SEGMENTS : FIXED;
+    if (name !== 'box' && name !== 'plane') {
+      return trianglesOf(name, LARGE_SEGMENTS) <= room ? LARGE_SEGMENTS : FIXED;
+    }
+    if (MOST_CUT_TRIANGLES > room) return FIXED;
+    const cut = cutFor(view, name, elements);
+    return typeof level === 'object' && keyOfCut(level) === keyOfCut(cut) ? level : cut;
   }
 }
 
 const isRound = (name: GeometryName | null): boolean =>
   name !== null && roundOf(name) !== undefined;
 
-/** Segments of a flat shape that is large for the eye's distance. */
+/** Segments of a pyramid that is large for the eye's distance. */
 const LARGE_SEGMENTS = 64;
 
 /**
  * A flat shape is large if its longest side is more than this many times the eye's distance from
  * its box. Rasterisers interpolate positions over a triangle with errors that grow with the
  * triangle. In SwiftShader, under near lamps, 17 of 68,805 channels are off by more than one code
- * at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up to 134 and 19 codes, at 1,000
- * 34 % are off and 0.01 %.
+ * at 8, by up to 3; at 10 they are off by up to 134, at 1,000 34 % are off.
  */
 const LARGE = 8;
 
 /** Whether a flat shape under its world matrix is {@link LARGE} for the eye. */
-export function isLargeFor(
+export function isLargeFor(view: Frustum, name: GeometryName, m: readonly number[]): boolean {
+  measureFrom(view, name, m);
+  return measured.longest > LARGE * measured.distance;
+}
+
+/**
+ * How a large box or plane is cut for this eye. Cubes stand on a grid of half their unit, a power
+ * of two near the eye's distance, so that an eye that moves a little finds the same cut.
+ */
+export function cutFor(view: Frustum, name: CutName, m: readonly number[]): Cut {
+  measureFrom(view, name, m);
+  const { along, length, longest, distance } = measured;
+  const near = Math.max(distance, longest * LEAST_UNIT);
+  let unit = 1;
+  while (1.5 * unit < near) {
+    unit *= 2;
+  }
+  while (0.75 * unit > near) {
+    unit /= 2;
+  }
+  const place = (axis: 0 | 1 | 2): number =>
+    length[axis] > 0 ? ((Math.round((2 * along[axis]) / unit) / 2) * unit) / length[axis] : 0;
+  const reach = (axis: 0 | 1 | 2): number => (length[axis] > 0 ? (2 * unit) / length[axis] : 1);
+  return {
+    center: [place(0), place(1), place(2)],
+    half: [reach(0), reach(1), reach(2)],
+  };
+}
+
+/** Of the longest side: coordinates within it are float32. */
+const LEAST_UNIT = 2 ** -24;
+
+/** Overwritten by each call of {@link measureFrom}. */
+const measured = {
+  /** The eye along the axes of the shape, from its middle, and the lengths of its sides. */
+  along: [0, 0, 0] as [number, number, number],
+  length: [0, 0, 0] as [number, number, number],
+  longest: 0,
+  /** Of the eye from the shape's box, on either side of its walls. */
+  distance: 0,
+};
+
+function measureFrom(
   { frame: { origin, eye } }: Frustum,
   name: GeometryName,
   m: readonly number[],
-): boolean {
+): void {
   const x = origin[0] + eye[0] - m[12]!;
   const y = origin[1] + eye[1] - m[13]!;
   const z = origin[2] + eye[2] - m[14]!;
-  let longest = 0;
   let outside = 0; // squared
   let inside = Infinity;
-  for (let axis = 0; axis < 3; axis++) {
+  measured.longest = 0;
+  for (const axis of [0, 1, 2] as const) {
     const length = columnLength(m, axis);
     const half = name === 'plane' && axis === 1 ? 0 : length / 2;
     const along =
       length > 0 ? (x * m[4 * axis]! + y * m[4 * axis + 1]! + z * m[4 * axis + 2]!) / length : 0;
     const beyond = Math.abs(along) - half;
-    longest = Math.max(longest, 2 * half);
+    measured.along[axis] = along;
+    measured.length[axis] = length;
+    measured.longest = Math.max(measured.longest, 2 * half);
     if (beyond > 0) {
       outside += beyond * beyond;
     } else {
       inside = Math.min(inside, -beyond);
     }
   }
-  return longest > LARGE * (outside > 0 ? Math.sqrt(outside) : inside);
+  measured.distance = outside > 0 ? Math.sqrt(outside) : inside;
 }
 
 /**

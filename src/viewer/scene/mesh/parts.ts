@@ -19,6 +19,7 @@ import {
   acquireShape,
   FIXED,
   IDENTITY,
+  type Level,
   levelKey,
   type ShapeContent,
 } from './shapes/shared-shapes.js';
@@ -36,7 +37,7 @@ export interface ShownContent {
   /** A shape with automatic segments; null for anything else. */
   readonly auto: GeometryName | null;
   /** Its segments, or `FIXED`. */
-  readonly level: number;
+  readonly level: Level;
   /** What the content holds of its viewer's budget. */
   readonly claim: Claim | null;
   readonly parts: readonly Part[];
@@ -130,7 +131,7 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
 }
 
 /** Shows another level of the shape that is shown. Its bounds are the same. */
-export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
+export function showLevel(shown: ShownContent, level: Level, flat: boolean): ShownContent {
   const content = acquireShape(levelKey(shown.auto!, level)) as ShapeContent; // its code is here: it is no promise
   const geometries = geometriesOf(content, flat, null);
   shown.parts.forEach((part, i) => {

@@ -27,7 +27,7 @@ import {
   showLevel,
   type ShownContent,
 } from './parts.js';
-import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
+import { FIXED, type Level, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName } from './shapes/shapes.js';
 
 export interface MeshHost {
@@ -111,7 +111,9 @@ export class SceneMesh {
   get segments(): number | null {
     const { geometry, segments } = this.#values;
     if (this.complete !== 'shape' || geometry === null) return null;
-    const drawn = this.auto === null || this.level === FIXED ? undefined : this.level;
+    const { level } = this;
+    const drawn =
+      this.auto === null || typeof level === 'object' || level === FIXED ? undefined : level;
     return effectiveSegments(geometry, segments === 'auto' ? drawn : segments);
   }
 
@@ -149,12 +151,11 @@ export class SceneMesh {
     return this.#shown.auto;
   }
 
-  /** The segments of {@link auto}, or `FIXED`. */
-  get level(): number {
+  get level(): Level {
     return this.#shown.level;
   }
 
-  set level(level: number) {
+  set level(level: Level) {
     this.#shown = showLevel(this.#shown, level, this.#effective === 'flat');
   }
 

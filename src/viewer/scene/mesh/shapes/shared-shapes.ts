@@ -5,6 +5,7 @@ import { PLAIN_LOOK } from '../../../../phong/material/file-surface.js';
 import { claimsOf, type Need } from '../../../model/budget.js';
 import type { Content } from '../../../model/model.js';
 import { WeakValues } from '../../../model/weak-values.js';
+import { type Cut, cutGeometry, type CutName, keyOfCut } from './cut-faces.js';
 import {
   CLOSED,
   coarsestOf,
@@ -21,7 +22,11 @@ export interface ShapeKey {
   readonly name: GeometryName;
   readonly segments: number | undefined;
   readonly isLevel: boolean;
+  readonly cut?: Cut;
 }
+
+/** Of `auto`: a number of segments, the shape's own number by {@link FIXED}, or a cut. */
+export type Level = number | Cut;
 
 /**
  * Under `auto`, what a shape is first shown as: its coarsest level, or without round faces its
@@ -32,12 +37,10 @@ export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKe
     ? { name, segments, isLevel: false }
     : levelKey(name, roundOf(name) === undefined ? FIXED : coarsestOf(name));
 
-/** A level by its segments, or the shape's {@link FIXED} number. */
-export const levelKey = (name: GeometryName, level: number): ShapeKey => ({
-  name,
-  segments: level === FIXED ? undefined : level,
-  isLevel: level !== FIXED,
-});
+export const levelKey = (name: GeometryName, level: Level): ShapeKey =>
+  typeof level === 'object'
+    ? { name, segments: undefined, isLevel: true, cut: level }
+    : { name, segments: level === FIXED ? undefined : level, isLevel: level !== FIXED };
 
 /** Stands for a shape's own number of segments where a level is expected. */
 export const FIXED = 0;
@@ -62,8 +65,8 @@ interface Shared {
 
 const shared = new WeakValues<Shared>();
 
-const keyOf = ({ name, segments, isLevel }: ShapeKey): string =>
-  `${isLevel ? 'auto ' : ''}${name} ${String(effectiveSegments(name, segments))}`;
+const keyOf = ({ name, segments, isLevel, cut }: ShapeKey): string =>
+  `${isLevel ? 'auto ' : ''}${name} ${cut === undefined ? String(effectiveSegments(name, segments)) : keyOfCut(cut)}`;
 
 /** What a shape holds, and its flat copy, before they are built. */
 export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
@@ -111,7 +114,10 @@ function create(key: ShapeKey): Shared {
       },
     };
   };
-  const geometry = createGeometry(name, key.segments, key.isLevel);
+  const geometry =
+    key.cut === undefined
+      ? createGeometry(name, key.segments, key.isLevel)
+      : cutGeometry(name as CutName, key.cut);
   const content = geometry instanceof Promise ? geometry.then(contentOf) : contentOf(geometry);
   const entry: Shared = { content, users: 0 };
   shared.set(text, entry);
