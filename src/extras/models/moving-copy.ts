@@ -48,6 +48,7 @@ export function movingCopy(content: Content): Content {
           copy.follow();
         }
       },
+      reach: (name, signal) => motion.reach(name, signal),
     },
     dispose: () => {
       for (const copy of copies.values()) {

@@ -3,6 +3,7 @@ import {
   Box3,
   BufferAttribute,
   type BufferGeometry,
+  DynamicDrawUsage,
   type InterleavedBufferAttribute,
   Sphere,
   StaticDrawUsage,
@@ -45,13 +46,22 @@ const known = new WeakMap<BufferGeometry, Measured>();
  * Null where the geometry has no vertex. Measured with the first call, and kept until {@link
  * forgetSize}.
  */
-export function sizeOf(geometry: BufferGeometry): GeometrySize | null {
-  const steps = measuring(geometry);
+export const sizeOf = (geometry: BufferGeometry): GeometrySize | null => ended(measuring(geometry));
+
+/** Null for no vertices. They must be finite. */
+export const sizeOfVertices = (vertices: Vertices): GeometrySize | null =>
+  ended(sizeAround(vertices));
+
+function ended<T>(steps: Steps<T>): T {
   for (;;) {
     const { done, value } = steps.next();
     if (done === true) return value;
   }
 }
+
+/** The vertices change from frame to frame, as an animation's do. */
+export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
+  (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
 
 export async function measureInSlices(geometry: BufferGeometry, slices: Slices): Promise<void> {
   const steps = measuring(geometry);

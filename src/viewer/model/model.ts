@@ -4,6 +4,7 @@ import type { BufferGeometry, Matrix4 } from 'three';
 import type { Sides } from '../../phong/material/back-faces.js';
 import type { BaseLook } from '../../phong/material/file-surface.js';
 import type { SurfaceValues } from '../../phong/material/material-values.js';
+import type { GeometrySize } from './geometry-size.js';
 
 /** What a mesh shows. Readers of files and built-in shapes make it, the scene draws it. */
 export interface Content {
@@ -66,6 +67,12 @@ export interface Motion {
    * end an animation begins again. Null: the file's own pose, without animation. Never throws.
    */
   pose(name: string | null, seconds: number): void;
+  /**
+   * How far the model comes in the poses at the keys of an animation, all parts together; null where
+   * it has no vertices. Found with the first call, in slices, by posing it. @throws the signal's
+   * reason after an abort.
+   */
+  reach(name: string, signal: AbortSignal): Promise<GeometrySize | null>;
 }
 
 type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';

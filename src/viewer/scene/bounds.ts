@@ -1,15 +1,14 @@
 // The size of a scene: the centre of its box and its farthest vertex, in world space and float64.
-import {
-  type BufferGeometry,
-  DynamicDrawUsage,
-  type Mesh,
-  type Object3D,
-  type Sphere,
-} from 'three';
+import { type BufferGeometry, type Mesh, type Object3D, type Sphere } from 'three';
 import type { Bounds } from '../../phong/camera/fit.js';
 import type { MutableVec3 } from '../../phong/camera/orbit.js';
 import { transformed, type Vec3 } from '../../phong/math/vector.js';
-import { forgetSize, type GeometrySize, sizeOf } from '../model/geometry-size.js';
+import {
+  forgetSize,
+  type GeometrySize,
+  hasMovingVertices,
+  sizeOf,
+} from '../model/geometry-size.js';
 
 export interface Extent {
   /**
@@ -164,22 +163,36 @@ export function forgetBounds(root: Object3D): void {
   });
 }
 
-function placedMeshes(root: Object3D): Placed[] {
-  const placed: Placed[] = [];
-  root.traverseVisible((object) => {
-    // By its mark, not its class: another copy of three.js may have made it.
-    const { isMesh, geometry } = object as Partial<Mesh>;
-    const size = isMesh === true && geometry !== undefined ? measuredOf(geometry) : null;
-    if (size !== null) {
-      placed.push({ size, matrix: object.matrixWorld.elements });
+function placedMeshes(object: Object3D, placed: Placed[] = []): Placed[] {
+  if (!object.visible) return placed;
+  // By its mark, not its class: another copy of three.js may have made it.
+  const { isMesh, geometry } = object as Partial<Mesh>;
+  const reach = reaches.get(object);
+  const size = reach ?? (isMesh === true && geometry !== undefined ? measuredOf(geometry) : null);
+  if (size !== null) {
+    placed.push({ size, matrix: object.matrixWorld.elements });
+  }
+  if (reach === undefined) {
+    for (const child of object.children) {
+      placedMeshes(child, placed);
     }
-  });
+  }
   return placed;
 }
 
-/** The vertices change from frame to frame, as an animation's do. */
-export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
-  (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
+const reaches = new WeakMap<Object3D, GeometrySize>();
+
+/**
+ * Frames what is below `object` by this size, in its own space, whatever pose it is in; null, the
+ * default: by the vertices that are there.
+ */
+export function declareReach(object: Object3D, size: GeometrySize | null): void {
+  if (size === null) {
+    reaches.delete(object);
+  } else {
+    reaches.set(object, size);
+  }
+}
 
 /**
  * A geometry's size is that of the first pose, so that framing keeps still; these are those of the

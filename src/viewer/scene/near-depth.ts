@@ -12,7 +12,8 @@ import {
   type Object3D,
 } from 'three';
 import { PhongMaterial } from '../../phong/material/phong-material.js';
-import { boundsOf, hasMovingVertices, newBall, writeBall } from './bounds.js';
+import { hasMovingVertices } from '../model/geometry-size.js';
+import { boundsOf, newBall, writeBall } from './bounds.js';
 import {
   boxIsInView,
   depthOf,

@@ -67,6 +67,44 @@ test.describe('nothing runs', () => {
   });
 });
 
+test('`auto` frames all poses at the keys: a model that grows or slides stays in the picture', async ({
+  mount,
+  page,
+}) => {
+  const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+  /** The least distance of the picture from its edge while it plays, in pixels. */
+  const margin = (): Promise<number> =>
+    viewer.evaluate(async (element: PhongViewer) => {
+      let least = Infinity;
+      for (const end = performance.now() + 2100; performance.now() < end;) {
+        const bitmap = await createImageBitmap(await element.toBlob({ width: 160, height: 120 }));
+        const context = new OffscreenCanvas(160, 120).getContext('2d')!;
+        context.drawImage(bitmap, 0, 0);
+        const { data } = context.getImageData(0, 0, 160, 120);
+        for (let i = 0; i < 160 * 120; i += 1) {
+          if (data[4 * i + 3] === 0) continue;
+          const [x, y] = [i % 160, Math.floor(i / 160)];
+          least = Math.min(least, x, 159 - x, y, 119 - y);
+        }
+        await new Promise(requestAnimationFrame);
+      }
+      return least;
+    });
+  for (const name of ['slide', 'bend', 'swell']) {
+    await show(viewer, viewerOf(`autoplay animation-name="${name}"`));
+    expect.soft(await margin(), name).toBeGreaterThan(0);
+  }
+  const rest = await show(viewer, viewerOf('')).then(() => cameraOf(viewer));
+  await assign(viewer, { autoplay: true, animationName: 'slide' });
+  await nextFrame(page);
+  await nextFrame(page);
+  const wide = await cameraOf(viewer);
+  expect(wide.radius).toBeGreaterThan(1.2 * rest.radius);
+  await assign(viewer, { autoplay: false });
+  await nextFrame(page);
+  expect((await cameraOf(viewer)).radius).toBe(rest.radius);
+});
+
 test('target and radius stay while a model moves; bad names give warnings', async ({
   page,
   mount,

@@ -11,6 +11,7 @@ import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
 import { sizeOf } from '../../../src/viewer/model/geometry-size.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';
 import type { Content } from '../../../src/viewer/model/model.js';
+import { keysWithin } from '../../../src/extras/models/gltf/reach.js';
 import { movingCopy } from '../../../src/extras/models/moving-copy.js';
 import { addressOf, bar, type BarOptions } from '../../support/animated-gltf.js';
 import { OPTIONS } from './model-files.js';
@@ -90,6 +91,56 @@ it.each(cases)(
     expectPlaces(model, atRest);
   },
 );
+
+describe('the reach of an animation', () => {
+  const { signal } = OPTIONS;
+
+  it.each(cases)('of %s is that of its vertices in the poses at the keys', async (_, options) => {
+    const model = await load(bar(options));
+    // The last step of a STEP animation is at a key, but lasts no time.
+    for (const name of model.motion!.names.filter((one) => one !== 'slide')) {
+      const all = [0, 1, 2 - 1e-12].flatMap((seconds) => {
+        model.motion!.pose(name, seconds);
+        return places(model);
+      });
+      const { box, center, radius } = (await model.motion!.reach(name, signal))!;
+      for (const axis of [0, 1, 2]) {
+        const along = all.filter((__, i) => i % 3 === axis);
+        expect(box[axis]).toBeCloseTo(Math.min(...along), 5);
+        expect(box[axis + 3]).toBeCloseTo(Math.max(...along), 5);
+      }
+      const away = all
+        .map((x, i) => [x, all[i + 1], all[i + 2]] as [number, number, number])
+        .filter((__, i) => i % 3 === 0)
+        .map(([x, y, z]) => Math.hypot(x - center[0], y - center[1], z - center[2]));
+      // Of near directions one vertex is kept.
+      expect(Math.max(...away) / radius).toBeLessThan(1.01);
+      expect(radius / Math.max(...away)).toBeLessThan(1 + 1e-6);
+    }
+  });
+
+  it('is found once for all copies, and never leaves a pose of its own in one', async () => {
+    const model = await load(bar());
+    const copies = [movingCopy(model), movingCopy(model)];
+    copies[0]!.motion!.pose('bend', 0.5);
+    const before = places(copies[0]!);
+    const first = await copies[0]!.motion!.reach('bend', signal);
+    expect(await copies[1]!.motion!.reach('bend', signal)).toBe(first);
+    expect(places(copies[0]!)).toEqual(before);
+    copies[0]!.motion!.pose('bend', 0.5);
+    expect(places(copies[0]!)).toEqual(before);
+  });
+
+  it('is read at some of the keys where there are too many, the first and the last among them', () => {
+    const keys = Array.from({ length: 5000 }, (_, i) => i);
+    expect(keysWithin(keys.slice(0, 900), 10)).toHaveLength(900);
+    expect(keysWithin(keys, 10)).toHaveLength(1000);
+    const few = keysWithin(keys, 2 * POSE_LIMIT);
+    expect(few).toHaveLength(4);
+    expect([few[0], few.at(-1)]).toEqual([0, 4999]);
+    expect(keysWithin(keys, 1e9)).toEqual([0, 4999]);
+  });
+});
 
 describe('a pose', () => {
   it('has the bounds of its vertices, in a new object each time', async () => {

@@ -6,11 +6,13 @@ import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import { POSE_LIMIT } from '../../../viewer/model/limits.js';
 import type { ContentPart, Motion } from '../../../viewer/model/model.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
-import type { Slices } from '../slices.js';
+import { Slices } from '../slices.js';
+import { type GeometrySize, sizeOfVertices } from '../../../viewer/model/geometry-size.js';
 import type { Accessor } from './accessors.js';
 import type { ChannelPath, GltfAnimation, Interpolation } from './animations.js';
 import { type Attribute, gathered } from './attributes.js';
 import type { Deformation, JointPose } from './deformation.js';
+import { keysWithin, Reach } from './reach.js';
 
 /** The parts of a model that can move. */
 export interface Movable {
@@ -45,6 +47,7 @@ export async function readMotion(
     readonly accessor: (accessor: Accessor) => Promise<Attribute>;
   },
   movable: Movable,
+  parts: readonly ContentPart[],
   { dropped, slices }: { readonly dropped: Set<string>; readonly slices: Slices },
 ): Promise<Motion | null> {
   const clips: Clip[] = [];
@@ -94,7 +97,7 @@ export async function readMotion(
   }
   if (clips.length === 0) return null;
   const work = workOf(clips, movable, weighted);
-  if (work <= POSE_LIMIT) return motionOf(file, clips, movable, work);
+  if (work <= POSE_LIMIT) return motionOf(file, clips, movable, parts, work);
   const [taken, most] = [work, POSE_LIMIT].map((steps) => steps.toLocaleString('en'));
   dropped.add(`its animations (a pose takes ${taken!} steps; at most ${most!} are computed)`);
   return null;
@@ -120,7 +123,13 @@ function workOf(
   ].reduce((sum, steps) => sum + steps, 0);
 }
 
-function motionOf(file: string, clips: readonly Clip[], movable: Movable, work: number): Motion {
+function motionOf(
+  file: string,
+  clips: readonly Clip[],
+  movable: Movable,
+  parts: readonly ContentPart[],
+  work: number,
+): Motion {
   const { scene, rigid, joints, deformations } = movable;
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
@@ -151,48 +160,84 @@ function motionOf(file: string, clips: readonly Clip[], movable: Movable, work: 
     }
     return found ?? clips[0]!;
   };
+  const pose = (next: Clip | null, time: number): void => {
+    if (next !== posed) {
+      for (const { rest, set } of tracks) {
+        set(rest);
+      }
+    }
+    posed = next;
+    if (next !== null) {
+      for (const { keyframes, value, set } of next.tracks) {
+        sampleTrack(keyframes, time, value);
+        set(value);
+      }
+    }
+    scene.updateMatrixWorld();
+    for (const root of roots) {
+      root.updateWorldMatrix(false, true);
+    }
+    for (const { part, mesh, within } of rigid) {
+      if (within === null) {
+        matrix.copy(mesh.matrixWorld);
+      } else {
+        matrix.multiplyMatrices(mesh.matrixWorld, within);
+      }
+      // Scales inside scales can leave the range of numbers. The part then stays where it was.
+      if (matrix.elements.every(Number.isFinite)) {
+        part.matrix.copy(matrix);
+      }
+    }
+    for (const pose of joints) {
+      pose.update();
+    }
+    for (const deformation of deformations) {
+      deformation.update();
+    }
+  };
+  const reaches = new Map<Clip, GeometrySize | null>();
+  const read = async (one: Clip, slices: Slices): Promise<GeometrySize | null> => {
+    const vertices = Array.from(new Set(parts.map(({ geometry }) => geometry)), (geometry) => geometry.getAttribute('position').count); // oxfmt-ignore
+    const keys = await keysOf(one, slices);
+    const reach = new Reach();
+    for (const time of keysWithin(
+      keys,
+      vertices.reduce((sum, count) => sum + count, work),
+    )) {
+      pose(one, time);
+      await reach.add(parts, slices);
+    }
+    return sizeOfVertices(reach.vertices);
+  };
   return {
     names: clips.map(({ name }) => name),
     work,
     durationOf: (name) => clipOf(name).duration,
     pose: (name, seconds) => {
       const next = name === null ? null : clipOf(name);
-      if (next !== posed) {
-        for (const { rest, set } of tracks) {
-          set(rest);
-        }
-      }
-      posed = next;
-      if (next !== null) {
-        const time = next.duration > 0 ? seconds % next.duration : 0;
-        for (const { keyframes, value, set } of next.tracks) {
-          sampleTrack(keyframes, time, value);
-          set(value);
-        }
-      }
-      scene.updateMatrixWorld();
-      for (const root of roots) {
-        root.updateWorldMatrix(false, true);
-      }
-      for (const { part, mesh, within } of rigid) {
-        if (within === null) {
-          matrix.copy(mesh.matrixWorld);
-        } else {
-          matrix.multiplyMatrices(mesh.matrixWorld, within);
-        }
-        // Scales inside scales can leave the range of numbers. The part then stays where it was.
-        if (matrix.elements.every(Number.isFinite)) {
-          part.matrix.copy(matrix);
-        }
-      }
-      for (const pose of joints) {
-        pose.update();
-      }
-      for (const deformation of deformations) {
-        deformation.update();
-      }
+      pose(next, next !== null && next.duration > 0 ? seconds % next.duration : 0);
+    },
+    reach: async (name, signal) => {
+      const one = clipOf(name);
+      const known = reaches.get(one);
+      const size = known === undefined ? await read(one, new Slices(signal)) : known;
+      reaches.set(one, size);
+      return size;
     },
   };
+}
+
+/** The times of the keyframes of all tracks, in order. */
+async function keysOf({ tracks }: Clip, slices: Slices): Promise<readonly number[]> {
+  const keys = new Set<number>();
+  for (const times of new Set(tracks.map(({ keyframes }) => keyframes.times))) {
+    await slices.over(times.length, (from, to) => {
+      for (let i = from; i < to; i += 1) {
+        keys.add(times[i]!);
+      }
+    });
+  }
+  return [...keys].sort((a, b) => a - b);
 }
 
 const EMPTY = /* @__PURE__ */ new BufferGeometry();

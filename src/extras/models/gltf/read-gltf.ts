@@ -83,7 +83,7 @@ export const read: ModelReader = async (source) => {
     const { parts, movable } = await collectParts(scene, file, slices);
     const dropped = new Set(document.dropped);
     const place = nameOf(source.url);
-    const motion = await readMotion(place, animations, { node, accessor }, movable, {
+    const motion = await readMotion(place, animations, { node, accessor }, movable, parts, {
       dropped,
       slices,
     });

@@ -1,5 +1,6 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
 import { POSE_LIMIT } from '../../model/limits.js';
+import type { GeometrySize } from '../../model/geometry-size.js';
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 import type { SceneMesh } from './scene-mesh.js';
@@ -14,9 +15,7 @@ export class MeshAnimation {
   /** Since it began. */
   #seconds = 0;
 
-  /**
-   * Begins as the values say, before anything measures the content: `auto` frames the first pose.
-   */
+  /** Begins as the values say, before anything measures the content. */
   constructor(motion: Motion, values: Values) {
     this.#motion = motion;
     this.#name = nameOf(values);
@@ -47,6 +46,11 @@ export class MeshAnimation {
     return this.#motion.work;
   }
 
+  /** What `auto` frames while it plays; null for what is there. Call {@link measureReach} before. */
+  get reach(): GeometrySize | null {
+    return this.#name === null ? null : (reaches.get(this.#motion)?.get(this.#name) ?? null);
+  }
+
   advance(seconds: number): void {
     this.#seconds += seconds;
     if (seconds > 0) {
@@ -57,6 +61,27 @@ export class MeshAnimation {
   pose(): void {
     this.#motion.pose(this.#name, this.#seconds);
   }
+}
+
+/** By the animation's name. */
+const reaches = new WeakMap<Motion, Map<string, GeometrySize | null>>();
+
+/**
+ * Finds how far the animation comes that the values name. True if that was not known before; rejects
+ * with the signal's reason after an abort.
+ */
+export async function measureReach(
+  motion: Motion | null,
+  values: Values,
+  signal: AbortSignal,
+): Promise<boolean> {
+  const name = nameOf(values);
+  if (motion === null || name === null) return false;
+  const known = reaches.get(motion) ?? new Map<string, GeometrySize | null>();
+  if (known.has(name)) return false;
+  known.set(name, await motion.reach(name, signal));
+  reaches.set(motion, known);
+  return true;
 }
 
 const nameOf = ({ autoplay, animationName }: Values): string | null =>

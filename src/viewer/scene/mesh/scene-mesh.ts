@@ -10,7 +10,8 @@ import { isOutOfMemory } from '../../model/limits.js';
 import { type Content, ModelError } from '../../model/model.js';
 import { type CrossOrigin, modelCode } from '../../model/request-model.js';
 import type { Picture } from '../picture.js';
-import { MeshAnimation } from './animation.js';
+import { declareReach } from '../bounds.js';
+import { MeshAnimation, measureReach } from './animation.js';
 import { ContentLoad } from './content-load.js';
 import type { MeshState, MeshValues, ShapeValues } from './mesh-fields.js';
 import {
@@ -73,6 +74,8 @@ export class SceneMesh {
   #notFlat = false;
   /** Where the root was last put; null for not yet. */
   #placed: Readonly<Pick<MeshValues, 'position' | 'rotation' | 'scale'>> | null = null;
+  /** Of the reach of an animation that has begun since the content came. */
+  #measuring: AbortController | null = null;
   /** What the geometries were made for; null for not known. */
   #effective: Shading | null = null;
 
@@ -256,8 +259,9 @@ export class SceneMesh {
   }
 
   /** For its load: makes the materials before {@link arrived}, in slices: thousands take long. */
-  async prepare({ parts }: Content, signal: AbortSignal): Promise<void> {
+  async prepare({ parts, motion }: Content, signal: AbortSignal): Promise<void> {
     this.#letGo();
+    await measureReach(motion, this.#values, signal);
     if (parts.length < MANY_PARTS) return;
     const { Slices } = await modelCode();
     const slices = new Slices(signal);
@@ -351,6 +355,8 @@ export class SceneMesh {
       this.#parent?.add(next.root);
     }
     this.#placed = null; // the new root has no place yet
+    this.#measuring?.abort('replaced');
+    this.#frame();
     const { meshes } = this.#picture.animations;
     if (next.animation === null) {
       meshes.delete(this);
@@ -364,9 +370,29 @@ export class SceneMesh {
     const { animation, parts } = this.#shown;
     if (animation?.update(this.#values) === true) {
       followPose(parts);
+      void this.#measure();
     }
     this.#place();
     this.restyle();
+  }
+
+  /** Frames the poses of the animation that the values name now, as soon as they are known. */
+  async #measure(): Promise<void> {
+    const { content, animation } = this.#shown;
+    this.#frame();
+    this.#measuring?.abort('replaced');
+    const { signal } = (this.#measuring = new AbortController());
+    const isNew = await measureReach(content.motion, this.#values, signal).catch(() => false);
+    if (isNew && this.#shown.animation === animation) {
+      this.#frame();
+    }
+  }
+
+  #frame(): void {
+    const { root, animation } = this.#shown;
+    if (root === null || animation === null) return;
+    declareReach(root, animation.reach);
+    this.#picture.reshaped();
   }
 
   /** Brings what is shown into its present pose. */
