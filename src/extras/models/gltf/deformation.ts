@@ -26,8 +26,8 @@ export type MorphTarget = Readonly<Partial<Record<MovingName, Attribute | undefi
 interface Rig {
   readonly joints: {
     readonly pose: JointPose;
-    readonly indices: Attribute;
-    readonly weights: Attribute;
+    /** Of four joints each. three.js has brought the first weights to a sum of 1. */
+    readonly sets: readonly { readonly indices: Attribute; readonly weights: Attribute }[];
   } | null;
   readonly targets: readonly MorphTarget[];
   /** Weight of each target; overwritten when the pose changes. */
@@ -45,7 +45,7 @@ interface Moving {
   readonly attribute: BufferAttribute;
 }
 
-/** Joints that move a vertex. */
+/** Joints in a set. */
 const JOINTS = 4;
 
 /** Deforms one geometry, whose attributes at construction are those of the undeformed mesh. */
@@ -56,6 +56,8 @@ export class Deformation {
   readonly #position: Float32Array;
   readonly #normal: Float32Array | null;
   readonly #tangent: Float32Array | null;
+  /** Joints of a vertex. */
+  readonly #joints: number;
   readonly #indices: Uint16Array;
   readonly #weights: Float32Array;
   readonly #applied: Float64Array;
@@ -88,8 +90,9 @@ export class Deformation {
     this.#normal = own('normal');
     this.#tangent = own('tangent');
     const count = rig.joints === null ? 0 : this.#position.length / 3;
-    this.#indices = new Uint16Array(count * JOINTS);
-    this.#weights = new Float32Array(count * JOINTS);
+    this.#joints = JOINTS * (rig.joints?.sets.length ?? 0);
+    this.#indices = new Uint16Array(count * this.#joints);
+    this.#weights = new Float32Array(count * this.#joints);
     this.#mirrored = new Uint8Array(count);
     this.#applied = new Float64Array(rig.weights.length);
     this.#order = geometry.index?.array ?? null;
@@ -131,7 +134,8 @@ export class Deformation {
     const { joints, weights, targets } = this.#rig;
     if (joints === null && weighted === null) return 0;
     const used = targets.filter((_, i) => weights[i] !== 0 || weighted?.[i] === 1).length;
-    return (this.#position.length / 3) * (1 + used) + targets.length;
+    const extra = this.#joints > JOINTS ? 1 : 0;
+    return (this.#position.length / 3) * (1 + extra + used) + targets.length;
   }
 
   /** The weights of the targets. */
@@ -216,15 +220,22 @@ export class Deformation {
   #link(from: number, to: number): void {
     const { joints } = this.#rig;
     if (joints === null) return;
-    const { pose, indices, weights } = joints;
+    const { pose, sets } = joints;
     const count = pose.matrices.length / 16;
     for (let i = from; i < to; i += 1) {
-      for (let k = 0; k < JOINTS; k += 1) {
-        const joint = indices.getComponent(i, k);
-        const weight = weights.getComponent(i, k);
-        if (!(weight > 0 && joint < count)) continue;
-        this.#indices[i * JOINTS + k] = joint;
-        this.#weights[i * JOINTS + k] = weight;
+      // All weights of a vertex have the sum 1: what the second set has, the first has not.
+      let left = 1;
+      for (let set = sets.length - 1; set >= 0; set -= 1) {
+        const { indices, weights } = sets[set]!;
+        const scale = set === 0 ? Math.max(left, 0) : 1;
+        for (let k = 0; k < JOINTS; k += 1) {
+          const joint = indices.getComponent(i, k);
+          const weight = weights.getComponent(i, k);
+          left -= weight > 0 ? weight : 0;
+          if (!(weight > 0 && joint < count)) continue;
+          this.#indices[i * this.#joints + set * JOINTS + k] = joint;
+          this.#weights[i * this.#joints + set * JOINTS + k] = scale * weight;
+        }
       }
     }
   }
@@ -272,7 +283,7 @@ export class Deformation {
       let tx = 0;
       let ty = 0;
       let tz = 0;
-      for (let k = i * JOINTS; k < (i + 1) * JOINTS; k += 1) {
+      for (let k = i * this.#joints; k < (i + 1) * this.#joints; k += 1) {
         const weight = weights[k]!;
         if (weight === 0) continue;
         const at = indices[k]! * 16;

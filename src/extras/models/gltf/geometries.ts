@@ -124,8 +124,10 @@ export class Geometries {
     const { count = 0, array: positions = [] } = attributes.get('position') ?? {};
     const shown = [...attributes.keys()];
     if (isSkinned(mesh)) {
-      for (const name of JOINTS) {
-        attributes.set(name, source.getAttribute(name));
+      for (const name of JOINTS.flat()) {
+        if (source.hasAttribute(name)) {
+          attributes.set(name, source.getAttribute(name));
+        }
       }
     }
     for (const [i, target] of targets.entries()) {
@@ -249,11 +251,12 @@ export class Geometries {
     attributes: ReadonlyMap<string, Attribute>,
     targets: readonly MorphAccessors[],
   ): Promise<void> {
-    const [indices, weights] = JOINTS.map((name) => attributes.get(name));
+    const sets = JOINTS.flatMap((names) => {
+      const [indices, weights] = names.map((name) => attributes.get(name));
+      return indices && weights ? { indices, weights } : [];
+    });
     const joints =
-      isSkinned(mesh) && indices && weights
-        ? { pose: this.#poseOf(mesh.skeleton), indices, weights }
-        : null;
+      isSkinned(mesh) && sets.length > 0 ? { pose: this.#poseOf(mesh.skeleton), sets } : null;
     const deformation = new Deformation(geometry, {
       joints,
       flat,
@@ -313,7 +316,10 @@ export class Geometries {
 }
 
 const NO_NORMALS = { some: false, all: false };
-const JOINTS = ['skinIndex', 'skinWeight'] as const;
+const JOINTS = [
+  ['skinIndex', 'skinWeight'],
+  ['joints_1', 'weights_1'],
+] as const;
 
 /**
  * What a computed tangent costs, in values: itself, and two sums in float64 while it is computed.
@@ -324,7 +330,7 @@ const TANGENT_VALUES = 16;
  * What a vertex that moves costs, in values: position, normal, tangent, joints, weights, whether it
  * is mirrored.
  */
-const MOVING_VALUES = 17;
+const MOVING_VALUES = 23;
 
 const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
 

@@ -57,7 +57,9 @@ export interface PrimitiveContext {
 /** The attributes that are used, and the numbers per vertex that they become. */
 const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
   ...['POSITION', 'NORMAL'].map((name) => [name, 3] as const),
-  ...['TANGENT', 'COLOR_0', 'JOINTS_0', 'WEIGHTS_0'].map((name) => [name, 4] as const),
+  ...['TANGENT', 'COLOR_0', 'JOINTS_0', 'WEIGHTS_0', 'JOINTS_1', 'WEIGHTS_1'].map(
+    (name) => [name, 4] as const,
+  ),
   ...[0, 1, 2, 3].map((set) => [`TEXCOORD_${String(set)}`, 2] as const),
 ]);
 /** The attributes that morph targets move. */
@@ -92,8 +94,8 @@ function isDrawn(primitive: JsonObject, dropped: Set<string>): boolean {
   for (const name of leftOutOf(primitive)) {
     dropped.add(name);
   }
-  if ('JOINTS_1' in attributes) {
-    dropped.add('JOINTS_1');
+  if ('JOINTS_2' in attributes) {
+    dropped.add('JOINTS_2');
   }
   return mode >= TRIANGLES && mode <= FANS && 'POSITION' in attributes;
 }
