@@ -5,7 +5,7 @@
 import colorspace_pars_fragment from 'three/src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js';
 
 /** @param {string} name @returns {never} */
-export function refuse(name) {
+function refuse(name) {
   throw new Error(
     `phong-viewer.standalone.js does not contain all of three.js (${name} is missing): ` +
       'use the ES modules together with three.js.',
