@@ -9,6 +9,7 @@ import { describe, expect, it } from 'vitest';
 import { attributeOf, formatValue } from '../../src/viewer/element/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
 import type { Field } from '../../src/phong/fields/field.js';
+import { layoutDefines } from '../../src/phong/light/light-layout.js';
 import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
 import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
@@ -146,5 +147,36 @@ describe('the documents', () => {
     );
     const isShipped = (file: string): boolean => shipped.some((pattern) => pattern.test(file));
     expect(linksOf('README.md').filter(({ file }) => !isShipped(file))).toEqual([]);
+  });
+
+  it('of the shaders names only files, functions and defines that exist', () => {
+    const glsl = execFileSync('git', ['ls-files', 'shaders/*.glsl'], { encoding: 'utf8' });
+    const sources = glsl.trim().split('\n');
+    const places = ['src/phong/material/program', 'src/phong/light', 'src/phong/math'];
+    const typescript = places.flatMap((folder) =>
+      readdirSync(join(repository, folder))
+        .filter((name) => name.endsWith('.ts'))
+        .map((name) => `${folder}/${name}`),
+    );
+    const text = [
+      ...sources,
+      ...typescript.map(read),
+      ...sources.map(read),
+      layoutDefines(),
+    ].join();
+    const words = new Set(text.match(/\w+/g));
+    const named = Array.from(read('shaders/README.md').matchAll(/`([^`]+)`/g), ([, code = '']) =>
+      code.replace(/\(.*\)/, ''),
+    );
+    const unknown = named
+      .filter((code) => !existsSync(join(repository, code)))
+      .flatMap((code) => code.match(/\w{2,}(?!\w*…)/g) ?? [])
+      .filter((word) => !words.has(word));
+    expect(unknown).toEqual([]);
+    // Bits of the mask are spelled as the shaders do: prose about them goes stale unseen.
+    const [paragraph = ''] =
+      /\*\*Features\*\*[^]*?(?=\n\n|$)/.exec(read('shaders/README.md')) ?? [];
+    const bits = Array.from(paragraph.matchAll(/`FEATURE_\w+`/g));
+    expect(bits.length).toBeGreaterThan(3);
   });
 });
