@@ -10,11 +10,11 @@ import type { LightValues } from './light-state.js';
 export const LIMIT_OPEN = 4;
 
 /**
- * Largest shininess that log2 and the lobe's cosine are precise enough for: 0.1 of a code on the
- * worst lawful driver. log2 near 1 may be 2^-21 off, of which an exponent of 200 makes 6.6e-5, or
- * 0.02 of a code.
+ * Largest shininess that log2 and the lobe's cosine are precise enough for: an eighth of a code on
+ * the worst lawful driver. log2 near 1 may be 2^-21 off, of which an exponent of 150 makes 5e-5, or
+ * 0.013 of a code; the lengths of N, L and V make four times as much.
  */
-export const LARGEST_MILD_POWER = 200;
+export const LARGEST_MILD_POWER = 150;
 
 /**
  * The same of a spot's decay. Its (c + 1)/2 may be 2e-7 off as well: an exponent of 32 makes 1.1e-5

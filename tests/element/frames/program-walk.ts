@@ -26,7 +26,7 @@ const STEPS: readonly (readonly [what: string, values: readonly string[]])[] = [
   ['move', ['-2', '0.3', '2']],
   ['toggle', ['']],
   ['recolour', ['1 9 9', '80 9 9', '255 9 9']],
-  ['shininess', ['1', '8', '200', '200.5', '1000']],
+  ['shininess', ['1', '8', '150', '150.5', '1000']],
   ['shading', ['phong', 'gouraud', 'flat']],
   ['reflection', ['phong', 'blinn-phong']],
   ['color-interpolation', ['srgb', 'linear']],
@@ -129,8 +129,8 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       for (const term of element.terms) {
         declare(`${term} term`, term !== 'specular' || lit(element.ks));
       }
-      // The power function is shorter for exponents up to 200.
-      declare('steep', element.shininess > 200);
+      // The power function is shorter for exponents up to 150.
+      declare('steep', element.shininess > 150);
       // Flat shading differs in its triangles alone.
       const shading = element.shading === 'gouraud' ? 'gouraud' : 'fragment';
       const { reflection, colorInterpolation, antialias } = element;

@@ -63,12 +63,12 @@ describe('another program', () => {
       ['fewer terms', () => material.setStyle({ terms: ['diffuse'] }), 0],
       ['no specular colour', () => material.setSurface({ ks: [0, 0, 0] }), 0],
       [
-        'other colours and exponents to 200',
+        'other colours and exponents to 150',
         () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }),
         0,
       ],
-      ['an exponent above 200', () => material.setSurface({ shininess: 201 }), 1],
-      ['an exponent to 200 again', () => material.setSurface({ shininess: 8 }), 0],
+      ['an exponent above 150', () => material.setSurface({ shininess: 151 }), 1],
+      ['an exponent to 150 again', () => material.setSurface({ shininess: 8 }), 0],
     ];
     let before = draw();
     for (const [which, change, programs] of changes) {
