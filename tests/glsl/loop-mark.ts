@@ -1,4 +1,5 @@
 // Tells whether a measurement is of the light loop as it is now.
+import { LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';
 import { LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
 
 /** Eight hexadecimal digits (FNV-1a, 32 bits) of a GLSL text, its comments and spaces aside. */
@@ -11,5 +12,5 @@ export function markOf(glsl: string): string {
   return (hash >>> 0).toString(16).padStart(8, '0');
 }
 
-/** Of the shipped loop. */
-export const LOOP_MARK = markOf(LIGHT_LOOP_GLSL);
+/** Of the shipped loop, and of the exponents that its cheaper power is used for. */
+export const LOOP_MARK = markOf(`${LIGHT_LOOP_GLSL} ${LARGEST_MILD_POWER}`);

@@ -9,7 +9,9 @@ import {
   nothingMeasured,
 } from '../stress/measure.js';
 import type { Variant } from '../stress/case.js';
-import { partSeed, Random } from '../stress/random.js';
+import { EXACT } from '../stress/contract.js';
+import { partSeed, replayed } from '../stress/random.js';
+import { Search } from '../stress/search.js';
 import type { Edit } from './edit.js';
 import type { PassResult } from './float-pass.js';
 import { type LoopProgram, programsFor } from './loop-forms.js';
@@ -32,6 +34,12 @@ interface RunOptions {
 
 /** Few enough that a batch is done between two frames of a browser in most cases. */
 const BATCH = 1 << 12;
+
+/** So many cases are searched for each at random, where an error is a good part of a code. */
+const CLIMBS_FURTHER = 8;
+
+/** Cases of a step of the search: the worst of one are changed in the next. */
+const STEP = 128;
 
 /**
  * Of every category, however many lights it has: of two cases both may lie beside a branch point.
@@ -57,20 +65,33 @@ export async function stressRun(
     const { variants } = category;
     const share = Math.ceil((each * weight(category)) / variants.length);
     const wanted = Math.max(Math.min(cases, LEAST_CASES), share);
+    // A set of lights that cases share is no part of a case.
+    const climbs = category.lights === undefined;
     for (const [v, variant] of variants.entries()) {
-      for (let done = 0, batch = 0; done < wanted; batch++) {
-        const random = new Random(partSeed(seed, `${category.id} ${v} ${batch}`));
-        const count = Math.min(BATCH, wanted - done);
-        const list = Array.from({ length: count }, () =>
-          judged(category.make(random, variant), variant),
-        );
+      const search = new Search(partSeed(seed, `${category.id} ${v} search`));
+      const found = climbs ? wanted * (category.bound > EXACT.upTo ? CLIMBS_FURTHER : 1) : 0;
+      for (let done = 0, batch = 0; done < wanted + found; batch++) {
+        const climbing = done >= wanted;
+        const left = (climbing ? wanted + found : wanted) - done;
+        const count = Math.min(climbing ? STEP : BATCH, left);
+        const partOf = partSeed(seed, `${category.id} ${v} ${batch}`);
+        const random = replayed([], partOf);
+        const list = Array.from({ length: count }, (_, i) => {
+          if (!climbs) return judged(category.make(random, variant), variant);
+          const numbers = climbing ? search.next() : [];
+          const stress = category.make(replayed(numbers, partOf + i), variant);
+          return judged(stress, variant, { numbers, found: climbing });
+        });
         for (const [program, part] of byProgram(list, variant)) {
           const result = passes.run(program, variant, part);
           measureBatch(measured, category, program.name, part, result);
         }
+        for (const { numbers, error } of climbs ? list : []) {
+          search.add(numbers, error);
+        }
         done += count;
         progress?.(
-          (results.length + (v + done / wanted) / variants.length) / chosen.length,
+          (results.length + (v + done / (wanted + found)) / variants.length) / chosen.length,
           category.id,
         );
         await new Promise((resolve) => setTimeout(resolve));

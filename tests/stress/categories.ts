@@ -25,11 +25,13 @@ import {
   direction,
   highlight,
   moved,
+  nearlyOpposite,
   place,
   scaled,
   seen,
   shortNormal,
   spotOver,
+  straight,
   stressCase,
   surface,
   white,
@@ -90,12 +92,14 @@ const mildExponent = (random: Random, most: number): number =>
   random.chance(0.5) ? random.from(1, most) : Math.ceil(random.from(0, most));
 
 /** In and around a highlight, under a spot near its axis: the errors of both powers add up. */
-function mildPowers(random: Random, variant: Variant): StressCase {
-  const stress = highlight(
+const mildPowers = (random: Random, variant: Variant): StressCase =>
+  underSpot(
     random,
-    mildExponent(random, random.pick([64, LARGEST_MILD_POWER])),
-    variant,
+    highlight(random, mildExponent(random, random.pick([64, LARGEST_MILD_POWER])), variant),
   );
+
+/** The same light as a spot, near its axis, where it is no direction. */
+function underSpot(random: Random, stress: StressCase): StressCase {
   const light = stress.lights[0]!;
   if (light.position[3] === 0) return stress;
   const cutoff = mildExponent(random, 64);
@@ -169,6 +173,20 @@ function bright(random: Random): StressCase {
   return { ...stress, lights };
 }
 
+/** Bright lights on bright materials; the fragment is anywhere about a spot, mostly behind it. */
+function brightMaterial(random: Random): StressCase {
+  const fragment = seen(random);
+  const brightness = (): number => random.pick([255, 1e4, 1e6, random.magnitude(1, 1e6)]);
+  const color = (): Vec3 => random.color(brightness());
+  const angle = random.chance(0.7) ? Math.PI - random.magnitude(1e-6, 0.5) : random.from(0, 3);
+  const light = spotOver(random, fragment.p, angle, {
+    ...{ ambient: color(), diffuse: color(), specular: color() },
+    cutoff: random.pick([1, 2, 4, random.from(1, 64)]),
+  });
+  const material = { ka: color(), kd: color(), ks: color(), shininess: random.from(1, 100) };
+  return stressCase(fragment, material, [light]);
+}
+
 const shininessTo = (most: '1e4' | '1e5' | '1e6'): Pick<Category, 'title' | 'bound' | 'make'> => ({
   title: `shininess to ${most}, in and around the highlight`,
   bound: BOUNDS[`shininess${most}`],
@@ -202,10 +220,30 @@ const ordinaryCategories = categories({
   'shininess-1e4': shininessTo('1e4'),
   'shininess-1e5': shininessTo('1e5'),
   'shininess-1e6': shininessTo('1e6'),
+  ...Object.fromEntries(
+    (['1e4', '1e5', '1e6'] as const).map((most) => [
+      `half-${most}`,
+      {
+        title: `Blinn–Phong, shininess to ${most}, light and eye nearly opposite each other`,
+        bound: BOUNDS[`shininess${most}`],
+        variants: [BLINN],
+        make: (random: Random) => nearlyOpposite(random, random.pick([1, 0.5]) * Number(most)),
+      },
+    ]),
+  ),
   'mild-powers': {
-    title: 'shininess to 200 and cutoff to 64 at once, in and around the highlight, near the axis',
+    title: `shininess to ${LARGEST_MILD_POWER} and cutoff to 64 at once, in and around the highlight, near the axis`,
     bound: BOUNDS.mildPower,
     make: mildPowers,
+  },
+  straight: {
+    title: `light, normal and eye in one line at their worst lengths, shininess to ${LARGEST_MILD_POWER}`,
+    bound: BOUNDS.mildPower,
+    make: (random) =>
+      underSpot(
+        random,
+        straight(random, LARGEST_MILD_POWER * random.pick([1, random.from(0.5, 1)])),
+      ),
   },
   grazing: { title: 'light that grazes the surface', make: grazing },
   behind: { title: 'fragments turned away from the light, and behind a spot', make: behind },
@@ -220,6 +258,10 @@ const ordinaryCategories = categories({
   near: { title: 'lights at a fiftieth of the distances that coordinates span', make: near },
   attenuation: { title: 'attenuation 0 0 0, huge, and at any distance', make: attenuated },
   bright: { title: 'lights up to 1e6 of 255', make: bright },
+  'bright-material': {
+    title: 'lights and materials up to 1e6 of 255, mostly behind a spot',
+    make: brightMaterial,
+  },
 });
 
 // Spots where cones and decays are weakest: on the axis, straight behind, at the edge, with no

@@ -13,6 +13,7 @@ import {
 } from '../../src/phong/math/vector.js';
 import type { Surface } from '../../src/phong/reference/equation.js';
 import { CAMERA, lightWith, ORIGIN, type StressCase, type Variant } from './case.js';
+import { BRANCHES } from './contract.js';
 import { float32, type Random } from './random.js';
 
 /** The angle between unit vectors with 1 - cosine = y; y in [0, 2]. */
@@ -118,11 +119,54 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
   const H = random.around(N, angle);
   const R = subtract(scale(N, 2 * dot(N, L)), L);
   const V = reflection === 'phong' ? random.around(R, angle) : subtract(scale(H, 2 * dot(L, H)), L);
+  return shining(random, n, { normal, L, V });
+}
+
+interface Directions {
+  readonly normal: Vec3;
+  readonly L: Vec3;
+  readonly V: Vec3;
+}
+
+/** The specular term alone under a white light from L, near or far, seen from V. */
+function shining(random: Random, n: number, { normal, L, V }: Directions): StressCase {
   const p = float32(random.vector(-1, 1));
   const eye = float32(add(p, scale(V, random.from(1, 5))));
   const position = random.chance(0.5)
     ? direction(scale(L, random.magnitude(0.01, 100)))
     : place(add(p, scale(L, random.magnitude(0.02, 5))));
+  const light = lightWith({ position, diffuse: [0, 0, 0], specular: WHITE });
+  return stressCase({ p, normal, eye }, white(n), [light]);
+}
+
+/**
+ * Light and eye nearly opposite each other, and N within 3/√n of the half vector: what float32 makes
+ * of L and V is divided by |L + V| there, and multiplied by √n.
+ */
+export function nearlyOpposite(random: Random, n: number): StressCase {
+  const normal = shortNormal(random, random.unit());
+  const H = random.around(normalize(normal), random.from(0, 3) / Math.sqrt(n));
+  const T = random.around(H, Math.PI / 2);
+  const half = random.magnitude(BRANCHES.half, 0.3) / 2;
+  const across = scale(T, Math.sqrt(1 - half * half));
+  const along = scale(H, half);
+  return shining(random, n, { normal, L: add(along, across), V: subtract(along, across) });
+}
+
+/**
+ * The middle of a highlight, N = V = L = R or nearly, all lengths just below powers of two: there a
+ * unit vector is as wrong as inversesqrt may make it, and N counts four times in R·V.
+ */
+export function straight(random: Random, n: number): StressCase {
+  const length = (sizes: readonly number[]): number =>
+    random.pick(sizes) * (1 - random.magnitude(1e-7, 1e-2));
+  const N = random.unit();
+  const normal = float32(scale(N, length([0.5, 1])));
+  const beside = (): Vec3 => random.around(N, chordAngle(random.magnitude(1e-6, 0.1) / n));
+  const p = float32(random.vector(-1, 1));
+  const eye = float32(add(p, scale(beside(), length([1, 2, 4]))));
+  const far = scale(beside(), length([0.5, 1, 2, 4]));
+  const position = random.chance(0.5) ? direction(far) : place(add(p, far));
   const light = lightWith({ position, diffuse: [0, 0, 0], specular: WHITE });
   return stressCase({ p, normal, eye }, white(n), [light]);
 }

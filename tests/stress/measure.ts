@@ -11,7 +11,13 @@ export interface Measured {
   readonly id: string;
   readonly title: string;
   readonly bound: number;
+  /** Cases at random, in all programs. */
   cases: number;
+  /**
+   * Cases that were found by climbing: they count for the largest error, wrong codes and numbers that
+   * are none, not for shares.
+   */
+  searched: number;
   /** Cases beside a branch point, by its name: they count for NaN and Infinity alone. */
   readonly excluded: Record<string, number>;
   /** Channels that are NaN or infinite. */
@@ -22,7 +28,10 @@ export interface Measured {
   /** Root of the mean square. */
   rms: number;
   channels: number;
-  /** Channels whose 8-bit code is exactly the nearest to float64. */
+  /**
+   * Channels whose 8-bit code is exactly the nearest to float64; where the bound allows more than one
+   * code, within the bound.
+   */
   exact: number;
   /**
    * Channels more than one code off, where the sum of intensities is at most 1; beyond, more than
@@ -43,6 +52,7 @@ export const nothingMeasured = (of: Pick<Category, 'id' | 'title' | 'bound'>): M
   title: of.title,
   bound: of.bound,
   cases: 0,
+  searched: 0,
   excluded: {},
   notFinite: 0,
   max: 0,
@@ -61,7 +71,14 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
   let squares = 0;
   for (const part of parts) {
     squares += part.rms ** 2 * part.channels;
-    for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const) {
+    for (const key of [
+      'cases',
+      'searched',
+      'notFinite',
+      'channels',
+      'exact',
+      'wrongCodes',
+    ] as const) {
       sum[key] += part[key];
     }
     for (const [name, count] of Object.entries(part.excluded)) {
@@ -87,11 +104,22 @@ export interface Judged {
   readonly shaded: Shaded;
   /** The branch point that the case is beside: {@link branch}. */
   readonly beside: string | null;
+  /** The random numbers that the case was made from. */
+  readonly numbers: readonly number[];
+  /** Found by climbing, and so no sample of its category. */
+  readonly found: boolean;
+  /** The largest of its channels in any program; 0 beside a branch point. */
+  error: number;
 }
 
-export function judged(stress: StressCase, variant: Variant): Judged {
+export function judged(
+  stress: StressCase,
+  variant: Variant,
+  { numbers, found }: Pick<Judged, 'numbers' | 'found'> = { numbers: [], found: false },
+): Judged {
   const shaded = reference(stress, variant);
-  return { stress, variant, shaded, beside: branch(stress, shaded, variant) };
+  const beside = branch(stress, shaded, variant);
+  return { stress, variant, shaded, beside, numbers, found, error: 0 };
 }
 
 /** Adds what the program of this name made of a batch to what was measured before. */
@@ -104,8 +132,9 @@ export function measureBatch(
 ): void {
   let squares = into.rms ** 2 * into.channels;
   let max = into.forms[program] ?? 0;
-  cases.forEach(({ stress, variant, shaded, beside }, i) => {
-    into.cases += 1;
+  cases.forEach((one, i) => {
+    const { stress, variant, shaded, beside, found } = one;
+    into[found ? 'searched' : 'cases'] += 1;
     const got = floats.subarray(i * 4, i * 4 + 3);
     for (const x of got) {
       if (!Number.isFinite(x)) {
@@ -121,13 +150,14 @@ export function measureBatch(
       into.edge = Math.max(into.edge, Math.abs(coneMargin(stress.lights, shaded)));
     }
     if (beside !== null) {
-      into.excluded[beside] = (into.excluded[beside] ?? 0) + 1;
+      if (!found) {
+        into.excluded[beside] = (into.excluded[beside] ?? 0) + 1;
+      }
       return;
     }
     for (let channel = 0; channel < 3; channel++) {
       const off = error(channel);
-      squares += off * off;
-      into.channels += 1;
+      one.error = Math.max(one.error, off);
       max = Math.max(max, off);
       if (off > into.max) {
         into.max = off;
@@ -143,12 +173,15 @@ export function measureBatch(
       }
       const code = codes[i * 4 + channel]!;
       const exact = shaded.color[channel]! * 255;
-      if (code === Math.round(exact)) {
-        into.exact += 1;
-      }
       // Where lights are brighter than full, the bound itself may be more than a code.
       const allowed = Math.max(1, Math.ceil((category.bound * 255) / scale));
-      if (Math.abs(code - Math.round(exact)) > allowed) {
+      const away = Math.abs(code - Math.round(exact));
+      if (!found) {
+        squares += off * off;
+        into.channels += 1;
+        into.exact += away <= (allowed > 1 ? allowed : 0) ? 1 : 0;
+      }
+      if (away > allowed) {
         into.wrongCodes += 1;
       }
     }

@@ -67,6 +67,21 @@ export class Random {
 }
 
 /**
+ * The numbers of a list, in order, and new ones beyond its end, which are added to it: whatever was
+ * made from them can be made again, or a little differently.
+ */
+export function replayed(list: number[], seed: number): Random {
+  const next = sfc32(seed);
+  let at = 0;
+  return new Random(seed, () => {
+    if (at === list.length) {
+      list.push(next());
+    }
+    return list[at++]!;
+  });
+}
+
+/**
  * Uniform numbers in [0, 1): Chris Doty-Humphrey's sfc32 (PractRand). Its 128 bits of state do not
  * come round in the billions of numbers of a long run, as those of a 32-bit generator do.
  */

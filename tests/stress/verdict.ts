@@ -27,12 +27,13 @@ function verdictOf(measured: Measured, worst: boolean): string[] {
 }
 
 /**
- * The same of a run, on a `worst` lawful driver or a real one; the codes of all together only where
- * all categories took part.
+ * The same of a run, on a `worst` lawful driver or a real one; the codes of all ordinary categories
+ * together only where all took part.
  */
 export function verdict(all: readonly Measured[], worst: boolean): string[] {
   const sum = { exact: 0, channels: 0 };
-  for (const { exact, channels } of all) {
+  for (const { exact, channels, bound } of all) {
+    if (bound > EXACT.upTo) continue;
     sum.exact += exact;
     sum.channels += channels;
   }
