@@ -69,6 +69,44 @@ test('`ask` hides results, judges by keyboard, reports `answer`, then shows', as
   await expect(box(viewer)).toContainText('=0.08');
 });
 
+test('a copy that has no clipboard says so, and shows the text selected', async ({
+  page,
+  mount,
+}) => {
+  await page.addInitScript(() => {
+    const written: string[] = [];
+    Reflect.set(window, 'written', written);
+    let refuses = true;
+    Reflect.set(window, 'allow', () => (refuses = false));
+    Object.defineProperty(Navigator.prototype, 'clipboard', {
+      get: () =>
+        refuses ? undefined : { writeText: (text: string) => Promise.resolve(written.push(text)) },
+    });
+  });
+  const viewer = await mount(scene('probe="formula"'));
+  const [first, button] = ['Copy as text', 'Copy as LaTeX'].map((name) =>
+    box(viewer).locator('p button').filter({ hasText: name }),
+  );
+  await expect(box(viewer).getByRole('textbox')).toHaveCount(0);
+  const latex = (await button!.elementHandle())!;
+  await button!.click();
+  await expect.poll(() => latex.textContent()).toBe('select and copy below');
+  const field = box(viewer).getByRole('textbox', { name: 'Copy as LaTeX' });
+  await expect(field).toBeFocused();
+  const selected = await field.evaluate((area: HTMLTextAreaElement) =>
+    area.value.slice(area.selectionStart, area.selectionEnd),
+  );
+  expect(selected).toContain('\\cdot');
+  await expect.poll(() => latex.textContent()).toBe('Copy as LaTeX');
+
+  await page.evaluate(() => (Reflect.get(window, 'allow') as () => void)());
+  const text = (await first!.elementHandle())!;
+  await first!.click();
+  await expect.poll(() => text.textContent()).toBe('copied ✓');
+  await expect(field).toHaveCount(0);
+  expect(await page.evaluate(() => Reflect.get(window, 'written') as string[])).toHaveLength(1);
+});
+
 test('`explain` says what `shadeAt` says, of hidden points and outside the picture too', async ({
   mount,
 }) => {

@@ -2,6 +2,7 @@
 // for the clipboard.
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import type { AnswerDetail } from '../../../viewer/element/events.js';
+import { create } from '../../../viewer/element/dom.js';
 import { phrase, type ViewerText, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
 import { type Equation, judge, type Verdict } from './equations.js';
 
@@ -16,6 +17,8 @@ export class Tutor {
   readonly #report: (detail: AnswerDetail) => void;
   /** By question and right answer: another point begins anew. */
   #attempts = new Map<string, Attempt>();
+  /** The text that could not be copied, to be copied by hand. */
+  readonly #uncopied = create('textarea', { readonly: '', rows: '3', dir: 'ltr' });
 
   constructor(changed: () => void, report: (detail: AnswerDetail) => void) {
     this.#changed = changed;
@@ -47,6 +50,8 @@ export class Tutor {
     const written = equations
       .map(({ symbols, numbers, result }) => `${symbols} = ${numbers} = ${result}`)
       .join('\n');
+    const latex = latexOf(written);
+    this.#uncopied.hidden = asks || ![written, latex].includes(this.#uncopied.value);
     return html`<ul class="equations">
         ${lines}
       </ul>
@@ -54,8 +59,8 @@ export class Tutor {
         asks
           ? nothing
           : html`<p>
-              ${copyButton('Copy as text', written, texts)}
-              ${copyButton('Copy as LaTeX', latexOf(written), texts)}
+              ${this.#copyButton('Copy as text', written, texts)}
+              ${this.#copyButton('Copy as LaTeX', latex, texts)} ${this.#uncopied}
             </p>`
       }`;
   }
@@ -96,16 +101,37 @@ export class Tutor {
       <output dir="auto">${verdict?.text}</output>
     </form>`;
   }
+
+  #copyButton(label: ViewerText, text: string, texts: ViewerTexts | null): TemplateResult {
+    const copy = async (button: HTMLButtonElement): Promise<void> => {
+      let said: ViewerText = 'copied ✓';
+      try {
+        await navigator.clipboard.writeText(text);
+      } catch {
+        // Pages without TLS have no clipboard; a frame without the permission rejects.
+        said = 'select and copy below';
+        this.#uncopied.value = text;
+      }
+      this.#uncopied.hidden = said === 'copied ✓';
+      this.#uncopied.setAttribute('aria-label', phrase(texts, label));
+      if (!this.#uncopied.hidden) {
+        this.#uncopied.select();
+        this.#uncopied.scrollIntoView({ block: 'nearest' });
+      }
+      button.textContent = phrase(texts, said);
+      setTimeout(() => (button.textContent = phrase(texts, label)), RESULT_MS);
+    };
+    return html`<button
+      type="button"
+      aria-live="polite"
+      .textContent=${phrase(texts, label)}
+      @click=${(event: Event) => void copy(event.currentTarget as HTMLButtonElement)}
+    ></button>`;
+  }
 }
 
-function copyButton(label: ViewerText, text: string, texts: ViewerTexts | null): TemplateResult {
-  const copy = (): void => {
-    // Pages without TLS have no clipboard; a frame without the permission rejects.
-    const { clipboard } = navigator as { readonly clipboard?: Clipboard };
-    void clipboard?.writeText(text).catch(() => undefined);
-  };
-  return html`<button type="button" @click=${copy}>${phrase(texts, label)}</button>`;
-}
+/** How long a button shows the result, ms. */
+const RESULT_MS = 2000;
 
 const equationTitle = ({ name, term, channel }: Equation, texts: ViewerTexts | null): string =>
   [name, phrase(texts, term), channel === null ? '' : phrase(texts, channel)]
