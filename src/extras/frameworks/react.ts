@@ -24,17 +24,11 @@ export type PhongViewerElement = elements.PhongViewer;
 export type PhongCompareElement = elements.PhongCompare;
 export type PhongControlElement = elements.PhongControl;
 
-export type PhongLightProps = ComponentProps<elements.PhongLightProps, object>;
-export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.PhongMeshEventMap>;
-export type PhongViewerProps = ComponentProps<
-  elements.PhongViewerProps,
-  elements.PhongViewerEventMap
->;
-
-export type PhongCompareProps = ComponentProps<
-  elements.PhongCompareProps,
-  elements.PhongCompareEventMap
->;
+export type PhongLightProps = ComponentProps<'phong-light'>;
+export type PhongMeshProps = ComponentProps<'phong-mesh'>;
+export type PhongViewerProps = ComponentProps<'phong-viewer'>;
+export type PhongCompareProps = ComponentProps<'phong-compare'>;
+export type PhongControlProps = ComponentProps<'phong-control'>;
 
 /**
  * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null`
@@ -70,8 +64,6 @@ export const PhongCompare: Component<PhongCompareProps> = component(
   elements.PhongCompare.observedAttributes,
 );
 
-export type PhongControlProps = ComponentProps<elements.PhongControlProps, object>;
-
 /** `<phong-control>`, as {@link PhongLight}. Its children are its label. */
 export const PhongControl: Component<PhongControlProps> = component(
   'phong-control',
@@ -100,7 +92,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onAnswer: 'answer',
     onRender: 'render',
     onDividerChange: 'divider-change',
-  } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),
+  } satisfies Record<keyof Handlers<AllEvents, unknown>, keyof AllEvents>),
 );
 
 const OWN_PROPS: readonly string[] = [

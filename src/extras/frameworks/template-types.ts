@@ -84,11 +84,14 @@ type ValueProps<V> = {
 };
 
 /** Handlers by the events' names, with a prefix such as `on`. */
-type EventProps<Events, Prefix extends string> = {
+type EventProps<Events, Prefix extends string, Element> = {
   readonly [K in keyof Events & string as `${Prefix}${K}`]?:
-    | ((event: Events[K]) => unknown)
+    | ((event: Heard<Events[K], Element>) => unknown)
     | undefined;
 };
+
+/** An event as a handler on the element gets it. */
+type Heard<Event, Element> = Event & { readonly currentTarget: Element };
 
 /** As frameworks spell events in camel case: `CameraChange` for `camera-change`. */
 type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
@@ -96,9 +99,9 @@ type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
   : Capitalize<S>;
 
 /** Handlers such as `onCameraChange` for `camera-change`. */
-export type Handlers<Events> = {
+export type Handlers<Events, Element> = {
   readonly [K in keyof Events & string as `on${Pascal<K>}`]?:
-    | ((event: Events[K]) => unknown)
+    | ((event: Heard<Events[K], Element>) => unknown)
     | undefined;
 };
 
@@ -111,7 +114,7 @@ type Unheard<Events> = `on${Capitalize<keyof Events & string>}`;
 /** React's `color` is for SVG and old HTML: a guess at `diffuse` or `kd` must not pass. */
 type ReactProps<E extends AnyElement> = ValueProps<E['values']> &
   E['properties'] &
-  EventProps<E['events'], 'on'> &
+  EventProps<E['events'], 'on', E['element']> &
   ClassAttributes<E['element']> &
   Omit<
     HTMLAttributes<E['element']>,
@@ -127,8 +130,11 @@ export type PhongCompareProps = ReactElements['phong-compare'];
 export type PhongControlProps = ReactElements['phong-control'];
 
 /** Props of a component of `phong-viewer/react` for an element with these props and events. */
-export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events, 'on'>> &
-  Handlers<Events>;
+export type ComponentProps<Tag extends keyof Elements> = Omit<
+  ReactElements[Tag],
+  keyof EventProps<Elements[Tag]['events'], 'on', unknown>
+> &
+  Handlers<Elements[Tag]['events'], Elements[Tag]['element']>;
 
 /** @ts-ignore */
 declare module 'react' {
@@ -159,7 +165,7 @@ type SolidProperties<P> = P & { readonly [K in keyof P & string as `prop:${K}`]?
 
 type OwnSolidProps<E extends AnyElement> = SolidValues<E['values']> &
   SolidProperties<E['properties']> &
-  EventProps<E['events'], 'on:'>;
+  EventProps<E['events'], 'on:', E['element']>;
 
 /** Solid's own `onLoad` and `onload` promise other events than these. */
 type Mistyped<Events> = Lowercase<`on${keyof Events & string}`> | Unheard<Events>;
@@ -181,8 +187,8 @@ declare module 'solid-js' {
 
 type OwnSvelteProps<E extends AnyElement> = ValueProps<E['values']> &
   E['properties'] &
-  EventProps<E['events'], 'on'> &
-  EventProps<E['events'], 'on:'>;
+  EventProps<E['events'], 'on', E['element']> &
+  EventProps<E['events'], 'on:', E['element']>;
 
 type SvelteElements = {
   [Tag in keyof Elements]: OwnSvelteProps<Elements[Tag]> &
@@ -201,7 +207,7 @@ type Given<Props> = { readonly [K in keyof Props]?: NonNullable<Props[K]> };
 
 type OwnVueProps<E extends AnyElement> = Given<ValueProps<E['values']>> &
   E['properties'] &
-  Handlers<E['events']>;
+  Handlers<E['events'], E['element']>;
 
 /**
  * A global component, as vue-tsc reads it: its props, and the element that a template ref holds.

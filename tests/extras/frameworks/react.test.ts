@@ -13,7 +13,19 @@ import {
   PhongMesh,
   type PhongMeshProps,
   PhongViewer,
+  type PhongViewerProps,
 } from '../../../src/extras/frameworks/react.js';
+
+it('handlers know the element that they are on', () => {
+  // Checked by the compiler.
+  const viewer: PhongViewerProps = {
+    onCameraChange: ({ currentTarget, detail }) => [currentTarget.camera.theta, detail.source],
+    onLoad: (event) => event.currentTarget.loaded,
+  };
+  const mesh: PhongMeshProps = { onError: (event) => event.currentTarget.geometry };
+  const compare: PhongCompareProps = { onDividerChange: ({ currentTarget }) => currentTarget.at };
+  expect([viewer, mesh, compare].map((props) => Object.keys(props).length)).toEqual([2, 1, 1]);
+});
 
 describe('the React components on a server', () => {
   const quiet = (): void => undefined;
