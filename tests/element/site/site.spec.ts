@@ -63,6 +63,13 @@ const contentOf = (page: Page, selector: string): Promise<string | null> =>
 async function expectFitAndAccessible(page: Page, dark: boolean): Promise<void> {
   const tooWide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   expect.soft(tooWide, 'pixels beside the screen').toBeLessThanOrEqual(0);
+  const links = await page.locator('.head a').evaluateAll((all) =>
+    all.flatMap((link) => {
+      const { left, right } = link.getBoundingClientRect();
+      return left < 0 || right > innerWidth ? [link.textContent] : [];
+    }),
+  );
+  expect.soft(links, 'links of the menu beside the screen').toEqual([]);
   for (const colorScheme of firstOf(['light', 'dark'] as const, dark ? 2 : 1)) {
     await page.emulateMedia({ colorScheme });
     const axe = axeOn(page);
