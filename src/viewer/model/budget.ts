@@ -95,7 +95,7 @@ export function requireAtMost(
   throw new ModelError(
     'too-large',
     `${subject} ${count ?? ''} ${what}; at most ${most ?? ''} can be shown.`,
-    what === 'triangles' ? { advice: FEWER_TRIANGLES } : undefined,
+    what === 'triangles' ? { advice: FEWER_TRIANGLES, ownAdvice: '' } : undefined,
   );
 }
 

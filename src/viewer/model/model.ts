@@ -78,8 +78,10 @@ export interface Motion {
 type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
 
 interface ModelErrorOptions extends ErrorOptions {
-  /** What only the author, or who chose the file, can do: sentences. */
+  /** What the page's author can do: sentences. */
   readonly advice?: string;
+  /** What who chose the file can do. Default: the same. */
+  readonly ownAdvice?: string;
   readonly logged?: boolean;
 }
 
@@ -90,14 +92,18 @@ export class ModelError extends Error {
   /** For everyone who sees the page. */
   readonly fact: string;
 
+  /** For who chose the file. */
+  readonly ownMessage: string;
+
   /** The browser has written a line of its own to the console. */
   readonly logged: boolean;
 
   constructor(code: ModelErrorCode, fact: string, options: ModelErrorOptions = {}) {
-    const { advice, logged = code === 'csp' } = options;
-    super(advice === undefined ? fact : `${fact} ${advice}`, options);
+    const { advice = '', ownAdvice = advice, logged = code === 'csp' } = options;
+    super(`${fact} ${advice}`.trimEnd(), options);
     this.code = code;
     this.fact = fact;
+    this.ownMessage = `${fact} ${ownAdvice}`.trimEnd();
     this.logged = logged;
   }
 }

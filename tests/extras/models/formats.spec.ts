@@ -181,6 +181,20 @@ test('a model compressed by meshopt without WebAssembly is an error with its cur
   await expect(refused.locator('[part=notice]')).not.toContainText('script-src');
 });
 
+test('visitors read what they can do about a file of their own, not what the author of the page can', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
+  const viewer = await mount(viewerOf('droppable'), size);
+  await filesIn(page, ['meshopt.glb']);
+  expect((await drop(viewer)).detail.message).toContain("Add 'wasm-unsafe-eval' to script-src");
+  const notice = viewer.locator('[part=notice]');
+  await expect(notice).toContainText('Save it without that compression (meshopt.glb).');
+  await expect(notice).not.toContainText('script-src');
+});
+
 test.describe('a droppable viewer', () => {
   test('shows a folder dropped on it as one model, and files dropped together too', async ({
     page,

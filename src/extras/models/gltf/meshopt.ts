@@ -28,5 +28,6 @@ const refused = (cause: unknown): ModelError =>
     {
       cause,
       advice: "Add 'wasm-unsafe-eval' to script-src, or save the model without that compression.",
+      ownAdvice: 'Save it without that compression.',
     },
   );

@@ -9,6 +9,8 @@ import type { Ktx2Job } from './ktx2.js';
 
 const decoderCode = /* @__PURE__ */ lazyCode(() => import('./ktx2.js'), 'KTX2 textures');
 
+const RESAVE = 'Save it with PNG, JPEG or WebP textures.';
+
 const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
   () => new Worker(new URL('./ktx2-worker.ts', import.meta.url), { type: 'module' }),
   async () => {
@@ -17,7 +19,7 @@ const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
       throw new ModelError(
         'bad-model',
         'KTX2 textures cannot be shown by phong-viewer.classic.js.',
-        { advice: 'Use the module, from a server.' },
+        { advice: 'Use the module, from a server.', ownAdvice: RESAVE },
       );
     }
     const { createDecoder } = await neededCode(decoderCode(), DECODER);
@@ -50,6 +52,7 @@ function notAllowed(cause: unknown): never {
       cause,
       advice:
         "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures.",
+      ownAdvice: RESAVE,
     },
   );
 }

@@ -104,12 +104,14 @@ export class ViewerFailure {
   }
 
   /**
-   * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the
-   * console has the advice, once for each file.
+   * With what they can do about their own file. The console has what only the author can do, the
+   * same advice once.
    */
   #factOf(error: unknown, { message }: ViewerErrorDetail, isOwn: boolean, url: URL | null): string {
-    const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
-    if (hides && !error.logged) {
+    const shown = !(error instanceof ModelError)
+      ? message
+      : clipMessage(isOwn ? error.ownMessage : error.fact);
+    if (error instanceof ModelError && shown !== message && !error.logged) {
       const advice = error.message.slice(error.fact.length);
       // Of files, each; of shapes, which have no address, the advice alone counts.
       const key = `${url?.href ?? ''}${advice}`;
@@ -118,12 +120,11 @@ export class ViewerFailure {
       }
       this.#given.add(key);
     }
-    const fact = hides ? clipMessage(error.fact) : message;
     const name = url === null ? '' : nameOf(url);
     // Its end may have been clipped.
-    return fact.includes(name.slice(0, 60))
-      ? fact
-      : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
+    return shown.includes(name.slice(0, 60))
+      ? shown
+      : `${shown.replace(/\.$/, '')} (${clipMessage(name)}).`;
   }
 }
 
