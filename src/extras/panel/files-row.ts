@@ -17,7 +17,9 @@ const RESULT_MS = 2000;
 export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
   const row = new ButtonRow(gui, 'Files');
   const open = row.add('open model…', () =>
-    chooseModel((file) => historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file))),
+    chooseModel((file) =>
+      historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file), file),
+    ),
   );
   row.add('save PNG', () => {
     savePicture(viewer).catch(warnOf);

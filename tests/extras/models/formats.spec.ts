@@ -292,6 +292,60 @@ test.describe('a droppable viewer', () => {
     await expect(notice!).toBeVisible();
   });
 
+  test('is the author’s again when the message about a broken file is closed, and a drop can be undone', async ({
+    page,
+    mount,
+  }) => {
+    const address = model('textured.glb');
+    const viewer = await mount(
+      viewerOf(`droppable gui src="${address}"`, '<phong-mesh></phong-mesh>'),
+      { width: 700, height: 300 },
+    );
+    const sourceOf = (element: Locator): Promise<string> =>
+      element.evaluate(({ src }: PhongViewer) => (typeof src === 'string' ? src : 'a file'));
+    const loads: string[] = [];
+    page.on('request', (request) => loads.push(request.url()));
+    const close = viewer.locator('[part=dismiss]');
+    const undo = viewer.locator('button', { hasText: /^undo$/ });
+    await expect(undo).toHaveAttribute('aria-disabled', 'true');
+    const before = await pixels(viewer);
+
+    // Two in a row: the second does not make the first the one to go back to.
+    for (const name of ['a.glb', 'b.glb']) {
+      await filesIn(page, ['truncated.glb'], [name]);
+      expect((await drop(viewer)).detail.code).toBe('bad-model');
+    }
+    expect(await sourceOf(viewer)).toBe('a file');
+    await expect(undo).toHaveAttribute('aria-disabled', 'false');
+    await close.click();
+    await expect.poll(() => sourceOf(viewer)).toBe(address);
+    await settled(viewer);
+    expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+    expect(loads.filter((url) => url.endsWith(address))).toEqual([]); // it was shown all the time
+
+    // A file that can be shown: undo shows the author's again, redo the file.
+    await filesIn(page, ['no-normals.glb'], ['mine.glb']);
+    expect((await drop(viewer)).type).toBe('load');
+    const mine = await pixels(viewer);
+    await page.keyboard.press('Control+Z');
+    await expect.poll(() => sourceOf(viewer)).toBe(address);
+    await settled(viewer);
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+    await page.keyboard.press('Control+Shift+Z');
+    await expect.poll(() => sourceOf(viewer)).toBe('a file');
+    await settled(viewer);
+    expect(compare(await pixels(viewer), mine).max).toBe(0);
+
+    // The same for a mesh, which has nothing to go back to.
+    const mesh = viewer.locator('phong-mesh');
+    await filesIn(page, ['truncated.glb'], ['c.glb']);
+    await setFile(mesh, true);
+    await close.click();
+    await expect.poll(() => sourceOf(mesh)).toBe('');
+    await expect(viewer.locator('[part=notice]')).toHaveCount(0);
+  });
+
   test('says what to do about several models, none, and other formats', async ({ page, mount }) => {
     const viewer = await mount(viewerOf('droppable'), size);
     for (const [paths, names, message] of [

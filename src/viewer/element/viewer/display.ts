@@ -156,7 +156,7 @@ export class ViewerDisplay {
   }
 
   readonly #onButton = (): void => {
-    if (!this.#failure.dismiss()) {
+    if (!this.#loading.dismiss()) {
       this.#loading.retry();
     }
   };
@@ -164,7 +164,7 @@ export class ViewerDisplay {
   readonly #onKey = (event: Event): void => {
     // Escape must do nothing else then, such as closing a dialog around the viewer.
     const escapes = (event as KeyboardEvent).key === 'Escape' && !event.defaultPrevented;
-    if (escapes && this.#failure.dismiss()) {
+    if (escapes && this.#loading.dismiss()) {
       event.preventDefault();
     }
     if (isUsed(event as KeyboardEvent)) {

@@ -65,14 +65,6 @@ export class ViewerFailure {
     return this.newest?.subject.isOwnFile === true;
   }
 
-  dismiss(): boolean {
-    const { newest, dismissible } = this;
-    if (newest !== null && dismissible) {
-      this.clear(newest.subject);
-    }
-    return dismissible;
-  }
-
   /** A mesh cannot be shown; `url` is that of its file. Returns the detail of its event. */
   report(mesh: SceneMesh, error: unknown, url: URL | null): ViewerErrorDetail {
     const detail = detailOf(error, url);

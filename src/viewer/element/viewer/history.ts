@@ -69,6 +69,13 @@ export class History {
     );
   }
 
+  /** Takes back the last step if it is of this gesture. */
+  takeBack(gesture: unknown): void {
+    if (this.#done.at(-1)?.gesture === gesture) {
+      this.undo();
+    }
+  }
+
   redo(): boolean {
     return this.#shift(this.#undone, this.#done, ({ subject, before, after }) =>
       subject.restore(before, after),

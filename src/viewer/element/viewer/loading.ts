@@ -3,6 +3,7 @@
 import type { ReactiveController } from 'lit';
 import { stage } from '../../scene/gpu/stage.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
+import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import { type CrossOrigin, modelCode } from '../../model/request-model.js';
 import type { Picture } from '../../scene/picture.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';
@@ -13,6 +14,8 @@ import type { ViewerContext } from './viewer-context.js';
 import { elementOf } from './children.js';
 import type { EventQueue } from './event-queue.js';
 import type { ViewerFailure } from './failure.js';
+
+const historyCode = /* @__PURE__ */ lazyCode(() => import('./history.js'), 'undo');
 
 /** Loads that take less show no progress bar, ms: it would only flicker. */
 const BAR_DELAY = 300;
@@ -238,6 +241,31 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     }
   }
 
+  /**
+   * Removes the message about a file of the user's own, which gives its place back to the source
+   * before it. False if there is none.
+   */
+  dismiss(): boolean {
+    const { newest, dismissible } = this.#failure;
+    const mesh = this.#meshes().find((each) => each === newest?.subject);
+    if (!dismissible || mesh === undefined) return false;
+    this.#failure.clear(mesh);
+    const { viewer } = this.#context;
+    const element = elementOf(mesh) ?? viewer;
+    const { src } = element;
+    const { sourceBefore } = mesh;
+    void historyCode()
+      .then(({ historyOf }) => historyOf(viewer), reportMissing)
+      .then((history) => {
+        if (element.src !== src) return;
+        history?.takeBack(src);
+        if (element.src !== sourceBefore) {
+          element.src = sourceBefore || null;
+        }
+      });
+    return true;
+  }
+
   /** Requests again what failed, a WebGL context included. */
   readonly retry = (): void => {
     stage.retry();
@@ -312,9 +340,10 @@ function takeDrops(viewer: PhongViewer): void {
     viewer.focus({ preventScroll: true }); // as after a press: Escape removes a message
     modelCode()
       .then(({ droppedModel }) => droppedModel(entries, files))
-      .then((model) => {
+      .then(async (model) => {
+        const { historyOf, valuesOf } = await historyCode();
         if (drop === drops && model !== null) {
-          viewer.src = model;
+          historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = model), model);
         }
       })
       .catch((error: unknown) => console.warn(`<phong-viewer droppable>: ${String(error)}`));

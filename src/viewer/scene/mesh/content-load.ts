@@ -17,6 +17,10 @@ export class ContentLoad {
   #failed = false;
   /** What was requested last; null for nothing. */
   #request: readonly unknown[] | null = null;
+  /** The request of what is shown. */
+  #arrived: readonly unknown[] | null = null;
+  #source: string | Blob = '';
+  #sourceBefore: string | Blob = '';
 
   constructor(mesh: SceneMesh, host: MeshHost) {
     this.#mesh = mesh;
@@ -25,6 +29,11 @@ export class ContentLoad {
 
   get pending(): boolean {
     return this.#loading !== null;
+  }
+
+  /** The last `src` before this one that is an address or was shown: no file that failed. */
+  get sourceBefore(): string | Blob {
+    return this.#sourceBefore;
   }
 
   /** What these values name was requested, and has arrived. */
@@ -37,8 +46,21 @@ export class ContentLoad {
     const { src, geometry, segments } = name;
     const key = this.#keyOf(name);
     if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
+    if (typeof this.#source === 'string' || (!this.#failed && !this.pending)) {
+      this.#sourceBefore = this.#source;
+    }
+    this.#source = src;
     this.drop();
     this.#request = key;
+    // Shown all the time, while something else was loading or has failed.
+    if (src !== '' && sameValue(key, this.#arrived)) {
+      queueMicrotask(() => {
+        if (this.#request === key) {
+          this.#host.ended(this.#mesh, addressOf(src), null);
+        }
+      });
+      return;
+    }
     const claim = this.#host.picture.budget.claim(this.#mesh);
     if (src !== '') {
       const url = addressOf(src);
@@ -54,7 +76,7 @@ export class ContentLoad {
       if (content instanceof Promise) {
         void this.#await(null, claim, () => content);
       } else {
-        this.#mesh.arrived(content, claim, null, false);
+        this.#arrive(content, claim, null, false);
       }
     } catch (error) {
       claim.release();
@@ -64,6 +86,9 @@ export class ContentLoad {
 
   fail(url: URL | null, error: unknown): void {
     this.#failed = true;
+    if (this.#arrived === this.#request) {
+      this.#arrived = null; // it could not be drawn
+    }
     this.#host.ended(this.#mesh, url, error);
   }
 
@@ -92,6 +117,16 @@ export class ContentLoad {
 
   #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
     return src === '' ? [geometry, segments] : [src, type, this.#host.crossOrigin];
+  }
+
+  #arrive(content: Content, claim: Claim, url: URL | null, late: boolean): void {
+    const request = this.#request;
+    const before = this.#arrived;
+    this.#arrived = request;
+    this.#mesh.arrived(content, claim, url, late);
+    if (this.#failed && this.#request === request) {
+      this.#arrived = before; // still shown
+    }
   }
 
   async #loadModel(
@@ -130,7 +165,7 @@ export class ContentLoad {
         return;
       }
       this.#loading = null;
-      this.#mesh.arrived(content, claim, url, true);
+      this.#arrive(content, claim, url, true);
     } catch (error) {
       claim.release();
       if (loading.signal.aborted) return;

@@ -125,6 +125,11 @@ export class SceneMesh {
     return typeof this.#values.src !== 'string';
   }
 
+  /** The `src` to go back to from a file that cannot be shown. */
+  get sourceBefore(): string | Blob {
+    return this.#load.sourceBefore;
+  }
+
   /** Its values name something to show. */
   get wanted(): boolean {
     return this.#values.src !== '' || this.#values.geometry !== null;
