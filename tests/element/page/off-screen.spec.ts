@@ -16,6 +16,46 @@ const above = (height: number): string => `main { padding: ${height}px 0 5000px 
 
 test.beforeEach(({ page }) => countEverything(page));
 
+test('auto waits in a closed dialog or <details>, model and panel; eager does not', async ({
+  page,
+  site,
+}) => {
+  const requests: string[] = [];
+  page.on('request', (request) => requests.push(request.url().replace(site.origin, '')));
+  const model = (name: string): string => `/fixtures/models/no-normals.glb?${name}`;
+  const viewer = (name: string, rest = ''): string =>
+    `<phong-viewer id="${name}" gui src="${model(name)}" ${rest}></phong-viewer>`;
+  const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
+  await page.goto(
+    site.page(
+      `<dialog>${viewer('a')}</dialog><details><summary>More</summary><div><template shadowrootmode="open">${viewer('b')}</template></div></details>
+       <dialog>${viewer('c', 'loading="eager"').replace('gui', '')}</dialog>
+       <dialog><phong-viewer id="d" geometry="box" gui><phong-mesh src="${model('d')}"></phong-mesh></phong-viewer></dialog>`,
+      { head },
+    ),
+  );
+  await expect.poll(() => requests).toContain(model('c'));
+  await page.locator('#a').evaluate((element: PhongViewer) => element.ready);
+  await nextFrame(page);
+  const names = (): string[] =>
+    requests.flatMap((url) => /no-normals\.glb\?(.)/.exec(url)?.[1] ?? []).sort();
+  const panels = (): number => requests.filter((url) => /chunks\/panel.*\.js/.test(url)).length;
+  expect([names(), panels()]).toEqual([['c'], 0]);
+  await page.locator('dialog').first().evaluate((dialog: HTMLDialogElement) => dialog.showModal()); // oxfmt-ignore
+  await expect.poll(names).toEqual(['a', 'c']);
+  await expect(page.locator('#a .lil-root')).toBeVisible();
+  expect(panels()).toBeGreaterThan(0);
+  await page.locator('dialog').first().evaluate((dialog: HTMLDialogElement) => dialog.close()); // oxfmt-ignore
+  await page.locator('details').evaluate((details: HTMLDetailsElement) => (details.open = true));
+  await expect.poll(names).toEqual(['a', 'b', 'c']);
+  await expect(page.locator('#b .lil-root')).toBeVisible();
+  await page
+    .locator('dialog')
+    .last()
+    .evaluate((dialog: HTMLDialogElement) => dialog.show());
+  await expect.poll(names).toEqual(['a', 'b', 'c', 'd']);
+});
+
 test('auto fetches at once, lazy less than a screen height away; both draw there, once', async ({
   page,
   mount,

@@ -2,6 +2,7 @@
 // three.js, Lit and the definitions of the elements take 20 to 50 ms. Only what the elements are
 // going to request anyway.
 import { requestEarly } from '../../model/request-model.js';
+import { isInClosed } from './closed.js';
 
 /** Values set before the elements are defined replace the attributes. */
 const isSet = (element: Element): boolean =>
@@ -13,10 +14,11 @@ if (typeof document !== 'undefined' && customElements.get('phong-viewer') === un
   )) {
     const viewer = element.closest('phong-viewer')!;
     const src = element.getAttribute('src')!;
-    const isLazy = /^\s*lazy\s*$/i.test(viewer.getAttribute('loading') ?? '');
+    const loading = viewer.getAttribute('loading')?.trim().toLowerCase();
     if (
       src === '' ||
-      isLazy ||
+      loading === 'lazy' ||
+      (loading !== 'eager' && isInClosed(viewer)) ||
       isSet(element) ||
       isSet(viewer) ||
       !URL.canParse(src, document.baseURI)

@@ -11,6 +11,7 @@ import type { PhongViewer } from '../elements.js';
 import type { LoadDetail } from '../events.js';
 import { sceneMeshes } from '../internals.js';
 import type { ViewerContext } from './viewer-context.js';
+import { isInClosed } from '../page/closed.js';
 import { elementOf } from './children.js';
 import type { EventQueue } from './event-queue.js';
 import type { ViewerFailure } from './failure.js';
@@ -31,7 +32,9 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #shares = new Map<SceneMesh, number | null>();
   readonly #active = new Set<SceneMesh>();
   readonly ownMesh: SceneMesh;
+  /** Both at any time until now. */
   #near = false;
+  #painted = false;
   #suspended = false;
   #removal: ReturnType<typeof setTimeout> | undefined;
   #barTimer: ReturnType<typeof setTimeout> | undefined;
@@ -52,10 +55,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     signals.unproven = () => [...this.#undrawn].some(({ complete }) => complete === 'model');
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.drawn.listen(() => this.#drawn());
-    signals.viewChanged.listen(({ near }) => {
-      if (!near || this.#near) return;
-      this.#near = true;
-      if (context.values.loading === 'lazy') {
+    signals.viewChanged.listen(({ near, painted }) => {
+      const isFirst = (near && !this.#near) || (painted && !this.#painted);
+      this.#near ||= near;
+      this.#painted ||= painted;
+      if (isFirst && context.values.loading !== 'eager') {
         this.update();
       }
     });
@@ -71,7 +75,12 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   get mayLoad(): boolean {
-    return !this.#suspended && (this.#near || this.#context.values.loading !== 'lazy');
+    const { viewer, values } = this.#context;
+    if (this.#suspended || this.#near) return !this.#suspended;
+    return (
+      values.loading === 'eager' ||
+      (values.loading === 'auto' && (this.#painted || !isInClosed(viewer)))
+    );
   }
 
   shown(mesh: SceneMesh): boolean {

@@ -2,6 +2,8 @@
 // removed again.
 import { reportMissing } from '../../model/lazy-code.js';
 import type { PhongViewer } from '../elements.js';
+import type { ViewerValues } from '../fields/viewer-fields.js';
+import { isInClosed } from '../page/closed.js';
 import type { ViewerContext } from './viewer-context.js';
 
 let loadPanel: PanelLoader | null = null;
@@ -16,12 +18,24 @@ export function providePanel(load: PanelLoader): void {
 
 export class ViewerPanel {
   readonly #viewer: PhongViewer;
+  readonly #values: Readonly<ViewerValues>;
   readonly #changes = new Set<PanelChange>();
   #panel: Panel | null = null;
   #wanted: Wanted = false;
 
-  constructor({ viewer, signals }: ViewerContext) {
+  /** The place of a panel that waits until what is around the viewer is opened. */
+  #waiting: HTMLElement | null = null;
+  #painted = false;
+
+  constructor({ viewer, signals, store }: ViewerContext) {
     this.#viewer = viewer;
+    this.#values = store.values;
+    signals.viewChanged.listen(({ painted }) => {
+      this.#painted ||= painted;
+      if (painted && this.#waiting !== null) {
+        void this.toggle(this.#wanted, this.#waiting);
+      }
+    });
     signals.lightChanged.listen(() => this.changed('lights'));
     signals.meshesChanged.listen(() => this.changed('meshes'));
     signals.cameraMoved.listen(() => this.changed('camera'));
@@ -43,6 +57,9 @@ export class ViewerPanel {
     if (this.#panel === null) {
       place.setAttribute(OPEN_PANEL, AWAITED);
     }
+    const waits = !this.#painted && this.#values.loading !== 'eager' && isInClosed(this.#viewer);
+    this.#waiting = waits ? place : null;
+    if (waits) return;
     const code = await loadPanel().catch(reportMissing);
     if (this.#panel === null) {
       place.removeAttribute(OPEN_PANEL);
