@@ -2,10 +2,13 @@
 // needed.
 import { clip } from '../../phong/fields/clip.js';
 import { nearest } from '../../phong/fields/nearest.js';
+import { radians } from '../../phong/math/angle.js';
 import { registryAround } from '../../viewer/element/child-registry.js';
-import type { PhongViewer } from '../../viewer/element/elements.js';
+import type { PhongLight, PhongViewer } from '../../viewer/element/elements.js';
 import { isNamed } from '../../viewer/element/viewer/description.js';
-import { strayAttributes, wrappedViewer } from '../../viewer/element/inspect.js';
+import { dimValues, isFlat, strayAttributes, wrappedViewer } from '../../viewer/element/inspect.js';
+import { fieldsOf } from '../../viewer/element/internals.js';
+import { isCollapsed } from '../../viewer/element/page/visibility.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
 /** Not for the inside of a viewer. */
@@ -25,13 +28,23 @@ export function diagnose(elements: readonly Element[]): void {
   }
   for (const element of elements) {
     const tag = element.localName;
-    for (const name of strayAttributes(element)) {
-      const advice = attributeAdvice(tag, name, known);
-      if (advice !== undefined) {
-        warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
+    const strays = strayAttributes(element);
+    const quoted = quoteAdvice(element, strays);
+    if (quoted !== undefined) {
+      warn(quoted); // the other strays are words of the value
+    } else {
+      for (const name of strays) {
+        const advice = attributeAdvice(tag, name, known);
+        if (advice !== undefined) {
+          warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
+        }
       }
     }
+    diagnoseUnits(element);
     if (!element.isConnected) continue;
+    if (isFlat(element)) {
+      setTimeout(() => diagnoseSize(element), SIZE_MS);
+    }
     if (tag === 'phong-compare') {
       const wrapper = wrappedViewer(element)?.parentElement?.localName;
       if (wrapper !== undefined) {
@@ -48,6 +61,83 @@ export function diagnose(elements: readonly Element[]): void {
       warn(lonely(element));
     }
   }
+}
+
+/** Values as OpenGL, three.js and MTL files write them, which are nearly black here. */
+function diagnoseUnits(element: Element): void {
+  const values = fieldsOf(element as PhongLight).store.values as unknown as Values;
+  const text = (name: string): string => element.getAttribute(name) ?? [values[name]].join(' ');
+  const dim = dimValues(element);
+  const colors = dim.filter((name) => name !== 'aperture');
+  const given = colors.map((name) => `${name}="${clip(text(name))}"`).join(' ');
+  // CSS colours are of the right range whatever they say.
+  if (colors.length > 0 && !colors.some((name) => /#|[a-df-z]/i.test(text(name)))) {
+    const full = colors.map((name) => {
+      const color = (values[name] as readonly number[]).map((value) => Math.round(value * 255));
+      return `${name}="${(new Set(color).size === 1 ? color.slice(0, 1) : color).join(' ')}"`;
+    });
+    warn(
+      `<${element.localName} ${given}> is nearly black, as 255 is full. For colours from 0 to 1 write ${full.join(' ')}.`,
+    );
+  }
+  if (dim.length > colors.length) {
+    const degrees = Number(((values['aperture'] as number) / radians(1)).toPrecision(4));
+    warn(
+      `<${element.localName} aperture="${clip(text('aperture'))}"> is a cone narrower than a degree. ` +
+        `Angles are in degrees: for radians write aperture="${String(degrees)}".`,
+    );
+  }
+}
+
+type Values = Readonly<Record<string, number | readonly number[]>>;
+
+const QUOTE = /[\p{Pi}\p{Pf}\u201a\u201e]/u;
+
+/**
+ * The advice where a value is written in curly quotes, which are letters to HTML. An `alt` may
+ * quote a title.
+ */
+function quoteAdvice(element: Element, strays: readonly string[]): string | undefined {
+  const quoted = strays.filter((name) => {
+    const text = element.getAttribute(name)!;
+    return QUOTE.test(text) && !(name === 'alt' && QUOTE.test(text.slice(1)));
+  });
+  const [first] = quoted;
+  if (first === undefined) return undefined;
+  return (
+    `<${element.localName} ${clip(first)}=${clip(element.getAttribute(first)!)}> has curly quotes, which HTML takes for letters. ` +
+    `Write straight ones: ${quoted.map((name) => `${clip(name)}="…"`).join(' ')}.`
+  );
+}
+
+/** Pages that size elements by script do so within this time after they appear. */
+const SIZE_MS = 500;
+
+/** Why a viewer or a comparison has no size, unless something around it is closed. */
+function diagnoseSize(element: Element): void {
+  const { localName: tag, parentElement: around } = element;
+  if (!isFlat(element)) return;
+  if (around !== null && (isCollapsed(around) || around.localName === 'phong-compare')) return;
+  const { display } = getComputedStyle(element);
+  if (display === 'inline' || display === 'contents') {
+    warn(`<${tag}> has display: ${display}, which has no size. Write display: block.`);
+    return;
+  }
+  const side = element.clientHeight === 0 ? 'height' : 'width';
+  // What is declared, not its pixels; Firefox does not say it.
+  const { computedStyleMap } = element as Partial<Element>;
+  const declared = computedStyleMap?.call(element).get(side)?.toString() ?? '';
+  let cause = '';
+  if (declared === 'auto') {
+    cause = `${side}: auto is 0, as it has no content. `;
+  } else if (declared.includes('%')) {
+    cause = `${side}: ${declared} is 0, as the element around it has no ${side}. `;
+  } else if (around !== null && getComputedStyle(around).display.includes('flex')) {
+    cause = `The flex container around it leaves it none. `;
+  }
+  warn(
+    `<${tag}> has the ${side} 0, so nothing is seen. ${cause}Set a ${side} in CSS, such as ${side}: 300px.`,
+  );
 }
 
 const UNNAMED =
@@ -169,30 +259,43 @@ function warn(message: string): void {
 
 type Advice = Readonly<Record<string, string>>;
 
-const MATERIAL = 'color colour fill material albedo basecolor';
+const MATERIAL =
+  'color colour fill material albedo basecolor diffusecolor specularcolor emissivecolor';
 const SHAPE: Advice = {
   'Write geometry="box", or the name of another shape.': 'shape primitive mesh',
   'Write src="…".': 'model href url file path source',
   'Write shininess="…": larger values make smaller highlights.':
     'roughness gloss glossiness exponent smoothness',
-  'Textures come with a model: write src="…".': 'texture map image',
+  'Textures come with a model: write src="…".': 'texture map image normalmap variantname',
+  'Shapes are opaque; a model brings its own opacity: write src="…".': 'opacity alpha transparent',
+  'Write shading="phong", "gouraud" or "flat".': 'flatshading smooth smoothing',
+  'There are no shadows.': 'shadow castshadow receiveshadow shadowintensity shadowsoftness',
+  'A surface reflects the <phong-light> elements only; ks="…" and shininess="…" set how.':
+    'metalness metallic reflectivity envmap environmentimage environment skyboximage',
 };
 
-/** For each tag, the advice and the attributes that it is given for. */
+/**
+ * For each tag, the advice and the attributes that it is given for: also those of <model-viewer>,
+ * OpenGL, X3D and three.js. Without hyphens, which do not count.
+ */
 const GUESSES: Readonly<Record<string, Advice>> = {
   'phong-light': {
-    'Write diffuse="…", and specular and ambient for the other terms.': 'color colour rgb hue tint',
+    'Write diffuse="…", and specular and ambient for the other terms.':
+      'color colour rgb hue tint lightcolor diffusecolor',
     'Write larger or smaller values of diffuse, specular and ambient: 255 is full, more is brighter.':
-      'intensity brightness power strength energy exposure',
+      'intensity brightness power strength energy exposure diffuseintensity ambientintensity',
     'Write position="x y z w": w = 1 for a place, w = 0 for a direction to the light.':
-      'pos x y z w place location translation type kind direction',
-    'Write axis="x y z": where the spot points.': 'target lookat rotation rotate orientation',
-    'Write aperture="…": half the angle of the cone in degrees.': 'angle cone fov spread',
+      'pos x y z w place location translation type kind direction lightposition lightdirection',
+    'Write axis="x y z": where the spot points.':
+      'target lookat rotation rotate orientation spotdirection',
+    'Write aperture="…": half the angle of the cone in degrees.':
+      'angle cone fov spread spotcutoff cutoffangle coneangle beamwidth',
     'Write cutoff="…": the exponent of the decay away from the axis.':
-      'penumbra exponent falloff softness',
+      'penumbra exponent falloff softness spotexponent',
     'Write attenuation="kc kl kq".':
-      'distance range decay radius constant linear quadratic kc kl kq',
-    'Write active="false" to turn the light off.': 'enabled disabled off visible',
+      'distance range decay radius constant linear quadratic kc kl kq constantattenuation linearattenuation quadraticattenuation',
+    'Write active="false" to turn the light off.': 'enabled disabled off visible on',
+    'There are no shadows.': 'shadow castshadow shadowintensity',
   },
   'phong-mesh': {
     ...SHAPE,
@@ -207,16 +310,31 @@ const GUESSES: Readonly<Record<string, Advice>> = {
   'phong-viewer': {
     ...SHAPE,
     'CSS sets the size: write style="width: …; height: …".': 'width height size',
-    'CSS sets the background: write style="background: …".': 'background bgcolor backgroundcolor',
+    'CSS sets the background: write style="background: …".':
+      'background bgcolor backgroundcolor clearcolor skybox skyboxcolor',
     'Write ka="…", kd="…" and ks="…", the colours of the material; lights are <phong-light> elements inside.': `${MATERIAL} ambient diffuse specular`,
-    'Write <phong-light> elements inside the viewer.': 'intensity brightness light lights',
-    'Write theta, phi, radius and target, which place the camera.': 'camera eye pos position',
+    'Write <phong-light> elements inside the viewer; larger values of their colours are brighter.':
+      'intensity brightness light lights exposure lightintensity environmentintensity environmentlighting',
+    'Colours are written as the equation gives them: nothing maps tones.': 'tonemapping',
+    'Write theta="…" and phi="…" in degrees, and radius="…", which place the eye.':
+      'cameraorbit orbitcontrols mincameraorbit maxcameraorbit',
+    'Write theta, phi, radius and target, which place the camera.':
+      'camera eye pos position cameraposition',
+    'Write fov="…", the vertical angle in degrees.':
+      'fieldofview minfieldofview maxfieldofview angle viewangle',
+    'Write orbit="false" or zoom="false" to turn off dragging or the wheel.':
+      'disablezoom disablepan disabletap enablezoom enablepan enableorbit enablerotate controlsdisabled',
+    'Write loading="eager", "lazy" or "auto".': 'reveal preload',
+    'Write crossorigin="use-credentials".': 'withcredentials',
+    'There is no augmented reality.': 'ar armodes arscale arplacement iossrc xr vr xrenvironment',
     'Write theta="…" in degrees.': 'azimuth yaw',
     'Write phi="…" in degrees from +y.': 'polar elevation pitch',
     'Write radius="…".': 'distance',
-    'Write target="x y z".': 'lookat center centre',
-    'Write auto-rotate="…" in degrees per second.': 'rotate rotation spin autoplay',
-    'Write gui for the panel; dragging and the wheel work without it.': 'controls panel',
+    'Write target="x y z".': 'lookat center centre cameratarget',
+    'Write auto-rotate="…" in degrees per second.':
+      'rotate rotation spin rotationspeed rotationpersecond autorotatespeed autorotatedelay',
+    'Dragging and the wheel work without it. Write gui for the panel.':
+      'controls panel cameracontrols interactionprompt',
     'Write antialias="full".': 'antialiasing aa',
     'Write alt="…".': 'label description caption',
     'Write loading="lazy".': 'lazy',
@@ -232,7 +350,7 @@ const GUESSES: Readonly<Record<string, Advice>> = {
 };
 
 /**
- * HTML's global attributes without a `-`, and those of RDFa. They give no warning, even if they
+ * HTML's global attributes, and those of RDFa. They give no warning, even if they
  * resemble a name of this package.
  */
 const GLOBAL = new Set(
@@ -254,8 +372,9 @@ export function attributeAdvice(
   known: ReadonlyMap<string, readonly string[]>,
 ): string | undefined {
   if (GLOBAL.has(attribute)) return undefined;
+  const word = attribute.replaceAll('-', '');
   for (const [advice, guesses] of Object.entries(GUESSES[tag] ?? {})) {
-    if (guesses.split(' ').includes(attribute)) return advice;
+    if (guesses.split(' ').includes(word)) return advice;
   }
   const owners = [...known.keys()].filter(
     (other) => known.get(other)?.includes(attribute) === true,

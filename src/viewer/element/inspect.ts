@@ -2,9 +2,13 @@
 // once, after the task or the parsing that connected it. The tests are cheap and coarse; the code
 // that knows the mistakes and their cures is fetched only if one fails. The page's own texts are
 // looked for at the same time.
+import type { LightValues } from '../../phong/light/light-state.js';
+import type { Vec3 } from '../../phong/math/vector.js';
 import { registryAround } from './child-registry.js';
 import type { ElementClass, PhongViewer } from './elements.js';
+import { bindingOf } from './fields/field-binding.js';
 import { lookForTexts } from './page/page-texts.js';
+import { isPainted } from './page/visibility.js';
 import { isNamed } from './viewer/description.js';
 
 const waiting = new Set<Element>();
@@ -28,28 +32,61 @@ export function inspect(element: Element, again = false): void {
 
 /**
  * Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name
- * theirs.
+ * theirs; or with a curly quote around or in its value.
  */
 export function strayAttributes(element: Element): string[] {
   const { observedAttributes: own } = element.constructor as unknown as ElementClass<HTMLElement>;
-  return element.getAttributeNames().filter((name) => !own.includes(name) && !FOREIGN.test(name));
+  return element
+    .getAttributeNames()
+    .filter((name) =>
+      own.includes(name) ? CURLY.test(element.getAttribute(name)!) : !FOREIGN.test(name),
+    );
 }
+
+/** A word after a curly quote: HTML ends a value without straight quotes at white space. */
+const CURLY = /^[\p{Pi}\p{Pf}\u201a\u201e]\S*$/u;
+
+/**
+ * Values that are valid and nearly black, as those of another unit are: the colours of a light or a
+ * material if all that are given are at most 1 and one is above 0; a cone narrower than half a
+ * degree.
+ */
+export function dimValues(element: Element): readonly string[] {
+  const { store } = bindingOf<Record<string, unknown>>(element as HTMLElement);
+  const colors = COLORS.filter((key) => key in store.fields && store.given(key));
+  const largest = Math.max(...colors.flatMap((key) => store.values[key] as Vec3));
+  const { aperture } = store.values as Partial<LightValues>;
+  return [
+    ...(largest > 0 && largest <= 1 ? colors : []),
+    ...(aperture !== undefined && aperture > 0 && aperture < 0.5 ? ['aperture'] : []),
+  ];
+}
+
+const COLORS = ['ambient', 'diffuse', 'specular', 'ka', 'kd', 'ks'];
 
 /** A viewer in a <phong-compare> that is not its child. */
 export const wrappedViewer = (compare: Element): Element | null =>
   compare.querySelector(':scope > :not(phong-viewer) phong-viewer');
 
-const FOREIGN = /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_)|[^\p{L}\d]/u;
+/** Prefixes of one or two letters are those of frameworks, `ar-` is <model-viewer>'s. */
+const FOREIGN =
+  /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_|data-|aria-|(?!ar)\w\w?-)|[^\p{L}\d\p{Pi}\p{Pf}-]/u;
 
 function inspectSoon(): void {
   setTimeout(() => {
     const elements = [...waiting];
     waiting.clear();
     lookForTexts();
-    const nameless = elements.filter((element) => !tested.has(element) && isNameless(element));
+    const boxes = elements.filter(
+      (element) => !tested.has(element) && BOXES.includes(element.localName) && element.isConnected,
+    );
     report(elements.filter(isSuspect));
-    // A name changes no picture, so the report must not compete with the first one.
-    void (nameless[0] as PhongViewer | undefined)?.ready.then(() => report(nameless));
+    // A name changes no picture, so the report must not compete with the first one. By then the
+    // page is laid out.
+    const viewer = boxes.find(isViewer);
+    void viewer?.ready.then(() =>
+      report(boxes.filter((box) => (isViewer(box) && !isNamed(box)) || isFlat(box))),
+    );
   });
 }
 
@@ -61,16 +98,23 @@ function report(suspects: readonly Element[]): void {
     .catch(() => undefined);
 }
 
-const isNameless = (element: Element): boolean =>
-  element.isConnected && element.localName === 'phong-viewer' && !isNamed(element as PhongViewer);
+const BOXES = ['phong-viewer', 'phong-compare'];
+
+const isViewer = (element: Element): element is PhongViewer => element.localName === 'phong-viewer';
+
+/** Displayed, without width or height. Asks for no layout of what the browser skips. */
+export const isFlat = (element: Element): boolean =>
+  isPainted(element.parentElement ?? element) &&
+  element.clientWidth * element.clientHeight === 0 &&
+  (element.getClientRects().length > 0 || getComputedStyle(element).display === 'contents');
 
 function isSuspect(element: Element): boolean {
   if (!element.isConnected) return false; // it is tested when it comes back
   if (tested.has(element)) return element.querySelector(':not(:defined)') !== null;
   tested.add(element);
-  if (strayAttributes(element).length > 0) return true;
+  if (strayAttributes(element).length > 0 || dimValues(element).length > 0) return true;
   if (element.localName === 'phong-compare') return wrappedViewer(element) !== null;
-  if (element.localName !== 'phong-viewer') return registryAround(element) === null;
+  if (!isViewer(element)) return registryAround(element) === null;
   return (
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !==
       null ||

@@ -45,6 +45,7 @@ describe.each([...known.keys()])('<%s>', (tag) => {
 
   it('has no advice for attributes of HTML and for words unlike any attribute', () => {
     const unlike = ['datetime', 'xyz', 'q', 'constructor', 'tostring', 'x'.repeat(1e5)];
+    unlike.push('client-load', 'phx-click', 'astro-cid-mbfjk2xy', 'foo-bar', '-', 'x-data');
     for (const word of [...global, ...unlike]) {
       expect(attributeAdvice(tag, word, known), word).toBeUndefined();
     }
@@ -61,6 +62,35 @@ describe.each([...known.keys()])('<%s>', (tag) => {
       expect(attributeAdvice(tag, word, known), word).toMatch(/^(Write|CSS) .*\.$/);
     }
   });
+});
+
+it('attributes of other viewers and of OpenGL are answered with ours, however they are hyphenated', () => {
+  const ours: readonly (readonly [tag: string, names: string, advice: RegExp])[] = [
+    ['phong-viewer', 'camera-orbit cameraorbit min-camera-orbit', /theta="…" and phi="…".* radius/],
+    ['phong-viewer', 'field-of-view fieldofview max-field-of-view', /fov="…"/],
+    ['phong-viewer', 'camera-controls interaction-prompt', /gui/],
+    ['phong-viewer', 'camera-target', /target="x y z"/],
+    ['phong-viewer', 'disable-zoom disable-pan', /orbit="false" or zoom="false"/],
+    ['phong-viewer', 'exposure light-intensity', /<phong-light>/],
+    ['phong-viewer', 'environment-image skybox-image', /<phong-light>/],
+    ['phong-viewer', 'shadow-intensity shadow-softness', /no shadows/],
+    ['phong-viewer', 'rotation-per-second auto-rotate-delay', /auto-rotate="…"/],
+    ['phong-viewer', 'ar ar-modes ios-src', /no augmented reality/],
+    ['phong-viewer', 'tone-mapping', /nothing maps tones/],
+    ['phong-viewer', 'background-color clear-color', /style="background/],
+    ['phong-mesh', 'opacity', /a model brings its own opacity/],
+    ['phong-mesh', 'base-color diffuse-color', /kd="…"/],
+    ['phong-light', 'spot-exponent spotexponent', /cutoff="…"/],
+    ['phong-light', 'spot-cutoff cut-off-angle', /aperture="…"/],
+    ['phong-light', 'spot-direction', /axis="x y z"/],
+    ['phong-light', 'constant-attenuation quadratic-attenuation', /attenuation="kc kl kq"/],
+    ['phong-light', 'cast-shadow', /no shadows/],
+  ];
+  for (const [tag, names, advice] of ours) {
+    for (const name of names.split(' ')) {
+      expect(attributeAdvice(tag, name, known), name).toMatch(advice);
+    }
+  }
 });
 
 it('advice for an attribute of another element names that element; `name` needs none', () => {

@@ -43,6 +43,31 @@ const pages: readonly (readonly [markup: string, ...warnings: string[]])[] = [
   [scene('', ' width="300"'), '<phong-viewer> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // oxfmt-ignore
   [scene(light('shininess="9"')), '<phong-light> has no attribute shininess. It belongs to <phong-mesh> and <phong-viewer>.'], // oxfmt-ignore
   [`<phong-compare lables="a"></phong-compare>`, '<phong-compare> has no attribute lables. Did you mean labels?'], // oxfmt-ignore
+  [
+    scene('', ' camera-orbit="30deg 60deg 3m" data-camera-orbit v-fov'),
+    '<phong-viewer> has no attribute camera-orbit. Write theta="…" and phi="…" in degrees, and radius="…", which place the eye.',
+  ],
+  [scene('', ' auto-rotat="9"'), '<phong-viewer> has no attribute auto-rotat. Did you mean auto-rotate?'], // oxfmt-ignore
+  // Curly quotes, which end no value.
+  [
+    `<phong-viewer alt=“A box under a lamp” geometry="box">${light('name=„lamp“')}</phong-viewer>`,
+    '<phong-light name=„lamp“> has curly quotes, which HTML takes for letters. Write straight ones: name="…".',
+    '<phong-viewer alt=“A> has curly quotes, which HTML takes for letters. Write straight ones: alt="…".',
+  ],
+  // Values of another unit.
+  [
+    scene(light('diffuse="1 0.5 0.2" specular="0"') + light('specular="#010101"')),
+    '<phong-light diffuse="1 0.5 0.2" specular="0"> is nearly black, as 255 is full. For colours from 0 to 1 write diffuse="255 128 51" specular="0".',
+  ],
+  [
+    scene(mesh('geometry="box" ks="1"') + mesh('kd="1" ks="2"'), ' kd="0.8, 0.8, 0.8" ka=".2"'),
+    '<phong-mesh ks="1"> is nearly black, as 255 is full. For colours from 0 to 1 write ks="255".',
+    '<phong-viewer ka=".2" kd="0.8, 0.8, 0.8"> is nearly black, as 255 is full. For colours from 0 to 1 write ka="51" kd="204".',
+  ],
+  [
+    scene(light('aperture="0.35"') + light('aperture="0.5"') + light('aperture="0"')),
+    '<phong-light aperture="0.35"> is a cone narrower than a degree. Angles are in degrees: for radians write aperture="20.05".',
+  ],
   // Elements at the wrong place.
   [
     `<p>${light('name="lamp"')}${mesh('')}</p>${scene(light(''))}`,
@@ -85,6 +110,39 @@ test('each mistake in the markup is named once a page, with its cure', async ({
     const found = warnings.slice(before).map((text) => text.replace('warning: ', ''));
     expect(found.sort()).toEqual(wanted);
   }
+});
+
+test('a viewer without a size is named with the cause, unless something around it is closed', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  const box = (style: string): string =>
+    `<phong-viewer alt="" geometry="box" style="${style}"></phong-viewer>`;
+  const hint = (side: string): string => `Set a ${side} in CSS, such as ${side}: 300px.`;
+  const flat = (side: string): string => `<phong-viewer> has the ${side} 0, so nothing is seen.`;
+  const boxes: readonly (readonly [markup: string, warning?: string])[] = [
+    [box('height: 100%'), `${flat('height')} height: 100% is 0, as the element around it has no height. ${hint('height')}`], // oxfmt-ignore
+    [box('height: auto'), `${flat('height')} height: auto is 0, as it has no content. ${hint('height')}`], // oxfmt-ignore
+    [box('display: inline-block; width: auto'), `${flat('width')} width: auto is 0, as it has no content. ${hint('width')}`], // oxfmt-ignore
+    [
+      `<div style="display: flex; flex-direction: column">${box('flex: 1')}</div>`,
+      `${flat('height')} The flex container around it leaves it none. ${hint('height')}`,
+    ],
+    [box('display: inline'), '<phong-viewer> has display: inline, which has no size. Write display: block.'], // oxfmt-ignore
+    [box('display: contents'), '<phong-viewer> has display: contents, which has no size. Write display: block.'], // oxfmt-ignore
+    [box('display: none')],
+    [`<div style="display: none">${box('height: 100%')}</div>`],
+    [`<div style="height: 0; overflow: hidden">${box('height: 100%')}</div>`],
+    [`<details><summary>More</summary>${box('height: 100%')}</details>`],
+    [`<div style="content-visibility: hidden">${box('height: 100%')}</div>`],
+    [box('height: auto; aspect-ratio: 2')],
+  ];
+  const wanted = boxes.flatMap(([, warning]) => warning ?? []).sort();
+  const warnings = claim(consoleGuard, wanted.length);
+  await mount(`<div>${boxes.map(([markup]) => markup).join('')}</div>`, { csp: '' });
+  expect(await reported(page, warnings, wanted.length)).toEqual(wanted);
+  await page.waitForTimeout(700); // the others would have been named by now
 });
 
 test('later mistakes are named too, at any depth, but no attribute twice', async ({
@@ -140,7 +198,7 @@ test('correct markup gives no warning, and does not fetch the code for mistakes'
     'accesskey autocapitalize autocorrect autofocus class contenteditable dir draggable enterkeyhint exportparts id ' +
     'inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role spellcheck style ' +
     'tabindex title translate virtualkeyboardpolicy writingsuggestions data-difuse aria-label v-bind x-data ' +
-    'data-v-7ba5bd90 auto-rotat :shadng @shadng shadng.prop onshadng onload _ngcontent _shadng xml:lang';
+    'data-v-7ba5bd90 hx-get client-load astro-cid-mbfjk2xy :shadng @shadng shadng.prop onshadng onload _ngcontent _shadng xml:lang';
   const inner =
     `<!-- note --><div><p>${light(foreign)}${mesh(foreign)}</p></div><template>Text</template><noscript>Text</noscript>` +
     '<div slot="error">Text<img alt=""></div><script type="text/plain">Text</script><style></style>';

@@ -216,7 +216,7 @@ const TRANSITION_EVENTS = ['transitionrun', 'transitionend', 'transitioncancel']
  * Neither `visibility: hidden` nor inside skipped content: a closed <details>, `content-visibility:
  * hidden`.
  */
-function isPainted(element: Element): boolean {
+export function isPainted(element: Element): boolean {
   // Missing in older browsers, whatever the types say.
   const { checkVisibility } = element as { checkVisibility?: Element['checkVisibility'] };
   return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
@@ -258,7 +258,7 @@ const gap = (a: Edges, b: Edges): number =>
  * In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. By
  * its distance from the view its content would count as near.
  */
-function isCollapsed(element: Element): boolean {
+export function isCollapsed(element: Element): boolean {
   const view = element.ownerDocument.defaultView;
   for (let box: Element | null = element; box !== null; box = parentOf(box)) {
     const flat = box.clientWidth === 0 || box.clientHeight === 0;
