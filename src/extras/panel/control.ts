@@ -10,6 +10,7 @@ import {
   FieldBinding,
 } from '../../viewer/element/fields/field-binding.js';
 import { phrase, type ViewerTexts } from '../../viewer/element/fields/texts.js';
+import ownText from '../../viewer/element/page/own-text.css?inline';
 import { addStyles, removeStyles } from '../../viewer/element/page/style-sheets.js';
 import { PhongControl } from '../../viewer/element/phong-control.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
@@ -36,6 +37,9 @@ const ROWS = {
 
 /** Milliseconds in which a missing element may come with a later script. */
 const PATIENCE = 2000;
+
+/** Of a control on a line of its own; one in a line of text goes on as the text does. */
+const LINE = `:host { display: block; writing-mode: horizontal-tb } ${ownText}`;
 
 const controls = new WeakMap<PhongControl, Control>();
 const warned = new Set<string>();
@@ -205,7 +209,7 @@ class Control {
     const inText = type === null ? isInText(this.#element) : type === 'number';
     const box = document.createElement('span');
     box.className = inText ? 'text' : 'line';
-    (inText ? removeStyles : addStyles)(this.#root, ':host { display: block }');
+    (inText ? removeStyles : addStyles)(this.#root, LINE);
     this.#root.replaceChildren(box);
     const gui = (this.#gui = new GUI({ container: box, injectStyles: false }));
     const sources = having.map((target) => row.source?.(target) ?? declared(target, key));

@@ -15,6 +15,7 @@ import { attributesOf, defineProperties, FieldBinding } from './fields/field-bin
 import { renderWhereShown } from './dom.js';
 import { placed } from './internals.js';
 import { addStyles } from './page/style-sheets.js';
+import ownText from './page/own-text.css?inline';
 import styles from './phong-compare.css?inline';
 import { compareMarkup } from './viewer/to-html.js';
 
@@ -74,6 +75,7 @@ class CompareElement extends LitElement implements PublicCompare {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    addStyles(this.renderRoot as ShadowRoot, ownText);
     addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
     if (this.#comparison === null) {

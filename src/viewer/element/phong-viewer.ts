@@ -26,6 +26,7 @@ import { viewerCameras } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
+import ownText from './page/own-text.css?inline';
 import styles from './phong-viewer.css?inline';
 import { CAMERA_KEYS, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
@@ -241,6 +242,7 @@ class ViewerElement extends LitElement implements PublicViewer {
   override connectedCallback(): void {
     if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
+    addStyles(this.renderRoot as ShadowRoot, ownText);
     addStyles(this.renderRoot as ShadowRoot, styles);
     useTexts(this);
     this.#binding.upgrade();

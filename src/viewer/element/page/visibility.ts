@@ -199,10 +199,7 @@ export class Visibility implements ReactiveController {
    */
   #refine(): void {
     if (this.#box === undefined) return;
-    const { inlineSize, blockSize } = this.#box;
-    const style = this.#page?.view.getComputedStyle(this.#element);
-    const upright = style?.writingMode.startsWith('horizontal') ?? true;
-    const [width, height] = upright ? [inlineSize, blockSize] : [blockSize, inlineSize];
+    const { inlineSize: width, blockSize: height } = this.#box; // see own-text.css
     const { pixelWidth, pixelHeight } = this.#size;
     if (Math.abs(width - pixelWidth) > 1 || Math.abs(height - pixelHeight) > 1) return;
     this.#size = { ...this.#size, pixelWidth: width, pixelHeight: height };
