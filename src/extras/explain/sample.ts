@@ -5,6 +5,8 @@ import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,
   NearestFilter,
+  NearestMipmapLinearFilter,
+  NearestMipmapNearestFilter,
   type Texture,
   type Wrapping,
   type BufferGeometry,
@@ -104,6 +106,18 @@ export type PixelSlopes = readonly [across: number, down: number];
 const MOST_TEXELS = 1.001;
 
 /**
+ * A GPU may take a texture for minified where the larger steps along u and along v add up to more
+ * texels: OpenGL ES 3.0, 3.8.9.1, lets it estimate as much. The rest is for its rounding.
+ */
+const MOST_ESTIMATED = 0.99;
+
+/** Of the filters, with mipmaps or without. */
+const isNearest = (filter: number): boolean =>
+  filter === NearestFilter ||
+  filter === NearestMipmapNearestFilter ||
+  filter === NearestMipmapLinearFilter;
+
+/**
  * Whether the GPU averages texels at the hit: the texture is drawn smaller than it is, with another
  * filter.
  */
@@ -124,9 +138,15 @@ export function isMinified(
     return [(there - u) * width, (below - v) * height];
   };
   // A GPU takes differences within squares of four pixels, so its neighbour is on either side.
+  // Without a level between the two filters, the picture jumps where the GPU takes the other one.
+  const jumps = isNearest(magFilter) !== isNearest(minFilter);
   return [1, -1].some((side) => {
     const [a, b] = texelsTo(side * across, 0);
     const [c, d] = texelsTo(0, side * down);
+    if (jumps) {
+      const most = Math.max(Math.abs(a), Math.abs(c)) + Math.max(Math.abs(b), Math.abs(d));
+      return !(most <= MOST_ESTIMATED);
+    }
     // The larger singular value: no step as long as a pixel's side crosses more, whatever its
     // direction.
     const most = (Math.hypot(a + d, b - c) + Math.hypot(a - d, b + c)) / 2;

@@ -3,6 +3,12 @@
 
 import {
   ClampToEdgeWrapping,
+  LinearMipmapLinearFilter,
+  type MagnificationTextureFilter,
+  type MinificationTextureFilter,
+  NearestMipmapLinearFilter,
+  PlaneGeometry,
+  Texture,
   LinearFilter,
   MirroredRepeatWrapping,
   NearestFilter,
@@ -11,7 +17,7 @@ import {
 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { srgbDecode } from '../../../src/phong/math/color.js';
-import { sampleTexture, type Sampler } from '../../../src/extras/explain/sample.js';
+import { isMinified, sampleTexture, type Sampler } from '../../../src/extras/explain/sample.js';
 
 /** Red tells the column, green the row, in codes of 255. */
 const texels = {
@@ -80,5 +86,54 @@ describe('a texture', () => {
     const [red, , , alpha] = between(true);
     expect([red, alpha]).toEqual([srgbDecode(128 / 255), 128 / 255]);
     expect(between(false)[0]).toBe(128 / 255);
+  });
+});
+
+describe('a texture with two filters', () => {
+  /** Whether it counts as filtered at so many texels a pixel, turned by an angle against the pixels. */
+  const isFiltered = (
+    mag: MagnificationTextureFilter,
+    min: MinificationTextureFilter,
+    texels: number,
+    turn = 0,
+  ): boolean => {
+    const geometry = new PlaneGeometry(2, 2);
+    const image = { width: 64, height: 64 };
+    const map = Object.assign(new Texture(image), { magFilter: mag, minFilter: min });
+    map.rotation = turn;
+    map.updateMatrix();
+    // The first triangle of the plane, at depth 1 in front of the ray.
+    const places = [[-1, 1, 1], [-1, -1, 1], [1, 1, 1]] as const; // oxfmt-ignore
+    const hit = {
+      triangle: 0,
+      corners: [0, 2, 1],
+      weights: [0, 0.5, 0.5],
+      depth: 1,
+      front: true,
+      rayPlaces: places,
+    } as const;
+    return isMinified(map, geometry, hit, [texels / 32, texels / 32]);
+  };
+
+  it('is filtered wherever a GPU may take the other one, if they differ', () => {
+    for (const [mag, min] of [
+      [NearestFilter, LinearFilter],
+      [NearestFilter, LinearMipmapLinearFilter],
+      [LinearFilter, NearestFilter],
+      [LinearFilter, NearestMipmapLinearFilter],
+    ] as const) {
+      expect(isFiltered(mag, min, 0.25)).toBe(false);
+      for (const texels of [0.98, 0.999, 1, 1.0005, 2]) {
+        expect(isFiltered(mag, min, texels), String(texels)).toBe(true);
+      }
+    }
+  });
+
+  it('is filtered where levels begin, if the filters are of one kind', () => {
+    for (const turn of [0, Math.PI / 4]) {
+      expect(isFiltered(LinearFilter, LinearMipmapLinearFilter, 0.99, turn)).toBe(false);
+      expect(isFiltered(LinearFilter, LinearMipmapLinearFilter, 1.01, turn)).toBe(true);
+      expect(isFiltered(LinearFilter, LinearFilter, 3, turn)).toBe(false);
+    }
   });
 });
