@@ -1,6 +1,7 @@
 // The rows of the viewer's own folders: camera, shading, what is shown beside the shaded picture,
 // and its own surface.
 import type { Pose } from '../../phong/camera/orbit.js';
+import { writtenPose } from '../../phong/camera/written-pose.js';
 import { HELPERS, type ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
 import { fieldsOf, viewerCameras } from '../../viewer/element/internals.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
@@ -45,7 +46,7 @@ const ofCamera = <K extends keyof Pose>(
       const checked = fieldsOf(viewer).store.fields[key].check(value);
       const camera = viewerCameras.get(viewer);
       camera?.place(
-        { pose: { ...camera.placement().pose, [key]: checked }, framing: null },
+        { pose: writtenPose({ ...camera.placement().pose, [key]: checked }), framing: null },
         'panel',
       );
     },

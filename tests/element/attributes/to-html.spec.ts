@@ -94,3 +94,50 @@ test('toHTML writes auto until the camera moves, and as many digits as the pictu
   expect(await html(viewer)).toContain('target="1000000.3333333 0 0"');
   await roundTrip(page, viewer);
 });
+
+/** Two frames, in which events that wait for one arrive. */
+const frames = (viewer: Locator): Promise<void> =>
+  viewer.evaluate(async () => {
+    for (let i = 0; i < 2; i++) {
+      await new Promise(requestAnimationFrame);
+    }
+  });
+
+test('what the user moved is where toHTML says, to the last bit', async ({ page, mount }) => {
+  const viewer = await mount(
+    '<phong-viewer geometry="torus" fov="37" gui="radius"></phong-viewer>',
+    {
+      width: 713,
+      height: 407,
+    },
+  );
+  const moves = [
+    () => drag(page, [300, 200], [37, 11]),
+    () => drag(page, [300, 200], [-401, 53]),
+    () => drag(page, [200, 200], [29, -67]),
+    () => page.mouse.wheel(0, 137),
+    () => page.keyboard.press('ArrowLeft'),
+    () => page.keyboard.press('+'),
+    () => viewer.getByRole('textbox', { name: 'radius', exact: true }).fill('3.123456789123'),
+  ];
+  for (const move of moves) {
+    await move();
+    await frames(viewer);
+    const { written, camera } = await viewer.evaluate((element: PhongViewer) => {
+      const parsed = new DOMParser().parseFromString(element.toHTML(), 'text/html');
+      const text = (name: string) => parsed.body.firstElementChild!.getAttribute(name)!;
+      return {
+        written: ['theta', 'phi', 'radius', 'target'].map((name) =>
+          text(name).split(' ').map(Number),
+        ),
+        camera: [
+          element.camera.theta,
+          element.camera.phi,
+          element.camera.radius,
+          element.camera.target,
+        ].flat(),
+      };
+    });
+    expect(camera).toEqual(written.flat());
+  }
+});

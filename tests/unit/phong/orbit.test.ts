@@ -3,8 +3,11 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { wrapDegrees } from '../../../src/phong/math/angle.js';
 import { basisOf, LARGEST_LENGTH, Orbit } from '../../../src/phong/camera/orbit.js';
-import { cross, dot, length, subtract } from '../../../src/phong/math/vector.js';
+import { writtenPose } from '../../../src/phong/camera/written-pose.js';
+import { cross, dot, length, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
+import { Dice } from '../../visual/random-scene.js';
 import { repeats } from '../../support/repeats.js';
 
 /** These angles, and what lies beside them by any power of ten. */
@@ -168,4 +171,26 @@ describe('setting', () => {
     expect(pose.theta).toBe(30);
     expect(Object.isFrozen(pose) && Object.isFrozen(orbit.target)).toBe(true);
   });
+});
+
+const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+it(`writes a pose once: what is written is written the same again (seed ${String(seed)})`, () => {
+  const dice = new Dice(seed);
+  for (let i = 0; i < 2000; i++) {
+    const scale = 10 ** dice.from(-6, 6);
+    const pose = {
+      theta: dice.from(-1e3, 1e3) * Math.PI,
+      phi: dice.from(0, 180) * (1 - 1e-9 * Math.PI),
+      radius: dice.chance(0.2) ? 9.999999999 * scale : dice.from(0.1, 10) * scale * Math.E,
+      target: dice.vector(-1, 1).map((x) => x * scale * Math.E) as unknown as Vec3,
+    };
+    const once = writtenPose(pose);
+    expect(writtenPose(once)).toEqual(once);
+    expect(once.theta).toBeCloseTo(wrapDegrees(pose.theta), 4);
+    expect(Math.abs(once.radius / pose.radius - 1)).toBeLessThan(1e-7);
+  }
+  expect(writtenPose({ theta: 179.9999999999, phi: 90, radius: 1, target: [0, 0, 0] }).theta).toBe(
+    -180,
+  );
 });

@@ -4,6 +4,8 @@ import type { ReactiveController } from 'lit';
 import { zoomLimits } from '../../../phong/camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../../phong/camera/orbit-input.js';
 import { newBasis, type Pose } from '../../../phong/camera/orbit.js';
+import { writtenPose } from '../../../phong/camera/written-pose.js';
+import { sameValue } from '../../../phong/fields/field-store.js';
 import { Turntable } from '../../../phong/camera/turntable.js';
 import { wrapDegrees } from '../../../phong/math/angle.js';
 import type { Framing } from '../../scene/auto-fit.js';
@@ -234,8 +236,10 @@ export class ViewerCamera implements ReactiveController {
 
   #inputHost(surface: HTMLElement): OrbitInputHost {
     const { picture, values } = this.#context;
+    const { orbit } = picture;
+    let pressed = orbit.pose;
     return {
-      orbit: picture.orbit,
+      orbit,
       size: () => pictureBox(surface),
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
@@ -245,13 +249,27 @@ export class ViewerCamera implements ReactiveController {
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.
         picture.fit.framing = null;
+        if (source !== 'pointer') {
+          orbit.set(writtenPose(orbit.pose));
+        }
         this.#moved(source);
       },
       reset: () => this.reset('key'),
       held: (dragging) => {
-        if (!dragging) {
-          this.#startMotion();
+        if (dragging) {
+          pressed = orbit.pose;
+          return;
         }
+        // The picture that stays is the one that markup gives. A drag back to its start moves nothing.
+        const { pose } = orbit;
+        if (
+          ![...CAMERA_KEYS].every((key) =>
+            sameValue(pose[key as keyof Pose], pressed[key as keyof Pose]),
+          )
+        ) {
+          this.#move('pointer', () => orbit.set(writtenPose(pose)));
+        }
+        this.#startMotion();
       },
     };
   }

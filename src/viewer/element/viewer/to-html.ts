@@ -1,6 +1,7 @@
 // A viewer's scene as markup that gives the same picture. Text only: building elements would
 // upgrade them.
 import type { FieldStore } from '../../../phong/fields/field-store.js';
+import { eightDigits } from '../../../phong/camera/written-pose.js';
 import { fileName } from '../../model/request-model.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
@@ -103,16 +104,9 @@ function attributes<V extends object>(
   return all;
 }
 
-/**
- * Rounds to eight digits, counted from the first digit of the value or of the camera's radius,
- * whichever is smaller. The error is below half a step of the float32 numbers that the GPU gets,
- * which are relative to the camera's target.
- */
 function rounded(value: unknown, radius: number): unknown {
   if (Array.isArray(value)) return value.map((item) => rounded(item, radius));
-  if (typeof value !== 'number' || value === 0) return value;
-  const larger = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(radius));
-  return Number(value.toPrecision(Math.min(8 + Math.max(larger, 0), 17)));
+  return typeof value === 'number' ? eightDigits(value, radius) : value;
 }
 
 /** Files of the user's that were warned about. */
