@@ -65,6 +65,8 @@ export interface TrianglesShape {
   readonly uvs?: readonly ArrayLike<number>[];
   /** Encoded sRGB, r g b a of each vertex, 0–1. */
   readonly colors?: ArrayLike<number>;
+  /** They are in linear light, otherwise encoded sRGB. Default false. */
+  readonly linearColors?: boolean;
   /** Unit, w ±1. */
   readonly tangents?: ArrayLike<number>;
   /** Default: corners in order. */

@@ -55,7 +55,7 @@ export function meshShape(
     normals: numbersOf(normal!),
     uvs,
     ...(tangent !== undefined && normalMap !== null && { tangents: numbersOf(tangent) }),
-    ...(color !== undefined && vertexColors && { colors: withAlpha(color) }),
+    ...(color !== undefined && vertexColors !== false && { colors: withAlpha(color), linearColors: vertexColors === 'linear' }), // oxfmt-ignore
     ...(index !== undefined && { index }),
   };
   return { shape, textures };

@@ -2,7 +2,7 @@
 // them. One record is written over and over.
 import { coefficientsOf, type ReferenceOptions } from '../../phong/reference/index.js';
 import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surface.js';
-import { srgbDecode } from '../../phong/math/color.js';
+import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { map, type Vec3 } from '../../phong/math/vector.js';
 import type { CastObject, CastTexture, TrianglesShape } from './cast-scene.js';
 import type { Hit } from './hit.js';
@@ -23,6 +23,8 @@ export class ObjectSurface {
   readonly #base: Vec3;
   readonly #emissive: Vec3;
   readonly #shape: TrianglesShape | null;
+  /** Of vertices, as they are interpolated: under `linear` in linear light. */
+  readonly #colors: ArrayLike<number> | undefined;
   readonly #placed: Placed | null;
   readonly #tangents: Float64Array | null;
   readonly #linear: boolean;
@@ -43,6 +45,11 @@ export class ObjectSurface {
     this.#base = decoded(material.baseColor ?? WHITE);
     this.#emissive = decoded(material.emissive ?? BLACK);
     this.#shape = shape.kind === 'triangles' ? shape : null;
+    const { colors, linearColors = false } = this.#shape ?? {};
+    this.#colors =
+      colors !== undefined && linear && !linearColors
+        ? Float64Array.from(colors, (c, i) => (i % 4 === 3 ? c : srgbDecode(c)))
+        : colors;
     this.#placed = placed;
     this.#linear = linear;
     this.#decode = linear ? DECODED : BYTES;
@@ -81,11 +88,12 @@ export class ObjectSurface {
       g *= texel[1]!;
       b *= texel[2]!;
     }
-    const { colors } = this.#shape ?? {};
+    const colors = this.#colors;
     if (colors !== undefined) {
+      const isStoredLinear = this.#shape?.linearColors === true;
       const channel = (k: number): number => {
         const c = this.#mix(colors, 4, k, hit);
-        return this.#linear ? srgbDecode(c) : c;
+        return isStoredLinear && !this.#linear ? srgbEncode(c) : c;
       };
       r *= channel(0);
       g *= channel(1);
