@@ -9,8 +9,9 @@ import { Picture } from '../../src/viewer/scene/picture.js';
 const quiet = (): void => undefined;
 
 /** A host that reports nothing but to `own`. */
-export const meshHost = (own: Partial<MeshHost> = {}): MeshHost => ({
-  picture: new Picture(new LightSet(), quiet, quiet),
+export const meshHost = (
+  own: Partial<MeshHost> = {},
+): MeshHost & { readonly picture: Picture } => ({
   crossOrigin: null,
   mayLoad: true,
   shown: () => false,
@@ -20,6 +21,7 @@ export const meshHost = (own: Partial<MeshHost> = {}): MeshHost => ({
   dropped: quiet,
   removed: quiet,
   ...own,
+  picture: new Picture(new LightSet(), quiet, quiet),
 });
 
 /** A mesh with these values; `set` changes them. */

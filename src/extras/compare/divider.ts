@@ -2,14 +2,31 @@
 // drag back. Places are percent of the box from the start of the line or from the top, ascending.
 import { html, type TemplateResult } from 'lit';
 import { followDrag } from '../../viewer/element/page/followed-drag.js';
-import type { Comparison } from './comparison.js';
+import type { PictureBox } from '../../phong/camera/gesture.js';
+
+/** The comparison that a divider is part of. */
+export interface DividedBox {
+  readonly vertical: boolean;
+  /** Where a divider is, and where it may be, in percent. */
+  placeOf(divider: Divider): {
+    readonly place: number;
+    readonly range: readonly [min: number, max: number];
+  };
+  /** Moves a divider and those that it pushes. */
+  move(divider: Divider, place: number): void;
+  /** Back to where the markup says. */
+  reset(): void;
+  isRtl(): boolean;
+  /** Its box on the page. */
+  measure(): PictureBox;
+}
 
 export class Divider {
-  readonly #host: Comparison;
+  readonly #host: DividedBox;
   /** A drag in progress, and the place where it began, percent. */
   #drag: { readonly from: number; readonly end: () => void } | null = null;
 
-  constructor(host: Comparison) {
+  constructor(host: DividedBox) {
     this.#host = host;
   }
 

@@ -6,7 +6,6 @@ import { type Region, type Size, tilesOf } from '../../viewer/scene/gpu/atlas.js
 import { SAFE_SIDE } from '../../viewer/scene/gpu/context.js';
 import { contextLost, stage } from '../../viewer/scene/gpu/stage.js';
 import type { Picture } from '../../viewer/scene/picture.js';
-import type { Viewport } from '../../viewer/scene/viewport.js';
 import { Batches, sendBatch } from './batches.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
@@ -32,8 +31,24 @@ const WAITS_AFTER = 8;
  */
 const SHOWN_AGAIN = 4;
 
+/** Whose picture is sampled; its size is in device pixels. */
+export interface SampledViewport extends Size {
+  readonly picture: Picture;
+  /** In view, and not only near it. */
+  readonly visible: boolean;
+  readonly attached: boolean;
+  /** Requests a frame. */
+  animate(): void;
+  /** Shows the kept mean. `last`: it has all samples. */
+  show(last: boolean): void;
+  /** The picture now, of this size, without samples of its own. */
+  capture(size: Size): HTMLCanvasElement;
+  /** Gives the GPU's memory back if it is not on the page. */
+  releaseUnlessAttached(): void;
+}
+
 export class ConvergingPicture {
-  readonly #viewport: Viewport;
+  readonly #viewport: SampledViewport;
   readonly #wanted: number;
   /** Samples of the picture that is shown; 0: the plain one. */
   #samples = 0;
@@ -48,7 +63,7 @@ export class ConvergingPicture {
   /** Not possible on this GPU, or not with this scene. */
   #failed = false;
 
-  constructor(viewport: Viewport, wanted: number) {
+  constructor(viewport: SampledViewport, wanted: number) {
     this.#viewport = viewport;
     this.#wanted = wanted;
   }
@@ -270,7 +285,7 @@ let last: Promise<unknown> = Promise.resolve();
  * in hidden documents. Rejects with RangeError if no canvas can hold it, and without a context.
  */
 export function captureSamples(
-  viewport: Viewport,
+  viewport: SampledViewport,
   size: Size,
   samples: number,
 ): Promise<HTMLCanvasElement> {
@@ -281,7 +296,11 @@ export function captureSamples(
 
 const nothing = (): void => undefined;
 
-async function draw(viewport: Viewport, size: Size, samples: number): Promise<HTMLCanvasElement> {
+async function draw(
+  viewport: SampledViewport,
+  size: Size,
+  samples: number,
+): Promise<HTMLCanvasElement> {
   for (let restarts = 0; ; restarts++) {
     const { version } = viewport.picture;
     // Nothing keeps the context of a detached viewer open from one task to the next.

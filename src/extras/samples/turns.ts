@@ -2,11 +2,20 @@
 // float buffers serves all of them. Pictures in view come first, and otherwise those that have
 // stood still longer.
 import type { WebGLRenderer } from 'three';
-import type { ConvergingPicture } from './converging-picture.js';
 import { SampleSum } from './sample-sum.js';
 
-let active: ConvergingPicture | null = null;
-let waiting = new Set<ConvergingPicture>();
+/** A picture that takes turns. */
+export interface Taker {
+  /** Now: scrolling changes it. */
+  readonly inView: boolean;
+  /** Stops until it is woken. */
+  pause(): void;
+  /** A turn is free. */
+  wake(): void;
+}
+
+let active: Taker | null = null;
+let waiting = new Set<Taker>();
 /**
  * While somebody turns a knob, one picture follows the other. Allocating takes 60 ms at 1600 × 900
  * (H100, OpenGL).
@@ -17,14 +26,14 @@ let freeing = 0;
 let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null = null;
 
 /** It will take its turn soon: whoever comes before it is known then. */
-export function queue(one: ConvergingPicture): void {
+export function queue(one: Taker): void {
   if (active !== one) {
     waiting.add(one);
   }
 }
 
 /** Whether it is this one's turn. If not, it is woken once it may be. */
-export function take(one: ConvergingPicture): boolean {
+export function take(one: Taker): boolean {
   queue(one);
   const next = nextWaiting();
   if (active?.inView === false && next?.inView === true) {
@@ -41,7 +50,7 @@ export function take(one: ConvergingPicture): boolean {
   return active === one;
 }
 
-function nextWaiting(): ConvergingPicture | undefined {
+function nextWaiting(): Taker | undefined {
   for (const one of waiting) {
     if (one.inView) return one;
   }
@@ -49,7 +58,7 @@ function nextWaiting(): ConvergingPicture | undefined {
   return first;
 }
 
-export function seize(one: ConvergingPicture): void {
+export function seize(one: Taker): void {
   if (active !== one) {
     active?.pause();
   }
@@ -58,7 +67,7 @@ export function seize(one: ConvergingPicture): void {
 }
 
 /** It needs no turn any more, or not now. */
-export function release(one: ConvergingPicture): void {
+export function release(one: Taker): void {
   const waited = waiting.delete(one);
   if (active !== one && !waited) return;
   if (active === one) {

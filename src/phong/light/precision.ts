@@ -1,7 +1,6 @@
 // What float32 can tell apart, on the worst lawful driver too: thresholds that TypeScript and GLSL
 // share, and the cones and powers that a cosine and log2 are precise enough for.
 import { sinDegrees } from '../math/angle.js';
-import type { LightValues } from './light-state.js';
 
 /**
  * The cone's limit is one float: from 0 the largest allowed (1 - c)/2, below 0 minus the smallest
@@ -57,6 +56,12 @@ export const isMildPower = (exponent: number): boolean => exponent <= LARGEST_MI
  */
 const LEAST_BY_COSINE = 15;
 
+/** What a light's spot is made of: the half-angle in degrees and the exponent of its decay. */
+interface Cone {
+  readonly aperture: number;
+  readonly cutoff: number;
+}
+
 /** A cone whose edge a cosine finds. */
 const isBlunt = (aperture: number): boolean =>
   aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
@@ -65,7 +70,7 @@ const isBlunt = (aperture: number): boolean =>
  * Whether a cone or decay needs chords. A power below 1 is steep behind the light, one above
  * LARGEST_MILD_CUTOFF at the axis.
  */
-export function isSteep({ aperture, cutoff }: Readonly<LightValues>): boolean {
+export function isSteep({ aperture, cutoff }: Cone): boolean {
   const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_MILD_CUTOFF);
   return !gentle || !(aperture >= 180 || isBlunt(aperture));
 }

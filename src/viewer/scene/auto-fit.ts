@@ -1,11 +1,11 @@
 // Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each
 // frame how deep it is.
-import type { Mesh } from 'three';
+import type { Mesh, Scene } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../../phong/camera/fit.js';
+import type { Orbit } from '../../phong/camera/orbit.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { type Extent, measure, radiusOf } from './bounds.js';
 import type { Size } from './gpu/atlas.js';
-import type { Picture } from './picture.js';
 
 /** Target and radius as declared: `auto`, or a value. */
 export interface Framing {
@@ -28,8 +28,18 @@ export interface SharedFit {
   fit(framing: Framing): Fit;
 }
 
+/** What is framed. */
+export interface FramedScene {
+  readonly scene: Scene;
+  readonly orbit: Orbit;
+  /** Another version is to be drawn. */
+  invalidate(): void;
+  /** Brings the world matrices up to date. */
+  place(): void;
+}
+
 export class AutoFit {
-  readonly #picture: Picture;
+  readonly #picture: FramedScene;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
   #fov = 45;
   /** Width over height of the last size above 0: a hidden picture keeps its camera. */
@@ -41,7 +51,7 @@ export class AutoFit {
   #fitted: Fit | null = null;
   readonly #depthBounds = { center: ORIGIN, radius: 0 };
 
-  constructor(picture: Picture) {
+  constructor(picture: FramedScene) {
     this.#picture = picture;
   }
 

@@ -1,13 +1,24 @@
 // Decides when pictures are drawn. At most one animation frame is pending for each window, and none
 // while nothing changes. A frame has three phases, and every picture finishes one before any
 // picture starts the next.
-import type { Viewport } from './viewport.js';
+
+/** A picture that takes part in frames. */
+export interface FrameUser {
+  /** It has another size since it was drawn. */
+  readonly resized: boolean;
+  /** First phase: reads the page's layout. */
+  prepare(): void;
+  /** Second phase: moves what moves by itself. True requests another frame. `now` in ms. */
+  advance(now: number): boolean;
+  /** Third phase. */
+  draw(): void;
+}
 
 export class FrameLoop {
   readonly #source: Window;
-  #waiting = new Set<Viewport>();
+  #waiting = new Set<FrameUser>();
   /** The pictures of the running frame; empty between frames. */
-  #running = new Set<Viewport>();
+  #running = new Set<FrameUser>();
   #pending = 0;
 
   constructor(source: Window) {
@@ -15,14 +26,14 @@ export class FrameLoop {
   }
 
   /** Requests a frame for `viewport`. Any number of requests in one task make one frame. */
-  request(viewport: Viewport): void {
+  request(viewport: FrameUser): void {
     this.#waiting.add(viewport);
     if (this.#pending === 0) {
       this.#pending = this.#source.requestAnimationFrame(this.#run);
     }
   }
 
-  cancel(viewport: Viewport): void {
+  cancel(viewport: FrameUser): void {
     this.#waiting.delete(viewport);
     if (this.#waiting.size > 0 || this.#pending === 0) return;
     this.#source.cancelAnimationFrame(this.#pending);
@@ -57,7 +68,7 @@ export class FrameLoop {
   }
 
   /** One broken picture must not stop the others of the page. */
-  #each(action: (viewport: Viewport) => void): void {
+  #each(action: (viewport: FrameUser) => void): void {
     for (const viewport of this.#running) {
       try {
         action(viewport);

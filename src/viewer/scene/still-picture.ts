@@ -2,8 +2,10 @@
 // first use.
 import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Size } from './gpu/atlas.js';
-import type { ConvergingPicture } from '../../extras/samples/converging-picture.js';
-import type { Viewport } from './viewport.js';
+import type {
+  ConvergingPicture,
+  SampledViewport,
+} from '../../extras/samples/converging-picture.js';
 
 const sampling = /* @__PURE__ */ lazyCode(
   () => import('../../extras/samples/converging-picture.js'),
@@ -11,13 +13,13 @@ const sampling = /* @__PURE__ */ lazyCode(
 );
 
 export class StillPicture {
-  readonly #viewport: Viewport;
+  readonly #viewport: SampledViewport;
   readonly #settled: () => void;
   #wanted = 0;
   #converging: ConvergingPicture | null = null;
 
   /** `settled`: no more samples are to come, because all are there or cannot be drawn. */
-  constructor(viewport: Viewport, settled: () => void) {
+  constructor(viewport: SampledViewport, settled: () => void) {
     this.#viewport = viewport;
     this.#settled = settled;
   }

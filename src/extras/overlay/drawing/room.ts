@@ -2,7 +2,7 @@
 // sheets lay it out (phong-viewer.css, and panel.css for the panel). Observers follow them after
 // layout, so that no frame forces one.
 import { create } from '../../../viewer/element/dom.js';
-import type { ViewerTree } from '../../../viewer/element/viewer/display.js';
+import type { ViewerTree } from '../../../viewer/element/viewer/viewer-tree.js';
 import type { Rect } from './label-layout.js';
 
 export class Room {

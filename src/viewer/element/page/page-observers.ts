@@ -1,15 +1,30 @@
-// Visibility, size, printing and pixel ratio for all viewers of a document, by observers of the
+// Watcher, size, printing and pixel ratio for all viewers of a document, by observers of the
 // document's own window, which may be that of an iframe or a popup. They observe nothing while no
 // element is watched.
 import { frameLoopOf } from '../../scene/frame-loop.js';
-import type { Visibility } from './visibility.js';
 
 /** The longest that a page's pictures make printing wait, once each is drawn. */
 const PRINT_MS = 3000;
 
+/** An element whose place and size are watched. */
+export interface Watcher {
+  intersected(entry: IntersectionObserverEntry): void;
+  /** The same for the surroundings of the view, {@link PageObservers.margin} wide. */
+  neared(entry: IntersectionObserverEntry): void;
+  resized(entry: ResizeObserverEntry): void;
+  /** The document was shown or hidden. */
+  shown(): void;
+  /** The pixel ratio has changed. */
+  scaled(): void;
+  /** Before printing, which waits until `deadline`: a time of `performance.now()`. */
+  printed(deadline: number): void;
+  /** The element's window was closed, or its frame removed. */
+  closed(): void;
+}
+
 export class PageObservers {
   readonly view: PageWindow;
-  readonly #watched = new Map<Element, Visibility>();
+  readonly #watched = new Map<Element, Watcher>();
   /** Of the view, and of its surroundings. */
   readonly #intersection: readonly IntersectionObserver[];
   readonly #resize: ResizeObserver;
@@ -18,7 +33,7 @@ export class PageObservers {
   constructor(view: PageWindow) {
     this.view = view;
     const intersection = (
-      report: (watcher: Visibility, entry: IntersectionObserverEntry) => void,
+      report: (watcher: Watcher, entry: IntersectionObserverEntry) => void,
       init: IntersectionObserverInit,
     ): IntersectionObserver =>
       new view.IntersectionObserver((entries) => {
@@ -66,7 +81,7 @@ export class PageObservers {
       : { root: view.document, rootMargin: margin };
   }
 
-  watch(element: Element, watcher: Visibility): void {
+  watch(element: Element, watcher: Watcher): void {
     if (this.#watched.size === 0) {
       this.#listen();
     }
@@ -138,7 +153,7 @@ export class PageObservers {
   };
 
   /** One broken viewer, as with objects of the page's own, must not stop the others. */
-  #each(action: (watcher: Visibility) => void): void {
+  #each(action: (watcher: Watcher) => void): void {
     // A copy: watchers may come and go meanwhile.
     for (const watcher of [...this.#watched.values()]) {
       try {

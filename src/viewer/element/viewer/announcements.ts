@@ -16,7 +16,7 @@ import {
   lightText,
   NAMED,
 } from './description.js';
-import type { ViewerTree } from './display.js';
+import type { ViewerTree } from './viewer-tree.js';
 
 /**
  * Milliseconds. After so long without a change the user has stopped, so announcements are at least

@@ -9,22 +9,10 @@ import { CORNER_MARKS } from '../page/picture-box.js';
 import { ViewerAnnouncements } from './announcements.js';
 import type { ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
+import type { ViewerTree } from './viewer-tree.js';
 import type { Failure, ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { surfaceName } from './description.js';
-
-/** Elements that the viewer's parts are built on. They stay as long as the viewer. */
-export interface ViewerTree {
-  /** The picture, without the panel. */
-  readonly surface: HTMLElement;
-  /** Over the picture; the pointer goes through it. Its room is its last child. */
-  readonly layer: HTMLElement;
-  /** In the layer: what dividers, labels and panel leave of the picture. */
-  readonly room: HTMLElement;
-  /** In the room: what a notice leaves of it. The place of legends and boxes. */
-  readonly free: HTMLElement;
-  readonly panel: HTMLElement;
-}
 
 export class ViewerDisplay {
   readonly #viewer: PhongViewer;

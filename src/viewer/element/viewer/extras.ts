@@ -14,7 +14,7 @@ import type { ViewerCamera } from './camera.js';
 import { elementOf } from './children.js';
 import type { ViewerContext } from './viewer-context.js';
 import type { PictureOptions } from '../../../extras/samples/picture-blob.js';
-import type { ViewerTree } from './display.js';
+import type { ViewerTree } from './viewer-tree.js';
 import type { ViewerSnapshot } from '../../../extras/explain/shade-at.js';
 
 export interface ExtraHost {

@@ -1,7 +1,6 @@
 // The 2D canvases of pictures that share one context, in device pixels: each shows a copy of its
 // place in the atlas. Pictures out of sight keep theirs up to a common bound, so that scrolling
 // back shows them at once.
-import type { Viewport } from '../viewport.js';
 import type { Region, Size } from './atlas.js';
 
 /** Pixels that pictures out of sight may keep together, in screens. */
@@ -27,18 +26,28 @@ export function sizeOnPage({ width, height }: Size): Size {
   return { width: Math.ceil(width * share), height: Math.ceil(height * share) };
 }
 
+/** A picture that is copied from the atlas. */
+export interface CopiedPicture {
+  /** Holds the picture's canvas, and nothing else. */
+  readonly holder: HTMLElement;
+  /** It is drawn when it changes. */
+  readonly drawable: boolean;
+  /** Its canvas no longer shows it: draws it again once it is visible. */
+  repaint(): void;
+}
+
 export class AtlasCopies {
   /** In the order of their last drawing, oldest first. */
-  readonly #canvases = new Map<Viewport, HTMLCanvasElement>();
+  readonly #canvases = new Map<CopiedPicture, HTMLCanvasElement>();
   /** Shown since the last call of {@link trim}. */
-  readonly #fresh = new Set<Viewport>();
+  readonly #fresh = new Set<CopiedPicture>();
 
   /**
    * Shows one place of the atlas on `source`. Straight from the WebGL canvas: the browser resolves
    * it once for all copies that follow each other, and no intermediate canvas or bitmap was faster
    * (src/decisions/one-context.md).
    */
-  show(viewport: Viewport, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
+  show(viewport: CopiedPicture, source: HTMLCanvasElement, { x, y, width, height }: Region): void {
     const known = this.#canvases.get(viewport);
     const canvas = known ?? this.#newCanvas(viewport);
     this.#canvases.delete(viewport);
@@ -65,7 +74,7 @@ export class AtlasCopies {
    * A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL
    * context.
    */
-  #newCanvas(viewport: Viewport): HTMLCanvasElement {
+  #newCanvas(viewport: CopiedPicture): HTMLCanvasElement {
     const canvas = viewport.holder.ownerDocument.createElement('canvas');
     canvas.addEventListener('contextrestored', () => {
       if (this.#canvases.get(viewport) === canvas) {
@@ -76,7 +85,7 @@ export class AtlasCopies {
   }
 
   /** Releases one copy's pixels now. Garbage collection would release them late. */
-  drop(viewport: Viewport): void {
+  drop(viewport: CopiedPicture): void {
     const canvas = this.#canvases.get(viewport);
     if (canvas === undefined) return;
     this.#canvases.delete(viewport);
@@ -92,7 +101,8 @@ export class AtlasCopies {
    */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser
-    const isKept = (viewport: Viewport): boolean => viewport.drawable || this.#fresh.has(viewport);
+    const isKept = (viewport: CopiedPicture): boolean =>
+      viewport.drawable || this.#fresh.has(viewport);
     let surplus = -KEPT_SCREENS * screenPixels();
     for (const [viewport, { width, height }] of this.#canvases) {
       if (!isKept(viewport)) {

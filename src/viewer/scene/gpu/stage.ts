@@ -2,8 +2,7 @@
 // itself; several are drawn into an atlas on it, and each is copied into a canvas of its own
 // (src/decisions/one-context.md).
 import type { WebGLRenderer } from 'three';
-import type { Viewport } from '../viewport.js';
-import { AtlasCopies, screenPixels } from './atlas-copies.js';
+import { AtlasCopies, type CopiedPicture, screenPixels } from './atlas-copies.js';
 import { type AtlasLayout, layOutAtlas, type Region, type Size, tilesOf } from './atlas.js';
 import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
 
@@ -18,8 +17,21 @@ const FRAMES_BEFORE_SHRINKING = 30;
 type Draw = (renderer: WebGLRenderer) => void;
 type DrawPart = (renderer: WebGLRenderer, part: Region) => void;
 
+/** A picture on the page; sizes are in device pixels. */
+export interface StagedPicture extends CopiedPicture, Size {
+  /** Its canvas shows it as it is. */
+  readonly upToDate: boolean;
+  /** Draws it again now. */
+  redraw(): void;
+  /** What has been drawn is on the pictures' canvases. */
+  shown(): void;
+  contextLost(): void;
+  contextRestored(): void;
+  contextMissing(error: Error): void;
+}
+
 class Stage {
-  readonly #viewports = new Set<Viewport>();
+  readonly #viewports = new Set<StagedPicture>();
   readonly #copies = new AtlasCopies();
   readonly #context: SharedContext = new SharedContext((consequence) => {
     if (consequence === 'contextLost') {
@@ -31,14 +43,14 @@ class Stage {
     }
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
-  readonly #places = new Map<Viewport, Region>();
+  readonly #places = new Map<StagedPicture, Region>();
   /** Pictures in the atlas that have not been copied yet. */
-  readonly #drawn = new Map<Viewport, Region>();
+  readonly #drawn = new Map<StagedPicture, Region>();
   #wastefulFrames = 0;
   #inFrame = false;
   #viewersDrawn = 0;
 
-  add(viewport: Viewport): void {
+  add(viewport: StagedPicture): void {
     if (this.#viewports.has(viewport)) return;
     this.#viewports.add(viewport);
     // The first picture shows the shared canvas itself, and the others are about to draw on it.
@@ -52,7 +64,7 @@ class Stage {
     this.#context.retry();
   }
 
-  remove(viewport: Viewport): void {
+  remove(viewport: StagedPicture): void {
     if (!this.#viewports.delete(viewport)) return;
     this.#showDrawn();
     this.#copies.drop(viewport);
@@ -101,7 +113,7 @@ class Stage {
    * browser shows the page; without `render`, opens the context only. False: there is none. All
    * viewports are notified then, and once there is.
    */
-  draw(viewport: Viewport, render?: Draw): boolean {
+  draw(viewport: StagedPicture, render?: Draw): boolean {
     try {
       // The canvas stays in its own document: a picture in a popup is a copy too.
       const alone = this.#viewports.size === 1 && viewport.holder.ownerDocument === document;
@@ -210,7 +222,7 @@ class Stage {
     throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
   }
 
-  #drawAlone(viewport: Viewport, renderer: WebGLRenderer, render: Draw): void {
+  #drawAlone(viewport: StagedPicture, renderer: WebGLRenderer, render: Draw): void {
     this.#beforeOverwriting();
     // The second time only if the browser gave less: the viewport's size has become smaller then.
     if (!this.#context.resize(viewport)) {
@@ -275,7 +287,7 @@ class Stage {
   /**
    * The first picture of a frame starts an atlas and reserves places for all that are out of date.
    */
-  #placeOf(viewport: Viewport, renderer: WebGLRenderer): Region {
+  #placeOf(viewport: StagedPicture, renderer: WebGLRenderer): Region {
     const reserved = this.#places.get(viewport);
     this.#places.delete(viewport); // a second drawing needs a cleared place
     if (reserved?.width === viewport.width && reserved.height === viewport.height) return reserved;
@@ -298,7 +310,7 @@ class Stage {
   }
 
   /** The pictures that are out of date and their places, `viewport` first. */
-  #layOut(viewport: Viewport): { pictures: readonly Viewport[]; atlas: AtlasLayout } {
+  #layOut(viewport: StagedPicture): { pictures: readonly StagedPicture[]; atlas: AtlasLayout } {
     const pictures = [viewport];
     for (const one of this.#viewports) {
       if (one !== viewport && one.drawable && !one.upToDate) {

@@ -3,7 +3,6 @@ import { POSE_LIMIT } from '../../model/limits.js';
 import type { GeometrySize } from '../../model/geometry-size.js';
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import type { SceneMesh } from './scene-mesh.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 
@@ -87,13 +86,22 @@ export async function measureReach(
 const nameOf = ({ autoplay, animationName }: Values): string | null =>
   autoplay ? animationName : null;
 
+/** A mesh whose content moves. */
+export interface PlayingMesh {
+  /** It would play if motion were allowed. */
+  readonly plays: boolean;
+  /** Steps of each pose. */
+  readonly work: number;
+  advance(seconds: number): void;
+}
+
 /**
  * The time that all animations of a picture have played. It stands still while motion is not
  * allowed.
  */
 export class Animations {
   /** Few meshes can move: a frame does not look at the others. */
-  readonly meshes = new Set<SceneMesh>();
+  readonly meshes = new Set<PlayingMesh>();
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;
   #warned = false;

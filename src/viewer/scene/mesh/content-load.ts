@@ -1,18 +1,46 @@
 // Loads the shape or model that a mesh's values name. One load at a time: a newer one replaces it.
 import { sameValue } from '../../../phong/fields/field-store.js';
-import { fileName } from '../../model/request-model.js';
+import { type CrossOrigin, fileName } from '../../model/request-model.js';
 import { type Content, NO_CONTENT } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 import { acquireShape, shapeKey } from './shapes/shared-shapes.js';
-import type { Claim } from '../../model/budget.js';
-import type { MeshHost, SceneMesh } from './scene-mesh.js';
+import type { GeometryName } from './shapes/shapes.js';
+import type { Claim, Need } from '../../model/budget.js';
 import { acquireModel } from './shared-models.js';
 
 type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
-export class ContentLoad {
-  readonly #mesh: SceneMesh;
-  readonly #host: MeshHost;
+/** The mesh that content is loaded for. */
+export interface LoadingMesh {
+  /** What a shape will hold before there is a geometry. */
+  needsOf(geometry: GeometryName, segments: ShapeValues['segments']): readonly Need[];
+  /** Called before {@link arrived}, to make materials in slices. */
+  prepare(content: Content, signal: AbortSignal): Promise<void>;
+  /** There is new content, `late` unless at once. `url` is null for a shape. */
+  arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void;
+}
+
+/** Who is told of loads, and allows them. */
+export interface LoadHost<M> {
+  readonly picture: { readonly budget: { claim(owner: M): Claim } };
+  readonly crossOrigin: CrossOrigin;
+  /** False while a lazy viewer has not been near the view, and after a viewer was removed. */
+  readonly mayLoad: boolean;
+  /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
+  began(mesh: M): void;
+  progress(mesh: M, loaded: number, total: number): void;
+  /**
+   * A load has ended, or what came from `url` cannot be shown. `error`: null on success. Not for
+   * replaced loads.
+   */
+  ended(mesh: M, url: URL | null, error: unknown): void;
+  /** A load in progress was cancelled, or what failed is no longer wanted, or is shown now. */
+  dropped(mesh: M): void;
+}
+
+export class ContentLoad<M extends LoadingMesh> {
+  readonly #mesh: M;
+  readonly #host: LoadHost<M>;
   #loading: AbortController | null = null;
   #failed = false;
   /** What was requested last; null for nothing. */
@@ -22,7 +50,7 @@ export class ContentLoad {
   #source: string | Blob = '';
   #sourceBefore: string | Blob = '';
 
-  constructor(mesh: SceneMesh, host: MeshHost) {
+  constructor(mesh: M, host: LoadHost<M>) {
     this.#mesh = mesh;
     this.#host = host;
   }

@@ -1,12 +1,12 @@
 // Gives the round shapes of a picture as many segments as its pixels show, and cuts flat ones that
 // are large for the eye's distance. Camera, transforms and size alone decide: the same scene
 // has the same triangles.
+import type { Mesh } from 'three';
+import type { Shading } from '../../../phong/material/material-values.js';
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import type { Frame } from '../frame.js';
 import type { Frustum } from '../frustum-clip.js';
-import type { Picture } from '../picture.js';
-import type { SceneMesh } from './scene-mesh.js';
 import { type Cut, type CutName, keyOfCut, MOST_CUT_TRIANGLES } from './shapes/cut-faces.js';
 import { FIXED, type Level } from './shapes/shared-shapes.js';
 import {
@@ -49,12 +49,30 @@ export interface SharedLevels {
   readonly isFixed: boolean;
 }
 
+/** A mesh whose shape may have automatic segments. */
+export interface LevelledMesh {
+  /** The shape that has them; null where it shows anything else. */
+  readonly auto: GeometryName | null;
+  /** Its number of segments is part of the picture. */
+  readonly isFixed: boolean;
+  /** The segments of {@link auto}, or `FIXED`, or how its faces are cut. */
+  level: Level;
+  readonly parts: readonly { readonly mesh: Mesh }[];
+}
+
+export interface LevelledPicture {
+  readonly style: { readonly shading: Shading };
+  readonly meshes: Iterable<LevelledMesh>;
+  /** In triangles. */
+  readonly budget: { readonly limit: number; readonly used: number };
+}
+
 export class Levels {
-  readonly #picture: Picture;
+  readonly #picture: LevelledPicture;
   /** Chooses together with other pictures; null: alone. */
   shared: SharedLevels | null = null;
 
-  constructor(picture: Picture) {
+  constructor(picture: LevelledPicture) {
     this.#picture = picture;
   }
 
@@ -99,7 +117,7 @@ export class Levels {
    * is left.
    */
   #levelOf(
-    { parts, level }: SceneMesh,
+    { parts, level }: LevelledMesh,
     name: GeometryName,
     { view, height, samples }: Frame,
     count: number,
@@ -115,7 +133,7 @@ export class Levels {
     return limit - used;
   }
 
-  #flatLevelOf({ parts, level }: SceneMesh, name: GeometryName, view: Frustum): Level {
+  #flatLevelOf({ parts, level }: LevelledMesh, name: GeometryName, view: Frustum): Level {
     const { elements } = parts[0]!.mesh.matrixWorld;
     if (!isLargeFor(view, name, elements)) return FIXED;
     const room = this.#room + trianglesOf(name, undefined);

@@ -1,18 +1,17 @@
 // One declared mesh in the scene: follows its values, and shows the last content until the next one
 // can be shown.
-import type { BufferGeometry, Object3D } from 'three';
-import type { Shading } from '../../../phong/material/material-values.js';
+import type { BufferGeometry, Mesh, Object3D } from 'three';
+import type { Shading, ShadingStyle } from '../../../phong/material/material-values.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { radians } from '../../../phong/math/angle.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
-import type { Claim, Need } from '../../model/budget.js';
+import type { Budget, Claim, Need } from '../../model/budget.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { type Content, ModelError } from '../../model/model.js';
-import { type CrossOrigin, modelCode } from '../../model/request-model.js';
-import type { Picture } from '../picture.js';
+import { modelCode } from '../../model/request-model.js';
 import { declareReach } from '../bounds.js';
-import { MeshAnimation, measureReach } from './animation.js';
-import { ContentLoad } from './content-load.js';
+import { type Animations, MeshAnimation, measureReach } from './animation.js';
+import { ContentLoad, type LoadHost } from './content-load.js';
 import type { MeshState, MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   appearanceOf,
@@ -28,24 +27,28 @@ import {
   showLevel,
   type ShownContent,
 } from './parts.js';
+import type { SharedMaterials } from './shared-materials.js';
 import { FIXED, type Level, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName } from './shapes/shapes.js';
 
-export interface MeshHost {
-  readonly picture: Picture;
-  readonly crossOrigin: CrossOrigin;
-  /** False while a lazy viewer has not been near the view, and after a viewer was removed. */
-  readonly mayLoad: boolean;
-  /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
-  began(mesh: SceneMesh): void;
-  progress(mesh: SceneMesh, loaded: number, total: number): void;
-  /**
-   * A load has ended, or what came from `url` cannot be shown. `error`: null on success. Not for
-   * replaced loads.
-   */
-  ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
-  /** A load in progress was cancelled, or what failed is no longer wanted, or is shown now. */
-  dropped(mesh: SceneMesh): void;
+/** The picture that a mesh is part of. */
+export interface MeshPicture {
+  readonly budget: Budget;
+  readonly materials: SharedMaterials;
+  readonly animations: Animations;
+  readonly style: ShadingStyle;
+  readonly fit: {
+    /** A mesh has moved from where its world matrix is. */
+    moved(mesh: Mesh): void;
+  };
+  /** Another version is to be drawn. */
+  invalidate(): void;
+  /** Meshes were moved, or show another geometry. */
+  reshaped(): void;
+}
+
+export interface MeshHost extends LoadHost<SceneMesh> {
+  readonly picture: MeshPicture;
   /**
    * It has content that was not drawn yet. True if it will be soon: the content before is kept
    * until then.
@@ -63,7 +66,7 @@ const ONE: Vec3 = [1, 1, 1];
 export class SceneMesh {
   readonly #state: MeshState;
   readonly #host: MeshHost;
-  readonly #load: ContentLoad;
+  readonly #load: ContentLoad<SceneMesh>;
   /** Materials of a model that is about to come. */
   readonly #held: PhongMaterial[] = [];
   #parent: Object3D | null = null;
@@ -82,7 +85,7 @@ export class SceneMesh {
   constructor(state: MeshState, host: MeshHost) {
     this.#state = state;
     this.#host = host;
-    this.#load = new ContentLoad(this, host);
+    this.#load = new ContentLoad<SceneMesh>(this, host);
   }
 
   /**
@@ -300,7 +303,7 @@ export class SceneMesh {
     return this.#state.values;
   }
 
-  get #picture(): Picture {
+  get #picture(): MeshPicture {
     return this.#host.picture;
   }
 
