@@ -1,127 +1,120 @@
 // Means of samples over the pixels' squares. Each pixel is cut into equal squares, with one sample
-// at a random place in each: the error of the mean falls with the samples to the power of −3/4
-// where an edge passes, and faster elsewhere.
+// at a random place in each, and the more the colours vary, the more squares there are.
 //
-// Quiet pixels get 16 samples or 64. Such a pixel is one piece (one object, one side, the same
-// lights' cones and horizons) at all its samples and at eight points around it, on a square an
-// eighth of a pixel outside its own. A curve that enters between two of those, 5/8 of a pixel apart
-// at most, without reaching one has a radius below 0.4 pixels. And no channel varies by 2 codes
-// over 16 samples, or 8 over 64. Where the colour is linear, the mean then has a standard error
-// below 2 / √16 / √12 / √16 = 0.036 codes; rounding to 8 bits has 0.29. `tests/extras/still/caster.test.ts`
-// measures it.
+// A pixel is smooth if it is one piece (one object, one side, the same lights' cones and horizons)
+// at all its samples and at nine points in it and around it, on a square an eighth of a pixel
+// outside its own. A curve that enters between two of those, 5/8 of a pixel apart at most, without
+// reaching one has a radius below 0.4 pixels. Where colours are linear and differ by c codes, the
+// mean of s² samples has a standard error of c / (√12 s²): 0.04 codes by the rule below. Where an
+// edge of c codes passes, some √2 s squares are cut, which leave about 0.29 c / s^1.5: 0.4 codes.
+// `tests/extras/still/caster.test.ts` measures it.
 import type { CastOptions } from './cast-scene.js';
 import { NOTHING, type Sample, type Tracer } from './tracer.js';
 
-/** Sides of the squares of samples that quiet pixels get. */
-const FEW = [4, 8];
+/** Sides of the squares of samples. */
+const SIDES = [4, 8, 12, 16, 24, 32];
 
-/** Points around a quiet pixel, from its top left corner. */
+/** The fewest where something may be small and alone, or an edge. */
+const CAREFUL = 8;
+
+/** Whether a square of this side is enough for colours that differ by so many codes. */
+const isEnough = (side: number, range: number, isSmooth: boolean): boolean =>
+  isSmooth ? side * side >= 7.2 * range : 2 * side * side * side >= range * range;
+
+/** Places in a pixel and around it, from its top left corner. */
 const AROUND = [-1 / 8, 1 / 2, 9 / 8].flatMap((x) =>
-  [-1 / 8, 1 / 2, 9 / 8].filter((y) => x !== 1 / 2 || y !== 1 / 2).map((y) => [x, y] as const),
+  [-1 / 8, 1 / 2, 9 / 8].map((y) => [x, y] as const),
 );
 
 /**
- * The means of rows `from` to `to` (excluded): r, g, b, a of each pixel; see {@link castPicture}.
+ * The mean over each pixel's square of what the equation writes there, clamped and encoded but not
+ * rounded, of rows `from` to `to` (excluded): r, g, b, a of each pixel, codes 0–255, premultiplied.
  */
 export function castRows(
   tracer: Tracer,
-  options: CastOptions,
+  { width, samples = 1024 }: CastOptions,
   from: number,
   to: number,
 ): Float64Array {
-  const { width, samples = 1024 } = options;
-  const side = Math.sqrt(samples);
-  if (!Number.isInteger(side) || side < 1) {
+  const most = Math.sqrt(samples);
+  if (!Number.isInteger(most) || most < 1) {
     throw new RangeError('samples must be the square of a whole number');
   }
   const means = new Float64Array(4 * width * (to - from));
   for (let row = from; row < to; row++) {
     for (let column = 0; column < width; column++) {
       if (!tracer.mayMeet(column, row)) continue;
-      const mean = means.subarray(4 * ((row - from) * width + column)).subarray(0, 4);
-      const pixel = row * width + column;
-      const few = FEW.filter((least) => least < side);
-      if (isQuiet(tracer, column, row, few, randomFrom(~pixel), mean)) continue;
-      mean.fill(0);
-      forSamples(tracer, column, row, side, randomFrom(pixel), ({ color }) => {
-        for (let i = 0; i < 4; i++) {
-          mean[i]! += color[i as 0];
-        }
-      });
-      for (let i = 0; i < 4; i++) {
-        mean[i]! /= samples;
-      }
+      const at = 4 * ((row - from) * width + column);
+      castPixel(tracer, column, row, most, randomFrom(row * width + column));
+      means.set(mean, at);
     }
   }
   return means;
 }
 
-/** Writes the mean of few samples; false where it may not be good enough. */
-function isQuiet(
+/** Writes {@link mean}. */
+function castPixel(
   tracer: Tracer,
   column: number,
   row: number,
-  sides: readonly number[],
+  most: number,
   random: () => number,
-  mean: Float64Array,
-): boolean {
-  if (sides.length === 0) return false;
+): void {
   tracer.sampleAt(column + 0.5, row + 0.5, scratch);
   const middle = scratch.piece;
-  for (const [x, y] of AROUND) {
-    tracer.sampleAt(column + x, row + y, scratch);
-    if (scratch.piece !== middle) return false;
+  let isSmooth = most > SIDES[0]!;
+  for (let i = 0; i < AROUND.length && isSmooth; i++) {
+    tracer.sampleAt(column + AROUND[i]![0], row + AROUND[i]![1], scratch);
+    isSmooth = scratch.piece === middle;
   }
-  if (middle === NOTHING) {
-    sides = [sides.at(-1)!]; // what is small and alone shows in many samples only
+  for (const side of SIDES) {
+    if (side < CAREFUL && (!isSmooth || middle === NOTHING) && side < most) continue;
+    const taken = Math.min(side, most);
+    isSmooth = meanOf(tracer, column, row, taken, middle, random) && isSmooth;
+    const range = Math.max(...high.map((value, i) => value - low[i]!));
+    const least = isSmooth ? 0 : CAREFUL;
+    if (taken === most || (side >= least && isEnough(side, range, isSmooth))) return;
   }
-  for (const side of sides) {
-    const most = (side * side) / 8;
-    let others = 0;
-    mean.fill(0);
-    low.fill(Infinity);
-    high.fill(-Infinity);
-    forSamples(tracer, column, row, side, random, ({ color, piece }) => {
-      if (piece !== middle) {
-        others++;
-      }
-      for (let i = 0; i < 4; i++) {
-        const value = color[i as 0];
-        mean[i]! += value / (side * side);
-        if (value < low[i]!) {
-          low[i] = value;
-        }
-        if (value > high[i]!) {
-          high[i] = value;
-        }
-      }
-    });
-    if (others > 0) return false;
-    if (high.every((value, i) => value - low[i]! < most)) return true;
-  }
-  return false;
 }
 
+const mean = new Float64Array(4);
 const low = new Float64Array(4);
 const high = new Float64Array(4);
+const scratch: Sample = { color: [0, 0, 0, 0], piece: 0 };
 
-function forSamples(
+/**
+ * Writes the mean, the lowest and the highest values of a square of samples. Whether all are of the
+ * same piece.
+ */
+function meanOf(
   tracer: Tracer,
   column: number,
   row: number,
   side: number,
+  piece: number,
   random: () => number,
-  visit: (sample: Sample) => void,
-): void {
+): boolean {
+  let isOne = true;
+  mean.fill(0);
+  low.fill(Infinity);
+  high.fill(-Infinity);
   for (let j = 0; j < side; j++) {
     for (let i = 0; i < side; i++) {
       tracer.sampleAt(column + (i + random()) / side, row + (j + random()) / side, scratch);
-      visit(scratch);
+      isOne &&= scratch.piece === piece;
+      for (let k = 0; k < 4; k++) {
+        const value = scratch.color[k as 0];
+        mean[k]! += value;
+        low[k] = Math.min(low[k]!, value);
+        high[k] = Math.max(high[k]!, value);
+      }
     }
   }
+  for (let k = 0; k < 4; k++) {
+    mean[k]! /= side * side;
+  }
+  return isOne;
 }
-
-const scratch: Sample = { color: [0, 0, 0, 0], piece: 0 };
 
 /**
  * Numbers in [0, 1) that depend on the pixel alone, however rows are shared among threads:

@@ -81,7 +81,9 @@ export class ObjectSurface {
     const { material } = this.object;
     const { texture, metalRoughTexture, emissiveTexture, unlit = false } = material;
     out.alpha = material.alphaMode === 'blend' ? this.opacityAt(hit) : 1;
-    let [r, g, b] = this.#base;
+    let r = this.#base[0];
+    let g = this.#base[1];
+    let b = this.#base[2];
     if (texture !== undefined) {
       this.#read(texture, hit, this.#decode);
       r *= texel[0]!;
@@ -99,8 +101,10 @@ export class ObjectSurface {
       g *= channel(1);
       b *= channel(2);
     }
-    const base: Vec3 = [r, g, b];
-    out.base = base;
+    const { base } = out;
+    base[0] = r;
+    base[1] = g;
+    base[2] = b;
     if (unlit) return;
     let { metalness: m = 0, lobeScale: lobe = 1, shininess: n } = material;
     if (metalRoughTexture !== undefined) {
@@ -197,7 +201,7 @@ export class ObjectSurface {
 /** Colours 0–1, decoded where shading is linear. */
 export interface SurfacePoint {
   /** The base colour. */
-  base: Vec3;
+  readonly base: [number, number, number];
   readonly ka: [number, number, number];
   readonly kd: [number, number, number];
   readonly ks: [number, number, number];
@@ -208,7 +212,7 @@ export interface SurfacePoint {
 }
 
 export const newSurfacePoint = (): SurfacePoint => ({
-  base: WHITE,
+  base: [1, 1, 1],
   ka: [0, 0, 0],
   kd: [0, 0, 0],
   ks: [0, 0, 0],

@@ -125,7 +125,7 @@ export class Tracer {
    * is in world space, outward.
    */
   hitAt(x: number, y: number): Readonly<Hit> {
-    const hit = this.#trace(x, y, this.screen.direction(x, y));
+    const hit = this.#trace(x, y);
     if (hit.t < Infinity && hit.triangle >= 0) {
       const { front } = hit;
       hit.front = true;
@@ -135,8 +135,11 @@ export class Tracer {
     return hit;
   }
 
-  #trace(x: number, y: number, direction: Vec3): Hit {
-    const { width, height } = this.screen;
+  #trace(x: number, y: number): Hit {
+    const { screen } = this;
+    const { width, height } = screen;
+    screen.aim(x, y);
+    const { dx, dy, dz } = screen;
     const hit = this.#hit;
     hit.t = Infinity;
     if (this.#layers.length > 0) {
@@ -144,9 +147,6 @@ export class Tracer {
     }
     const column = clamp(Math.floor(x), 0, width - 1);
     const row = clamp(Math.floor(y), 0, height - 1);
-    const dx = direction[0];
-    const dy = direction[1];
-    const dz = direction[2];
     this.#triangles.intersect(row * width + column, dx, dy, dz, hit);
     for (const { intersect, object, toShape, toWorld, eye, center, radius } of this.#solids) {
       const cx = center[0];
@@ -169,15 +169,14 @@ export class Tracer {
   sampleAt(x: number, y: number, sample: Sample): void {
     const { color } = sample;
     const shaded = this.#color;
-    const direction = this.screen.direction(x, y);
-    const hit = this.#trace(x, y, direction);
+    const hit = this.#trace(x, y);
     color[0] = 0;
     color[1] = 0;
     color[2] = 0;
     color[3] = 0;
     sample.piece = NOTHING;
     if (hit.t < Infinity) {
-      sample.piece = this.#shade(hit, direction);
+      sample.piece = this.#shade(hit);
       color[0] = 255 * shaded[0];
       color[1] = 255 * shaded[1];
       color[2] = 255 * shaded[2];
@@ -191,7 +190,7 @@ export class Tracer {
     for (const layer of this.#layers) {
       if (!(layer.t <= depth)) continue;
       depth = layer.t;
-      sample.piece = Math.imul(sample.piece, 0x9e3779b1) + this.#shade(layer, direction);
+      sample.piece = Math.imul(sample.piece, 0x9e3779b1) + this.#shade(layer);
       const { alpha } = this.#point;
       for (let i = 0; i < 4; i++) {
         color[i as 0] = 255 * alpha * (i < 3 ? shaded[i as 0] : 1) + (1 - alpha) * color[i as 0];
@@ -200,10 +199,8 @@ export class Tracer {
   }
 
   /** Writes colour and opacity at a hit, and returns its piece. */
-  #shade(hit: Hit, direction: Vec3): number {
-    const dx = direction[0];
-    const dy = direction[1];
-    const dz = direction[2];
+  #shade(hit: Hit): number {
+    const { dx, dy, dz } = this.screen;
     const surface = this.#surfaces[hit.object]!;
     const { material } = surface.object;
     const { quantity, linear = false } = this.#scene;
