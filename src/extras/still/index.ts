@@ -51,7 +51,7 @@ export async function still(markup: string, options: StillOptions): Promise<Stil
 }
 
 /** Beside this file once it is built. */
-const WORKER = new URL('./still-worker.js', import.meta.url);
+const WORKER = new URL(/* @vite-ignore */ './still-worker.js', import.meta.url);
 
 /** 1 in browsers. */
 async function cores(): Promise<number> {

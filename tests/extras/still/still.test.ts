@@ -1,0 +1,202 @@
+// What markup becomes: other shadings, views, models, files, and what is refused or warned of.
+import { PNG } from 'pngjs';
+import { describe, expect, it } from 'vitest';
+import { still } from 'phong-viewer/still';
+import { patch } from '../../support/gltf.js';
+
+const SIZE = 21;
+const MIDDLE = 10;
+
+async function draw(markup: string, size = SIZE) {
+  const warnings: string[] = [];
+  const options = { width: size, height: size, threads: 1 };
+  const made = await still(markup, { ...options, warn: (text) => warnings.push(text) });
+  const at = (x: number, y: number): readonly number[] => [
+    ...made.pixels.subarray(4 * (y * size + x), 4 * (y * size + x) + 4),
+  ];
+  return { ...made, warnings, at, middle: at(MIDDLE, MIDDLE) };
+}
+
+const FRONT = 'theta="0" phi="90" radius="4" target="0 0 0"';
+const SUN = '<phong-light position="0 0 1 0" specular="0"></phong-light>';
+const front = (mesh: string, viewer = 'fov="1"', light = SUN): string =>
+  `<phong-viewer ${FRONT} ${viewer}>${light}${mesh}</phong-viewer>`;
+const WALL = '<phong-mesh geometry="plane" rotation="90 0 0"></phong-mesh>';
+
+describe('a still', () => {
+  it('is a PNG of its pixels', async () => {
+    const { png, pixels } = await draw(front('<phong-mesh geometry="torus"></phong-mesh>', ''));
+    expect(PNG.sync.read(Buffer.from(png)).data.equals(Buffer.from(pixels))).toBe(true);
+  });
+
+  it('frames the scene, and lights it from the eye where it has no light', async () => {
+    const { middle, at } = await draw('<phong-viewer geometry="sphere"></phong-viewer>');
+    // Kd + Ks where the surface faces the eye.
+    expect(middle).toEqual([255, 255, 255, 255]);
+    expect(at(0, 0)[3]).toBe(0);
+    // The sphere fills 1/1.05 of the smaller side.
+    expect(at(0, MIDDLE)[3]).toBeLessThan(255);
+    expect(at(1, MIDDLE)[3]).toBe(255);
+  });
+
+  it('interpolates the corners’ sums under Gouraud shading', async () => {
+    const lamp = '<phong-light position="0.5 0.5 1" specular="0"></phong-light>';
+    const { middle } = await draw(front(WALL, 'fov="1" shading="gouraud"', lamp));
+    // The middle lies between two opposite corners: 1 above the wall and √2 beside the lamp, or the
+    // one under the lamp.
+    const corners = [
+      [1, 1 / Math.sqrt(3)],
+      [1 / Math.sqrt(2), 1 / Math.sqrt(2)],
+    ];
+    const means = corners.map(([a, b]) => Math.round((200 * (a! + b!)) / 2));
+    expect(means).toContain(middle[0]);
+  });
+
+  it('has the triangles’ own normals under flat shading', async () => {
+    const cylinder = '<phong-mesh geometry="cylinder" segments="4" shading="flat"></phong-mesh>';
+    const { at } = await draw(front(cylinder, 'fov="10"'));
+    expect(at(MIDDLE + 4, MIDDLE)[0]).toBe(Math.round(200 * Math.SQRT1_2));
+    expect(at(MIDDLE - 4, MIDDLE)[0]).toBe(Math.round(200 * Math.SQRT1_2));
+  });
+
+  it.each([
+    ['normals', [128, 128, 255]],
+    ['n-dot-l', [255, 255, 255]],
+    ['attenuation', [142, 142, 142]],
+    ['decay', [64, 64, 64]],
+    ['diffuse', [100, 100, 100]],
+    ['ambient', [0, 0, 0]],
+  ])('shows the view %s', async (view, [r, g, b]) => {
+    const lamp =
+      '<phong-light position="0 0 2" axis="1 0 0" cutoff="2" attenuation="1 0.4 0" diffuse="918"></phong-light>';
+    const { middle } = await draw(front(WALL, `fov="1" view="${view}"`, lamp));
+    expect(middle).toEqual([r, g, b, 255]);
+  });
+
+  it('shows nothing lit for a light that view-light names in vain, and says so', async () => {
+    const { middle, warnings } = await draw(front(WALL, 'fov="1" view-light="moon"'));
+    expect(middle).toEqual([0, 0, 0, 255]);
+    expect(warnings).toEqual([
+      '<phong-viewer view-light="moon">: no light has this name, so none is shown. Names of lights: "light 1".',
+    ]);
+  });
+
+  it('blends what a file declares translucent over what lies behind it', async () => {
+    const material = {
+      alphaMode: 'BLEND',
+      extensions: { KHR_materials_unlit: {} },
+      pbrMetallicRoughness: { baseColorFactor: [1, 0, 0, 0.4] },
+    };
+    const glass = `<phong-mesh src="${patch({ material })}" position="0 0 1"></phong-mesh>`;
+    const { middle } = await draw(front(glass + WALL));
+    expect(middle).toEqual([Math.round(0.4 * 255 + 0.6 * 200), 120, 120, 255]);
+    const { middle: alone } = await draw(front(glass));
+    expect(alone).toEqual([255, 0, 0, 102]);
+  });
+
+  it('reads the colour of a texel, and leaves out what a mask cuts away', async () => {
+    const texels = [
+      [200, 100, 50, 255],
+      [200, 100, 50, 255],
+      [200, 100, 50, 255],
+      [200, 100, 50, 255],
+    ] as const;
+    const material = {
+      alphaMode: 'MASK',
+      extensions: { KHR_materials_unlit: {} },
+      pbrMetallicRoughness: { baseColorTexture: { index: 0 } },
+    };
+    const model = (list: readonly (readonly [number, number, number, number])[]): string =>
+      front(`<phong-mesh src="${patch({ material, textures: [[...list]] })}"></phong-mesh>`);
+    expect((await draw(model(texels))).middle).toEqual([200, 100, 50, 255]);
+    const clear = texels.map(([r, g, b]) => [r, g, b, 100] as const);
+    expect((await draw(model(clear))).middle).toEqual([0, 0, 0, 0]);
+  });
+
+  it.each(['glb', 'ply', 'stl', 'obj'])('reads models in the format %s', async (format) => {
+    const name = {
+      glb: 'no-normals.glb',
+      ply: 'coloured.ply',
+      stl: 'coloured.stl',
+      obj: 'quads.obj',
+    };
+    const src = new URL(`../../fixtures/models/${name[format as 'glb']}`, import.meta.url).href;
+    const { pixels } = await draw(`<phong-viewer src="${src}"></phong-viewer>`);
+    expect(pixels.filter((value, i) => i % 4 === 3 && value === 255).length).toBeGreaterThan(50);
+  });
+});
+
+describe('values in a still’s markup', () => {
+  it.each([
+    ['#fc8', [255, 204, 136]],
+    ['#fc8a', [255, 204, 136]],
+    ['tomato', [255, 99, 71]],
+    ['rgb(50% 0 100%)', [128, 0, 255]],
+    ['rgba(10, 20, 30, 0.5)', [10, 20, 30]],
+    ['hsl(210 50% 40%)', [51, 102, 153]],
+    ['hsl(0.5turn, 100%, 25%)', [0, 128, 128]],
+    ['hwb(120 20% 40%)', [51, 153, 51]],
+    ['100 50 25', [100, 50, 25]],
+  ])('may be the colour %s', async (color, expected) => {
+    const light = `<phong-light position="0 0 1 0" specular="0" diffuse="${color}"></phong-light>`;
+    const mesh = '<phong-mesh geometry="plane" rotation="90 0 0" kd="255"></phong-mesh>';
+    const { middle, warnings } = await draw(front(mesh, 'fov="1"', light));
+    expect(warnings).toEqual([]);
+    expect(middle).toEqual([...expected, 255]);
+  });
+
+  it.each([
+    ['<phong-viewer fov="200" geometry="box"></phong-viewer>', 'a number from 1 to 170'],
+    ['<phong-viewer geometry="boxx"></phong-viewer>', 'Did you mean "box"?'],
+    ['<phong-viewer geometry="box" kd="redd"></phong-viewer>', 'using 200 200 200 instead'],
+    ['<phong-viewer geometry="box" shininess="NaN"></phong-viewer>', 'using 32 instead'],
+    ['<phong-viewer geometry="box" segments="9999"></phong-viewer>', 'using auto instead'],
+    ['<phong-viewer><phong-light position="1 2"></phong-light></phong-viewer>', 'x y z w'],
+    [
+      '<phong-viewer><phong-mesh geometry="box" scale="a"></phong-mesh></phong-viewer>',
+      '<phong-mesh>',
+    ],
+    ['<phong-viewer geometry="box" radius="-1"></phong-viewer>', 'using auto instead'],
+  ])('warn as in a browser: %s', async (markup, part) => {
+    const { warnings } = await draw(markup);
+    expect(warnings).toHaveLength(1);
+    expect(warnings[0]).toContain(part);
+  });
+
+  it.each([
+    ['', 'one <phong-viewer>, and the markup has 0'],
+    ['<phong-viewer></phong-viewer><phong-viewer></phong-viewer>', 'has 2'],
+    ['<phong-viewer view="triangles" geometry="box"></phong-viewer>', 'view="triangles"'],
+    ['<phong-viewer geometry="box" kd="oklch(0.5 0.1 20)"></phong-viewer>', 'oklch(0.5 0.1 20)'],
+    ['<phong-viewer src="model.glb"></phong-viewer>', 'without options.base'],
+    ['<phong-viewer src="file:///nowhere/model.glb"></phong-viewer>', 'model.glb cannot be read'],
+    [`<phong-viewer src="${fixture('ktx2.glb')}"></phong-viewer>`, 'KTX2'],
+    [`<phong-viewer src="${fixture('meshopt.glb')}"></phong-viewer>`, 'meshopt'],
+    [`<phong-viewer src="${fixture('truncated.glb')}"></phong-viewer>`, 'truncated'],
+    [`<phong-viewer src="${fixture('claims-zeros.glb')}"></phong-viewer>`, 'at most'],
+    [`<phong-viewer src="${fixture('other-origin.gltf')}"></phong-viewer>`, 'not in the folder'],
+    [
+      `<phong-viewer>${'<phong-mesh geometry="teapot" segments="512"></phong-mesh>'.repeat(20)}</phong-viewer>`,
+      'triangles',
+    ],
+  ])('are refused by name: %s', async (markup, part) => {
+    await expect(draw(markup)).rejects.toThrow(part);
+  });
+
+  it('has a size in whole pixels', async () => {
+    for (const size of [0, 1.5, NaN, 1e9]) {
+      await expect(draw('<phong-viewer></phong-viewer>', size)).rejects.toThrow(RangeError);
+    }
+  });
+
+  it('need no end tags, as in a browser', async () => {
+    const { middle } = await draw(
+      `<phong-viewer ${FRONT} fov="1">${SUN}${WALL.replace('</phong-mesh>', '')}`,
+    );
+    expect(middle).toEqual([200, 200, 200, 255]);
+  });
+});
+
+function fixture(name: string): string {
+  return new URL(`../../fixtures/models/${name}`, import.meta.url).href;
+}
