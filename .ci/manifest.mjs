@@ -1,14 +1,14 @@
 // @ts-check
 // Writes the descriptions of the elements that editors and documentation tools read into dist/, and
-// src/ATTRIBUTES.md. A step of `npm run build`.
+// the tables of demo/guide/reference.md. A step of `npm run build`.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
-import { attributesPage } from './manifest/attributes-page.mjs';
 import { describeElements } from './manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from './manifest/formats.mjs';
+import { referencePage } from './manifest/reference-page.mjs';
 import { outputFolder } from './output-folder.mjs';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
@@ -26,7 +26,8 @@ write(
   webTypes(elements, JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8'))),
 );
 write('vscode.html-custom-data.json', vsCodeHtmlData(elements));
-writeFileSync(join(repository, 'src/ATTRIBUTES.md'), attributesPage(elements));
+const page = join(repository, 'demo/guide/reference.md');
+writeFileSync(page, referencePage(readFileSync(page, 'utf8'), elements));
 
 /** @param {string} name @param {object} content */
 function write(name, content) {

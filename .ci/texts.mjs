@@ -1,7 +1,6 @@
 // @ts-check
 // Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it
-// to import; the type of their keys; and the list of keys in src/TEXTS.md. A step of `npm run
-// build`, after the types.
+// to import; and the type of their keys. A step of `npm run build`, after the types.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -54,13 +53,4 @@ export default texts;
     .replace(/^type Sections = [^;]*;\n/m, '')
     .replace(/\{\s*\[S in keyof Sections\][^}]*\}\[keyof Sections\]/, keys.join(' | '));
   writeFileSync(types, declared);
-  const page = fileURLToPath(new URL('../src/TEXTS.md', import.meta.url));
-  const list = Object.entries(sections).map(
-    ([heading, texts]) =>
-      `### ${heading}\n\n${Object.keys(texts)
-        .map((key) => `- \`${key}\`\n`)
-        .join('')}`,
-  );
-  const before = readFileSync(page, 'utf8').split('### ', 1)[0];
-  writeFileSync(page, `${before}${list.join('\n')}`);
 }

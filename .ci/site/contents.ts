@@ -1,5 +1,5 @@
-// Which pages does the site have, and in what order are they read? Paths are relative to the site's
-// root and end with a slash. Knows no page's text.
+// Which pages does the site have, in what order are they read, and where did pages of earlier
+// addresses go? Paths are relative to the site's root and end with a slash. Knows no page's text.
 
 export interface Entry {
   readonly path: string;
@@ -9,38 +9,50 @@ export interface Entry {
 /** The header's navigation, on every page. */
 export const sections: readonly Entry[] = [
   { path: 'lesson/', label: 'Lesson' },
-  { path: 'guide/', label: 'Guide' },
+  { path: 'guide/light/', label: 'Guide' },
   { path: 'examples/', label: 'Examples' },
   { path: 'playground/', label: 'Playground' },
-  { path: 'api/', label: 'API' },
-  { path: 'install/', label: 'Install' },
+  { path: 'guide/reference/', label: 'Reference' },
+  { path: 'guide/install/', label: 'Install' },
 ];
 
-/** Links of the footer. */
-export const foot: readonly Entry[] = [
-  { path: 'bench/', label: 'Bench' },
-  { path: 'releases/', label: 'Releases' },
-];
-
-/** The short pages of the guide. */
+/** The guide: a page for each demo/guide/NAME.md, in the order in which they are read. */
 export const guide: readonly Entry[] = [
-  { path: 'guide/lights/', label: 'Lights' },
-  { path: 'guide/spots/', label: 'Spots' },
-  { path: 'guide/camera/', label: 'Camera' },
-  { path: 'guide/materials/', label: 'Materials' },
-  { path: 'guide/models/', label: 'Models' },
+  { path: 'guide/light/', label: 'Light' },
   { path: 'guide/see/', label: 'See light' },
-  { path: 'guide/accuracy/', label: 'Accuracy' },
-  { path: 'guide/speed/', label: 'Speed' },
-  { path: 'guide/frameworks/', label: 'Frameworks' },
+  { path: 'guide/lessons/', label: 'Write a lesson' },
+  { path: 'guide/camera/', label: 'Camera and panel' },
+  { path: 'guide/models/', label: 'Shapes and models' },
+  { path: 'guide/install/', label: 'Install' },
+  { path: 'guide/reliability/', label: 'Accuracy and errors' },
+  { path: 'guide/core/', label: 'Without the elements' },
+  { path: 'guide/reference/', label: 'Reference' },
 ];
 
-/** The pages that the guide builds on. */
-export const closerLooks: readonly Entry[] = [
-  { path: 'article/', label: 'Equation' },
-  { path: 'explain/', label: 'Fragment' },
-  { path: 'shapes/', label: 'Shapes' },
-  { path: 'lights/', label: 'Many lights' },
-  { path: 'bunny/', label: 'Bunny' },
+/** What the contents list of the guide names below its own pages, and the footer. */
+export const others: readonly Entry[] = [
+  { path: 'lesson/', label: 'Lesson' },
+  { path: 'examples/', label: 'Examples' },
+  { path: 'playground/', label: 'Playground' },
   { path: 'models/', label: 'Twenty models' },
+  { path: 'bench/', label: 'Bench' },
 ];
+
+/** Where what was at an address is now. */
+export const moved: Readonly<Record<string, string>> = {
+  'api/': 'guide/reference/',
+  'article/': 'guide/light/',
+  'bunny/': 'guide/models/',
+  'explain/': 'guide/see/#a-point-explained',
+  'guide/': 'guide/light/',
+  'guide/accuracy/': 'guide/reliability/',
+  'guide/frameworks/': 'guide/install/#frameworks',
+  'guide/lights/': 'guide/light/#lights-in-markup',
+  'guide/materials/': 'guide/models/#materials',
+  'guide/speed/': 'guide/reliability/#speed',
+  'guide/spots/': 'guide/light/#spots',
+  'install/': 'guide/install/',
+  'lights/': 'guide/light/#many-lights',
+  'releases/': '',
+  'shapes/': 'guide/models/#shapes',
+};

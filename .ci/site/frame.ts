@@ -2,8 +2,8 @@
 // header with the navigation, the footer with the way to the package. Text only; knows no page's
 // content.
 
-import { closerLooks, foot, guide, sections, type Entry } from './contents.js';
-import { escapeHtml } from './markdown.js';
+import { guide, others, sections, type Entry } from './contents.js';
+import { escapeHtml, type Section } from './markdown.js';
 
 /**
  * Scripts, styles, models and pictures come from the site itself; nothing inline, nothing
@@ -81,28 +81,44 @@ export function headHtml(
     <link rel="stylesheet" href="${root}page.css" />`;
 }
 
-export function headerHtml(path: string): string {
+/** @param inside the page's own sections, if it is one of the guide */
+export function headerHtml(path: string, inside: readonly Section[]): string {
   const root = rootFrom(path);
-  const deep = closerLooks.some((page) => page.path === path);
+  const isGuide = guide.some((page) => page.path === path);
+  const named = sections.some((section) => section.path === path);
   const items = sections.map((section) => {
-    const inside = path.startsWith(section.path) || (deep && section.path === 'guide/');
-    const current = section.path === path ? 'page' : inside ? 'true' : '';
-    return link(section, root, current);
+    const part = path.startsWith(section.path) || (isGuide && !named && section === sections[1]);
+    return link(section, root, section.path === path ? 'page' : part ? 'true' : '');
   });
-  const topics = path.startsWith('guide/') || deep ? [...guide, ...closerLooks] : [];
   return `
       <a class="skip" href="#main">Skip to the text</a>
       <header class="head">
         <a class="mark" href="${root}">&lt;phong-viewer&gt;</a>
         <nav aria-label="Pages"><ul>${items.join('')}</ul></nav>
-      </header>${
-        topics.length === 0
-          ? ''
-          : `
-      <nav class="topics" aria-label="Guide"><ul>${topics
-        .map((topic) => link(topic, root, topic.path === path ? 'page' : ''))
-        .join('')}</ul></nav>`
-      }`;
+        <div class="search" role="search">
+          <input id="search" type="search" placeholder="Search" aria-label="Search all pages" aria-controls="found" autocomplete="off" spellcheck="false" />
+          <ol id="found" aria-label="Found" hidden></ol>
+        </div>
+      </header>${isGuide ? contentsHtml(path, root, inside) : ''}`;
+}
+
+/** The contents list: the guide's pages, the sections of this one, and what is not of the guide. */
+function contentsHtml(path: string, root: string, inside: readonly Section[]): string {
+  const own = inside
+    .filter(({ level }) => level === 2)
+    .map(({ id, title }) => `<li><a href="#${id}">${title}</a></li>`);
+  const pages = guide.map((page) =>
+    page.path === path
+      ? link(page, root, 'page').replace('</li>', `<ol>${own.join('')}</ol></li>`)
+      : link(page, root, ''),
+  );
+  return `
+      <nav class="topics" aria-label="Guide">
+        <button type="button" aria-expanded="false" aria-controls="topics">Contents</button>
+        <div id="topics"><ol>${pages.join('')}</ol><ul>${others
+          .map((page) => link(page, root, ''))
+          .join('')}</ul></div>
+      </nav>`;
 }
 
 export function footerHtml(path: string, { version, repository }: Facts): string {
@@ -110,13 +126,16 @@ export function footerHtml(path: string, { version, repository }: Facts): string
   return `${neighboursHtml(path, root)}
       <footer class="foot">
         <p class="get">
-          Get it: <a href="${root}install/">one file for a page of your own</a>, or, once published,
+          Get it: <a href="${root}guide/install/">one file for a page of your own</a>, or, once published,
           <code>npm install phong-viewer three</code>.
         </p>
         <p>
           phong-viewer ${escapeHtml(version)}, MIT licence${
             repository === '' ? '' : `, <a href="${escapeHtml(repository)}">source</a>`
-          }. ${foot.map(({ path: to, label }) => `<a href="${root}${to}">${label}</a>`).join(', ')}. Every picture by
+          }. ${others
+            .slice(-2)
+            .map(({ path: to, label }) => `<a href="${root}${to}">${label}</a>`)
+            .join(', ')}. Every picture by
           phong-viewer on these pages is drawn as you look at it.
         </p>
       </footer>`;
@@ -124,10 +143,9 @@ export function footerHtml(path: string, { version, repository }: Facts): string
 
 /** Links to the page before and after, in the guide's order. */
 function neighboursHtml(path: string, root: string): string {
-  const order = [{ path: 'guide/', label: 'Guide' }, ...guide];
-  const at = order.findIndex((page) => page.path === path);
+  const at = guide.findIndex((page) => page.path === path);
   if (at < 0) return '';
-  const [before, after] = [order[at - 1], order[at + 1]];
+  const [before, after] = [guide[at - 1], guide[at + 1]];
   const parts = [
     before ? `<a rel="prev" href="${root}${before.path}">← ${before.label}</a>` : '<span></span>',
     after ? `<a rel="next" href="${root}${after.path}">${after.label} →</a>` : '',

@@ -1,29 +1,24 @@
-// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api
-// -->` by generated parts, and gives the playground the documented attributes. The same in the
-// development server and in the build.
+// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- sizes
+// -->` by generated parts, adds the search index and what is at earlier addresses, and gives the
+// playground the documented attributes. The same in the development server and in the build.
 
 import { spawn, spawnSync } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Package as Manifest } from 'custom-elements-manifest';
 import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
+import { moved } from './contents.js';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
-import {
-  apiHtml,
-  examplesHtml,
-  type Example,
-  membersHtml,
-  releasesHtml,
-  sizeOf,
-  sizesHtml,
-} from './generated.js';
+import { examplesHtml, type Example, sizeOf, sizesHtml } from './generated.js';
 import { readmePage } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
 import { pairsHtml, type ModelEntries } from './models.js';
+import { guidePage, markdownOf, movedHtml, pagePaths, sourceOf } from './pages.js';
 import { picturesHtml } from './pictures.js';
+import { searchIndex } from './search.js';
 import { readResults } from '../../tests/bench/results.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -36,11 +31,11 @@ const BUILT: readonly (readonly [file: RegExp, parts: readonly string[]])[] = [
   [/^\/embed\.(html|js)$/, ['manifest', 'embed']],
 ];
 
-/** Every index.html under demo/. */
-export const pageFiles = (): string[] =>
-  readdirSync(demo, { recursive: true, encoding: 'utf8' })
-    .filter((path) => path.endsWith('index.html'))
-    .map((path) => join(demo, path));
+/** The pages as Vite's entries: those of the guide have no file of that name. */
+export const pageFiles = (): string[] => pagePaths().map((path) => join(demo, path, 'index.html'));
+
+/** A page's path, from its file or its address with a slash in front. */
+const pathOf = (name: string): string => name.replace(/^\//, '').replace(/index\.html$/, '');
 
 /**
  * The data of tags and attributes that editors read; the playground completes and filters by it.
@@ -73,9 +68,32 @@ export function sitePages(): Plugin {
     configResolved(config) {
       building = config.command === 'build';
     },
-    configureServer({ middlewares }) {
+    resolveId: (id) => (guideFile(id) === null ? null : id),
+    load: (id) =>
+      guideFile(id) === null
+        ? null
+        : sourceOf(pathOf(relative(demo, id)), packageFacts().repository),
+    configureServer(server) {
+      const { middlewares } = server;
       middlewares.use((request, response, next) => {
         const path = (request.url ?? '').replace(/[?#].*$/, '');
+        const page = pathOf(path);
+        if (path === '/search.json') {
+          response.setHeader('content-type', 'application/json').end(searchJson());
+          return;
+        }
+        const to = Object.hasOwn(moved, page) ? moved[page] : undefined;
+        if (to !== undefined) {
+          response.setHeader('content-type', 'text/html').end(movedHtml(page, to));
+          return;
+        }
+        if (markdownOf(page) !== null) {
+          const source = sourceOf(page, packageFacts().repository);
+          void server
+            .transformIndexHtml(`/${page}index.html`, source)
+            .then((html) => response.setHeader('content-type', 'text/html').end(html), next);
+          return;
+        }
         const parts = BUILT.find(([file]) => file.test(path))?.[1];
         if (parts === undefined) {
           next();
@@ -92,8 +110,7 @@ export function sitePages(): Plugin {
     },
     transformIndexHtml: {
       order: 'pre',
-      handler: (html, { path }) =>
-        pageHtml(html, path.replace(/^\//, '').replace(/index\.html$/, ''), building),
+      handler: (html, { path }) => pageHtml(html, pathOf(path), building),
     },
     writeBundle() {
       if (!building) return;
@@ -111,12 +128,29 @@ export function sitePages(): Plugin {
           cpSync(join(dist, name), join(output, name), { recursive: true });
         }
       }
+      writeFileSync(join(output, 'search.json'), searchJson());
+      for (const [path, to] of Object.entries(moved)) {
+        mkdirSync(join(output, path), { recursive: true });
+        writeFileSync(join(output, path, 'index.html'), movedHtml(path, to));
+      }
       const { site } = packageFacts();
       if (site !== '') {
         writeFileSync(join(output, 'sitemap.xml'), sitemap(site));
       }
     },
   };
+}
+
+/** The Markdown of a page that Vite asks for; null for other modules. */
+const guideFile = (id: string): string | null =>
+  id.startsWith(demo) && id.endsWith('/index.html') ? markdownOf(pathOf(relative(demo, id))) : null;
+
+/** The index of all pages, as they are now. */
+function searchJson(): string {
+  const { repository: address } = packageFacts();
+  return searchIndex(
+    pagePaths().map((path) => ({ path, html: pageHtml(sourceOf(path, address), path, false) })),
+  );
 }
 
 /** Builds in progress, by their parts: each runs once. */
@@ -156,12 +190,14 @@ function pageHtml(source: string, path: string, building: boolean): string {
     throw new Error(`demo/${path}: needs a title and a description`);
   }
   const facts = packageFacts();
+  const markdown = markdownOf(path);
+  const inside = markdown === null ? [] : guidePage(markdown, facts.repository).sections;
   const head = headHtml({ path, title: title[1]!, description: description[1]! }, facts, building);
   return source
     .replace(title[0], '')
     .replace(description[0], '')
     .replace('<head>', () => `<head>${head}`)
-    .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path))
+    .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path, inside))
     .replace('</main>', () => `</main>${footerHtml(path, facts)}`)
     .replace(/<a href="repository:([^"]+)"\s*>([^]*?)<\/a\s*>/g, (_, file: string, words: string) =>
       repositoryLink(file, words, facts.repository),
@@ -184,17 +220,7 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
   string,
   (argument: string) => string
 >([
-  ['api', () => apiHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
-  [
-    'releases',
-    () =>
-      releasesHtml(
-        readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'),
-        packageFacts().repository,
-      ),
-  ],
   ['sizes', () => sizesHtml(dist)],
-  ['members', () => membersHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
   ['texts', textsHtml],
   ['size', (name) => sizeOf(dist, `phong-viewer.${name}.js`)],
   [
@@ -205,6 +231,11 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
   ['pictures', () => picturesHtml(readResults(join(repository, 'tests/bench/results')))],
   ['scene', sceneHtml],
   ['page', () => escapeHtml(readmePage()).trim()],
+  [
+    'download',
+    () =>
+      `<p><a href="../../phong-viewer.classic.js" download>Download phong-viewer.classic.js</a> (${sizeOf(dist, 'phong-viewer.classic.js')} kB, compressed).</p>`,
+  ],
   [
     'examples',
     () =>
@@ -283,13 +314,7 @@ function packageFacts(): Facts {
 }
 
 function sitemap(site: string): string {
-  const addresses = pageFiles().map((file) =>
-    file
-      .slice(demo.length + 1)
-      .replaceAll('\\', '/')
-      .replace(/index\.html$/, ''),
-  );
-  const urls = addresses.sort().map((path) => `  <url><loc>${site}${path}</loc></url>`);
+  const urls = pagePaths().map((path) => `  <url><loc>${site}${path}</loc></url>`);
   return `<?xml version="1.0" encoding="UTF-8"?>
 <urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">
 ${urls.join('\n')}

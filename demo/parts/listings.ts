@@ -5,7 +5,7 @@
 import { markupOf } from './markup.js';
 
 export function showListings(root: ParentNode): void {
-  for (const figure of root.querySelectorAll('.aside, .wide')) {
+  for (const figure of root.querySelectorAll('.aside, .wide:not(.live)')) {
     const shown = figure.querySelectorAll('phong-compare, :not(phong-compare) > phong-viewer');
     if (shown.length > 0) {
       figure.append(folded([...shown]));

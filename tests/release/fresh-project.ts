@@ -121,10 +121,10 @@ export const strictOptions = {
 };
 
 /**
- * The first block of code under a heading of the README, or of the pages about frameworks and core.
+ * The first block of code under a heading of the README, or of the guide's pages about installing and core.
  */
 export function readmeSample(heading: string): string {
-  for (const page of ['README.md', 'src/FRAMEWORKS.md', 'src/CORE.md']) {
+  for (const page of ['README.md', 'demo/guide/install.md', 'demo/guide/core.md']) {
     const text = readFileSync(join(repository, page), 'utf8');
     const [, section = ''] = text.split(new RegExp(`\n##+ ${heading}\n`));
     const sample = /```(?:js|jsx)\n([^]*?)```/.exec(section)?.[1];
@@ -135,7 +135,7 @@ export function readmeSample(heading: string): string {
 
 /** The scripts of the documents that import the elements or ask `shadeAt`, in their order. */
 export const readmeScripts = (): string[] =>
-  ['README.md', 'src/FRAMEWORKS.md', 'src/API.md']
+  ['README.md', 'demo/guide/install.md', 'demo/guide/reference.md']
     .flatMap((page) => [
       ...readFileSync(join(repository, page), 'utf8').matchAll(/```(?:ts|js)\n([^]*?)```/g),
     ])

@@ -1,20 +1,13 @@
 // What do the tests of the project's site share? The list of its pages and how a scene is written
 // into a link. The pages are served from site/ under /demo/.
 
-import { readdirSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
+import { pagePaths } from '../../.ci/site/pages.js';
 import { fullOr } from './repeats.js';
 
-const demo = fileURLToPath(new URL('../../demo', import.meta.url));
-
-/** Paths such as `''` and `guide/lights/`. */
-export const sitePages = readdirSync(demo, { recursive: true, encoding: 'utf8' })
-  .map((path) => path.replaceAll('\\', '/'))
-  .filter((path) => path.endsWith('index.html'))
-  .map((path) => path.slice(0, -'index.html'.length))
-  .sort();
+/** Paths such as `''` and `guide/light/`. */
+export const sitePages = pagePaths();
 
 /** The playground's address for a scene, from the site's root. */
 export const linkTo = (text: string): string =>

@@ -3,9 +3,12 @@
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { guide } from '../../.ci/site/contents.js';
+import { anchorOf } from '../../.ci/site/markdown.js';
+import { guidePage, markdownOf, pagePaths } from '../../.ci/site/pages.js';
 import { attributeOf, formatValue } from '../../src/viewer/element/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
 import type { Field } from '../../src/phong/fields/field.js';
@@ -25,18 +28,14 @@ const documents = execFileSync(
 )
   .split('\n')
   .filter((path) => path !== '' && existsSync(join(repository, path)));
+/** What the package's users read. */
+const forUsers = documents.filter((path) => /^(README|CHANGELOG|demo\/guide\/.*)\.md$/.test(path));
 const decisions = documents.filter((path) => path.startsWith('src/decisions/'));
 
 const read = (path: string): string => readFileSync(join(repository, path), 'utf8');
 
-/** Anchors of a page's headings, as GitHub makes them. */
 const anchorsOf = (path: string): readonly string[] =>
-  Array.from(read(path).matchAll(/^#+ (.+)$/gm), ([, heading = '']) =>
-    heading
-      .toLowerCase()
-      .replaceAll(/[^\p{L}\p{N} _-]/gu, '')
-      .replaceAll(' ', '-'),
-  );
+  Array.from(read(path).matchAll(/^#+ (.+)$/gm), ([, heading = '']) => anchorOf(heading));
 
 /** Links of a page to files of the repository and to headings in them. */
 const linksOf = (
@@ -128,25 +127,44 @@ describe('the documents', () => {
     }
   });
 
-  it.each([
-    ['README.md', 1200],
-    ['src/README.md', 2150],
-    ['src/MODELS.md', 1860],
-    ['src/SEEING.md', 2040],
-    ['src/API.md', 1610],
-    ['src/CORE.md', 1200],
-  ])('keep %s within %i words', (path, most) => {
-    expect(read(path).split(/\s+/).length).toBeLessThanOrEqual(most);
+  it('are short: 18,800 words for users, 1,200 of them in the README', () => {
+    const words = (path: string): number => read(path).trim().split(/\s+/).length;
+    const sum = [...forUsers].map(words).reduce((total, count) => total + count);
+    expect(words('README.md')).toBeLessThanOrEqual(1200);
+    expect(words('CHANGELOG.md')).toBeLessThanOrEqual(420);
+    expect(words('src/README.md')).toBeLessThanOrEqual(2150);
+    expect(sum).toBeLessThanOrEqual(18_800);
   });
 
-  it('that the README links to are in the package', () => {
+  it('for users are pages of the guide, each once in its contents', () => {
+    const pages = documents.filter((path) => path.startsWith('demo/guide/'));
+    expect(guide.map(({ path }) => `demo/${path.slice(0, -1)}.md`).sort()).toEqual(pages.sort());
+  });
+
+  it.each(forUsers)('%s links only to files of the package', (path) => {
     const { files } = JSON.parse(read('package.json')) as { readonly files: readonly string[] };
     // npm adds these by itself.
     const shipped = ['README.md', 'LICENSE', ...files].map(
       (pattern) => new RegExp(`^${pattern.replaceAll('.', '\\.').replaceAll('*', '[^/]*')}(/|$)`),
     );
     const isShipped = (file: string): boolean => shipped.some((pattern) => pattern.test(file));
-    expect(linksOf('README.md').filter(({ file }) => !isShipped(file))).toEqual([]);
+    expect(linksOf(path).filter(({ file }) => !isShipped(file))).toEqual([]);
+  });
+
+  it.each(guide)('$path links to pages and places of the site', ({ path }) => {
+    const hrefs = Array.from(
+      guidePage(markdownOf(path)!, '').html.matchAll(/<a href="([^"]+)"/g),
+      ([, href = '']) => href,
+    );
+    const broken = hrefs
+      .filter((href) => !/^https?:/.test(href))
+      .filter((href) => {
+        const [to = '', id] = href.split('#');
+        const page = to === '' ? path : posix.join(path, to);
+        if (!pagePaths().includes(page)) return true;
+        return id !== undefined && !guidePage(markdownOf(page)!, '').html.includes(`id="${id}"`);
+      });
+    expect(broken).toEqual([]);
   });
 
   it('of the shaders names only files, functions and defines that exist', () => {

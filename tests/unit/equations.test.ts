@@ -58,9 +58,12 @@ const plain = (html: string): string =>
 
 const COEFFICIENTS = /K[ads]|\bk[clq]\b|\bcutoff\b/;
 
+/** Whether its equations are HTML. */
+const isPage = (path: string): boolean => path.endsWith('.html') || path.startsWith('demo/guide/');
+
 /** What a document has of the equation, each as one line without its left side. */
 function formulasOf(path: string, text: string): readonly string[] {
-  const found = path.endsWith('.html')
+  const found = isPage(path)
     ? [
         ...Array.from(text.matchAll(/<math[^]*?<\/math\s*>/g), ([math]) => line(math)),
         ...Array.from(
@@ -141,11 +144,11 @@ function expected(formula: string, { share, values }: ReturnType<typeof sample>)
 }
 
 const pages = documents
-  .filter(({ path }) => path.endsWith('.html') || path === 'README.md')
+  .filter(({ path }) => isPage(path) || path === 'README.md')
   .flatMap(({ path, text }) => formulasOf(path, text).map((formula) => ({ path, text, formula })));
 
 describe('equations that readers see', () => {
-  it('are found on the home page, in the lessons, the article and the README', () => {
+  it('are found on the home page, in the lessons, the guide and the README', () => {
     const counts = new Map<string, number>();
     for (const { path } of pages) {
       counts.set(path, (counts.get(path) ?? 0) + 1);
@@ -153,8 +156,7 @@ describe('equations that readers see', () => {
     expect(Object.fromEntries(counts)).toMatchObject({
       'README.md': 4,
       'demo/index.html': 1,
-      'demo/article/index.html': 6,
-      'demo/explain/index.html': 3,
+      'demo/guide/light.md': 3,
       'demo/lesson/index.html': 5,
       'demo/lesson/de/index.html': 5,
     });

@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { Ajv } from 'ajv';
 import type { CustomElementDeclaration } from 'custom-elements-manifest';
 import { describe, expect, it } from 'vitest';
-import { attributesPage } from '../../.ci/manifest/attributes-page.mjs';
+import { referencePage } from '../../.ci/manifest/reference-page.mjs';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
@@ -43,9 +43,9 @@ const fieldOf = (title: string) => {
 const { elements: tags } = webTypes(elements, { name: 'x', version: '1.0.0' }).contributions.html;
 const data = vsCodeHtmlData(elements).tags;
 
-it('the page of attributes is written from the fields (`npm run manifest` writes it again)', () => {
-  const page = readFileSync(new URL('../../src/ATTRIBUTES.md', import.meta.url), 'utf8');
-  expect(page).toBe(attributesPage(elements));
+it('the tables of the reference are written from the source (`npm run manifest` writes them again)', () => {
+  const page = readFileSync(new URL('../../demo/guide/reference.md', import.meta.url), 'utf8');
+  expect(page).toBe(referencePage(page, elements));
 });
 
 describe('the custom elements manifest', () => {

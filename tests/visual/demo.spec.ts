@@ -3,8 +3,10 @@
 import { allReady, expect, pixelAt, test } from '../support/test.js';
 import { decodePng } from '../support/picture.js';
 
-test('@release a screenshot of the whole article shows every picture', async ({ page }) => {
-  await page.goto('/demo/article/');
+test('@release a screenshot of the whole page about light shows every picture', async ({
+  page,
+}) => {
+  await page.goto('/demo/guide/light/');
   await allReady(page);
   const boxes = await page.evaluate(() =>
     Array.from(document.querySelectorAll('phong-viewer'), (viewer) => {

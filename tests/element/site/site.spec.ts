@@ -7,18 +7,14 @@ import type { APIRequestContext, Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { firstOf } from '../../support/repeats.js';
 import { strictPolicy } from '../../support/site.js';
+import { moved } from '../../../.ci/site/contents.js';
 import { sitePages, takeNoSamples } from '../../support/site-pages.js';
 import { expectPictures } from '../../visual/contact-sheet.js';
 
 /** Pages whose pictures are compared with a baseline. The others show none, or some that change. */
 const PICTURED: ReadonlySet<string> = new Set([
   '',
-  'bunny/',
-  'shapes/',
-  'article/',
-  'lights/',
-  'explain/',
-  ...['lights/', 'spots/', 'camera/', 'materials/', 'models/', 'see/', 'accuracy/', 'speed/'].map(
+  ...['light/', 'see/', 'lessons/', 'camera/', 'models/', 'reliability/'].map(
     (page) => `guide/${page}`,
   ),
 ]);
@@ -26,10 +22,8 @@ const PICTURED: ReadonlySet<string> = new Set([
 /** Pages whose tests run in every run. The others are made of the same parts. */
 const OFTEN: ReadonlySet<string> = new Set([
   '',
-  'api/',
-  'article/',
-  'explain/',
-  'guide/',
+  'guide/light/',
+  'guide/reference/',
   'guide/see/',
   'lesson/',
   'playground/',
@@ -41,8 +35,7 @@ const OFTEN: ReadonlySet<string> = new Set([
  */
 const DARK: ReadonlySet<string> = new Set([
   '',
-  'article/',
-  'explain/',
+  'guide/light/',
   'guide/see/',
   'lesson/',
   'playground/',
@@ -159,17 +152,17 @@ for (const path of sitePages) {
     }
     await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
     const nav = page.getByRole('navigation', { name: 'Pages', exact: true });
-    const pages = ['Lesson', 'Guide', 'Examples', 'Playground', 'API', 'Install'];
+    const pages = ['Lesson', 'Guide', 'Examples', 'Playground', 'Reference', 'Install'];
     await expect.soft(nav.getByRole('link')).toHaveText(pages);
     await expect
-      .soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Bench|Releases)$/ }))
+      .soft(page.getByRole('contentinfo').getByRole('link', { name: /^(Twenty models|Bench)$/ }))
       .toHaveCount(2);
     await expect.soft(page.getByRole('heading', { level: 1 })).toHaveCount(1);
     expect.soft(await brokenLinks(page, request), 'links that lead nowhere').toEqual([]);
   });
 }
 
-test('the API page lists every attribute, property, method and event of the manifest', async ({
+test('the reference lists every attribute, property, method and event of the manifest', async ({
   page,
   request,
 }) => {
@@ -185,9 +178,9 @@ test('the API page lists every attribute, property, method and event of the mani
   const manifest = (await (await request.get('/dist/custom-elements.json')).json()) as {
     readonly modules: readonly { readonly declarations: readonly Declaration[] }[];
   };
-  await page.goto('/demo/api/');
+  await page.goto('/demo/guide/reference/');
   const ids = new Set(
-    await page.locator('.api a[id]').evaluateAll((all) => all.map(({ id }) => id)),
+    await page.locator('td code[id]').evaluateAll((all) => all.map(({ id }) => id)),
   );
   const wanted = manifest.modules[0]!.declarations.flatMap(
     ({ tagName, attributes, members, events }) => [
@@ -209,15 +202,18 @@ test('start page and install page give the size of the standalone file, as in di
   const kilobytes = Math.round(brotliCompressSync(file).length / 1000);
   await page.goto('/demo/');
   await expect(page.locator('.install')).toContainText(`${kilobytes} kB`);
-  await page.goto('/demo/install/');
+  await page.goto('/demo/guide/install/');
   await expect(page.locator('#sizes tr').first()).toContainText(`${kilobytes} kB`);
 });
 
 test('a listing opens in the playground with its model', async ({ page }) => {
   await page.goto('/demo/guide/models/');
   await allReady(page);
-  await page.locator('.source summary').first().click();
-  await page.getByRole('button', { name: /Edit in the playground/ }).click();
+  await page.locator('#bunny .source summary').click();
+  await page
+    .locator('#bunny')
+    .getByRole('button', { name: /Edit in the playground/ })
+    .click();
   await page.waitForURL(/playground\/#scene=/);
   await expect(page.locator('phong-mesh[src]')).toHaveAttribute(
     'src',
@@ -225,4 +221,41 @@ test('a listing opens in the playground with its model', async ({ page }) => {
   );
   await allReady(page);
   await expect(page.locator('#messages')).toBeEmpty();
+});
+
+test('the search finds names and words of all pages, and Enter leads there', async ({ page }) => {
+  await page.goto('/demo/lesson/');
+  const field = page.getByRole('searchbox', { name: 'Search all pages' });
+  await field.fill('aperture');
+  const found = page.getByRole('list', { name: 'Found' }).getByRole('link');
+  await expect(found.first()).toHaveText('aperture');
+  await page.keyboard.press('Escape');
+  await expect(found).toHaveCount(0);
+  await field.fill('linked camera');
+  await expect(found.first()).toHaveText('Linked cameras');
+  await page.keyboard.press('Enter');
+  await page.waitForURL('**/guide/see/#linked-cameras');
+});
+
+test('pages at earlier addresses lead to the new ones', async ({ page, request }) => {
+  for (const [path, to] of Object.entries(moved)) {
+    expect(await (await request.get(`/demo/${path}`)).text()).toContain('http-equiv="refresh"');
+    expect(sitePages).toContain(to.split('#')[0]);
+  }
+  await page.goto('/demo/guide/spots/');
+  await page.waitForURL('**/guide/light/#spots');
+});
+
+test('the contents of the guide stay in view, behind a button on a phone', async ({ page }) => {
+  await page.setViewportSize(PHONE);
+  await page.goto('/demo/guide/reliability/');
+  const contents = page.getByRole('navigation', { name: 'Guide', exact: true });
+  await page.mouse.wheel(0, 3000);
+  await contents.getByRole('button', { name: 'Contents' }).click();
+  await contents.getByRole('link', { name: 'Speed' }).click();
+  await expect(page).toHaveURL(/#speed$/);
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.mouse.wheel(0, 3000);
+  await expect(contents.getByRole('link', { name: 'Shapes and models' })).toBeInViewport();
+  await expect(page.getByRole('link', { name: '← Install' })).toHaveCount(1);
 });

@@ -109,7 +109,7 @@ test('each mistake in the scripts gives one warning; other texts are used', asyn
   ).toEqual([
     expect.stringMatching(/^is not JSON, so it is not used: .*JSON/),
     'must be an object of texts by English text, so it is not used. Write {"Try again": "…"}.',
-    'has texts that no viewer shows: "Legende" (did you mean "Legend"?). TEXTS.md in the package lists the keys.',
+    'has texts that no viewer shows: "Legende" (did you mean "Legend"?). phong-viewer/texts/de.json has all keys.',
   ]);
 });
 

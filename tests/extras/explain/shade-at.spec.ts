@@ -306,11 +306,11 @@ test('works before the first frame and off screen, and is null outside the page'
   expect(await explained(viewer, 30, 40)).toEqual(before);
 });
 
-test('prints the output that the page about the API shows for its example', async ({
-  page,
-  mount,
-}) => {
-  const document = readFileSync(new URL('../../../src/API.md', import.meta.url), 'utf8');
+test('prints the output that the reference shows for its example', async ({ page, mount }) => {
+  const document = readFileSync(
+    new URL('../../../demo/guide/reference.md', import.meta.url),
+    'utf8',
+  );
   const section = /## Ask why a pixel has its colour\n([^]*?)\n## /.exec(document)?.[1] ?? '';
   const [markup, script, output] = Array.from(
     section.matchAll(/```\w*\n([^]*?)```/g),

@@ -1,4 +1,4 @@
-// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels
+// Are the materials of files shaded and explained by the rules of demo/guide/models.md? Compares pixels
 // with shadeAt, and shadeAt with values computed here from those rules.
 
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
@@ -212,7 +212,7 @@ test('colours are mixed in the light that the file and the viewer ask for, and e
   }
 });
 
-test.describe('by the rules of src/MODELS.md', () => {
+test.describe('by the rules of demo/guide/models.md', () => {
   const base = RED.slice(0, 3).map(encoded);
 
   const shown = async (viewer: Locator, options: PatchOptions, attributes = '', mesh = '') => {

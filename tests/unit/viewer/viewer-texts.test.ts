@@ -86,9 +86,3 @@ describe.each(LANGUAGES)('the texts in %s', (language) => {
     }
   });
 });
-
-it('TEXTS.md lists every key, in the order of the list', () => {
-  const document = readFileSync('src/TEXTS.md', 'utf8');
-  const keys = document.slice(document.indexOf('## The keys')).matchAll(/^- `(.+)`$/gm);
-  expect(Array.from(keys, ([, key]) => key)).toEqual([...VIEWER_TEXTS, ...ERROR_TEXTS]);
-});
