@@ -19,7 +19,8 @@ export default defineConfig({
       'tests/stress/**/*.test.ts',
       ...(release ? ['tests/release/**/*.test.ts'] : []),
     ],
-    setupFiles: ['tests/support/quiet-lit.ts'],
+    // The table of extras: as on a page, the viewer finds their code.
+    setupFiles: ['tests/support/quiet-lit.ts', 'src/viewer/extras.ts'],
     passWithNoTests: true,
     pool: 'threads',
     maxWorkers: 2,

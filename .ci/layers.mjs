@@ -1,6 +1,6 @@
 // @ts-check
 // Who may import whom in src/: the one table, which .ci/house-rules.mjs enforces. Arrows go down
-// only, and two doors are lazy: a lazily reached layer may be named in `import()` or `import type`,
+// only, and a few doors are lazy: a lazily reached layer may be named in `import()` or `import type`,
 // never in a plain import.
 
 import { posix } from 'node:path';
@@ -38,32 +38,34 @@ export const layers = {
   phong: { layers: phong, packages: ['three'] },
   'viewer/model': {
     layers: ['phong/material', 'phong/light', 'phong/fields', 'phong/math'],
-    lazy: ['extras/models'],
     packages: ['three'],
   },
   'viewer/scene': {
     layers: ['viewer/model', ...phong],
-    lazy: ['extras/samples'],
     packages: ['three'],
   },
   'viewer/element': {
     layers: ['viewer/scene', 'viewer/model', ...phong],
-    lazy: [
-      'extras/overlay',
-      'extras/compare',
-      'extras/diagnosis',
-      'extras/explain',
-      'extras/panel',
-      'extras/samples',
-      'phong/reference',
-    ],
+    lazy: ['phong/reference'],
     packages: ['lit'],
     types: ['three', 'react', 'solid-js', 'svelte', 'vue'],
   },
   viewer: {
-    layers: viewer,
-    lazy: ['extras/panel', 'extras/frameworks', 'extras/samples', 'phong/reference'],
+    layers: ['viewer/extras.ts', ...viewer],
     types: ['three'],
+  },
+  // The table of extras: the only file of the viewer that knows them.
+  'viewer/extras.ts': {
+    layers: ['viewer/element', 'viewer/scene', 'viewer/model'],
+    lazy: [
+      'extras/models',
+      'extras/samples',
+      'extras/explain',
+      'extras/compare',
+      'extras/panel',
+      'extras/diagnosis',
+      'extras/overlay',
+    ],
   },
   'extras/models': { layers: ['viewer/model', ...phong], packages: ['three'] },
   'extras/samples': { layers: viewer, packages: ['three'] },
@@ -72,13 +74,13 @@ export const layers = {
   'extras/diagnosis': { layers: viewer },
   'extras/overlay': {
     layers: ['extras/explain', ...viewer],
-    lazy: ['extras/samples', 'phong/reference'],
+    lazy: ['phong/reference'],
     packages: ['three', 'lit'],
   },
   'extras/panel': { layers: viewer, packages: ['lil-gui'] },
   'extras/frameworks': {
     layers: ['viewer', 'viewer/element'],
-    lazy: ['extras/panel', 'viewer/scene', 'phong/light'],
+    lazy: ['viewer/scene', 'phong/light'],
     packages: ['react'],
     types: ['react', 'solid-js', 'svelte', 'vue'],
   },
@@ -106,11 +108,13 @@ export const layers = {
 };
 
 /**
- * The layer of a file: its first two folders under src/, the first alone for an entry, or
- * `shaders`; undefined outside of both.
+ * The layer of a file: the file itself where the table has a line for it, else its first two folders
+ * under src/, the first alone for an entry, or `shaders`; undefined outside of both.
  * @param {string} file path with forward slashes
  */
 function layerOf(file) {
+  const own = `${/(?:^|\/)src\/(.+)\.[jt]s$/.exec(file)?.[1] ?? ''}.ts`;
+  if (Object.hasOwn(layers, own)) return own;
   const match = /(?:^|\/)(?:src\/([^/.]+(?:\/[^/.]+(?=\/))?)|(shaders)\/)/.exec(file);
   return match?.[1] ?? match?.[2];
 }

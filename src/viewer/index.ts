@@ -5,19 +5,16 @@
  */
 // First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
+import './extras.js';
 import './element/page/early-requests.js';
 import { PhongCompare } from './element/phong-compare.js';
-import { PhongControl, provideControl } from './element/phong-control.js';
+import { PhongControl } from './element/phong-control.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
-import { providePanel } from './element/viewer/viewer-panel.js';
-import { lazyCode } from './model/lazy-code.js';
 import { endEarly } from './model/request-model.js';
 
 litWasImported();
-providePanel(lazyCode(() => import('../extras/panel/panel.js'), 'the control panel'));
-provideControl(lazyCode(() => import('../extras/panel/control.js'), '<phong-control>'));
 
 // Children first: the viewer then finds all of them at once when it is upgraded.
 const page = typeof customElements === 'undefined' ? undefined : globalThis.document;
@@ -56,8 +53,7 @@ export type {
   PhongLightProps,
   PhongMeshProps,
   PhongViewerProps,
-} from '../extras/frameworks/template-types.js';
-export type { PictureOptions } from '../extras/samples/picture-blob.js';
+} from './element/template-types.js';
 export type { FragmentExplanation, LightExplanation, ShadeOptions } from './element/explanation.js';
-export type { CameraSource, CameraState, ViewerStats } from './element/elements.js';
+export type { CameraSource, CameraState, PictureOptions, ViewerStats } from './element/elements.js';
 export type { Vec3, Vec4 } from '../phong/math/vector.js';

@@ -13,7 +13,10 @@ import type {
   CompareProperties,
   CompareValues,
 } from '../../src/viewer/element/fields/compare-fields.js';
-import type { ControlProperties, ControlValues } from '../../src/extras/panel/control-fields.js';
+import type {
+  ControlProperties,
+  ControlValues,
+} from '../../src/viewer/element/fields/control-properties.js';
 import type {
   LightProperties,
   MeshProperties,

@@ -5,7 +5,7 @@ import type { Fit, Framing, SharedFit } from '../../viewer/scene/auto-fit.js';
 import type { SharedLevels } from '../../viewer/scene/mesh/levels.js';
 import type { CameraSource } from '../../viewer/element/elements.js';
 import type { ViewerCamera } from '../../viewer/element/viewer/camera.js';
-import type { Extra, ExtraHost } from '../../viewer/element/viewer/extras.js';
+import type { Extra, ExtraHost } from '../../viewer/element/viewer/extra-host.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
 

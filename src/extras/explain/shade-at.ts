@@ -8,28 +8,10 @@ import type { LightShare, Shaded } from '../../phong/reference/index.js';
 import { lazyCode } from '../../viewer/model/lazy-code.js';
 import { cornersOf, type Hit, pick, pickNear } from './pick.js';
 import type { RaySearch } from './ray-triangles.js';
-import type { SceneSnapshot } from '../../viewer/scene/scene-snapshot.js';
+import type { ViewerSnapshot } from '../../viewer/element/viewer/extra-host.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
-import type { PhongLight, PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
+import type { PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
 import type { FragmentExplanation, ShadeOptions } from '../../viewer/element/explanation.js';
-
-/**
- * What is explained, copied at the call: this code may have to be fetched, and the scene changes
- * meanwhile.
- */
-export interface ViewerSnapshot {
-  /** Null while the picture has no box on the page. */
-  readonly scene: SceneSnapshot<PhongMesh | PhongViewer> | null;
-  /** Size of the picture, in the CSS pixels of pointer events. */
-  readonly width: number;
-  readonly height: number;
-  readonly lights: readonly {
-    /** Null for the head-light. */
-    readonly light: PhongLight | null;
-    readonly name: string;
-    readonly values: LightValues;
-  }[];
-}
 
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
 

@@ -14,8 +14,12 @@ import {
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from '../../viewer/element/events.js';
 import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
-import type { ControlValues } from '../panel/control-fields.js';
-import type { ComponentProps, Handlers, ViewerOwnProps } from './template-types.js';
+import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
+import type {
+  ComponentProps,
+  Handlers,
+  ViewerOwnProps,
+} from '../../viewer/element/template-types.js';
 import * as elements from '../../viewer/index.js';
 
 export type PhongLightElement = elements.PhongLight;

@@ -2,19 +2,24 @@
 // no blob: or data: URL, needs no worker and no eval. Entry point of the code that reads models,
 // fetched with the first one.
 import { clip, listed } from '../../phong/fields/clip.js';
-import type { Amounts } from '../../viewer/model/budget.js';
 import { free, isOutOfMemory } from '../../viewer/model/limits.js';
 import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
 import {
   nameOf,
-  type CrossOrigin,
   type Fetch,
   type FileRequest,
+  type LoadOptions,
 } from '../../viewer/model/request-model.js';
+import type { FormatNames } from '../../viewer/model/format-names.js';
 import { formatOf } from './format.js';
-import { type DecodeImage, neededCode, type ReadOptional } from './model-reader.js';
+import {
+  type DecodeImage,
+  type ModelReader,
+  neededCode,
+  type ReadOptional,
+} from './model-reader.js';
 import { asUtf8 } from './encodings.js';
 import { type Content, ModelError } from '../../viewer/model/model.js';
 import { measureInSlices } from '../../viewer/model/geometry-size.js';
@@ -26,26 +31,7 @@ export { Slices };
 export { droppedModel } from './user-files.js';
 export { movingCopy, movingValues } from './moving-copy.js';
 
-export interface LoadOptions {
-  /** Aborts the load; the promise then rejects with the signal's reason. */
-  readonly signal: AbortSignal;
-  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
-  readonly onProgress?: (loaded: number, total: number) => void;
-  /**
-   * Called with all that the model claims so far, before anything is allocated; what it throws ends
-   * the load.
-   */
-  readonly onClaim?: (claimed: Amounts) => void;
-  /**
-   * Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s)
-   * origin.
-   */
-  readonly crossOrigin: CrossOrigin;
-  /**
-   * The format, as a word such as `obj` or a media type. Empty, the default: as content, extension
-   * and server tell.
-   */
-  readonly type?: string;
+export interface ReadOptions extends LoadOptions {
   /** In place of the browser's. */
   readonly fetch?: Fetch;
   readonly decodeImage?: DecodeImage;
@@ -61,7 +47,7 @@ export interface LoadOptions {
  */
 export async function modelContent(
   url: URL,
-  options: LoadOptions,
+  options: ReadOptions,
   from: FileRequest | Blob | null = null,
 ): Promise<Content> {
   const { signal, type = '', decodeImage, warn = (message) => console.warn(message) } = options;
@@ -77,7 +63,7 @@ export async function modelContent(
     const slices = new Slices(signal);
     const bytes = await asUtf8(file.bytes, budget, slices);
     const format = formatOf(name, bytes, { type, mediaType: file.type, address: url.href });
-    const reader = await neededCode(format.code(), `The code that reads ${format.name} files`);
+    const reader = await readerOf(format);
     signal.throwIfAborted();
     const model = await reader.read({ url, bytes, signal, linked, optional, budget, decodeImage });
     free(bytes);
@@ -113,9 +99,15 @@ export async function modelContent(
   }
 }
 
+/** The readers are this folder's, whoever requested them. */
+const readerOf = async ({ code, name }: FormatNames): Promise<{ readonly read: ModelReader }> =>
+  neededCode(code(), `The code that reads ${name} files`) as Promise<{
+    readonly read: ModelReader;
+  }>;
+
 function openAddress(
   url: URL,
-  options: LoadOptions,
+  options: ReadOptions,
   budget: ModelBudget,
   request: FileRequest | null,
 ): OpenedModel {

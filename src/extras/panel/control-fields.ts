@@ -1,51 +1,7 @@
-// The values that a <phong-control> declares: which value it edits, and how it looks.
+// The fields of a <phong-control>.
 import { choiceField, numberField, optional, textField } from '../../phong/fields/field.js';
 import type { Fields } from '../../phong/fields/field-store.js';
-import type { Inputs, ValuesOf } from '../../viewer/element/fields/properties.js';
-
-export interface ControlProperties {
-  /**
-   * Ids of viewers, lights or meshes, separated by spaces. All get the value; the first one's is
-   * shown. Default empty.
-   */
-  get for(): string;
-  set for(value: Accepted['for']);
-  /** The attribute to edit: any that these elements have. Default empty. */
-  get attribute(): string;
-  set attribute(value: Accepted['attribute']);
-  /**
-   * One number of a vector: `x`, `y`, `z`, or `kc`, `kl`, `kq` of `attenuation`. Null, the default:
-   * all three.
-   */
-  get component(): 'x' | 'y' | 'z' | 'kc' | 'kl' | 'kq' | null;
-  set component(value: Accepted['component']);
-  /**
-   * Values as the attribute's text, separated by `|`: a stepper through them, with back and
-   * forward. Default empty.
-   */
-  get values(): string;
-  set values(value: Accepted['values']);
-  /**
-   * Least number. Null, the default: as in the panel, where the slider grows to include the value.
-   */
-  get min(): number | null;
-  set min(value: Accepted['min']);
-  /** Greatest number. Null, the default: as in the panel. */
-  get max(): number | null;
-  set max(value: Accepted['max']);
-  /** Distance of the numbers. Null, the default: as in the panel. */
-  get step(): number | null;
-  set step(value: Accepted['step']);
-  /**
-   * `number`: a number to drag, turn or type. `slider`: a slider with that number, on a line of its
-   * own. Null, the default: a number within a line of text, otherwise a slider.
-   */
-  get type(): 'number' | 'slider' | null;
-  set type(value: Accepted['type']);
-}
-
-export type ControlValues = ValuesOf<ControlProperties>;
-type Accepted = Inputs<ControlValues>;
+import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
 
 export const CONTROL_FIELDS: Fields<ControlValues> = {
   for: textField(),

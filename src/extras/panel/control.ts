@@ -2,7 +2,8 @@
 // value, in a line of text or alone. Loaded with the first one on a page.
 import { GUI } from 'lil-gui';
 import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
-import { CONTROL_FIELDS, type ControlValues } from './control-fields.js';
+import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
+import { CONTROL_FIELDS } from './control-fields.js';
 import {
   attributesOf,
   bindingOf,

@@ -2,13 +2,8 @@
 // the camera, and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import { GUI_FOLDERS } from '../../viewer/element/fields/viewer-fields.js';
-import {
-  type CreatePanel,
-  OPEN_PANEL,
-  type Panel,
-  type PanelChange,
-  WIDE_PANEL,
-} from '../../viewer/element/viewer/viewer-panel.js';
+import type { CreatePanel, Panel, PanelChange } from '../../viewer/element/extra-code.js';
+import { OPEN_PANEL, WIDE_PANEL } from '../../viewer/element/viewer/viewer-panel.js';
 import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
 import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
 import { addStyles, removeStyles } from '../../viewer/element/page/style-sheets.js';

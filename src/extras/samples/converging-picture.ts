@@ -6,6 +6,10 @@ import { type Region, type Size, tilesOf } from '../../viewer/scene/gpu/atlas.js
 import { SAFE_SIDE } from '../../viewer/scene/gpu/context.js';
 import { contextLost, stage } from '../../viewer/scene/gpu/stage.js';
 import type { Picture } from '../../viewer/scene/picture.js';
+import type {
+  ConvergingPicture as Converging,
+  SampledViewport,
+} from '../../viewer/scene/still-picture.js';
 import { Batches, sendBatch } from './batches.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
@@ -31,23 +35,7 @@ const WAITS_AFTER = 8;
  */
 const SHOWN_AGAIN = 4;
 
-/** Whose picture is sampled; its size is in device pixels. */
-export interface SampledViewport extends Size {
-  readonly picture: Picture;
-  /** In view, and not only near it. */
-  readonly visible: boolean;
-  readonly attached: boolean;
-  /** Requests a frame. */
-  animate(): void;
-  /** Shows the kept mean. `last`: it has all samples. */
-  show(last: boolean): void;
-  /** The picture now, of this size, without samples of its own. */
-  capture(size: Size): HTMLCanvasElement;
-  /** Gives the GPU's memory back if it is not on the page. */
-  releaseUnlessAttached(): void;
-}
-
-export class ConvergingPicture {
+export class ConvergingPicture implements Converging {
   readonly #viewport: SampledViewport;
   readonly #wanted: number;
   /** Samples of the picture that is shown; 0: the plain one. */

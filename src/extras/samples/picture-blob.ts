@@ -1,31 +1,7 @@
 // A picture as a file: checks the options and encodes. Fetched with the first use of toBlob.
 
 import { MOST_SAMPLES } from '../../viewer/element/fields/viewer-fields.js';
-
-export interface PictureOptions {
-  /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
-  readonly width?: number;
-  readonly height?: number;
-  /**
-   * Any type that the browser's canvas can encode; others give PNG, as there. Default `image/png`.
-   */
-  readonly type?: string;
-  /** 0–1, for lossy types. Default: the browser's. */
-  readonly quality?: number;
-  /**
-   * Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a
-   * page. Default false.
-   */
-  readonly helpers?: boolean;
-  /**
-   * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes
-   * a while, during which the page goes on. A picture whose scene changes begins again, the fourth
-   * time in one task: the scene is that of the last beginning. Report changes to the page's own
-   * objects in `scene` by `requestRender`. Pictures are drawn one after the other. Default: the
-   * picture as the page shows it, where it has this size; otherwise one with smooth edges only.
-   */
-  readonly samples?: number;
-}
+import type { PictureOptions } from '../../viewer/element/elements.js';
 
 /**
  * Null stands for an invalid size or number of samples. Rejects where options are wrong or the file

@@ -2,14 +2,16 @@
 // JavaScript.
 import { clip } from '../../phong/fields/clip.js';
 import { type Content, ModelError } from '../../viewer/model/model.js';
-import {
-  type CrossOrigin,
-  type Fetch,
-  modelCode,
-  nameOf,
-} from '../../viewer/model/request-model.js';
+import { FORMAT_NAMES } from '../../viewer/model/format-names.js';
+import { type CrossOrigin, type Fetch, nameOf } from '../../viewer/model/request-model.js';
 import type { ShapeValues } from '../../viewer/scene/mesh/mesh-fields.js';
 import type { Warn } from './markup.js';
+
+// As the table of extras does for pages.
+FORMAT_NAMES.gltf.code.provide(() => import('../models/gltf/read-gltf.js'));
+FORMAT_NAMES.ply.code.provide(() => import('../models/ply/read-ply.js'));
+FORMAT_NAMES.stl.code.provide(() => import('../models/stl/read-stl.js'));
+FORMAT_NAMES.obj.code.provide(() => import('../models/obj/read-obj.js'));
 
 /** Where a model's address is relative to, and who hears of what is left out. */
 export interface ModelPlace {
@@ -31,7 +33,7 @@ export async function modelOf(
       `src=${JSON.stringify(clip(address))} is not an address without options.base`,
     );
   }
-  const { modelContent } = await modelCode();
+  const { modelContent } = await import('../models/model-content.js');
   const content = await modelContent(new URL(address, base), {
     signal: new AbortController().signal,
     crossOrigin,

@@ -10,11 +10,10 @@ import type {
 } from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import type { CompareProperties } from './fields/compare-fields.js';
-import type { ControlProperties } from '../../extras/panel/control-fields.js';
+import type { ControlProperties } from './fields/control-properties.js';
 import type { LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
 import type { ViewerProperties } from './fields/viewer-fields.js';
-import type { PictureOptions } from '../../extras/samples/picture-blob.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { ViewportStats } from '../scene/picture.js';
 
@@ -142,6 +141,32 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   toHTML(): string;
   /** Back to the last declared camera. */
   resetCamera(): void;
+}
+
+/** What `toBlob` makes. */
+export interface PictureOptions {
+  /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
+  readonly width?: number;
+  readonly height?: number;
+  /**
+   * Any type that the browser's canvas can encode; others give PNG, as there. Default `image/png`.
+   */
+  readonly type?: string;
+  /** 0–1, for lossy types. Default: the browser's. */
+  readonly quality?: number;
+  /**
+   * Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a
+   * page. Default false.
+   */
+  readonly helpers?: boolean;
+  /**
+   * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes
+   * a while, during which the page goes on. A picture whose scene changes begins again, the fourth
+   * time in one task: the scene is that of the last beginning. Report changes to the page's own
+   * objects in `scene` by `requestRender`. Pictures are drawn one after the other. Default: the
+   * picture as the page shows it, where it has this size; otherwise one with smooth edges only.
+   */
+  readonly samples?: number;
 }
 
 /** The class of `<phong-viewer>`. */

@@ -6,6 +6,7 @@ import type { LightValues } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { registryAround } from './child-registry.js';
 import type { ElementClass, PhongViewer } from './elements.js';
+import { diagnosisCode } from './extra-code.js';
 import { bindingOf } from './fields/field-binding.js';
 import { lookForTexts } from './page/page-texts.js';
 import { isPainted } from './page/visibility.js';
@@ -93,7 +94,7 @@ function inspectSoon(): void {
 function report(suspects: readonly Element[]): void {
   if (suspects.length === 0) return;
   // Without this code nothing is reported, and nothing else fails.
-  void import('../../extras/diagnosis/diagnose.js')
+  void diagnosisCode()
     .then(({ diagnose }) => diagnose(suspects))
     .catch(() => undefined);
 }

@@ -2,8 +2,7 @@
 // it.
 import { html, LitElement, nothing } from 'lit';
 import { FieldStore } from '../../phong/fields/field-store.js';
-import { lazyCode, reportMissing } from '../model/lazy-code.js';
-import type { Comparison } from '../../extras/compare/comparison.js';
+import { reportMissing } from '../model/lazy-code.js';
 import type { ElementClass, PhongCompare as PublicCompare, PhongViewer } from './elements.js';
 import type { Listen, PhongCompareEventMap } from './events.js';
 import {
@@ -13,13 +12,12 @@ import {
 } from './fields/compare-fields.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { renderWhereShown } from './dom.js';
+import { type Comparison, comparisonCode } from './extra-code.js';
 import { placed } from './internals.js';
 import { addStyles } from './page/style-sheets.js';
 import ownText from './page/own-text.css?inline';
 import styles from './phong-compare.css?inline';
 import { compareMarkup } from './viewer/to-html.js';
-
-const load = lazyCode(() => import('../../extras/compare/comparison.js'), '<phong-compare>');
 
 // The accessors come from the table of fields.
 interface CompareElement extends CompareProperties {
@@ -108,7 +106,7 @@ class CompareElement extends LitElement implements PublicCompare {
 
   async #load(): Promise<void> {
     try {
-      const { Comparison } = await load();
+      const { Comparison } = await comparisonCode();
       if (!this.isConnected || this.#comparison !== null) return;
       this.#comparison = new Comparison(this);
       this.addController(this.#comparison);

@@ -2,18 +2,9 @@
 // gives it properties.
 import type { PhongControl as PublicControl } from './elements.js';
 import { reportMissing } from '../model/lazy-code.js';
-import type { ControlProperties } from '../../extras/panel/control-fields.js';
+import { controlCode } from './extra-code.js';
+import type { ControlProperties } from './fields/control-properties.js';
 import { Base } from './child-element.js';
-
-type Loader = () => Promise<{ readonly follow: (control: PublicControl) => void }>;
-
-let load: Loader;
-
-/**
- * How its code is fetched. The package's entry says so, because elements do not import the panel's
- * rows.
- */
-export const provideControl = (loader: Loader): unknown => (load = loader);
 
 // The accessors come from the table of fields.
 interface ControlElement extends ControlProperties {
@@ -33,7 +24,7 @@ interface ControlElement extends ControlProperties {
  */
 class ControlElement extends Base implements PublicControl {
   connectedCallback(): void {
-    load().then(({ follow }) => follow(this), reportMissing);
+    controlCode().then(({ follow }) => follow(this), reportMissing);
   }
 }
 

@@ -3,17 +3,18 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../../phong/fields/field-store.js';
-import { lazyCode } from '../model/lazy-code.js';
 import type {
   CameraState,
   PhongLight,
   PhongMesh,
   PhongViewer as PublicViewer,
+  PictureOptions,
   ViewerClass,
 } from './elements.js';
 import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
+import { explanationCode } from './extra-code.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import {
@@ -37,15 +38,9 @@ import { ViewerExtras } from './viewer/extras.js';
 import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/viewer-panel.js';
-import type { PictureOptions } from '../../extras/samples/picture-blob.js';
 import { NAMING } from './viewer/description.js';
 import { Readiness } from './viewer/readiness.js';
 import { sceneMarkup } from './viewer/to-html.js';
-
-const explanationCode = /* @__PURE__ */ lazyCode(
-  () => import('../../extras/explain/shade-at.js'),
-  'shadeAt',
-);
 
 // The accessors come from the table of fields.
 interface ViewerElement extends ViewerProperties {

@@ -10,7 +10,6 @@ import {
   Vector3,
 } from 'three';
 import type { Vec3 } from '../../phong/math/vector.js';
-import type { Slices } from '../../extras/models/slices.js';
 
 /** x, y, z of each vertex, one after the other. */
 export type Vertices = Float32Array | Float64Array;
@@ -63,7 +62,13 @@ function ended<T>(steps: Steps<T>): T {
 export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
   (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
 
-export async function measureInSlices(geometry: BufferGeometry, slices: Slices): Promise<void> {
+/** Lets other tasks run when a task has taken long enough. */
+interface Pauses {
+  readonly due: boolean;
+  pause(): Promise<void>;
+}
+
+export async function measureInSlices(geometry: BufferGeometry, slices: Pauses): Promise<void> {
   const steps = measuring(geometry);
   while (steps.next().done === false) {
     if (slices.due) {

@@ -1,13 +1,66 @@
 // Requests a model's files, and the code that reads them; and what a file is called in messages.
 // Imports nothing that takes long to run.
 import { FORMAT_NAMES, type FormatNames } from './format-names.js';
-import { lazyCode } from './lazy-code.js';
+import { extraCode } from './lazy-code.js';
+import type { Amounts } from './budget.js';
+import type { Content } from './model.js';
+
+/** What loads of models need of their code. */
+export interface ModelCode {
+  /**
+   * Loads a model and the files it refers to. @param from the request of the file at `url`, if there
+   * is one already; or a file, whose `url` is for messages.
+   * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
+   */
+  readonly modelContent: (
+    url: URL,
+    options: LoadOptions,
+    from?: FileRequest | Blob | null,
+  ) => Promise<Content>;
+  /** The model among files that were dropped or chosen; null for none. */
+  readonly droppedModel: (
+    entries: readonly FileSystemEntry[],
+    files: readonly File[],
+  ) => Promise<File | null>;
+  /** A content in a pose of its own, and the values of 4 bytes that it takes. */
+  readonly movingCopy: (content: Content) => Content;
+  readonly movingValues: (content: Content) => number;
+  readonly Slices: new (signal: AbortSignal) => Slices;
+}
+
+/** Lets other tasks run between the steps of a loop. */
+export interface Slices {
+  map<Item, Result>(
+    items: readonly Item[],
+    work: (item: Item, i: number) => Result,
+  ): Promise<Result[]>;
+  pause(): Promise<void>;
+}
+
+export interface LoadOptions {
+  /** Aborts the load; the promise then rejects with the signal's reason. */
+  readonly signal: AbortSignal;
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
+  readonly onProgress?: (loaded: number, total: number) => void;
+  /**
+   * Called with all that the model claims so far, before anything is allocated; what it throws ends
+   * the load.
+   */
+  readonly onClaim?: (claimed: Amounts) => void;
+  /**
+   * Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s)
+   * origin.
+   */
+  readonly crossOrigin: CrossOrigin;
+  /**
+   * The format, as a word such as `obj` or a media type. Empty, the default: as content, extension
+   * and server tell.
+   */
+  readonly type?: string;
+}
 
 /** The code that loads models. */
-export const modelCode = /* @__PURE__ */ lazyCode(
-  () => import('../../extras/models/model-content.js'),
-  'models',
-);
+export const modelCode = /* @__PURE__ */ extraCode<ModelCode>('models');
 
 /**
  * Requests the code for a model beside its file, not after it: each request that waits for another

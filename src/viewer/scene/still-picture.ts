@@ -1,14 +1,58 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its
 // first use.
-import { lazyCode, reportMissing } from '../model/lazy-code.js';
-import type { Size } from './gpu/atlas.js';
-import type {
-  ConvergingPicture,
-  SampledViewport,
-} from '../../extras/samples/converging-picture.js';
+import type { WebGLRenderer } from 'three';
+import { extraCode, reportMissing } from '../model/lazy-code.js';
+import type { Region, Size } from './gpu/atlas.js';
+import type { Picture } from './picture.js';
 
-const sampling = /* @__PURE__ */ lazyCode(
-  () => import('../../extras/samples/converging-picture.js'),
+/** Whose picture is sampled; its size is in device pixels. */
+export interface SampledViewport extends Size {
+  readonly picture: Picture;
+  /** In view, and not only near it. */
+  readonly visible: boolean;
+  readonly attached: boolean;
+  /** Requests a frame. */
+  animate(): void;
+  /** Shows the kept mean. `last`: it has all samples. */
+  show(last: boolean): void;
+  /** The picture now, of this size, without samples of its own. */
+  capture(size: Size): HTMLCanvasElement;
+  /** Gives the GPU's memory back if it is not on the page. */
+  releaseUnlessAttached(): void;
+}
+
+/** The picture of a viewport that gets more samples while nothing changes. */
+export interface ConvergingPicture {
+  /** Samples of the picture that is shown; 0: the plain one. */
+  readonly samples: number;
+  /** More samples are to come, as long as nothing changes. */
+  readonly pending: boolean;
+  /** Call in an animation frame without a change. True: call again in the next one. */
+  step(): boolean;
+  /**
+   * While it is pending: draws what is missing now, without turns and frames, up to a time of
+   * `performance.now()`.
+   */
+  finish(deadline: number): void;
+  /** Something has changed. */
+  reset(): void;
+  /** Stops for as long as nobody can see the picture. What is shown stays. */
+  pause(): void;
+  /** Fills the renderer's present viewport with the kept picture, or with a part of it. */
+  copy(renderer: WebGLRenderer, part?: Region): void;
+  dispose(): void;
+}
+
+interface SamplingCode {
+  readonly ConvergingPicture: new (viewport: SampledViewport, wanted: number) => ConvergingPicture;
+  readonly captureSamples: (
+    viewport: SampledViewport,
+    size: Size,
+    samples: number,
+  ) => Promise<HTMLCanvasElement>;
+}
+
+export const samplingCode = /* @__PURE__ */ extraCode<SamplingCode>(
   'antialias="full" and toBlob({ samples })',
 );
 
@@ -80,13 +124,13 @@ export class StillPicture {
    * can hold it.
    */
   async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
-    const { captureSamples } = await sampling();
+    const { captureSamples } = await samplingCode();
     return captureSamples(this.#viewport, size, samples);
   }
 
   async #fetch(): Promise<void> {
     try {
-      const { ConvergingPicture } = await sampling();
+      const { ConvergingPicture } = await samplingCode();
       if (this.#wanted === 0 || this.#converging !== null) return;
       this.#converging = new ConvergingPicture(this.#viewport, this.#wanted);
       this.#viewport.animate();

@@ -32,7 +32,8 @@ import {
   pick,
   pickNear,
 } from '../../../src/extras/explain/pick.js';
-import { shadeAt, type ViewerSnapshot } from '../../../src/extras/explain/shade-at.js';
+import { shadeAt } from '../../../src/extras/explain/shade-at.js';
+import type { ViewerSnapshot } from '../../../src/viewer/element/viewer/extra-host.js';
 import { Frame } from '../../../src/viewer/scene/frame.js';
 import { answerOf, stepsOf } from './answer-of.js';
 

@@ -2,11 +2,11 @@
 // sent them, and its numbers.
 import { afterEach, beforeEach, vi } from 'vitest';
 import { imageSize } from '../../../src/extras/models/image.js';
-import { modelContent, type LoadOptions } from '../../../src/extras/models/model-content.js';
+import { modelContent, type ReadOptions } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/viewer/model/model.js';
 
 /** A load that nothing aborts. */
-export const OPTIONS: LoadOptions = { signal: new AbortController().signal, crossOrigin: null };
+export const OPTIONS: ReadOptions = { signal: new AbortController().signal, crossOrigin: null };
 
 /** In the place of a file: the connection breaks after its first byte. */
 export const BREAKS_OFF = null;
@@ -45,7 +45,7 @@ export function heardWarnings(): readonly string[] {
 /** Loads the first of these files; the others are beside it, but for those that are undefined. */
 export function loadFiles(
   files: Readonly<Record<string, FileContent | undefined>>,
-  options: Partial<LoadOptions> = {},
+  options: Partial<ReadOptions> = {},
 ): Promise<Content> {
   const base = 'https://shop.example/models/';
   const [first = ''] = Object.keys(files);

@@ -9,7 +9,7 @@ import {
   type Texture,
 } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { modelContent, type LoadOptions } from '../../../src/extras/models/model-content.js';
+import { modelContent, type ReadOptions } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/viewer/model/model.js';
 import { bitmapOf, OPTIONS } from './model-files.js';
 import { srgbEncode } from '../../../src/phong/math/color.js';
@@ -66,7 +66,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-const load = (path: string, options: Partial<LoadOptions> = {}): Promise<Content> =>
+const load = (path: string, options: Partial<ReadOptions> = {}): Promise<Content> =>
   modelContent(new URL(path, ORIGIN), { ...OPTIONS, ...options });
 
 const values = (geometry: BufferGeometry, name: string): number[] =>

@@ -12,7 +12,7 @@ import {
 } from '../../../src/viewer/element/fields/texts.js';
 import { LANGUAGES } from '../../../.ci/texts.mjs';
 import { ERROR_TEXTS, readyTexts, VIEWER_TEXTS } from '../../support/texts.js';
-import type { PhongViewerProps } from '../../../src/extras/frameworks/template-types.js';
+import type { PhongViewerProps } from '../../../src/viewer/element/template-types.js';
 import { HELPERS } from '../../../src/viewer/element/fields/viewer-fields.js';
 import { KINDS, TERMS } from '../../../src/phong/light/light-state.js';
 

@@ -15,7 +15,7 @@ import { pictureBox } from '../../../viewer/element/page/picture-box.js';
 import type { PhongLight } from '../../../viewer/element/elements.js';
 import { numberedName } from '../../../viewer/element/phong-light.js';
 import { lightText } from '../../../viewer/element/viewer/description.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
 import { historyOf, undoKey } from '../../../viewer/element/viewer/history.js';
 import { ARROWS, inside, type Projection } from '../drawing/projection.js';
 import { clamp } from '../../../phong/math/vector.js';

@@ -3,8 +3,8 @@
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { create as createElement } from '../../../viewer/element/dom.js';
 import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extras.js';
-import type { PictureOptions } from '../../samples/picture-blob.js';
+import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
+import type { PictureOptions } from '../../../viewer/element/elements.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { listOf, NO_DRAWING, whole } from '../drawing/label-layout.js';
 import { type Projection, projectionOf } from '../drawing/projection.js';

@@ -5,7 +5,7 @@ import { fieldsOf } from '../../../viewer/element/internals.js';
 import type { PhongLight } from '../../../viewer/element/elements.js';
 import { numberedName } from '../../../viewer/element/phong-light.js';
 import { lightNameText } from '../../../viewer/element/viewer/description.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
 import { distanceAlong } from '../../explain/pick.js';
 import { boxAround, type Drawing } from '../drawing/label-layout.js';
 import type { Projection } from '../drawing/projection.js';

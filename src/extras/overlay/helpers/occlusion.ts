@@ -1,6 +1,6 @@
 // Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis
 // meets one. Nothing waits for them: marks are drawn as before until the answers are known.
-import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { pick } from '../../explain/pick.js';
 import type { RaySearch } from '../../explain/ray-triangles.js';

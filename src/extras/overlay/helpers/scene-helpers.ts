@@ -3,7 +3,7 @@
 // mesh, or what hides something has changed.
 import { Matrix3, type Mesh, type Object3D } from 'three';
 import type { Helper } from '../../../viewer/element/fields/viewer-fields.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { normalMatrix } from '../../../phong/material/normal-matrix.js';
 import { PhongMaterial } from '../../../phong/material/phong-material.js';

@@ -11,7 +11,7 @@ import {
   type ViewerTexts,
 } from '../../../viewer/element/fields/texts.js';
 import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
 import { lightName } from '../../../viewer/element/phong-light.js';
 import type { LightState } from '../../../phong/light/light-state.js';
 import { pictureView } from '../../../phong/material/view/picture-view.js';

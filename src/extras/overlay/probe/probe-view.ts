@@ -4,7 +4,7 @@ import { html, render } from 'lit';
 import { create, write } from '../../../viewer/element/dom.js';
 import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
 import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extras.js';
+import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
 import type { FragmentExplanation } from '../../../viewer/element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';

@@ -1,82 +1,27 @@
 // The parts that most viewers do without: helpers, a legend, the probe, linked cameras,
-// explanations and files. Each is a chunk that is fetched with its first use. shadeAt copies the
+// explanations and files. Each is a chunk that is fetched with its first use (the table is
+// viewer/extras.ts). shadeAt copies the
 // scene at the call, because it may change meanwhile.
 import type { ReactiveController } from 'lit';
-import { lazyCode, reportMissing } from '../../model/lazy-code.js';
-import { MOST_SAMPLES, type ViewerValues } from '../fields/viewer-fields.js';
+import { reportMissing } from '../../model/lazy-code.js';
+import { MOST_SAMPLES } from '../fields/viewer-fields.js';
 import type { Size } from '../../scene/gpu/atlas.js';
-import type { Viewport } from '../../scene/viewport.js';
 import { zoomOf } from '../dom.js';
-import type { CameraSource, PhongViewer } from '../elements.js';
+import type { PictureOptions } from '../elements.js';
+import { pictureCode } from '../extra-code.js';
 import type { Visibility } from '../page/visibility.js';
 import { lightName, lightOf } from '../phong-light.js';
 import type { ViewerCamera } from './camera.js';
 import { elementOf } from './children.js';
+import {
+  type Extra,
+  type ExtraHost,
+  type ExtraKind,
+  extraKinds,
+  type ViewerSnapshot,
+} from './extra-host.js';
 import type { ViewerContext } from './viewer-context.js';
-import type { PictureOptions } from '../../../extras/samples/picture-blob.js';
 import type { ViewerTree } from './viewer-tree.js';
-import type { ViewerSnapshot } from '../../../extras/explain/shade-at.js';
-
-export interface ExtraHost {
-  readonly viewer: PhongViewer;
-  readonly values: Readonly<ViewerValues>;
-  readonly viewport: Viewport;
-  readonly camera: ViewerCamera;
-  /** `tree.layer` lies over the picture and lets the pointer through. */
-  readonly tree: ViewerTree;
-  /** The names that helpers have placed over the picture. The probe's keep clear of them. */
-  readonly names: { placed: readonly PlacedName[] };
-  /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
-  size(): { readonly width: number; readonly height: number };
-  snapshot(): ViewerSnapshot;
-}
-
-/** CSS pixels of the layer, or of the file that is being drawn. */
-export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number>>;
-
-export interface Extra {
-  /** A frame was drawn, or the viewer's own values have changed. */
-  update(): void;
-  /** The camera moved. The frame that shows it follows. */
-  cameraMoved?(source: CameraSource): void;
-  /** Draws what lies over the picture as it is in this task, on a canvas of its size. */
-  drawOver?(canvas: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
-  dispose(): void;
-}
-
-interface Kind {
-  readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
-  readonly load: () => Promise<{ readonly create: (host: ExtraHost) => Extra }>;
-}
-
-/** Belong to the first picture: it would show another camera. */
-const LINKED: Kind = {
-  wanted: ({ cameraGroup }, viewer) =>
-    cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
-  load: lazyCode(() => import('../../../extras/compare/camera-group.js'), 'linked cameras'),
-};
-
-const KINDS: readonly Kind[] = [
-  {
-    wanted: ({ helpers }) => helpers.length > 0,
-    load: lazyCode(() => import('../../../extras/overlay/helpers/helpers.js'), 'helpers'),
-  },
-  {
-    wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
-    load: lazyCode(() => import('../../../extras/overlay/legend/legend.js'), 'views'),
-  },
-  {
-    wanted: ({ probe }) => probe !== false,
-    load: lazyCode(() => import('../../../extras/overlay/probe/probe.js'), 'the probe'),
-  },
-  {
-    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
-    load: lazyCode(() => import('../../../extras/overlay/probe/watch.js'), 'the probe'),
-  },
-  LINKED,
-];
-
-const pictureCode = lazyCode(() => import('../../../extras/samples/picture-blob.js'), 'toBlob');
 
 export class ViewerExtras implements ReactiveController {
   readonly #context: ViewerContext;
@@ -84,7 +29,7 @@ export class ViewerExtras implements ReactiveController {
   readonly #visibility: Visibility;
   readonly #names: ExtraHost['names'] = { placed: [] };
   /** Null while its code is being fetched. */
-  readonly #extras = new Map<Kind, Extra | null>();
+  readonly #extras = new Map<ExtraKind, Extra | null>();
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
@@ -94,7 +39,7 @@ export class ViewerExtras implements ReactiveController {
     this.#visibility = visibility;
     const { awaited } = signals;
     signals.awaited = () =>
-      awaited() || (this.#extras.get(LINKED) === null && context.viewport.stats.frames === 0);
+      awaited() || (context.viewport.stats.frames === 0 && this.#isFirstAwaited);
     signals.drawn.listen(() => {
       for (const extra of this.#extras.values()) {
         extra?.update();
@@ -105,6 +50,10 @@ export class ViewerExtras implements ReactiveController {
         extra?.cameraMoved?.(source);
       }
     });
+  }
+
+  get #isFirstAwaited(): boolean {
+    return [...this.#extras].some(([{ first }, extra]) => first === true && extra === null);
   }
 
   snapshot(): ViewerSnapshot {
@@ -165,7 +114,7 @@ export class ViewerExtras implements ReactiveController {
   }
 
   apply(): void {
-    for (const kind of KINDS) {
+    for (const kind of extraKinds) {
       const extra = this.#extras.get(kind);
       if (!kind.wanted(this.#context.values, this.#context.viewer)) {
         this.#drop(kind);
@@ -188,7 +137,7 @@ export class ViewerExtras implements ReactiveController {
     const { samples } = options;
     const picture =
       samples === undefined ? viewport.capture(size) : await viewport.still.capture(size, samples);
-    const extras = KINDS.flatMap((kind) => this.#extras.get(kind) ?? []);
+    const extras = extraKinds.flatMap((kind) => this.#extras.get(kind) ?? []);
     if (extras.length === 0) return picture;
     // Apart from the picture: the scene can change while some code is fetched.
     const over = Object.assign(document.createElement('canvas'), size);
@@ -206,13 +155,13 @@ export class ViewerExtras implements ReactiveController {
     });
   }
 
-  #drop(kind: Kind): void {
+  #drop(kind: ExtraKind): void {
     const extra = this.#extras.get(kind);
     this.#extras.delete(kind);
     extra?.dispose();
   }
 
-  async #fetch(kind: Kind): Promise<void> {
+  async #fetch(kind: ExtraKind): Promise<void> {
     const tree = this.#tree;
     if (tree === null) return;
     this.#extras.set(kind, null);

@@ -2,19 +2,10 @@
 // removed again.
 import { reportMissing } from '../../model/lazy-code.js';
 import type { PhongViewer } from '../elements.js';
+import { type Panel, type PanelChange, panelCode } from '../extra-code.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import { isInClosed } from '../page/closed.js';
 import type { ViewerContext } from './viewer-context.js';
-
-let loadPanel: PanelLoader | null = null;
-
-/**
- * How the panel's code is fetched. The package's entry says so, because elements do not import the
- * panel.
- */
-export function providePanel(load: PanelLoader): void {
-  loadPanel = load;
-}
 
 export class ViewerPanel {
   readonly #viewer: PhongViewer;
@@ -53,14 +44,14 @@ export class ViewerPanel {
       place?.removeAttribute(OPEN_PANEL);
     }
     this.#wanted = wanted;
-    if (wanted === false || loadPanel === null || place === null) return;
+    if (wanted === false || place === null) return;
     if (this.#panel === null) {
       place.setAttribute(OPEN_PANEL, AWAITED);
     }
     const waits = !this.#painted && this.#values.loading !== 'eager' && isInClosed(this.#viewer);
     this.#waiting = waits ? place : null;
     if (waits) return;
-    const code = await loadPanel().catch(reportMissing);
+    const code = await panelCode().catch(reportMissing);
     if (this.#panel === null) {
       place.removeAttribute(OPEN_PANEL);
     }
@@ -104,18 +95,3 @@ export const AWAITED = 'awaited';
 
 /** CSS pixels. From this width on the panel stands open beside the picture; see panel.css. */
 export const WIDE_PANEL = 640;
-
-/** What has changed, so that a panel updates only that. */
-export type PanelChange = 'camera' | 'lights' | 'meshes' | 'viewer';
-
-/** What the element needs of a control panel. */
-export interface Panel {
-  /** Called after changes, once per kind and task. Requests no frames. */
-  update(change: PanelChange): void;
-  dispose(): void;
-}
-
-/** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
-export type CreatePanel = (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
-
-type PanelLoader = () => Promise<{ readonly createPanel: CreatePanel }>;

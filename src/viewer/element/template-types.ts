@@ -15,24 +15,14 @@ import type { HTMLAttributes as SvelteAttributes } from 'svelte/elements';
 /** @ts-ignore */
 import type { HTMLAttributes as VueAttributes, PublicProps } from 'vue';
 import type { LightValues } from '../../phong/light/light-state.js';
-import type { MeshValues } from '../../viewer/scene/mesh/mesh-fields.js';
-import type {
-  PhongCompare,
-  PhongControl,
-  PhongLight,
-  PhongMesh,
-  PhongViewer,
-} from '../../viewer/element/elements.js';
-import type {
-  PhongCompareEventMap,
-  PhongMeshEventMap,
-  PhongViewerEventMap,
-} from '../../viewer/element/events.js';
-import type { CompareValues } from '../../viewer/element/fields/compare-fields.js';
-import type { ControlValues } from '../panel/control-fields.js';
-import type { Inputs } from '../../viewer/element/fields/properties.js';
-import type { ViewerTexts } from '../../viewer/element/fields/texts.js';
-import type { ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
+import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer } from './elements.js';
+import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
+import type { CompareValues } from './fields/compare-fields.js';
+import type { ControlValues } from './fields/control-properties.js';
+import type { Inputs } from './fields/properties.js';
+import type { ViewerTexts } from './fields/texts.js';
+import type { ViewerValues } from './fields/viewer-fields.js';
 
 /** `properties`: those without an attribute. */
 interface Elements {

@@ -1,0 +1,64 @@
+// The code of extras that the elements use, as far as they use it. The table of extras says how it
+// is fetched (`viewer/extras.ts`).
+import type { ReactiveController, TemplateResult } from 'lit';
+import { extraCode } from '../model/lazy-code.js';
+import type { PhongCompare, PhongControl, PhongViewer, PictureOptions } from './elements.js';
+import type { FragmentExplanation, ShadeOptions } from './explanation.js';
+import type { ViewerSnapshot } from './viewer/extra-host.js';
+
+/** What has changed, so that a panel updates only that. */
+export type PanelChange = 'camera' | 'lights' | 'meshes' | 'viewer';
+
+/** What the element needs of a control panel. */
+export interface Panel {
+  /** Called after changes, once per kind and task. Requests no frames. */
+  update(change: PanelChange): void;
+  dispose(): void;
+}
+
+/** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
+export type CreatePanel = (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
+
+export const panelCode = /* @__PURE__ */ extraCode<{ readonly createPanel: CreatePanel }>(
+  'the control panel',
+);
+
+export const controlCode = /* @__PURE__ */ extraCode<{
+  readonly follow: (control: PhongControl) => void;
+}>('<phong-control>');
+
+/** Lays out the viewers of a comparison. */
+export interface Comparison extends ReactiveController {
+  template(): TemplateResult;
+}
+
+export const comparisonCode = /* @__PURE__ */ extraCode<{
+  readonly Comparison: new (element: PhongCompare) => Comparison;
+}>('<phong-compare>');
+
+/** As the methods of `<phong-viewer>`, of what was copied at the call. */
+interface ExplanationCode {
+  shadeAt(
+    snapshot: ViewerSnapshot,
+    x: number,
+    y: number,
+    options?: ShadeOptions,
+  ): Promise<FragmentExplanation | null>;
+  explain(snapshot: ViewerSnapshot, point: unknown): Promise<FragmentExplanation | null>;
+}
+
+export const explanationCode = /* @__PURE__ */ extraCode<ExplanationCode>('shadeAt');
+
+/** Encodes a picture; null stands for an invalid size or number of samples. */
+interface PictureCode {
+  readonly pictureBlob: (
+    picture: HTMLCanvasElement | null,
+    options: PictureOptions,
+  ) => Promise<Blob>;
+}
+
+export const pictureCode = /* @__PURE__ */ extraCode<PictureCode>('toBlob');
+
+export const diagnosisCode = /* @__PURE__ */ extraCode<{
+  readonly diagnose: (suspects: readonly Element[]) => void;
+}>('the diagnosis');

@@ -1,0 +1,56 @@
+// The one table of extras: what is fetched, when, and how. Nothing else in this folder knows an
+// extra: the code that uses one says what it needs of it (`extraCode`), and without its row here it
+// is not there. Imported by the package's entry before everything that takes long to run.
+import {
+  comparisonCode,
+  controlCode,
+  diagnosisCode,
+  explanationCode,
+  panelCode,
+  pictureCode,
+} from './element/extra-code.js';
+import { extraKinds } from './element/viewer/extra-host.js';
+import { FORMAT_NAMES } from './model/format-names.js';
+import { lazyCode } from './model/lazy-code.js';
+import { modelCode } from './model/request-model.js';
+import { samplingCode } from './scene/still-picture.js';
+
+// With the first use of each.
+modelCode.provide(() => import('../extras/models/model-content.js'));
+FORMAT_NAMES.gltf.code.provide(() => import('../extras/models/gltf/read-gltf.js'));
+FORMAT_NAMES.ply.code.provide(() => import('../extras/models/ply/read-ply.js'));
+FORMAT_NAMES.stl.code.provide(() => import('../extras/models/stl/read-stl.js'));
+FORMAT_NAMES.obj.code.provide(() => import('../extras/models/obj/read-obj.js'));
+samplingCode.provide(() => import('../extras/samples/converging-picture.js'));
+pictureCode.provide(() => import('../extras/samples/picture-blob.js'));
+explanationCode.provide(() => import('../extras/explain/shade-at.js'));
+comparisonCode.provide(() => import('../extras/compare/comparison.js'));
+panelCode.provide(() => import('../extras/panel/panel.js'));
+controlCode.provide(() => import('../extras/panel/control.js'));
+diagnosisCode.provide(() => import('../extras/diagnosis/diagnose.js'));
+
+// While a viewer's values ask for it. What lies over the picture is drawn in this order.
+extraKinds.push(
+  {
+    wanted: ({ helpers }) => helpers.length > 0,
+    load: lazyCode(() => import('../extras/overlay/helpers/helpers.js'), 'helpers'),
+  },
+  {
+    wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
+    load: lazyCode(() => import('../extras/overlay/legend/legend.js'), 'views'),
+  },
+  {
+    wanted: ({ probe }) => probe !== false,
+    load: lazyCode(() => import('../extras/overlay/probe/probe.js'), 'the probe'),
+  },
+  {
+    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
+    load: lazyCode(() => import('../extras/overlay/probe/watch.js'), 'the probe'),
+  },
+  {
+    wanted: ({ cameraGroup }, viewer) =>
+      cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+    load: lazyCode(() => import('../extras/compare/camera-group.js'), 'linked cameras'),
+    first: true,
+  },
+);

@@ -1,0 +1,30 @@
+// What happens to a user of an extra whose row is missing from the table of extras?
+
+import { afterEach, expect, it, vi } from 'vitest';
+import { extraCode, reportMissing } from '../../../src/viewer/model/lazy-code.js';
+
+afterEach(() => {
+  vi.restoreAllMocks();
+});
+
+it('an extra without a row rejects, and is reported once', async () => {
+  const warn = vi.spyOn(console, 'warn').mockReturnValue();
+  const code = extraCode<string>('the probe');
+  for (let use = 0; use < 3; use++) {
+    await code().catch(reportMissing);
+  }
+  expect(warn.mock.calls).toEqual([
+    ['<phong-viewer>: This copy of the package has no code of the probe.'],
+  ]);
+});
+
+it('an extra with a row is fetched once for all uses, and again after a failure', async () => {
+  const code = extraCode<string>('the probe');
+  const load = vi.fn((failures: number) =>
+    failures === 0 ? Promise.reject(new Error('offline')) : Promise.resolve('code'),
+  );
+  code.provide(load);
+  await expect(code()).rejects.toThrow(/The code of the probe could not be fetched/);
+  await expect(Promise.all([code(), code()])).resolves.toEqual(['code', 'code']);
+  expect(load.mock.calls).toEqual([[0], [1]]);
+});
