@@ -14,6 +14,7 @@ import { Orbit } from '../../phong/camera/orbit.js';
 import type { LightSet } from '../../phong/light/light-set.js';
 import { PhongLighting } from '../../phong/material/lighting.js';
 import type { ShadingStyle } from '../../phong/material/material-values.js';
+import type { PictureView } from '../../phong/material/views.js';
 import { Budget } from '../model/budget.js';
 import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
@@ -91,6 +92,12 @@ export class Picture {
 
   get style(): ShadingStyle {
     return this.materials.style;
+  }
+
+  /** What is drawn in place of the shaded colours. Null, the default: these are drawn. */
+  set view(view: PictureView | null) {
+    this.lighting.view = view;
+    this.style = this.style; // materials and geometries follow
   }
 
   set style(style: ShadingStyle) {

@@ -46,10 +46,9 @@ class ViewExtra implements Extra {
     const shown = [values.view, values.viewLight, viewer.texts];
     if (!sameValue(shown, this.#shown)) {
       this.#shown = shown;
-      viewport.picture.lighting.view = pictureView(values.view, () =>
+      viewport.picture.view = pictureView(values.view, () =>
         chosenIndices(this.#host).map((i) => viewport.picture.lighting.lights.values[i]!),
       );
-      viewport.picture.style = { ...viewport.picture.style }; // materials and geometries follow
       viewport.holder.classList.toggle('outlined', viewEntry(values.view).scale === 'unit');
     }
     this.#showLegend();
@@ -86,8 +85,7 @@ class ViewExtra implements Extra {
     this.#place.remove();
     viewport.holder.classList.remove('outlined');
     removeStyles(this.#root, styles);
-    viewport.picture.lighting.view = null;
-    viewport.picture.style = { ...viewport.picture.style };
+    viewport.picture.view = null;
   }
 
   #showLegend(): void {
