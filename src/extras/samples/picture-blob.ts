@@ -1,30 +1,12 @@
-// A picture as a file: checks the options and encodes. Fetched with the first use of toBlob.
+// A picture as a file: checks type and quality, and encodes. Fetched with the first use of toBlob.
 
-import { MOST_SAMPLES } from '../../viewer/element/fields/viewer-fields.js';
 import type { PictureOptions } from '../../viewer/element/elements.js';
 
-/**
- * Null stands for an invalid size or number of samples. Rejects where options are wrong or the file
- * cannot be made.
- */
+/** Rejects where type or quality is wrong, or the file cannot be made. */
 export async function pictureBlob(
-  picture: HTMLCanvasElement | null,
-  { width, height, type = 'image/png', quality, samples }: PictureOptions,
+  picture: HTMLCanvasElement,
+  { type = 'image/png', quality }: PictureOptions,
 ): Promise<Blob> {
-  if (picture === null) {
-    if (
-      samples !== undefined &&
-      !(Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES)
-    ) {
-      throw new RangeError(
-        `toBlob: samples must be a whole number from 1 to ${String(MOST_SAMPLES)}, got ${String(samples)}`,
-      );
-    }
-    const asked = `${String(width ?? 'default')} × ${String(height ?? 'default')}`;
-    throw new RangeError(
-      `toBlob: width and height must be whole numbers of pixels from 1, got ${asked}`,
-    );
-  }
   if (typeof type !== 'string') {
     throw new TypeError(`toBlob: type must be text, got ${String(type)}`);
   }

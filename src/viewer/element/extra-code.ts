@@ -49,12 +49,9 @@ interface ExplanationCode {
 
 export const explanationCode = /* @__PURE__ */ extraCode<ExplanationCode>('shadeAt');
 
-/** Encodes a picture; null stands for an invalid size or number of samples. */
+/** Encodes a picture. */
 interface PictureCode {
-  readonly pictureBlob: (
-    picture: HTMLCanvasElement | null,
-    options: PictureOptions,
-  ) => Promise<Blob>;
+  readonly pictureBlob: (picture: HTMLCanvasElement, options: PictureOptions) => Promise<Blob>;
 }
 
 export const pictureCode = /* @__PURE__ */ extraCode<PictureCode>('toBlob');

@@ -110,7 +110,9 @@ class ViewerElement extends LitElement implements PublicViewer {
   readonly #loading = new ViewerLoading(this.#context, this.#events, this.#failure);
   readonly #children = new ViewerChildren(this.#context, this.#loading);
   readonly #camera: ViewerCamera = new ViewerCamera(this.#context);
-  readonly #visibility = new Visibility(this, this.#holder, this.#context.signals.viewChanged);
+  readonly #visibility = new Visibility(this, this.#holder, this.#context.signals.viewChanged, () =>
+    this.disconnectedCallback(),
+  );
   readonly #extras = new ViewerExtras(this.#context, this.#camera, this.#visibility);
   readonly #display = new ViewerDisplay(this.#context, this.#loading, this.#failure, this.#extras);
 
@@ -118,6 +120,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     super();
     const { signals } = this.#context;
     this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
+    signals.awaited = () => this.#loading.awaited || this.#extras.awaited;
     signals.layoutNeeded.listen(() => this.#visibility.look());
     signals.lightChanged.listen((light) => this.#events.enqueueLight(light));
     signals.cameraMoved.listen(({ source, linked }) => {

@@ -21,8 +21,10 @@ export interface ElementView {
   readonly pixelHeight: number;
 }
 
-/** Watches `element` while its host is connected and gives `changed` after each change. */
+/** Watches `element` while its host is connected and gives `changed` after each change. `closed`: see there. */
 export class Visibility implements ReactiveController {
+  /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
+  readonly closed: () => void;
   readonly #host: LitElement;
   readonly #element: HTMLElement;
   readonly #changed: Signal<ElementView>;
@@ -37,10 +39,16 @@ export class Visibility implements ReactiveController {
   /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
   #box: ResizeObserverSize | undefined;
 
-  constructor(host: LitElement, element: HTMLElement, changed: Signal<ElementView>) {
+  constructor(
+    host: LitElement,
+    element: HTMLElement,
+    changed: Signal<ElementView>,
+    closed: () => void,
+  ) {
     this.#host = host;
     this.#element = element;
     this.#changed = changed;
+    this.closed = closed;
   }
 
   get size(): { readonly width: number; readonly height: number } {
@@ -149,11 +157,6 @@ export class Visibility implements ReactiveController {
     const visible = painted && this.#inView === true;
     const near = visible || (painted && this.#near === true && !isCollapsed(this.#element));
     this.#changed.emit({ painted, near, visible, printsAt: null, ...this.#size });
-  }
-
-  /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
-  closed(): void {
-    this.#host.disconnectedCallback();
   }
 
   /**

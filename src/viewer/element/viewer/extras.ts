@@ -37,9 +37,6 @@ export class ViewerExtras implements ReactiveController {
     const { signals } = (this.#context = context);
     this.#camera = camera;
     this.#visibility = visibility;
-    const { awaited } = signals;
-    signals.awaited = () =>
-      awaited() || (context.viewport.stats.frames === 0 && this.#isFirstAwaited);
     signals.drawn.listen(() => {
       for (const extra of this.#extras.values()) {
         extra?.update();
@@ -52,8 +49,12 @@ export class ViewerExtras implements ReactiveController {
     });
   }
 
-  get #isFirstAwaited(): boolean {
-    return [...this.#extras].some(([{ first }, extra]) => first === true && extra === null);
+  /** One that belongs to the first picture is being fetched. */
+  get awaited(): boolean {
+    return (
+      this.#context.viewport.stats.frames === 0 &&
+      [...this.#extras].some(([{ first }, extra]) => first === true && extra === null)
+    );
   }
 
   snapshot(): ViewerSnapshot {
@@ -91,10 +92,8 @@ export class ViewerExtras implements ReactiveController {
     const { viewport } = this.#context;
     const width = options.width ?? Math.max(viewport.width, 1);
     const height = options.height ?? Math.max(viewport.height, 1);
-    const { samples = 1 } = options;
-    const isCount = (value: number): boolean => Number.isInteger(value) && value >= 1;
-    const isValid = [width, height, samples].every(isCount) && samples <= MOST_SAMPLES;
-    const picture = isValid ? await this.#capture({ width, height }, options) : null;
+    requireCounts({ ...options, width, height });
+    const picture = await this.#capture({ width, height }, options);
     const { pictureBlob } = await pictureCode();
     return pictureBlob(picture, options);
   }
@@ -182,5 +181,18 @@ export class ViewerExtras implements ReactiveController {
     });
     this.#extras.set(kind, extra);
     extra.update();
+  }
+}
+
+/** @throws RangeError unless sizes and samples are whole and in their ranges. */
+function requireCounts({ width, height, samples }: PictureOptions): void {
+  for (const [name, value, most] of [
+    ['width', width, Infinity],
+    ['height', height, Infinity],
+    ['samples', samples, MOST_SAMPLES],
+  ] as const) {
+    if (value === undefined || (Number.isInteger(value) && value >= 1 && value <= most)) continue;
+    const range = most === Infinity ? 'from 1' : `from 1 to ${String(most)}`;
+    throw new RangeError(`toBlob: ${name} must be a whole number ${range}, got ${String(value)}`);
   }
 }

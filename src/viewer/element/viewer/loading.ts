@@ -50,8 +50,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
-    signals.awaited = () =>
-      !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
     signals.unproven = () => [...this.#undrawn].some(({ complete }) => complete === 'model');
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.drawn.listen(() => this.#drawn());
@@ -64,6 +62,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       }
     });
     takeDrops(viewer);
+  }
+
+  /** Something that belongs to the first picture is on its way. */
+  get awaited(): boolean {
+    return !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
   }
 
   get picture(): Picture {
