@@ -1,14 +1,8 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of
-// the file. A document's lists can be millions of values long, so they are parsed in pieces of some
-// objects each, with pauses in between.
+// the file.
 import { requireAtMost } from '../../../viewer/model/budget.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
-import {
-  JSON_LIMIT,
-  JSON_PIECE_BYTES,
-  JSON_PIECE_LIMIT,
-  JSON_TEXT_LIMIT,
-} from '../../../viewer/model/limits.js';
+import { JSON_TEXT_LIMIT } from '../../../viewer/model/limits.js';
 import type { ModelBudget } from '../model-budget.js';
 import type { FileBytes } from '../model-reader.js';
 import { isDataUri } from '../../../viewer/model/request-model.js';
@@ -32,15 +26,11 @@ const CHUNK_BIN = 0x004e4942;
 const HEADER = 12;
 const CHUNK_HEADER = 8;
 
-/** Values in a piece of JSON, and bytes: a few milliseconds. */
-const PIECE = 2 ** 14;
-const PIECE_BYTES = 2 ** 20;
-
 /** Bytes between two looks at the clock. Strings are skipped by the engine's own search. */
 const STEP = 2 ** 18;
 
 const [QUOTE, BACKSLASH, COMMA] = [0x22, 0x5c, 0x2c];
-const [OPEN_LIST, CLOSE_LIST, OPEN_OBJECT, CLOSE_OBJECT] = [0x5b, 0x5d, 0x7b, 0x7d];
+const [OPEN_LIST, OPEN_OBJECT] = [0x5b, 0x7b];
 
 /** @param budget gets the values of the JSON. */
 export async function openContainer(
@@ -81,7 +71,8 @@ export async function openContainer(
 }
 
 /**
- * Parses JSON without its data in base64: they stay bytes, and a key stands for each.
+ * Parses JSON without its data in base64: they stay bytes, and a key stands for each. The rest is
+ * parsed in one task.
  * @param budget gets its values, counted by brackets and commas.
  * @throws ModelError `too-large`, a plain Error if it is no JSON.
  */
@@ -91,103 +82,46 @@ async function parseText(
   slices: Slices,
 ): Promise<Omit<Container, 'body'>> {
   const cuts: Cut[] = [];
-  const lists: unknown[][] = [];
-  // The document without the items of the lists directly in it: such a list holds its place in
-  // `lists` instead.
-  let rest = '';
-  let list: unknown[] | null = null;
-  // What is in no piece yet: `pending`, then the bytes from `from` on.
-  let pending = '';
+  const texts: Uint8Array[] = [];
+  /** Bytes before this one are in `texts` or in `cuts`. */
   let from = 0;
-  let depth = 0;
-  let values = 0;
   let cutBytes = 0;
-  const take = (to: number): string => {
-    const text = pending + textOf(bytes, from, to);
-    pending = '';
-    return text;
-  };
-  const claim = (): void => {
-    requireAtMost(values, JSON_PIECE_LIMIT, 'values in one part of its JSON');
-    budget.add({ json: values });
-    values = 0;
-  };
-  const requireShort = (at: number): void =>
-    requireAtMost(at - cutBytes, JSON_TEXT_LIMIT, 'bytes of JSON, without data in base64');
+  let values = 0;
   /** Where the string begins that is being read; -1 between strings. */
   let start = -1;
   let next = STEP;
   for (let at = 0; at < bytes.length; at += 1) {
     if (at >= next) {
       next = at + STEP;
-      // A text that ends no list or string is refused before all of it is read.
-      if (start < 0) {
-        requireShort(at);
-      }
-      requireAtMost(values, JSON_LIMIT, 'values in its JSON');
       await slices.pauseIfDue();
     }
-    if (start >= 0) {
-      at = bytes.indexOf(QUOTE, at);
-      if (at < 0) break; // a text that ends in a string
-      if (isEscaped(bytes, at)) continue;
-      const cut = at - start < LEAST_CUT ? null : await base64In(bytes.subarray(start, at), slices);
-      if (cut !== null) {
-        pending = take(start) + keyOf(cuts.length);
-        from = at;
-        cutBytes += at - start;
-        cuts.push(cut);
+    if (start < 0) {
+      const byte = bytes[at];
+      if (byte === QUOTE) {
+        start = at + 1;
+      } else if (byte === COMMA || byte === OPEN_LIST || byte === OPEN_OBJECT) {
+        values += 1;
       }
-      start = -1;
       continue;
     }
-    const byte = bytes[at];
-    if (byte === QUOTE) {
-      start = at + 1;
+    at = bytes.indexOf(QUOTE, at);
+    if (at < 0) break; // a text that ends in a string
+    if (isEscaped(bytes, at)) continue;
+    const cut = at - start < LEAST_CUT ? null : await base64In(bytes.subarray(start, at), slices);
+    if (cut !== null) {
+      texts.push(bytes.subarray(from, start), new TextEncoder().encode(keyOf(cuts.length)));
+      from = at;
+      cutBytes += at - start;
+      cuts.push(cut);
     }
-    const opens = byte === OPEN_LIST || byte === OPEN_OBJECT;
-    const closes = byte === CLOSE_LIST || byte === CLOSE_OBJECT;
-    if (opens) {
-      depth += 1;
-    }
-    if (closes) {
-      depth -= 1;
-    }
-    if (opens || byte === COMMA) {
-      values += 1;
-    }
-    const isLong = values > PIECE || at - from > PIECE_BYTES;
-    if (list !== null && ((closes && depth === 1) || (byte === COMMA && depth === 2 && isLong))) {
-      claim();
-      for (const item of parsed(`[${take(at)}]`) as unknown[]) {
-        list.push(item);
-      }
-      if (closes) {
-        list = null;
-      }
-      from = closes ? at : at + 1;
-      await slices.pauseIfDue();
-    } else if (list === null && byte === OPEN_LIST && depth === 2) {
-      rest += `${take(at + 1)}${String(lists.length)}`;
-      lists.push((list = []));
-      from = at + 1;
-    }
+    start = -1;
   }
-  requireShort(bytes.length);
-  budget.add({ text: bytes.length - cutBytes });
-  claim();
-  const document = parsed(rest + take(bytes.length));
-  return { json: withLists(document, lists), data: dataByKey(cuts, slices) };
-}
-
-function withLists(document: unknown, lists: readonly unknown[][]): unknown {
-  if (typeof document !== 'object' || document === null || Array.isArray(document)) return document;
-  return Object.fromEntries(
-    Object.entries(document).map(([key, value]: [string, unknown]) => [
-      key,
-      Array.isArray(value) ? lists[Number(value[0])] : value,
-    ]),
-  );
+  const length = bytes.length - cutBytes;
+  requireAtMost(length, JSON_TEXT_LIMIT, 'bytes of JSON, without data in base64');
+  budget.add({ text: length, json: values });
+  texts.push(bytes.subarray(from));
+  const json = parsed(await slices.joined(texts));
+  return { json, data: dataByKey(cuts, slices) };
 }
 
 /** Whether the character is preceded by an odd number of backslashes. */
@@ -199,18 +133,9 @@ function isEscaped(bytes: Uint8Array, at: number): boolean {
   return (at - first) % 2 === 1;
 }
 
-function textOf(bytes: Uint8Array, from: number, to: number): string {
+function parsed(utf8: Uint8Array): unknown {
   try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(bytes.subarray(from, to));
-  } catch (cause) {
-    throw new Error('its JSON is broken', { cause });
-  }
-}
-
-function parsed(text: string): unknown {
-  requireAtMost(text.length, JSON_PIECE_BYTES, 'bytes in one part of its JSON');
-  try {
-    return JSON.parse(text) as unknown;
+    return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(utf8)) as unknown;
   } catch (cause) {
     throw new Error('its JSON is broken', { cause });
   }
@@ -249,8 +174,8 @@ async function base64In(text: Uint8Array<ArrayBuffer>, slices: Slices): Promise<
   const comma = start.indexOf(',');
   const header = start.slice(0, comma);
   if (comma < 0 || !isDataUri(header) || !dataHeader(header).base64) return null;
-  for (let from = 0; from < text.length; from += PIECE_BYTES) {
-    const piece = text.subarray(from, from + PIECE_BYTES);
+  for (let from = 0; from < text.length; from += STEP) {
+    const piece = text.subarray(from, from + STEP);
     if (ESCAPES.some((character) => piece.includes(character))) return null;
     await slices.pauseIfDue();
   }
