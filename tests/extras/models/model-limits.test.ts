@@ -162,7 +162,7 @@ describe('every accessor that is read is counted', () => {
   });
 
   it('and the values of each animated property', async () => {
-    const targets = 20_000;
+    const targets = 4000;
     const times = accessors.length;
     const channel = { sampler: 0, target: { node: 0, path: 'weights' } };
     const file = jsonOf({
@@ -418,6 +418,13 @@ describe('documents that are wrong', () => {
     '{"__proto__":{"scenes":[]},"constructor":0,',
   );
 
+  const names = Object.fromEntries(
+    Array.from({ length: 5000 }, (_, i) => [`name ${String(i)}`, 0]),
+  );
+  const primitive = { attributes: { POSITION: 0 } };
+  const withPrimitive = (more: Json): Buffer =>
+    hostile.triangleGlb({ meshes: [{ primitives: [{ ...primitive, ...more }] }] });
+  const manyTargets = Array<Json>(5000).fill({ POSITION: 0 });
   const deep = JSON.stringify(hostile.triangleDocument({ extras: 0 })).replace(
     '"extras":0',
     `"extras":${'['.repeat(1e6)}${']'.repeat(1e6)}`,
@@ -437,6 +444,18 @@ describe('documents that are wrong', () => {
       'JSON of millions of values',
       glbOf(`[${'{},'.repeat(2e6)}0]`),
       /^too-large: .*values in its JSON/,
+    ],
+    [
+      'thousands of attributes',
+      withPrimitive({ attributes: { POSITION: 0, ...names } }),
+      /^too-large: .* names in/,
+    ],
+    ['thousands of extensions', withPrimitive({ extensions: names }), /^too-large: .* names in/],
+    ['thousands of targets', withPrimitive({ targets: manyTargets }), /^too-large: .* in targets/],
+    [
+      'ten times the allowed joints',
+      hostile.triangleGlb({ skins: [{ joints: Array<number>(7e5).fill(0) }] }),
+      /^too-large: .* in skins\[0\]\.joints/,
     ],
     ['keys such as __proto__', glbOf(odd, TRIANGLE), /^1 parts$/],
   ])('with %s are named, or shown where it does no harm', async (_, file, message) => {

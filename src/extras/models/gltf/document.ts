@@ -21,6 +21,7 @@ import {
   objectAt,
   objectsAt,
   optionalObject,
+  shortListAt,
   textAt,
   type JsonObject,
 } from './json.js';
@@ -174,7 +175,7 @@ function readSkins(
   return slices.map(objectsAt(json['skins'], 'skins'), (skin, i) => {
     const what = `skins[${String(i)}]`;
     const listName = `${what}.joints`;
-    const joints = listAt(skin['joints'], listName).map((joint) =>
+    const joints = shortListAt(skin['joints'], listName).map((joint) =>
       indexAt(joint, nodeCount, listName),
     );
     if (skin['inverseBindMatrices'] === undefined) {
@@ -212,7 +213,9 @@ async function readMeshes(
     meshes.push({
       name: textAt(mesh['name']),
       primitives,
-      weights: listAt(mesh['weights'], 'weights').map((weight) => numberAt(weight, 'weights', 0)),
+      weights: shortListAt(mesh['weights'], 'weights').map((weight) =>
+        numberAt(weight, 'weights', 0),
+      ),
       targets: primitives.reduce((most, { targets }) => Math.max(most, targets.length), 0),
       bound:
         primitives.length > 0 &&
@@ -267,7 +270,7 @@ async function readNodes(
       'visible'
     ];
     return {
-      children: listAt(node['children'], `${what}.children`).map((child) =>
+      children: shortListAt(node['children'], `${what}.children`).map((child) =>
         indexAt(child, defs.length, what),
       ),
       hidden: visible === false,
@@ -355,7 +358,9 @@ function readRoots(json: JsonObject, nodes: readonly GltfNode[]): readonly numbe
   const listed =
     scenes.length === 0
       ? nodes.map((_, i) => i)
-      : listAt(scene['nodes'], 'the scene').map((root) => indexAt(root, nodes.length, 'the scene'));
+      : shortListAt(scene['nodes'], 'the scene').map((root) =>
+          indexAt(root, nodes.length, 'the scene'),
+        );
   // Each once: thousands of entries can name one node with thousands of children.
   const roots = [...new Set(listed)];
   const children = roots.flatMap((root) => nodes[root]!.children);

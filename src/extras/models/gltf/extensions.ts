@@ -1,5 +1,5 @@
 // What a glTF document says by its extensions, and which are left out.
-import { listAt, objectsAt, optionalObject, type JsonObject } from './json.js';
+import { namesIn, objectsAt, optionalObject, shortListAt, type JsonObject } from './json.js';
 
 export const INSTANCING = 'EXT_mesh_gpu_instancing';
 export const VISIBILITY = 'KHR_node_visibility';
@@ -14,7 +14,7 @@ const SHOWN =
 
 /** The first extension that the document requires and that is not supported. */
 export const unreadable = (json: JsonObject): string | undefined =>
-  listAt(json['extensionsRequired'], 'extensionsRequired')
+  shortListAt(json['extensionsRequired'], 'extensionsRequired')
     .map(String)
     .find((name) => !READABLE.test(name));
 
@@ -35,4 +35,6 @@ export function* extensionsLeftOut(json: JsonObject): Iterable<string> {
 export const leftOutOf = ({ extensions }: JsonObject): readonly string[] =>
   extensions === undefined
     ? []
-    : Object.keys(optionalObject(extensions, 'extensions')).filter((name) => !SHOWN.test(name));
+    : namesIn(optionalObject(extensions, 'extensions'), 'extensions').filter(
+        (name) => !SHOWN.test(name),
+      );

@@ -1,4 +1,7 @@
-// Reads values from untrusted JSON. Each reader throws a plain Error that names the wrong value.
+// Reads values from untrusted JSON. Each reader throws a plain Error that names the wrong value, or
+// `too-large`.
+import { requireAtMost } from '../../../viewer/model/budget.js';
+import { JSON_LIST_LIMIT, JSON_NAME_LIMIT } from '../../../viewer/model/limits.js';
 
 export type JsonObject = Readonly<Record<string, unknown>>;
 
@@ -28,6 +31,24 @@ export function listAt(value: unknown, what: string): readonly unknown[] {
   if (value === undefined) return [];
   if (Array.isArray(value)) return value as readonly unknown[];
   throw new Error(`${what} is not a list`);
+}
+
+/** As {@link listAt}, of a list that is read in one task. */
+export function shortListAt(
+  value: unknown,
+  what: string,
+  limit = JSON_LIST_LIMIT,
+): readonly unknown[] {
+  const list = listAt(value, what);
+  requireAtMost(list.length, limit, `values in ${what}`);
+  return list;
+}
+
+/** The names in an object. */
+export function namesIn(object: JsonObject, what: string): readonly string[] {
+  const names = Object.keys(object);
+  requireAtMost(names.length, JSON_NAME_LIMIT, `names in ${what}`);
+  return names;
 }
 
 /** A whole number >= 0; an absent value gives `fallback`. */

@@ -1,10 +1,20 @@
 // The primitives of a glTF mesh that are drawn: triangles, and the attributes that are used. Knows
 // the JSON only.
+import { JSON_NAME_LIMIT } from '../../../viewer/model/limits.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';
 import type { GltfMaterial } from './materials.js';
-import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
+import {
+  countAt,
+  indexAt,
+  namesIn,
+  objectAt,
+  objectsAt,
+  optionalObject,
+  shortListAt,
+  type JsonObject,
+} from './json.js';
 
 export const DRACO = 'KHR_draco_mesh_compression';
 
@@ -107,15 +117,14 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
       ? undefined
       : indexAt(primitive['material'], materials.length, 'material');
   const nameOf = (written: string): string => drawnName(written, materials[material ?? -1]);
-  const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(
-    ([written, value]) => {
-      const name = nameOf(written);
-      const least = ATTRIBUTES.get(name);
-      if (least === undefined) return [];
-      const accessor = accessors.at(value, name);
-      return [{ name, accessor, items: Math.max(least, accessor.components) }];
-    },
-  );
+  const written = objectAt(primitive['attributes'], 'attributes');
+  const attributes = namesIn(written, 'attributes').flatMap((writtenName) => {
+    const name = nameOf(writtenName);
+    const least = ATTRIBUTES.get(name);
+    if (least === undefined) return [];
+    const accessor = accessors.at(written[writtenName], name);
+    return [{ name, accessor, items: Math.max(least, accessor.components) }];
+  });
   const indexes = Object.fromEntries(
     attributes.map(({ name, accessor }) => [name, accessor.index]),
   );
@@ -173,8 +182,9 @@ function readTargets(
   vertices: number,
   { accessors, dropped }: PrimitiveContext,
 ): readonly MorphAccessors[] {
-  return objectsAt(primitive['targets'], 'targets').map((target, i) => {
-    for (const name of Object.keys(target)) {
+  const targets = shortListAt(primitive['targets'], 'targets', JSON_NAME_LIMIT);
+  return objectsAt(targets, 'targets').map((target, i) => {
+    for (const name of namesIn(target, 'targets')) {
       if (!(MORPHED as readonly string[]).includes(name)) {
         dropped.add(`morph targets of ${name}`);
       }
@@ -210,10 +220,11 @@ function readDraco(
   context: PrimitiveContext,
 ): { bufferView: number; attributes: JsonObject } {
   const attributes: Record<string, number> = {};
-  for (const [written, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
+  const ids = objectAt(extension['attributes'], DRACO);
+  for (const written of namesIn(ids, DRACO)) {
     const name = nameOf(written);
     if (Object.hasOwn(wanted, name)) {
-      attributes[name] = countAt(id, `${DRACO}.${name}`);
+      attributes[name] = countAt(ids[written], `${DRACO}.${name}`);
     }
   }
   return { bufferView: indexAt(extension['bufferView'], context.views, DRACO), attributes };
