@@ -142,6 +142,7 @@ export class Tracer {
     const { dx, dy, dz } = screen;
     const hit = this.#hit;
     hit.t = Infinity;
+    hit.triangle = -1;
     if (this.#layers.length > 0) {
       this.#layers.length = 0;
     }

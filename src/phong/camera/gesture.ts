@@ -3,6 +3,7 @@
 // coordinates in CSS pixels; travel is measured along the picture's own axes.
 import { type PictureFrame, pinch, type RadiusLimits, shift, turn } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
+import { samePose, writtenPose } from './written-pose.js';
 
 /** The picture's box, and the directions of its axes on the page. */
 export interface PictureBox {
@@ -121,7 +122,9 @@ export class PointerGesture {
     finger.x = x;
     finger.y = y;
     const { orbit } = this.#host;
-    orbit.set(this.#pose(anchor));
+    const pose = this.#pose(anchor);
+    // The picture that stays is the one that markup gives; back at its start a drag has moved nothing.
+    orbit.set(samePose(pose, anchor.pose) ? pose : writtenPose(pose));
     const moved = orbit.version !== anchor.version;
     anchor.version = orbit.version;
     this.#dragged ||= moved;

@@ -5,6 +5,7 @@ import { keyPose, keyStep, wheelZoom } from './drag.js';
 import { type GestureHost, PointerGesture } from './gesture.js';
 import { keepDrag, SLOP } from './kept-drag.js';
 import type { Pose } from './orbit.js';
+import { writtenPose } from './written-pose.js';
 
 export interface OrbitInputHost extends GestureHost {
   /** The user moved the camera. Called synchronously for each event that changed it. */
@@ -251,7 +252,7 @@ export class OrbitInput {
   #moveTo(pose: Pose, source: 'wheel' | 'key'): void {
     const { orbit } = this.#host;
     const before = orbit.version;
-    orbit.set(pose);
+    orbit.set(writtenPose(pose));
     if (orbit.version === before) return;
     this.reanchor();
     this.#host.moved(source);

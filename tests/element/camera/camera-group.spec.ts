@@ -129,7 +129,8 @@ test('auto fits the largest scene of the group, also when members come, go and c
   await assign(second, { hidden: false });
   await settled(second);
   const back = await onePose(page);
-  expect(back.radius).toBe(narrow);
+  // A drag leaves the camera at the digits that markup has.
+  expect(back.radius).toBeCloseTo(narrow, 6);
   expect(back.theta).not.toBe(30);
   // Empty scenes do not count.
   await small.evaluate((element: PhongViewer) => element.resetCamera());

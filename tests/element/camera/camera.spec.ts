@@ -31,17 +31,17 @@ test('the wheel scrolls the page until a press gives focus, and then zooms', asy
   await page.mouse.down();
   await page.mouse.up();
   await page.mouse.wheel(0, 100);
-  await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(0.1), 12);
+  await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(0.1), 6);
   await page.mouse.wheel(0, -250);
   await expect
     .poll(async () => (await cameraOf(viewer)).radius)
-    .toBeCloseTo(5 * Math.exp(-0.15), 12);
+    .toBeCloseTo(5 * Math.exp(-0.15), 6);
   expect(await page.evaluate(() => scrollY)).toBe(50);
 
   await assign(viewer, { zoom: false });
   await page.mouse.wheel(0, 100);
   await expect.poll(() => page.evaluate(() => scrollY)).toBe(150);
-  expect((await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 12);
+  expect((await cameraOf(viewer)).radius).toBeCloseTo(5 * Math.exp(-0.15), 6);
 });
 
 test('keys that a viewer uses do not reach the page (they may turn slides); others do', async ({
@@ -124,7 +124,7 @@ test('Home and resetCamera return to the last declared camera, not to the first'
     await drag(page, [300, 200], [60, 40], { button: 'right' });
     const { theta, radius, target } = await cameraOf(viewer);
     expect(theta).toBe(9);
-    expect(radius).toBeCloseTo(declared.radius / 1.1, 12);
+    expect(radius).toBeCloseTo(declared.radius / 1.1, 6);
     expect(target).not.toEqual(declared.target);
     await reset();
     expect(await cameraOf(viewer)).toEqual(declared);

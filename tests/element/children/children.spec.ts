@@ -200,7 +200,7 @@ test('many lights connected one per microtask make one frame and one search, in 
     };
     for (let i = 0; i < 300; i++) {
       const light = Object.assign(document.createElement('phong-light'), {
-        diffuse: 0.5,
+        diffuse: 2,
         name: String(i),
       });
       if (i % 2 === 0) {

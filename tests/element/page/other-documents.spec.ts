@@ -126,7 +126,7 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
   await page.mouse.wheel(0, 100);
   await expect
     .poll(async () => (await cameraOf(inside)).radius)
-    .toBeCloseTo(radius * Math.exp(0.1), 12);
+    .toBeCloseTo(radius * Math.exp(0.1), 6);
   await page.keyboard.press('ArrowRight');
   expect((await cameraOf(inside)).theta).toBe(-11);
   await inside.evaluate((element: PhongViewer) => (element.style.width = '300px'));

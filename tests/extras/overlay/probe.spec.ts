@@ -419,7 +419,7 @@ test.describe('the box', () => {
     const lights = Array.from(
       { length: 50 },
       (_, i) =>
-        `<phong-light name="n${i}" position="${(i % 7) - 3} ${(i % 5) - 1} 3 0" diffuse="${i}" specular="0"></phong-light>`,
+        `<phong-light name="n${i}" position="${(i % 7) - 3} ${(i % 5) - 1} 3 0" diffuse="${2 * i}" specular="0"></phong-light>`,
     ).join('');
     const viewer = await mount(scene('probe', lights));
     await page.mouse.click(300, 150);

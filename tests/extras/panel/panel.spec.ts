@@ -189,7 +189,7 @@ test('keeps two viewers on a page apart', async ({ page, mount }) => {
   await assign(a, { gui: false });
   await expect(panelOf(a)).toHaveCount(0);
   const sheets = await b.evaluate((element) => element.shadowRoot!.adoptedStyleSheets.length);
-  expect(sheets, "the viewer's and the panel's").toBe(2);
+  expect(sheets, "the viewer's two and the panel's").toBe(3);
   await field(b, 'position x').fill('0.5');
   expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
 });
@@ -233,7 +233,10 @@ test('starts closed in a viewer without a size, and opens depending on its first
     [300, 'false'],
     [500, 'true'],
   ] as const) {
-    const viewer = await mount(`<dialog>${scene('gui', 'sun')}</dialog>`, { width, height: 300 });
+    const viewer = await mount(`<dialog>${scene('gui loading="eager"', 'sun')}</dialog>`, {
+      width,
+      height: 300,
+    });
     await expect(panelOf(viewer)).toBeAttached();
     await expect(titleOf(viewer, 'Controls')).toHaveAttribute('aria-expanded', 'false');
     await viewer.evaluate((element) => element.closest('dialog')!.showModal());

@@ -244,9 +244,9 @@ it('the wheel zooms with focus, and is left to the page without it, for horizont
   expect(orbit.radius).toBe(4);
   surface.focused = true;
   expect(wheel(100)).toBe(true);
-  expect(orbit.radius).toBeCloseTo(4 * Math.exp(0.1), 14);
+  expect(orbit.radius).toBeCloseTo(4 * Math.exp(0.1), 7);
   expect(wheel(10, { ctrlKey: true })).toBe(true);
-  expect(orbit.radius).toBeCloseTo(4 * Math.exp(0.2), 14);
+  expect(orbit.radius).toBeCloseTo(4 * Math.exp(0.2), 6);
   expect(wheel(0)).toBe(false);
   allows.zoom = false;
   expect(wheel(100)).toBe(false);
@@ -259,7 +259,7 @@ describe('keys', () => {
     expect(key('ArrowRight')).toBe(true);
     expect(orbit.theta).toBe(25);
     key('PageUp');
-    expect(orbit.radius).toBeCloseTo(4 / 1.1, 14);
+    expect(orbit.radius).toBeCloseTo(4 / 1.1, 7);
     key('Home');
     expect(log).toStrictEqual(['key', 'key', 'reset']);
   });
@@ -526,7 +526,8 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
         Math.abs(orbit.phi - pose.phi),
       );
     }
-    // Measured: 1.4e-12 degrees, for angles to 2800.
-    expect(worst).toBeLessThan(5e-12);
+    // Each of the six moves is rounded to the digits of markup: half a step of 1e-7 at this radius.
+    // Measured: 1.43e-7.
+    expect(worst).toBeLessThan(6 * 0.5e-7);
   });
 });

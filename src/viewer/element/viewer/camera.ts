@@ -4,8 +4,6 @@ import type { ReactiveController } from 'lit';
 import { zoomLimits } from '../../../phong/camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../../phong/camera/orbit-input.js';
 import { newBasis, type Pose } from '../../../phong/camera/orbit.js';
-import { writtenPose } from '../../../phong/camera/written-pose.js';
-import { sameValue } from '../../../phong/fields/field-store.js';
 import { Turntable } from '../../../phong/camera/turntable.js';
 import { wrapDegrees } from '../../../phong/math/angle.js';
 import type { Framing } from '../../scene/auto-fit.js';
@@ -237,7 +235,6 @@ export class ViewerCamera implements ReactiveController {
   #inputHost(surface: HTMLElement): OrbitInputHost {
     const { picture, values } = this.#context;
     const { orbit } = picture;
-    let pressed = orbit.pose;
     return {
       orbit,
       size: () => pictureBox(surface),
@@ -249,27 +246,13 @@ export class ViewerCamera implements ReactiveController {
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.
         picture.fit.framing = null;
-        if (source !== 'pointer') {
-          orbit.set(writtenPose(orbit.pose));
-        }
         this.#moved(source);
       },
       reset: () => this.reset('key'),
       held: (dragging) => {
-        if (dragging) {
-          pressed = orbit.pose;
-          return;
+        if (!dragging) {
+          this.#startMotion();
         }
-        // The picture that stays is the one that markup gives. A drag back to its start moves nothing.
-        const { pose } = orbit;
-        if (
-          ![...CAMERA_KEYS].every((key) =>
-            sameValue(pose[key as keyof Pose], pressed[key as keyof Pose]),
-          )
-        ) {
-          this.#move('pointer', () => orbit.set(writtenPose(pose)));
-        }
-        this.#startMotion();
       },
     };
   }

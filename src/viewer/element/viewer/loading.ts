@@ -16,7 +16,7 @@ import { elementOf } from './children.js';
 import type { EventQueue } from './event-queue.js';
 import type { ViewerFailure } from './failure.js';
 
-const historyCode = /* @__PURE__ */ lazyCode(() => import('./history.js'), 'undo');
+const stepsCode = /* @__PURE__ */ lazyCode(() => import('./source-steps.js'), 'undo');
 
 /** Loads that take less show no progress bar, ms: it would only flicker. */
 const BAR_DELAY = 300;
@@ -266,15 +266,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     const element = elementOf(mesh) ?? viewer;
     const { src } = element;
     const { sourceBefore } = mesh;
-    void historyCode()
-      .then(({ historyOf }) => historyOf(viewer), reportMissing)
-      .then((history) => {
-        if (element.src !== src) return;
-        history?.takeBack(src);
-        if (element.src !== sourceBefore) {
-          element.src = sourceBefore || null;
-        }
-      });
+    stepsCode().then(
+      ({ takeBackSource }) => takeBackSource(viewer, element, src, sourceBefore),
+      reportMissing,
+    );
     return true;
   }
 
@@ -353,9 +348,9 @@ function takeDrops(viewer: PhongViewer): void {
     modelCode()
       .then(({ droppedModel }) => droppedModel(entries, files))
       .then(async (model) => {
-        const { historyOf, valuesOf } = await historyCode();
+        const { showDropped } = await stepsCode();
         if (drop === drops && model !== null) {
-          historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = model), model);
+          showDropped(viewer, model);
         }
       })
       .catch((error: unknown) => console.warn(`<phong-viewer droppable>: ${String(error)}`));
