@@ -8,7 +8,7 @@ export function encodePng(width: number, height: number, pixels: Uint8Array): Ui
   view.setUint32(0, width);
   view.setUint32(4, height);
   header.set([8, 6], 8); // bits, and r g b a
-  const data = zlibSync(filtered(width, height, pixels), { level: 9, mem: 9 });
+  const data = zlibSync(filtered(width, height, pixels), { level: 6, mem: 9 });
   const none = new Uint8Array();
   const parts = [
     Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a),

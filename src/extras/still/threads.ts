@@ -14,7 +14,7 @@ export interface CastJob {
 }
 
 /** Rows that a thread takes at a time: small enough that all end together. */
-const BAND = 4;
+const BAND = 8;
 
 /** Casts rows until none is left. */
 export function castShare({ scene, options, next, means }: CastJob): void {

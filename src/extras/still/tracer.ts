@@ -35,8 +35,8 @@ export interface Sample {
   /** Codes, 0–255, not rounded, premultiplied; 0 where nothing is met. */
   readonly color: [number, number, number, number];
   /**
-   * Equal in samples between which the colour changes smoothly: objects, sides, and lights' cones
-   * and horizons.
+   * Equal in samples between which the colour changes smoothly: objects, sides, lights' cones and
+   * horizons, and channels that are full.
    */
   piece: number;
 }
@@ -106,10 +106,11 @@ export class Tracer {
     };
   }
 
-  /** False: no ray through this pixel meets anything. */
-  mayMeet(column: number, row: number): boolean {
+  /** False: no ray through this pixel meets anything. `exactly`: looks longer. */
+  mayMeet(column: number, row: number, exactly = false): boolean {
     const { width, height, slopeY } = this.screen;
-    if (this.#triangles.meets(row * width + column)) return true;
+    const pixel = row * width + column;
+    if (exactly ? this.#triangles.touches(pixel) : this.#triangles.meets(pixel)) return true;
     if (this.#solids.length === 0) return false;
     const d = this.screen.direction(column + 0.5, row + 0.5);
     const halfDiagonal = (Math.SQRT2 * slopeY) / height;
@@ -253,6 +254,7 @@ export class Tracer {
     for (const i of [0, 1, 2] as const) {
       const value = linear && quantity === undefined ? srgbEncode(color[i]) : color[i];
       color[i] = clamp(value, 0, 1);
+      piece = 2 * piece + Number(value > 1);
     }
     return piece | 0;
   }

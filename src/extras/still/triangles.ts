@@ -96,6 +96,37 @@ export class Triangles {
   }
 
   /**
+   * Whether any triangle covers a part of the pixel, or may: not if the pixel's corners are all
+   * beyond one of its sides.
+   */
+  touches(pixel: number): boolean {
+    const { width } = this.#screen;
+    const [x, y] = [pixel % width, Math.floor(pixel / width)];
+    const corners = [0, 1, 2, 3].map((k) =>
+      this.#screen.direction(
+        x + (k & 1) * (1 + 2 * SLACK) - SLACK,
+        y + (k >> 1) * (1 + 2 * SLACK) - SLACK,
+      ),
+    );
+    for (let i = this.#starts[pixel]!; i < this.#starts[pixel + 1]!; i++) {
+      const at = STRIDE * this.#lists[i]!;
+      let [above, below] = [false, false];
+      for (let side = at; side < at + 9; side += 3) {
+        const [bx, by, bz] = [
+          this.#volumes[side]!,
+          this.#volumes[side + 1]!,
+          this.#volumes[side + 2]!,
+        ];
+        const volume = ([dx, dy, dz]: Vec3): number => dx * bx + dy * by + dz * bz;
+        above ||= corners.every((d) => volume(d) > 0);
+        below ||= corners.every((d) => volume(d) < 0);
+      }
+      if (!(above && below)) return true;
+    }
+    return false;
+  }
+
+  /**
    * Writes the nearest hit of the pixel's ray with this direction, if it is not farther than
    * `hit`'s. Normals are left to {@link normalOf}.
    */

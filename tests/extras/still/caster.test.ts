@@ -69,6 +69,42 @@ describe('a picture by the ray caster', () => {
     );
   });
 
+  it('is within a quarter of a code of 2,500 samples where colours vary smoothly', () => {
+    const size = { width: 24, height: 18 };
+    const shiny: CastMaterial = { ...WHITE, ks: [255, 255, 255], shininess: 60 };
+    const lamp = { position: [1, 1.5, 2, 1], attenuation: [1, 0.2, 0] } as const;
+    const spot = { position: [-1, 1, 2, 1], axis: [1, -1, -2], aperture: 12 } as const;
+    const scene = {
+      ...sceneOf(1.6, solid('sphere', shiny), solid('torus', shiny)),
+      lights: [new LightState(lamp).values, new LightState(spot).values],
+    };
+    const found = castHere(scene, size);
+    const tracer = new Tracer(scene, size.width, size.height);
+    const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
+    const side = 50;
+    let [smooth, edges] = [0, 0];
+    for (let pixel = 0; pixel < size.width * size.height; pixel++) {
+      const [column, row] = [pixel % size.width, Math.floor(pixel / size.width)];
+      const pieces = new Set<number>();
+      let red = 0;
+      for (let i = 0; i < side * side; i++) {
+        const [x, y] = [(i % side) + 0.5, Math.floor(i / side) + 0.5];
+        tracer.sampleAt(column + x / side, row + y / side, sample);
+        pieces.add(sample.piece);
+        red += sample.color[0] / side ** 2;
+      }
+      const error = Math.abs(found[4 * pixel]! - red);
+      if (pieces.size === 1) {
+        smooth = Math.max(smooth, error);
+      } else {
+        edges = Math.max(edges, error);
+      }
+    }
+    expect(smooth).toBeLessThan(0.25);
+    // The sphere has a radius of 6 pixels here: a sliver of 2 % of a pixel lies between the points.
+    expect(edges).toBeLessThan(6);
+  });
+
   it('is the same from threads and from disk', async () => {
     const scene = sceneOf(1.6, solid('cone'), await torusOfTriangles());
     const options = { width: 24, height: 18, samples: 16 };

@@ -18,7 +18,7 @@ interface SiteScene {
   readonly base: URL;
 }
 
-/** The viewers of a page of the site, without models. */
+/** The viewers of a page of the site, without models. Those of Markdown are blocks of HTML. */
 function scenesOf(path: string): SiteScene[] {
   const file = fileURLToPath(new URL(`../../../demo/${path}`, import.meta.url));
   const found: string[] = [];
@@ -33,7 +33,7 @@ function scenesOf(path: string): SiteScene[] {
   };
   visit(parse(readFileSync(file, 'utf8')));
   return found
-    .filter((markup) => !/ src=|<script/.test(markup))
+    .filter((markup) => !/ src=|<script|view="triangles"/.test(markup))
     .map((markup, i) => ({ name: `${path} ${i}`, markup, base: pathToFileURL(file) }));
 }
 
@@ -42,13 +42,18 @@ const PAGES = [
   'scenes/exponents.html',
   'scenes/room.html',
   'scenes/colours.html',
-  'guide/see/index.html',
-  'article/index.html',
-  'lesson/index.html',
-  'guide/spots/index.html',
+  'guide/see.md',
+  'guide/light.md',
+  'guide/models.md',
+  'guide/reference.md',
+  'guide/camera.md',
+  'scenes/lesson.html',
+  'scenes/product.html',
+  'scenes/compare.html',
   'scenes/lamp.html',
   'scenes/sun.html',
   'scenes/camera-light.html',
+  'lesson/index.html',
 ];
 const SCENES = firstOf(PAGES, 5).flatMap((path) => scenesOf(path).slice(0, fullOr(30, 2)));
 
