@@ -3,7 +3,6 @@
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { type DefaultTreeAdapterTypes, parse, serializeOuter } from 'parse5';
 import { build, type Rolldown } from 'vite';
 import { still } from '../../../src/extras/still/index.js';
 import { firstOf, fullOr } from '../../support/repeats.js';
@@ -18,20 +17,10 @@ interface SiteScene {
   readonly base: URL;
 }
 
-/** The viewers of a page of the site, without models. Those of Markdown are blocks of HTML. */
+/** The viewers of a page of the site, without models. Each begins a line. */
 function scenesOf(path: string): SiteScene[] {
   const file = fileURLToPath(new URL(`../../../demo/${path}`, import.meta.url));
-  const found: string[] = [];
-  const visit = (node: DefaultTreeAdapterTypes.ParentNode): void => {
-    for (const child of node.childNodes) {
-      if ('tagName' in child && child.tagName === 'phong-viewer') {
-        found.push(serializeOuter(child));
-      } else if ('childNodes' in child) {
-        visit(child);
-      }
-    }
-  };
-  visit(parse(readFileSync(file, 'utf8')));
+  const found = readFileSync(file, 'utf8').match(/^ *<phong-viewer\b[^]*?<\/phong-viewer>/gm) ?? [];
   return found
     .filter((markup) => !/ src=|<script|view="triangles"/.test(markup))
     .map((markup, i) => ({ name: `${path} ${i}`, markup, base: pathToFileURL(file) }));
