@@ -41,14 +41,16 @@ function section(element, mesh) {
   const shared = values.filter(isShared).map(({ attribute }) => `\`${attribute}\``);
   const rows = values.filter((value) => !isShared(value)).map(row);
   if (shared.length > 0) {
-    rows.unshift(`${shared.join(', ')} | As of a mesh. It is shown with the meshes inside. | | `);
+    rows.unshift(
+      `${shared.join(', ')} | As of a mesh. It is shown with the meshes inside. | as there | as there`,
+    );
   }
   const called = methods.map(({ name, parameters, ...rest }) => {
     const given = parameters.map((parameter) => parameter.name).join(', ');
     return { ...rest, name: `${name}(${given})` };
   });
   return [
-    `## \`<${tag}>\`\n\n${words(description)}\n`,
+    `## \`<${tag}>\`\n\n${words(description.replace(SAID, ''))}\n`,
     table('attribute | meaning | takes | default', rows),
     namedTable('property', [...properties, ...readonly]),
     namedTable('method', called),
@@ -64,8 +66,8 @@ function section(element, mesh) {
 /** @param {string} head @param {string[]} rows */
 function table(head, rows) {
   if (rows.length === 0) return '';
-  const rule = head.replaceAll(/[^|]+/g, ' --- ').trim();
-  return `${[head, rule, ...rows].map((cells) => `| ${cells} |`).join('\n')}\n`;
+  const rule = head.replaceAll(/[^|]+/g, '---');
+  return `${[head, rule, ...rows].map((cells) => cells.trim()).join('\n')}\n`;
 }
 
 /** @param {string} kind @param {{ name: string, description: string }[]} items */
@@ -76,6 +78,10 @@ const namedTable = (kind, items) =>
       [`\`${name || 'none'}\``, words(description)].map(escaped).join(' | '),
     ),
   );
+
+/** What the page says of all elements. */
+const SAID =
+  /(?:Its p|P)roperties have the attributes' names[^.]*\.\s+A bad attribute value[^.]*\./;
 
 /** @param {string} cell */
 const escaped = (cell) => cell.replaceAll('|', '\\|');
@@ -90,7 +96,10 @@ const words = (text) =>
 /** @param {Value} value */
 function row({ attribute, description, field, fallback }) {
   const meaning = words(description.replace(DEFAULT, ''));
-  const cells = [`\`${attribute}\``, meaning, takesText(field), defaultText(field, fallback)];
+  const takes = takesText(field);
+  const isSaid = (field.choices ?? []).every((choice) => meaning.includes(`\`${choice}\``));
+  const shown = isSaid && field.kind === 'choice' ? 'one of these' : takes;
+  const cells = [`\`${attribute}\``, meaning, shown, defaultText(field, fallback)];
   return cells.map(escaped).join(' | ');
 }
 
@@ -99,7 +108,12 @@ function takesText({ kind, choices, expected }) {
   if (kind === 'text') return 'text';
   if (kind === 'presence') return 'nothing';
   if (kind === 'color') return 'a colour';
-  if (choices === undefined) return expected;
+  if (choices === undefined) {
+    return expected
+      .replace('a whole number', 'whole,')
+      .replace(/,? ?(?:each )?a number (from|above)/, (_, word) => ` ${word}`)
+      .trim();
+  }
   return (kind === 'words' ? 'any of ' : '') + choices.map((choice) => `\`${choice}\``).join(', ');
 }
 
@@ -108,6 +122,6 @@ const DEFAULT = / Default [^.:\n]+(\.\d+[^.:\n]*)*\.(?=\s|$)/;
 
 /** @param {Value['field']} field @param {string | undefined} fallback */
 function defaultText({ kind }, fallback) {
-  if (kind === 'presence') return 'absent';
-  return fallback === undefined || fallback === '' ? 'none' : `\`${fallback}\``;
+  if (kind === 'presence') return '';
+  return fallback === undefined || fallback === '' ? '' : `\`${fallback}\``;
 }

@@ -257,8 +257,10 @@ function textsHtml(language: string): string {
   return `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
 }
 
+/** A scene of the guide, or of the examples. */
 function sceneHtml(name: string): string {
-  return readFileSync(join(demo, 'scenes', `${name}.html`), 'utf8');
+  const own = join(demo, 'guide/scenes', `${name}.html`);
+  return readFileSync(existsSync(own) ? own : join(demo, 'scenes', `${name}.html`), 'utf8');
 }
 
 /**

@@ -1,5 +1,5 @@
-// Do the documents match the code? Links lead to files and headings that exist, tables list every
-// attribute, and the README stays short.
+// Do the documents match the code? Links lead to files and headings that exist, in the
+// repository, in the package and on the site, and they stay short.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
@@ -9,12 +9,7 @@ import { describe, expect, it } from 'vitest';
 import { guide } from '../../.ci/site/contents.js';
 import { anchorOf } from '../../.ci/site/markdown.js';
 import { guidePage, markdownOf, pagePaths } from '../../.ci/site/pages.js';
-import { attributeOf, formatValue } from '../../src/viewer/element/fields/attribute-text.js';
-import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
-import type { Field } from '../../src/phong/fields/field.js';
 import { layoutDefines } from '../../src/phong/light/light-layout.js';
-import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
-import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Every page of the repository. */
@@ -64,37 +59,7 @@ function isBroken({ file, anchor }: ReturnType<typeof linksOf>[number]): boolean
 const codeIn = (cell: string): readonly string[] =>
   Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
 
-const fieldsOf: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
-  'phong-light': LIGHT_FIELDS,
-  'phong-mesh': MESH_FIELDS,
-  'phong-viewer': VIEWER_FIELDS,
-};
-
-/** The README's short table: element, attribute and default of each row. The element is named in its first row only. */
-function shortTable(): readonly (readonly [string, string, string])[] {
-  const section = read('README.md').split('\n## Attributes\n')[1]?.split('\n## ')[0] ?? '';
-  let element = '';
-  return Array.from(
-    section.matchAll(/^\| ?(`<[\w-]+>`)? ?\| `([\w-]+)` \|.*\| ?([^|]*?) ?\|$/gm),
-    ([, tag, name = '', text = '']) => {
-      element = tag?.slice(2, -2) ?? element;
-      return [element, name, codeIn(text)[0] ?? ''] as const;
-    },
-  );
-}
-
 describe('the documents', () => {
-  it('list twelve attributes in the README, with the defaults that they have', () => {
-    const rows = shortTable();
-    expect(rows).toHaveLength(12);
-    for (const [element, name, text] of rows) {
-      const [, field] = Object.entries(fieldsOf[element]!).find(
-        ([key]) => attributeOf(key) === name,
-      )!;
-      expect([name, text]).toEqual([name, formatValue(field.fallback, field) ?? '']);
-    }
-  });
-
   it.each(documents)('%s links to files and headings that exist', (path) => {
     expect(linksOf(path).filter(isBroken)).toEqual([]);
   });
@@ -127,13 +92,13 @@ describe('the documents', () => {
     }
   });
 
-  it('are short: 18,800 words for users, 1,200 of them in the README', () => {
+  it('are short: about 15,000 words for users, 900 of them in the README', () => {
     const words = (path: string): number => read(path).trim().split(/\s+/).length;
     const sum = [...forUsers].map(words).reduce((total, count) => total + count);
-    expect(words('README.md')).toBeLessThanOrEqual(1200);
+    expect(words('README.md')).toBeLessThanOrEqual(950);
     expect(words('CHANGELOG.md')).toBeLessThanOrEqual(420);
     expect(words('src/README.md')).toBeLessThanOrEqual(2150);
-    expect(sum).toBeLessThanOrEqual(18_800);
+    expect(sum).toBeLessThanOrEqual(15_300);
   });
 
   it('for users are pages of the guide, each once in its contents', () => {

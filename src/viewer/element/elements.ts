@@ -65,9 +65,8 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   readonly loaded: boolean;
   /**
    * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts
-   * that are left out are the page's ({@link ViewerClass.texts}), or English. Null, the default,
-   * restores all. Reading gives the texts in use, the page's included; null if all are English.
-   * Throws TypeError for anything but an object of strings.
+   * that are left out are the page's ({@link ViewerClass.texts}), or English. Reading gives those
+   * in use; null, the default, if all are English. Anything but an object of strings throws.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
@@ -81,8 +80,7 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    * Most triangles that all meshes together may hold, shared shapes and models counted once and
    * flat ones 4.4 times. A mesh beyond is not shown and reports `too-large`, until it is tried
    * again: by the button of the message, or by setting this. Default and most: 16,777,216. Lower it
-   * where strangers write the markup. Null restores the default. Throws TypeError or RangeError for
-   * anything else.
+   * where strangers write the markup.
    */
   get maxTriangles(): number;
   set maxTriangles(triangles: number | null | undefined);
@@ -117,21 +115,18 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    */
   toBlob(options?: PictureOptions): Promise<Blob>;
   /**
-   * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS
-   * pixels from the picture's top left corner, inside any border, like `offsetX` and `offsetY` of a
-   * pointer event on the viewer. The fragment is the one at the centre of the device pixel there,
-   * or with `exact` the one at that very point. The scene is that of the call, except animated
-   * vertices and objects of your own. Blended surfaces are explained without what lies behind them.
-   * Textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in
-   * {@link scene} is nearest (its lines and points are ignored), and while the viewer has no box on
-   * the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
+   * Explains the fragment that the picture shows at `x`, `y`, in float64: CSS pixels from its top
+   * left corner, inside any border, like `offsetX` and `offsetY`. The fragment is the one at the
+   * centre of the device pixel there, or with `exact` the one at that very point. Blended surfaces
+   * are explained without what lies behind them, textures without mipmaps. Null where nothing is
+   * hit, where an object of your own is nearest (its lines and points are ignored), and while the
+   * viewer has no box on the page. Rejects unless x and y are finite numbers.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**
    * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface
    * there, drawn, hidden or outside the picture. Null if no surface is near it on the line from the
-   * eye, and while the viewer has no box on the page. Rejects with `TypeError` or `RangeError`
-   * unless it is three finite numbers.
+   * eye. Rejects unless it is three finite numbers.
    */
   explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null>;
   /**

@@ -24,10 +24,9 @@ export interface CompareProperties {
   get direction(): 'horizontal' | 'vertical';
   set direction(value: Accepted['direction']);
   /**
-   * Where the dividers of `split` are: percent of the width from the start of the line (of the
-   * height, from the top), 0–100, in ascending order, one less than there are viewers. The dividers
-   * left out share the rest evenly. The property follows the user's moves, the attribute does not.
-   * Default auto: equal parts.
+   * Where the dividers of `split` are: percent from the start of the line, or from the top, in
+   * ascending order. Those left out share the rest evenly. The property follows the user's moves,
+   * the attribute does not. Default auto: equal parts.
    */
   get at(): readonly number[] | 'auto';
   set at(value: Accepted['at']);
