@@ -45,12 +45,9 @@ export default texts;
     writeFileSync(join(target, `${name}.js`), `export default ${json};\n`);
     writeFileSync(join(target, `${name}.d.ts`), module);
   }
-  // The table itself is not in the package: its keys take the place of its type.
-  const types = join(outputFolder('dist'), 'types/viewer/element/fields/texts.d.ts');
   const keys = Object.keys(table).map((key) => JSON.stringify(key));
-  const declared = readFileSync(types, 'utf8')
-    .replace(/^import type table .*\n/m, '')
-    .replace(/^type Sections = [^;]*;\n/m, '')
-    .replace(/\{\s*\[S in keyof Sections\][^}]*\}\[keyof Sections\]/, keys.join(' | '));
-  writeFileSync(types, declared);
+  writeFileSync(
+    join(outputFolder('dist'), 'types/viewer/element/fields/text-key.d.ts'),
+    `export type TextKey = ${keys.join(' | ')};\n`,
+  );
 }

@@ -1,7 +1,7 @@
 // The texts that a viewer shows or announces, the page's own words in place of them, and numbers in
-// their language. Of texts.json only the type is imported, so that the first file contains no
+// their language. Of their table only the keys' type is imported, so that the first file contains no
 // texts.
-import type table from './texts.json';
+import type { TextKey } from './text-key.js';
 
 export type ViewerErrorCode =
   | 'load-failed'
@@ -11,13 +11,8 @@ export type ViewerErrorCode =
   | 'context-lost'
   | 'no-webgl2';
 
-type Sections = typeof table;
-
 /** A text by its English form, the key of `texts`; words in braces stand for values. */
-export type ViewerText = Exclude<
-  { [S in keyof Sections]: keyof Sections[S] }[keyof Sections],
-  ViewerErrorCode
->;
+export type ViewerText = Exclude<TextKey, ViewerErrorCode>;
 
 /**
  * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in
