@@ -1,0 +1,30 @@
+// Does every view of the table have the GLSL function that its program calls, of the type that its
+// legend's scale says, and every such function a view?
+
+import { describe, expect, it } from 'vitest';
+import { viewEntry, viewValue } from '../../../src/phong/material/view/view-table.js';
+import { VIEWS } from '../../../src/phong/material/views.js';
+
+const quantities = VIEWS.flatMap((view) => {
+  const { shows, scale } = viewEntry(view);
+  if (shows.by !== 'quantity') return [];
+  const name = /view\w+/.exec(viewValue(view))?.[0];
+  return [
+    { view, text: shows.text, head: `${scale === 'unit' ? 'float' : 'vec3'} ${name ?? ''}(` },
+  ];
+});
+
+describe('views that show a quantity', () => {
+  it.each(quantities)('have a GLSL function: $view', ({ text, head }) => {
+    expect(text.split('\n').filter((line) => line.startsWith(head))).toEqual([
+      `${head}Viewed at) {`,
+    ]);
+    expect(text).toContain('return VIEW_VALUE;');
+  });
+
+  it('are all that the GLSL has functions for', () => {
+    const text = quantities[0]?.text ?? '';
+    const heads = Array.from(text.matchAll(/^\w+ view\w+\(/gm), String);
+    expect(heads.toSorted()).toEqual(quantities.map(({ head }) => head).toSorted());
+  });
+});
