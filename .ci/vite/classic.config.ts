@@ -8,6 +8,7 @@ import { licences } from '../licences/plugin.js';
 import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder } from '../draco-decoder.js';
+import { nativeMath } from '../native-math.js';
 import { outputFolder } from '../output-folder.mjs';
 import { standaloneThree } from '../standalone-three/plugin.js';
 import { strippedGlsl } from '../strip-glsl.js';
@@ -21,6 +22,7 @@ export default defineConfig({
     basisTranscoder(),
     wasmFiles({ file: false }),
     standaloneThree(),
+    nativeMath(),
     strippedGlsl(),
     textKeys(),
     licences({ listed: false }),

@@ -11,6 +11,7 @@ import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from '../draco-decoder.js';
 import { inPage } from '../in-page.js';
 import { modelChunks } from '../model-chunks.js';
+import { nativeMath } from '../native-math.js';
 import { outputFolder } from '../output-folder.mjs';
 import { strippedGlsl } from '../strip-glsl.js';
 import { textKeys } from '../text-keys.js';
@@ -116,6 +117,7 @@ export default defineConfig(({ mode }) => ({
     dracoDecoder(),
     basisTranscoder(),
     wasmFiles({ file: mode !== 'still' }),
+    isForNode(mode) ? null : nativeMath(),
     strippedGlsl(),
     textKeys(),
     inPage(),

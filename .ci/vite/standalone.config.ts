@@ -9,6 +9,7 @@ import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder } from '../draco-decoder.js';
 import { modelChunks } from '../model-chunks.js';
+import { nativeMath } from '../native-math.js';
 import { outputFolder } from '../output-folder.mjs';
 import { retriedImports } from '../retried-imports.js';
 import { standaloneThree } from '../standalone-three/plugin.js';
@@ -24,6 +25,7 @@ export default defineConfig({
     basisTranscoder(),
     wasmFiles(),
     standaloneThree(),
+    nativeMath(),
     strippedGlsl(),
     textKeys(),
     licences(),
