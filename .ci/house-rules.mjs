@@ -113,6 +113,32 @@ export function inexact(file, code) {
   return found;
 }
 
+/** What extras import of the viewer: it only passes names on. */
+const FACADE = 'src/viewer/extra.ts';
+
+/**
+ * The file that each name of {@link FACADE} comes from.
+ * @returns {Map<string, string>}
+ */
+function facadeNames() {
+  const { program } = parseSync(FACADE, readFileSync(FACADE, 'utf8'));
+  /** @type {Map<string, string>} */
+  const names = new Map();
+  new Visitor({
+    ExportNamedDeclaration: (node) => {
+      const { source, specifiers } = /** @type {any} */ (node);
+      for (const { exported } of specifiers) {
+        names.set(exported.name, pathFrom(FACADE, source.value));
+      }
+    },
+  }).visit(program);
+  return names;
+}
+
+/** @param {string} file @param {string} specifier */
+const pathFrom = (file, specifier) =>
+  posix.join(posix.dirname(file), specifier.replace(/\.js$/, '.ts'));
+
 /**
  * The files of src/ that run in a still: those that it imports, in turn, but for types and what the
  * build leaves out.
@@ -120,14 +146,23 @@ export function inexact(file, code) {
  */
 export function filesOfStills() {
   const found = new Set(['src/extras/still/index.ts', 'src/extras/still/worker.ts']);
+  const facade = facadeNames();
   for (const file of found) {
     const { program } = parseSync(file, readFileSync(file, 'utf8'));
     /** @param {any} node */
-    const visit = ({ source, importKind, exportKind }) => {
+    const visit = ({ source, importKind, exportKind, specifiers = [] }) => {
       if (importKind === 'type' || exportKind === 'type' || !source?.value?.startsWith('.')) return;
-      const path = posix.join(posix.dirname(file), source.value.replace(/\.js$/, '.ts'));
-      if (path.endsWith('.ts') && existsSync(path) && !WITHOUT.test(path)) {
-        found.add(path);
+      const path = pathFrom(file, source.value);
+      const paths =
+        path === FACADE
+          ? specifiers
+              .filter((/** @type {any} */ one) => one.importKind !== 'type')
+              .map((/** @type {any} */ one) => facade.get(one.imported.name) ?? FACADE)
+          : [path];
+      for (const each of paths) {
+        if (each.endsWith('.ts') && existsSync(each) && !WITHOUT.test(each)) {
+          found.add(each);
+        }
       }
     };
     new Visitor({

@@ -22,6 +22,8 @@ const phong = [
   'phong/math',
 ];
 const viewer = ['viewer/element', 'viewer/scene', 'viewer/model', ...phong];
+/** Between extras there are only the edges that their own lines name. */
+const extra = ['viewer/extra.ts', ...phong];
 
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
@@ -67,17 +69,19 @@ export const layers = {
       'extras/overlay',
     ],
   },
-  'extras/models': { layers: ['viewer/model', ...phong], packages: ['three'] },
-  'extras/samples': { layers: viewer, packages: ['three'] },
-  'extras/explain': { layers: viewer, lazy: ['phong/reference'], packages: ['three'] },
-  'extras/compare': { layers: viewer, packages: ['lit'] },
-  'extras/diagnosis': { layers: viewer },
+  // All that extras may import of the viewer.
+  'viewer/extra.ts': { layers: viewer },
+  'extras/models': { layers: extra, packages: ['three'] },
+  'extras/samples': { layers: extra, packages: ['three'] },
+  'extras/explain': { layers: extra, lazy: ['phong/reference'], packages: ['three'] },
+  'extras/compare': { layers: extra, packages: ['lit'] },
+  'extras/diagnosis': { layers: extra },
   'extras/overlay': {
-    layers: ['extras/explain', ...viewer],
+    layers: ['extras/explain', ...extra],
     lazy: ['phong/reference'],
     packages: ['three', 'lit'],
   },
-  'extras/panel': { layers: viewer, packages: ['lil-gui'] },
+  'extras/panel': { layers: extra, packages: ['lil-gui'] },
   'extras/frameworks': {
     layers: ['viewer', 'viewer/element'],
     lazy: ['viewer/scene', 'phong/light'],
@@ -86,7 +90,7 @@ export const layers = {
   },
   // Runs in Node, and in pages without threads.
   'extras/still': {
-    layers: ['phong/reference', ...viewer],
+    layers: ['phong/reference', ...extra],
     lazy: ['extras/models'],
     packages: [
       'three',

@@ -22,6 +22,8 @@ describe('layers of src/', () => {
     ['src/viewer/extras.ts', "const panel = () => import('../extras/panel/panel.js');"],
     ['src/viewer/index.ts', "import './extras.js';"],
     ['src/phong/core.ts', "export { pack } from './light/pack-lights.js';"],
+    ['src/extras/panel/panel.ts', "import { historyOf } from '../../viewer/extra.js';"],
+    ['src/extras/overlay/probe/sum.ts', "import { pick } from '../../explain/pick.js';"],
     [
       'src/extras/playwright/subpixel.ts',
       "import type { PhongViewer } from '../../viewer/index.js';",
@@ -45,6 +47,10 @@ describe('layers of src/', () => {
     ['src/viewer/index.ts', "const panel = () => import('../extras/panel/panel.js');"],
     ['src/viewer/model/model.ts', "import type { Slices } from '../../extras/models/slices.js';"],
     ['src/phong/core.ts', "import { LitElement } from 'lit';"],
+    ['src/extras/panel/panel.ts', "import type { PhongViewer } from '../../viewer/index.js';"],
+    ['src/extras/panel/panel.ts', "import { write } from '../../viewer/element/dom.js';"],
+    ['src/extras/panel/panel.ts', "import { pick } from '../explain/pick.js';"],
+    ['src/viewer/element/dom.ts', "import { historyOf } from '../extra.js';"],
     ['src/extras/playwright/index.ts', "import { PhongViewer } from '../../viewer/index.js';"],
     ['src/viewer/index.ts', "import { settled } from '../extras/playwright/index.js';"],
     [

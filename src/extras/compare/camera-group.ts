@@ -1,11 +1,16 @@
 // Cameras that move together: of viewers with one `camera-group` in a document, and of one
 // <phong-compare>. All have the same angles, radius and target, are framed as one, and show round
 // shapes by the same rule. A chunk.
-import type { Fit, Framing, SharedFit } from '../../viewer/scene/auto-fit.js';
-import type { SharedLevels } from '../../viewer/scene/mesh/levels.js';
-import type { CameraSource } from '../../viewer/element/elements.js';
-import type { ViewerCamera } from '../../viewer/element/viewer/camera.js';
-import type { Extra, ExtraHost } from '../../viewer/element/viewer/extra-host.js';
+import type {
+  CameraSource,
+  Extra,
+  ExtraHost,
+  Fit,
+  Framing,
+  SharedFit,
+  SharedLevels,
+  ViewerCamera,
+} from '../../viewer/extra.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
 

@@ -3,16 +3,24 @@
 import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
 import { sameValue } from '../../phong/fields/field-store.js';
 import type { PictureBox } from '../../phong/camera/gesture.js';
-import type { CompareValues } from '../../viewer/element/fields/compare-fields.js';
-import { phrase } from '../../viewer/element/fields/texts.js';
-import { inspect } from '../../viewer/element/inspect.js';
-import { fieldsOf, placed } from '../../viewer/element/internals.js';
-import { leaveTexts, useTexts } from '../../viewer/element/page/page-texts.js';
-import panelColumn from '../../viewer/element/page/panel-column.css?inline';
-import { CORNER_MARKS, pictureBox } from '../../viewer/element/page/picture-box.js';
-import { addStyles } from '../../viewer/element/page/style-sheets.js';
-import type { PhongCompare, PhongViewer } from '../../viewer/element/elements.js';
-import { AWAITED, OPEN_PANEL, WIDE_PANEL } from '../../viewer/element/viewer/viewer-panel.js';
+import {
+  addStyles,
+  AWAITED,
+  type CompareValues,
+  CORNER_MARKS,
+  fieldsOf,
+  inspect,
+  leaveTexts,
+  OPEN_PANEL,
+  panelColumn,
+  type PhongCompare,
+  type PhongViewer,
+  phrase,
+  pictureBox,
+  placed,
+  useTexts,
+  WIDE_PANEL,
+} from '../../viewer/extra.js';
 import styles from './comparison.css?inline';
 import { Divider, placesOf, rangeOf, withMoved } from './divider.js';
 

@@ -3,12 +3,18 @@
 import { clip } from '../../phong/fields/clip.js';
 import { nearest } from '../../phong/fields/nearest.js';
 import { radians } from '../../phong/math/angle.js';
-import { registryAround } from '../../viewer/element/child-registry.js';
-import type { PhongLight, PhongViewer } from '../../viewer/element/elements.js';
-import { isNamed } from '../../viewer/element/viewer/description.js';
-import { dimValues, isFlat, strayAttributes, wrappedViewer } from '../../viewer/element/inspect.js';
-import { fieldsOf } from '../../viewer/element/internals.js';
-import { isCollapsed } from '../../viewer/element/page/visibility.js';
+import {
+  dimValues,
+  fieldsOf,
+  isCollapsed,
+  isFlat,
+  isNamed,
+  type PhongLight,
+  type PhongViewer,
+  registryAround,
+  strayAttributes,
+  wrappedViewer,
+} from '../../viewer/extra.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
 /** Not for the inside of a viewer. */

@@ -5,8 +5,7 @@
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import { scale, type Vec3 } from '../../phong/math/vector.js';
-import { writeModelViewProjection } from '../../viewer/scene/frustum-clip.js';
-import { type BoxList, bvhInSteps, walkBvh } from '../../viewer/scene/triangle-bvh.js';
+import { type BoxList, bvhInSteps, walkBvh, writeModelViewProjection } from '../../viewer/extra.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {

@@ -5,13 +5,17 @@ import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { add, map, scale, subtract, type Vec3, type Vec4 } from '../../phong/math/vector.js';
 import type * as Reference from '../../phong/reference/index.js';
 import type { LightShare, Shaded } from '../../phong/reference/index.js';
-import { lazyCode } from '../../viewer/model/lazy-code.js';
+import {
+  type FragmentExplanation,
+  lazyCode,
+  type PhongMesh,
+  type PhongViewer,
+  type ShadeOptions,
+  type ViewerSnapshot,
+} from '../../viewer/extra.js';
 import { cornersOf, type Hit, pick, pickNear } from './pick.js';
 import type { RaySearch } from './ray-triangles.js';
-import type { ViewerSnapshot } from '../../viewer/element/viewer/extra-host.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
-import type { PhongMesh, PhongViewer } from '../../viewer/element/elements.js';
-import type { FragmentExplanation, ShadeOptions } from '../../viewer/element/explanation.js';
 
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
 

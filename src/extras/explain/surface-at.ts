@@ -21,7 +21,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../../phong/math/vector.js';
-import type { DrawnLook } from '../../viewer/scene/scene-snapshot.js';
+import type { DrawnLook } from '../../viewer/extra.js';
 import type { TriangleHit } from './ray-triangles.js';
 import { interpolated, isMinified, type PixelSlopes, sampleAt, decodedAt } from './sample.js';
 

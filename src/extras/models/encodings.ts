@@ -1,9 +1,8 @@
 // Bytes out of base64, data: URIs and UTF-16. In slices and mostly in place: files of hundreds of
 // megabytes are never strings.
-import { ModelError } from '../../viewer/model/model.js';
+import { isDataUri, ModelError } from '../../viewer/extra.js';
 import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';
-import { isDataUri } from '../../viewer/model/request-model.js';
 import type { Slices } from './slices.js';
 
 /** Bytes or characters between two looks at the clock. */

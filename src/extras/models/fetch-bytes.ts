@@ -3,17 +3,17 @@
 import { decodeDataUri } from './encodings.js';
 import type { FileBytes } from './model-reader.js';
 import {
-  nameOf,
-  isDataUri,
   type CrossOrigin,
   type Fetch,
+  FILE_LIMIT,
   type FileRequest,
+  isDataUri,
+  ModelError,
+  nameOf,
   requestFile,
-} from '../../viewer/model/request-model.js';
+  requireAtMost,
+} from '../../viewer/extra.js';
 import type { ModelBudget } from './model-budget.js';
-import { requireAtMost } from '../../viewer/model/budget.js';
-import { FILE_LIMIT } from '../../viewer/model/limits.js';
-import { ModelError } from '../../viewer/model/model.js';
 import { Slices } from './slices.js';
 
 /**

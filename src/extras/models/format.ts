@@ -1,7 +1,6 @@
 // Finds the format of a file's bytes. The content decides, then the element's `type`, the file
 // extension and the media type. A new format is a row here and one in format-names.ts.
-import { FORMAT_NAMES, type FormatKey, type FormatNames } from '../../viewer/model/format-names.js';
-import { ModelError } from '../../viewer/model/model.js';
+import { FORMAT_NAMES, type FormatKey, type FormatNames, ModelError } from '../../viewer/extra.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
 /**

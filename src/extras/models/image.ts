@@ -3,7 +3,7 @@
 // fetched, as a strict CSP requires.
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
-import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/model/limits.js';
+import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/extra.js';
 import { type FileBytes, type ModelSource, requireDecoders } from './model-reader.js';
 import { Slices } from './slices.js';
 

@@ -1,13 +1,7 @@
 // What one model claims. Every format claims what a file says before it allocates or reads it; past
 // a limit the result is `too-large`. Apart from the viewer's budget because no first frame needs
 // it.
-import {
-  type Amounts,
-  type Claims,
-  NO_CLAIMS,
-  plus,
-  requireWithin,
-} from '../../viewer/model/budget.js';
+import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from '../../viewer/extra.js';
 
 /** Adds up what a model claims. One instance per model. */
 export class ModelBudget {

@@ -2,17 +2,21 @@
 // no blob: or data: URL, needs no worker and no eval. Entry point of the code that reads models,
 // fetched with the first one.
 import { clip, listed } from '../../phong/fields/clip.js';
-import { free, isOutOfMemory } from '../../viewer/model/limits.js';
+import {
+  type Content,
+  type Fetch,
+  type FileRequest,
+  type FormatNames,
+  free,
+  isOutOfMemory,
+  type LoadOptions,
+  measureInSlices,
+  ModelError,
+  nameOf,
+} from '../../viewer/extra.js';
 import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
-import {
-  nameOf,
-  type Fetch,
-  type FileRequest,
-  type LoadOptions,
-} from '../../viewer/model/request-model.js';
-import type { FormatNames } from '../../viewer/model/format-names.js';
 import { formatOf } from './format.js';
 import {
   type DecodeImage,
@@ -21,8 +25,6 @@ import {
   type ReadOptional,
 } from './model-reader.js';
 import { asUtf8 } from './encodings.js';
-import { type Content, ModelError } from '../../viewer/model/model.js';
-import { measureInSlices } from '../../viewer/model/geometry-size.js';
 import { isMoving } from './moving-copy.js';
 import { Slices } from './slices.js';
 

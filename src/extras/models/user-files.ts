@@ -5,8 +5,7 @@ import { requireContent } from './fetch-bytes.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';
-import { ModelError } from '../../viewer/model/model.js';
-import { fileName } from '../../viewer/model/request-model.js';
+import { fileName, ModelError } from '../../viewer/extra.js';
 
 /**
  * Most files of a dropped folder. Models come with hundreds at most; a whole disk should not be

@@ -1,6 +1,6 @@
 // Several buttons in one row.
 import { Controller, type GUI } from 'lil-gui';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
+import type { ViewerText } from '../../viewer/extra.js';
 import { bound } from './bound.js';
 import { label } from './label.js';
 

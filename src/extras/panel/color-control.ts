@@ -1,8 +1,7 @@
 // A row for a colour: a picker, text as in HTML (`200 80 60`, `#c85`, `orange`), and a slider for
 // its brightness. 255 is full, more is brighter.
 import type { GUI } from 'lil-gui';
-import { parseText } from '../../viewer/element/fields/attribute-text.js';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
+import { parseText, type ViewerText } from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { LIGHT_FIELDS, LIMITS } from '../../phong/light/light-state.js';
 import { clamp, map, type Vec3 } from '../../phong/math/vector.js';

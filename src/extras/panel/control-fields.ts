@@ -1,7 +1,7 @@
 // The fields of a <phong-control>.
 import { choiceField, numberField, optional, textField } from '../../phong/fields/field.js';
 import type { Fields } from '../../phong/fields/field-store.js';
-import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
+import type { ControlValues } from '../../viewer/extra.js';
 
 export const CONTROL_FIELDS: Fields<ControlValues> = {
   for: textField(),

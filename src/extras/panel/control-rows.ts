@@ -1,10 +1,14 @@
 // The rows of a <phong-control> that the panel has not: a stepper through values, and fields
 // without a row.
-import { write } from '../../viewer/element/dom.js';
-import { attributeOf, formatValue, parseText } from '../../viewer/element/fields/attribute-text.js';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
-import { sceneMeshes } from '../../viewer/element/internals.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
+import {
+  attributeOf,
+  formatValue,
+  parseText,
+  type PhongViewer,
+  sceneMeshes,
+  type ViewerText,
+  write,
+} from '../../viewer/extra.js';
 import type { Field } from '../../phong/fields/field.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import type { Bound } from './bound.js';

@@ -1,21 +1,24 @@
 // What a <phong-control> does: it finds its elements and shows the row that the panel has for their
 // value, in a line of text or alone. Loaded with the first one on a page.
 import { GUI } from 'lil-gui';
-import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
-import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
-import { CONTROL_FIELDS } from './control-fields.js';
 import {
+  addStyles,
+  attributeOf,
   attributesOf,
   bindingOf,
+  type ControlValues,
   defineProperties,
   FieldBinding,
-} from '../../viewer/element/fields/field-binding.js';
-import { phrase, type ViewerTexts } from '../../viewer/element/fields/texts.js';
-import ownText from '../../viewer/element/page/own-text.css?inline';
-import { addStyles, removeStyles } from '../../viewer/element/page/style-sheets.js';
-import { PhongControl } from '../../viewer/element/phong-control.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { historyOf, type Undoable } from '../../viewer/element/viewer/history.js';
+  historyOf,
+  ownText,
+  PhongControl,
+  type PhongViewer,
+  phrase,
+  removeStyles,
+  type Undoable,
+  type ViewerTexts,
+} from '../../viewer/extra.js';
+import { CONTROL_FIELDS } from './control-fields.js';
 import { clip } from '../../phong/fields/clip.js';
 import type { Field } from '../../phong/fields/field.js';
 import { FieldStore, sameValue } from '../../phong/fields/field-store.js';

@@ -1,10 +1,13 @@
 // The panel's row of files: opens a model, saves the picture, copies the markup. Works under a
 // strict Content-Security-Policy.
 import type { GUI } from 'lil-gui';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { historyOf, valuesOf } from '../../viewer/element/viewer/history.js';
-import { modelCode } from '../../viewer/model/request-model.js';
+import {
+  historyOf,
+  modelCode,
+  type PhongViewer,
+  valuesOf,
+  type ViewerText,
+} from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
 import { label } from './label.js';
 

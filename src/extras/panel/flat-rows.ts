@@ -2,10 +2,12 @@
 // attribute has a row for every element that has it; where that is more than one, the row says
 // whose it is.
 import type { GUI } from 'lil-gui';
-import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
-import type { PhongLight } from '../../viewer/element/phong-light.js';
-import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
+import {
+  attributeOf,
+  type PhongLight,
+  type PhongMesh,
+  type PhongViewer,
+} from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { type ChildKind, showRows } from './folders.js';
 import { nameOwner, relabel } from './label.js';

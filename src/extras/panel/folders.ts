@@ -1,12 +1,16 @@
 // The folders of the panel. Rows are built when their folder is first opened, and refreshed only
 // while they are visible.
 import type { GUI } from 'lil-gui';
-import type { ViewerText, ViewerTexts } from '../../viewer/element/fields/texts.js';
-import { fieldsOf } from '../../viewer/element/internals.js';
-import type { PhongLight } from '../../viewer/element/phong-light.js';
-import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { childrenOf, historyOf } from '../../viewer/element/viewer/history.js';
+import {
+  childrenOf,
+  fieldsOf,
+  historyOf,
+  type PhongLight,
+  type PhongMesh,
+  type PhongViewer,
+  type ViewerText,
+  type ViewerTexts,
+} from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
 import { label } from './label.js';
 import { type AddedRow, addRows, type Editable, type RowContext, type Rows } from './rows.js';

@@ -1,8 +1,7 @@
 // Rows of inputs: a field of text that writes while the user types, a choice, and text that the
 // user cannot edit.
 import { Controller, type GUI } from 'lil-gui';
-import { write } from '../../viewer/element/dom.js';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
+import { type ViewerText, write } from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { label, nameRow, type Say } from './label.js';

@@ -1,8 +1,7 @@
 // The panel's texts, which follow `viewer.texts`: an element that shows one keeps the function that
 // writes it.
 import type { Controller } from 'lil-gui';
-import { phrase, type ViewerText } from '../../viewer/element/fields/texts.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
+import { type PhongViewer, phrase, type ViewerText } from '../../viewer/extra.js';
 
 /** A text in the page's words, with values in place of the words in braces. */
 export type Say = (text: ViewerText, values?: Readonly<Record<string, string>>) => string;

@@ -1,10 +1,14 @@
 // The rows of a light, the switch beside its folder's title, and the values that the panel writes:
 // those of a new light, and those that make a light directional, a point or a spot.
 import type { GUI } from 'lil-gui';
-import { fieldsOf } from '../../viewer/element/internals.js';
-import { numberedName, type PhongLight } from '../../viewer/element/phong-light.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { historyOf, valuesOf } from '../../viewer/element/viewer/history.js';
+import {
+  fieldsOf,
+  historyOf,
+  numberedName,
+  type PhongLight,
+  type PhongViewer,
+  valuesOf,
+} from '../../viewer/extra.js';
 import { isSpot, kindOf } from '../../phong/light/light-features.js';
 import {
   KINDS,

@@ -1,16 +1,20 @@
 // The rows of a mesh. Those of its surface are the rows of the viewer's own surface too.
-import { fieldsOf, sceneMeshes } from '../../viewer/element/internals.js';
-import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { meshTitle } from '../../viewer/element/viewer/description.js';
-import { historyOf, valuesOf } from '../../viewer/element/viewer/history.js';
+import {
+  fieldsOf,
+  historyOf,
+  meshTitle,
+  type MeshValues,
+  type PhongMesh,
+  type PhongViewer,
+  sceneMeshes,
+  valuesOf,
+} from '../../viewer/extra.js';
 import {
   SURFACE_FIELDS,
   type SurfaceValues,
   REFLECTIONS,
   SHADINGS,
 } from '../../phong/material/material-values.js';
-import type { MeshValues } from '../../viewer/scene/mesh/mesh-fields.js';
 import { ButtonRow } from './button-row.js';
 import type { ChildKind } from './folders.js';
 import { chooseModel } from './files-row.js';

@@ -1,7 +1,6 @@
 // Rows of numbers: one number by slider and field, or a vector by a field for each component.
 import type { GUI } from 'lil-gui';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
-import { followDrag } from '../../viewer/element/page/followed-drag.js';
+import { followDrag, type ViewerText } from '../../viewer/extra.js';
 import { clamp, type Vec3 } from '../../phong/math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { label } from './label.js';

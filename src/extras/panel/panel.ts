@@ -1,13 +1,19 @@
 // The control panel: its folders, and which change refreshes which. It writes declared values and
 // the camera, and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
-import { GUI_FOLDERS } from '../../viewer/element/fields/viewer-fields.js';
-import type { CreatePanel, Panel, PanelChange } from '../../viewer/element/extra-code.js';
-import { OPEN_PANEL, WIDE_PANEL } from '../../viewer/element/viewer/viewer-panel.js';
-import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { addStyles, removeStyles } from '../../viewer/element/page/style-sheets.js';
-import panelColumn from '../../viewer/element/page/panel-column.css?inline';
+import {
+  addStyles,
+  type CreatePanel,
+  GUI_FOLDERS,
+  OPEN_PANEL,
+  type Panel,
+  type PanelChange,
+  panelColumn,
+  type PhongMesh,
+  type PhongViewer,
+  removeStyles,
+  WIDE_PANEL,
+} from '../../viewer/extra.js';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
 import { addFlatRows } from './flat-rows.js';

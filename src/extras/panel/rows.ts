@@ -1,13 +1,17 @@
 // The rows of a table: one function for each kind of control. A table has a row for each field of
 // an element, or says that the field has none; a folder is built from it. Each write can be undone.
 import { type Controller, FunctionController, type GUI } from 'lil-gui';
-import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
-import { bindingOf } from '../../viewer/element/fields/field-binding.js';
-import type { ViewerText } from '../../viewer/element/fields/texts.js';
-import type { PhongLight } from '../../viewer/element/phong-light.js';
-import type { PhongMesh } from '../../viewer/element/phong-mesh.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { historyOf, type Undoable, valuesOf } from '../../viewer/element/viewer/history.js';
+import {
+  attributeOf,
+  bindingOf,
+  historyOf,
+  type PhongLight,
+  type PhongMesh,
+  type PhongViewer,
+  type Undoable,
+  valuesOf,
+  type ViewerText,
+} from '../../viewer/extra.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { addColor } from './color-control.js';

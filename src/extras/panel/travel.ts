@@ -1,8 +1,7 @@
 // The range that a slider covers, and how its positions map to values, in the unit of the control.
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
+import { measure, type PhongViewer } from '../../viewer/extra.js';
 import { niceCeil, tidy } from '../../phong/math/round-number.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import { measure } from '../../viewer/scene/bounds.js';
 
 /** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
 export interface SliderScale {

@@ -1,8 +1,7 @@
 // Undo and redo in a viewer with a panel: two buttons, and the keys and gestures that take back or
 // end a step.
 import type { GUI } from 'lil-gui';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { type History, historyOf, undoKey } from '../../viewer/element/viewer/history.js';
+import { type History, historyOf, type PhongViewer, undoKey } from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
 
 /** The returned function stops following the history. */

@@ -2,10 +2,15 @@
 // and its own surface.
 import type { Pose } from '../../phong/camera/orbit.js';
 import { writtenPose } from '../../phong/camera/written-pose.js';
-import { HELPERS, type ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
-import { fieldsOf, viewerCameras } from '../../viewer/element/internals.js';
-import type { PhongViewer } from '../../viewer/element/phong-viewer.js';
-import { cameraOf, historyOf } from '../../viewer/element/viewer/history.js';
+import {
+  cameraOf,
+  fieldsOf,
+  HELPERS,
+  historyOf,
+  type PhongViewer,
+  viewerCameras,
+  type ViewerValues,
+} from '../../viewer/extra.js';
 import { REFLECTIONS, SHADINGS } from '../../phong/material/material-values.js';
 import { TERMS } from '../../phong/light/light-state.js';
 import { VIEWS } from '../../phong/material/views.js';

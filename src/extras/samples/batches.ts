@@ -3,8 +3,7 @@
 // the next frame.
 import type { WebGLRenderer } from 'three';
 import { centredOffset } from '../../phong/math/pixel-offsets.js';
-import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
-import type { Picture } from '../../viewer/scene/picture.js';
+import type { Picture, Region, Size } from '../../viewer/extra.js';
 import type { SampleSum } from './sample-sum.js';
 
 const BATCH_MS = 12;

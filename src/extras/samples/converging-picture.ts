@@ -2,14 +2,17 @@
 // their mean replaces the plain picture, until all are there. And pictures for `toBlob({ samples
 // })`. Fetched with the first use of either.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import { type Region, type Size, tilesOf } from '../../viewer/scene/gpu/atlas.js';
-import { SAFE_SIDE } from '../../viewer/scene/gpu/context.js';
-import { contextLost, stage } from '../../viewer/scene/gpu/stage.js';
-import type { Picture } from '../../viewer/scene/picture.js';
-import type {
-  ConvergingPicture as Converging,
-  SampledViewport,
-} from '../../viewer/scene/still-picture.js';
+import {
+  contextLost,
+  type ConvergingPicture as Converging,
+  type Picture,
+  type Region,
+  SAFE_SIDE,
+  type SampledViewport,
+  type Size,
+  stage,
+  tilesOf,
+} from '../../viewer/extra.js';
 import { Batches, sendBatch } from './batches.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';

@@ -1,6 +1,6 @@
 // A picture as a file: checks type and quality, and encodes. Fetched with the first use of toBlob.
 
-import type { PictureOptions } from '../../viewer/element/elements.js';
+import type { PictureOptions } from '../../viewer/extra.js';
 
 /** Rejects where type or quality is wrong, or the file cannot be made. */
 export async function pictureBlob(

@@ -10,7 +10,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import type { Region, Size } from '../../viewer/scene/gpu/atlas.js';
+import type { Region, Size } from '../../viewer/extra.js';
 import { ScreenPass } from './screen-pass.js';
 
 /**

@@ -14,7 +14,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import type { Region } from '../../viewer/scene/gpu/atlas.js';
+import type { Region } from '../../viewer/extra.js';
 
 const VERTEX = `
 precision highp float;

@@ -6,21 +6,23 @@ import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { clipMessage, listed } from '../../phong/fields/clip.js';
-import { requireAtMost } from '../../viewer/model/budget.js';
-import { TRIANGLE_LIMIT } from '../../viewer/model/limits.js';
-import type { ContentPart } from '../../viewer/model/model.js';
-import type { ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
-import { fitTo } from '../../viewer/scene/auto-fit.js';
-import { measure } from '../../viewer/scene/bounds.js';
-import type { Frustum } from '../../viewer/scene/frustum-clip.js';
-import { levelFor, SAMPLED_TOLERANCE, segmentsIn } from '../../viewer/scene/mesh/levels.js';
-import type { MeshState } from '../../viewer/scene/mesh/mesh-fields.js';
-import { appearanceOf } from '../../viewer/scene/mesh/parts.js';
 import {
+  appearanceOf,
+  type ContentPart,
   createGeometry,
+  fitTo,
+  type Frustum,
   type GeometryName,
+  levelFor,
+  measure,
+  type MeshState,
+  requireAtMost,
   roundOf,
-} from '../../viewer/scene/mesh/shapes/shapes.js';
+  SAMPLED_TOLERANCE,
+  segmentsIn,
+  TRIANGLE_LIMIT,
+  type ViewerValues,
+} from '../../viewer/extra.js';
 import type {
   CastMaterial,
   CastObject,

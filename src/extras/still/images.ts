@@ -1,7 +1,6 @@
 // PNG and JPEG images by plain JavaScript; other formats are refused by name.
 import type { FileBytes } from '../models/model-reader.js';
-import { ModelError } from '../../viewer/model/model.js';
-import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/model/limits.js';
+import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT, ModelError } from '../../viewer/extra.js';
 import type { Pixels } from './mesh-shape.js';
 
 /** @throws ModelError for a format that is not read; Error for a broken file. */

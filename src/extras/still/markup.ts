@@ -4,10 +4,15 @@ import { type DefaultTreeAdapterTypes, parseFragment } from 'parse5';
 import type { Field } from '../../phong/fields/field.js';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { LightState, type LightValues } from '../../phong/light/light-state.js';
-import { valueWarning } from '../../viewer/element/fields/field-binding.js';
-import { attributeOf, parseText } from '../../viewer/element/fields/attribute-text.js';
-import { VIEWER_FIELDS, type ViewerValues } from '../../viewer/element/fields/viewer-fields.js';
-import { MESH_FIELDS, type MeshValues } from '../../viewer/scene/mesh/mesh-fields.js';
+import {
+  attributeOf,
+  MESH_FIELDS,
+  type MeshValues,
+  parseText,
+  valueWarning,
+  VIEWER_FIELDS,
+  type ViewerValues,
+} from '../../viewer/extra.js';
 import { cssColor } from './css-colors.js';
 
 export type Warn = (message: string) => void;

@@ -1,10 +1,15 @@
 // Models by the project's readers: files are read from disk or fetched, images are decoded by plain
 // JavaScript.
 import { clip } from '../../phong/fields/clip.js';
-import { type Content, ModelError } from '../../viewer/model/model.js';
-import { FORMAT_NAMES } from '../../viewer/model/format-names.js';
-import { type CrossOrigin, type Fetch, nameOf } from '../../viewer/model/request-model.js';
-import type { ShapeValues } from '../../viewer/scene/mesh/mesh-fields.js';
+import {
+  type Content,
+  type CrossOrigin,
+  type Fetch,
+  FORMAT_NAMES,
+  ModelError,
+  nameOf,
+  type ShapeValues,
+} from '../../viewer/extra.js';
 import type { Warn } from './markup.js';
 
 // As the table of extras does for pages.

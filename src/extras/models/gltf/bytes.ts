@@ -1,10 +1,7 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once,
 // on first use.
-import { requireAtMost } from '../../../viewer/model/budget.js';
-import { lazyCode } from '../../../viewer/model/lazy-code.js';
-import { isDataUri } from '../../../viewer/model/request-model.js';
+import { BYTE_LIMIT, isDataUri, lazyCode, requireAtMost } from '../../../viewer/extra.js';
 import { type FileBytes, type ModelSource, neededCode, requireDecoders } from '../model-reader.js';
-import { BYTE_LIMIT } from '../../../viewer/model/limits.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';

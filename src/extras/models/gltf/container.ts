@@ -1,11 +1,9 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of
 // the file.
-import { requireAtMost } from '../../../viewer/model/budget.js';
+import { isDataUri, JSON_TEXT_LIMIT, requireAtMost } from '../../../viewer/extra.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
-import { JSON_TEXT_LIMIT } from '../../../viewer/model/limits.js';
 import type { ModelBudget } from '../model-budget.js';
 import type { FileBytes } from '../model-reader.js';
-import { isDataUri } from '../../../viewer/model/request-model.js';
 import type { Slices } from '../slices.js';
 
 export interface Container {

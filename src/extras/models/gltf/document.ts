@@ -2,10 +2,8 @@
 // textures, skins and animations. Everything else is removed before anything is loaded. Every index
 // and size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../phong/fields/clip.js';
-import { requireAtMost } from '../../../viewer/model/budget.js';
-import { DRACO_LIMIT } from '../../../viewer/model/limits.js';
+import { DRACO_LIMIT, ModelError, requireAtMost } from '../../../viewer/extra.js';
 import type { ModelBudget } from '../model-budget.js';
-import { ModelError } from '../../../viewer/model/model.js';
 import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';

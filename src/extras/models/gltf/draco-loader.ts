@@ -2,9 +2,7 @@
 import wasm from 'three/examples/jsm/libs/draco/gltf/draco_decoder.wasm?url';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { requireAtMost } from '../../../viewer/model/budget.js';
-import { lazyCode } from '../../../viewer/model/lazy-code.js';
-import { DRACO_LIMIT } from '../../../viewer/model/limits.js';
+import { DRACO_LIMIT, lazyCode, requireAtMost } from '../../../viewer/extra.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { neededCode } from '../model-reader.js';
 import type { Slices } from '../slices.js';

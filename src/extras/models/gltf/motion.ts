@@ -3,11 +3,15 @@
 import { sinDegrees } from '../../../phong/math/angle.js';
 import { acos } from '../../../phong/math/elementary.js';
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
-import { POSE_LIMIT } from '../../../viewer/model/limits.js';
-import type { ContentPart, Motion } from '../../../viewer/model/model.js';
+import {
+  type ContentPart,
+  type GeometrySize,
+  type Motion,
+  POSE_LIMIT,
+  sizeOfVertices,
+} from '../../../viewer/extra.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
 import { Slices } from '../slices.js';
-import { type GeometrySize, sizeOfVertices } from '../../../viewer/model/geometry-size.js';
 import type { Accessor } from './accessors.js';
 import type { ChannelPath, GltfAnimation, Interpolation } from './animations.js';
 import { type Attribute, gathered } from './attributes.js';

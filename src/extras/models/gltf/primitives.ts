@@ -1,6 +1,6 @@
 // The primitives of a glTF mesh that are drawn: triangles, and the attributes that are used. Knows
 // the JSON only.
-import { JSON_NAME_LIMIT } from '../../../viewer/model/limits.js';
+import { JSON_NAME_LIMIT } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';

@@ -1,9 +1,7 @@
 // Where the vertices of an animated model come to: a bounded number of them, the outermost, over the
 // poses at its keys.
 import { Box3, type BufferAttribute, type Matrix4, Vector3 } from 'three';
-import { hasMovingVertices } from '../../../viewer/model/geometry-size.js';
-import { POSE_LIMIT } from '../../../viewer/model/limits.js';
-import type { ContentPart } from '../../../viewer/model/model.js';
+import { type ContentPart, hasMovingVertices, POSE_LIMIT } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 
 /** Steps of all poses that are read for one animation: 0.3 s. Of more keys some are left out. */

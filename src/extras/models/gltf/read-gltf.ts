@@ -15,9 +15,8 @@ import {
   type GLTFParser,
 } from 'three/addons/loaders/GLTFLoader.js';
 import { ImageTextures } from '../image.js';
-import type { ContentPart } from '../../../viewer/model/model.js';
+import { type ContentPart, nameOf } from '../../../viewer/extra.js';
 import { mapsOfLook, type ModelReader, ownedModel, requireDecoders } from '../model-reader.js';
-import { nameOf } from '../../../viewer/model/request-model.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
 import type { Attribute } from './attributes.js';

@@ -17,7 +17,7 @@ import {
 import { clip } from '../../../phong/fields/clip.js';
 import type { ModelSource } from '../model-reader.js';
 import type { ImageTextures, Sampler } from '../image.js';
-import { isDataUri } from '../../../viewer/model/request-model.js';
+import { isDataUri } from '../../../viewer/extra.js';
 import type { GltfBytes } from './bytes.js';
 import type { GltfDocument } from './document.js';
 import { type JsonObject, textAt } from './json.js';

@@ -1,9 +1,8 @@
 // Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material
 // each belongs to. Lines, points, curves and surfaces are skipped, and so is a face that refers to
 // what is not there.
-import { requireAtMost } from '../../../viewer/model/budget.js';
+import { CORNER_LIMIT, PART_LIMIT, requireAtMost } from '../../../viewer/extra.js';
 import type { LeftOut, LeftOutKind } from '../left-out.js';
-import { CORNER_LIMIT, PART_LIMIT } from '../../../viewer/model/limits.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { unquoted } from './mtl.js';

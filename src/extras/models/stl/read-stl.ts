@@ -6,10 +6,13 @@ import type { Vec3 } from '../../../phong/math/vector.js';
 import { faceNormals, type ModelReader, ownedModel } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import { type BaseLook, PLAIN_LOOK } from '../../../phong/material/file-surface.js';
-import { requireAtMost } from '../../../viewer/model/budget.js';
+import {
+  type ContentPart,
+  CORNER_LIMIT,
+  PART_LIMIT,
+  requireAtMost,
+} from '../../../viewer/extra.js';
 import type { ModelBudget } from '../model-budget.js';
-import { CORNER_LIMIT, PART_LIMIT } from '../../../viewer/model/limits.js';
-import type { ContentPart } from '../../../viewer/model/model.js';
 import { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';

@@ -1,9 +1,8 @@
 // A file's triangles while they are read: corners refer to lists of positions, uvs and normals, as
 // OBJ writes them.
 import { Matrix4, type TypedArray } from 'three';
-import { requireAtMost } from '../../../viewer/model/budget.js';
+import { CORNER_LIMIT, free, requireAtMost } from '../../../viewer/extra.js';
 import { LIMITS } from '../../../phong/light/light-state.js';
-import { CORNER_LIMIT, free } from '../../../viewer/model/limits.js';
 import type { Slices } from '../slices.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */

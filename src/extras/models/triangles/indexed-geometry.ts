@@ -1,7 +1,7 @@
 // Turns corners into a geometry that the GPU reads. Corners that agree in everything share a
 // vertex.
 import { BufferAttribute, BufferGeometry } from 'three';
-import { free } from '../../../viewer/model/limits.js';
+import { free } from '../../../viewer/extra.js';
 import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import { itemAt, NONE, NOT_THERE, type CornerLists } from './corner-lists.js';

@@ -3,7 +3,7 @@
 // cut into triangles.
 import { cosDegrees } from '../../../phong/math/angle.js';
 import { atan2 } from '../../../phong/math/elementary.js';
-import { free } from '../../../viewer/model/limits.js';
+import { free } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';

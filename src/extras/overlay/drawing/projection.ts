@@ -1,7 +1,7 @@
 // Projects points of the scene to the layer over the picture, and back, in float64. World space to
 // CSS pixels.
 import { basisOf, type Basis, type Pose } from '../../../phong/camera/orbit.js';
-import type { Viewport } from '../../../viewer/scene/viewport.js';
+import type { Viewport } from '../../../viewer/extra.js';
 import { radians } from '../../../phong/math/angle.js';
 import {
   add,

@@ -1,8 +1,7 @@
 // The free rectangle of the layer over the picture, the boxes in it, and its text size. The style
 // sheets lay it out (phong-viewer.css, and panel.css for the panel). Observers follow them after
 // layout, so that no frame forces one.
-import { create } from '../../../viewer/element/dom.js';
-import type { ViewerTree } from '../../../viewer/element/viewer/viewer-tree.js';
+import { create, type ViewerTree } from '../../../viewer/extra.js';
 import type { Rect } from './label-layout.js';
 
 export class Room {

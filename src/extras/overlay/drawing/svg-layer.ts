@@ -1,6 +1,6 @@
 // Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are
 // kept from list to list, and only what differs is written.
-import { createSvg, set, write } from '../../../viewer/element/dom.js';
+import { createSvg, set, write } from '../../../viewer/extra.js';
 import { coreOf, DASHES, type DrawnItem, HALO, haloWidth, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
 

@@ -2,21 +2,24 @@
 // moving, Escape restores; pointers drag. Places elements over what is drawn, and reports what the
 // user does.
 import { alongAxes } from '../../../phong/camera/gesture.js';
-import { create, set, write } from '../../../viewer/element/dom.js';
 import {
+  create,
+  type ExtraHost,
+  fieldsOf,
+  followDrag,
+  historyOf,
+  lightText,
   localNumber,
+  numberedName,
+  type PhongLight,
   phrase,
+  pictureBox,
+  set,
+  undoKey,
   type ViewerText,
   type ViewerTexts,
-} from '../../../viewer/element/fields/texts.js';
-import { fieldsOf } from '../../../viewer/element/internals.js';
-import { followDrag } from '../../../viewer/element/page/followed-drag.js';
-import { pictureBox } from '../../../viewer/element/page/picture-box.js';
-import type { PhongLight } from '../../../viewer/element/elements.js';
-import { numberedName } from '../../../viewer/element/phong-light.js';
-import { lightText } from '../../../viewer/element/viewer/description.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
-import { historyOf, undoKey } from '../../../viewer/element/viewer/history.js';
+  write,
+} from '../../../viewer/extra.js';
 import { ARROWS, inside, type Projection } from '../drawing/projection.js';
 import { clamp } from '../../../phong/math/vector.js';
 import {

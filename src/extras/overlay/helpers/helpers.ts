@@ -1,10 +1,14 @@
 // Draws the helpers over a viewer's picture after each frame, as SVG, or in a picture file as the
 // same list.
 import { sameValue } from '../../../phong/fields/field-store.js';
-import { create as createElement } from '../../../viewer/element/dom.js';
-import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
-import type { PictureOptions } from '../../../viewer/element/elements.js';
+import {
+  addStyles,
+  create as createElement,
+  type Extra,
+  type ExtraHost,
+  type PictureOptions,
+  removeStyles,
+} from '../../../viewer/extra.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { listOf, NO_DRAWING, whole } from '../drawing/label-layout.js';
 import { type Projection, projectionOf } from '../drawing/projection.js';

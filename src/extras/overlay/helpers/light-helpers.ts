@@ -1,11 +1,13 @@
 // The helpers of a viewer's lights: their marks, names and handles. Marks are computed again only
 // after changes.
 import { sameValue } from '../../../phong/fields/field-store.js';
-import { fieldsOf } from '../../../viewer/element/internals.js';
-import type { PhongLight } from '../../../viewer/element/elements.js';
-import { numberedName } from '../../../viewer/element/phong-light.js';
-import { lightNameText } from '../../../viewer/element/viewer/description.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
+import {
+  type ExtraHost,
+  fieldsOf,
+  lightNameText,
+  numberedName,
+  type PhongLight,
+} from '../../../viewer/extra.js';
 import { distanceAlong } from '../../explain/pick.js';
 import { boxAround, type Drawing } from '../drawing/label-layout.js';
 import type { Projection } from '../drawing/projection.js';

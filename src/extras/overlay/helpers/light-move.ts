@@ -15,9 +15,14 @@ import {
   type Vec3,
 } from '../../../phong/math/vector.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
-import { fieldsOf } from '../../../viewer/element/internals.js';
-import type { PhongLight, PhongViewer } from '../../../viewer/element/elements.js';
-import { historyOf, type Undoable, valuesOf } from '../../../viewer/element/viewer/history.js';
+import {
+  fieldsOf,
+  historyOf,
+  type PhongLight,
+  type PhongViewer,
+  type Undoable,
+  valuesOf,
+} from '../../../viewer/extra.js';
 import { type Point, type Projection, type Ray } from '../drawing/projection.js';
 import {
   DIRECTIONAL_AT,

@@ -2,8 +2,7 @@
 // meshes. World space to CSS pixels of the layer. Computed again only where the view, the ball, a
 // mesh, or what hides something has changed.
 import { Matrix3, type Mesh, type Object3D } from 'three';
-import type { Helper } from '../../../viewer/element/fields/viewer-fields.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
+import type { ExtraHost, Helper } from '../../../viewer/extra.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { normalMatrix } from '../../../phong/material/normal-matrix.js';
 import { PhongMaterial } from '../../../phong/material/phong-material.js';

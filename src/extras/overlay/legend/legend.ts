@@ -3,16 +3,18 @@
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
 import { clipMessage, listed } from '../../../phong/fields/clip.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
-import { create as createElement } from '../../../viewer/element/dom.js';
 import {
+  addStyles,
+  create as createElement,
+  type Extra,
+  type ExtraHost,
+  lightName,
   localNumber,
   phrase,
+  removeStyles,
   type ViewerText,
   type ViewerTexts,
-} from '../../../viewer/element/fields/texts.js';
-import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
-import { lightName } from '../../../viewer/element/phong-light.js';
+} from '../../../viewer/extra.js';
 import type { LightState } from '../../../phong/light/light-state.js';
 import { pictureView } from '../../../phong/material/view/picture-view.js';
 import { VIEW_TABLE, type ViewEntry, viewEntry } from '../../../phong/material/view/view-table.js';

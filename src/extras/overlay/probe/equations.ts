@@ -1,9 +1,13 @@
 // The equation at a fragment with its numbers put in, and the wrong values that usual mistakes
 // give. 1 is full. One notation for everything: "Kd · max(N · L, 0)^8".
-import type { AnswerDetail } from '../../../viewer/element/events.js';
-import type { PhongLight } from '../../../viewer/element/elements.js';
-import type { FragmentExplanation, LightExplanation } from '../../../viewer/element/explanation.js';
-import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import {
+  type AnswerDetail,
+  type FragmentExplanation,
+  type LightExplanation,
+  type PhongLight,
+  phrase,
+  type ViewerTexts,
+} from '../../../viewer/extra.js';
 import type { LightValues, Term } from '../../../phong/light/light-state.js';
 import { radians } from '../../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../../phong/math/color.js';

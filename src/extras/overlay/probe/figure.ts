@@ -1,8 +1,7 @@
 // The figure at a probed point, and its display list: N, L of the lights that add most, R or H of
 // one of them and their angles. V is a point, because it points at the eye, so the angle between R
 // and V has no arc: it would lie on R itself.
-import type { FragmentExplanation } from '../../../viewer/element/explanation.js';
-import type { ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import type { FragmentExplanation, ViewerTexts } from '../../../viewer/extra.js';
 import { radians } from '../../../phong/math/angle.js';
 import {
   add,

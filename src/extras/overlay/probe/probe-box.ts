@@ -2,13 +2,16 @@
 // pictures, else a strip, away from the point. The style sheet gives its size; what does not fit is
 // left out in a fixed order, by trying.
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
-import { create } from '../../../viewer/element/dom.js';
-import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
-import type { FragmentExplanation } from '../../../viewer/element/explanation.js';
+import {
+  type AnswerDetail,
+  create,
+  type FragmentExplanation,
+  phrase,
+  type ViewerTexts,
+} from '../../../viewer/extra.js';
 import type { Rect } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
-import type { AnswerDetail } from '../../../viewer/element/events.js';
 import type { Equation } from './equations.js';
 import { type Sum, type SumRow, tripleText, FILTERED, GOURAUD, stepsText, UNLIT } from './sum.js';
 import {

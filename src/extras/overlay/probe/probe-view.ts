@@ -1,11 +1,16 @@
 // Shows a probed point: arrows over the picture, a cross-hair for the keyboard, a box with the sum,
 // and announcements.
 import { html, render } from 'lit';
-import { create, write } from '../../../viewer/element/dom.js';
-import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
-import { addStyles, removeStyles } from '../../../viewer/element/page/style-sheets.js';
-import type { ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
-import type { FragmentExplanation } from '../../../viewer/element/explanation.js';
+import {
+  addStyles,
+  create,
+  type ExtraHost,
+  type FragmentExplanation,
+  phrase,
+  removeStyles,
+  type ViewerTexts,
+  write,
+} from '../../../viewer/extra.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';
 import { whole } from '../drawing/label-layout.js';

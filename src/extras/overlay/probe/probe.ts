@@ -2,12 +2,16 @@
 // scene. The camera takes the same events. Explains at most once a frame, and never while nothing
 // changes.
 import { SLOP } from '../../../phong/camera/kept-drag.js';
-import { zoomOf } from '../../../viewer/element/dom.js';
-import type { ProbeDetail } from '../../../viewer/element/events.js';
-import { phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
-import { viewerPins } from '../../../viewer/element/internals.js';
-import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
-import type { PictureOptions } from '../../../viewer/element/elements.js';
+import {
+  type Extra,
+  type ExtraHost,
+  phrase,
+  type PictureOptions,
+  type ProbeDetail,
+  viewerPins,
+  type ViewerTexts,
+  zoomOf,
+} from '../../../viewer/extra.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { ARROWS, inside, type Point } from '../drawing/projection.js';

@@ -1,8 +1,7 @@
 // Shows a sum as a table. A light is chosen by the pointer on its row or by its button's focus, and
 // kept by a press.
 import { html, nothing, type TemplateResult } from 'lit';
-import { localNumber, phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
-import type { PhongLight } from '../../../viewer/element/elements.js';
+import { localNumber, type PhongLight, phrase, type ViewerTexts } from '../../../viewer/extra.js';
 import { type Term, TERMS } from '../../../phong/light/light-state.js';
 import { isBlack } from '../../../phong/math/color.js';
 import { add } from '../../../phong/math/vector.js';

@@ -1,8 +1,13 @@
 // The sum at a fragment: its rows, with colours in codes (255 is full), its numbers as text, and
 // the words for screen readers, which see neither arrows nor table, and for the line below the
 // table.
-import type { FragmentExplanation, LightExplanation } from '../../../viewer/element/explanation.js';
-import { localNumber, phrase, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import {
+  type FragmentExplanation,
+  type LightExplanation,
+  localNumber,
+  phrase,
+  type ViewerTexts,
+} from '../../../viewer/extra.js';
 import { LEAST_EXPONENT } from '../../../phong/light/precision.js';
 import { cosDegrees, radians } from '../../../phong/math/angle.js';
 import { isBlack, srgbDecode } from '../../../phong/math/color.js';

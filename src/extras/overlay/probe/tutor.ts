@@ -1,9 +1,13 @@
 // The probe's equations, as MathML with numbers or with fields for answers, and as text and LaTeX
 // for the clipboard.
 import { html, mathml, nothing, type TemplateResult } from 'lit';
-import type { AnswerDetail } from '../../../viewer/element/events.js';
-import { create } from '../../../viewer/element/dom.js';
-import { phrase, type ViewerText, type ViewerTexts } from '../../../viewer/element/fields/texts.js';
+import {
+  type AnswerDetail,
+  create,
+  phrase,
+  type ViewerText,
+  type ViewerTexts,
+} from '../../../viewer/extra.js';
 import { type Equation, judge, type Verdict } from './equations.js';
 
 interface Attempt {

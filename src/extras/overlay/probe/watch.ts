@@ -1,8 +1,11 @@
 // Reports the point of `probe-at` where no probe shows it.
-import { zoomOf } from '../../../viewer/element/dom.js';
-import type { ProbeDetail } from '../../../viewer/element/events.js';
-import type { Extra, ExtraHost } from '../../../viewer/element/viewer/extra-host.js';
-import { reportMissing } from '../../../viewer/model/lazy-code.js';
+import {
+  type Extra,
+  type ExtraHost,
+  type ProbeDetail,
+  reportMissing,
+  zoomOf,
+} from '../../../viewer/extra.js';
 import { projectionOf } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {
