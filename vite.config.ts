@@ -46,6 +46,7 @@ export default defineConfig({
       'three/addons/libs/meshopt_decoder.module.js',
       'lit',
       'lil-gui',
+      'minisearch',
     ],
   },
   server: { fs: { allow: [repository] } },

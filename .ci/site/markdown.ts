@@ -44,6 +44,7 @@ export function markdownPage(
   text: string,
   resolved: (href: string) => string | null,
 ): MarkdownPage {
+  figures = 0;
   const env: Env = {};
   const tokens = pages.parse(text, env);
   const sections: Section[] = [];
@@ -116,6 +117,7 @@ function resolveLinks(token: Token, resolved: (href: string) => string | null): 
 }
 
 const plainFence = pages.renderer.rules.fence!;
+/** Live pictures of the page so far. */
 let figures = 0;
 
 /**

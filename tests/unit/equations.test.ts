@@ -95,11 +95,12 @@ function valueOf(formula: string, values: Readonly<Record<string, number>>): num
   return Number(runInNewContext(code, { ...values, Math }));
 }
 
+const grey = (x: number) => [x, x, x] as const;
+
 /** A fragment under a light from anywhere: what formulas name, and what the reference makes of it. */
 function sample(random: Random) {
   const full = (): number => random.from(1, 255);
   const [ka, kd, ks, ambient, diffuse, specular] = [1, 2, 3, 4, 5, 6].map(full) as number[];
-  const grey = (x: number) => [x, x, x] as const;
   const attenuation = random.vector(0, 1);
   const cutoff = random.from(1, 8);
   const shininess = random.pick([1, 2, 3, 8]);
@@ -160,6 +161,29 @@ describe('equations that readers see', () => {
       'demo/lesson/index.html': 5,
       'demo/lesson/de/index.html': 5,
     });
+  });
+
+  it('are worked out right in the example by hand', () => {
+    const page = readFileSync('demo/guide/light.md', 'utf8').split('## One point by hand')[1]!;
+    const written = Array.from(
+      page.matchAll(/^(?:ambient|diffuse|specular|sum) \|.*\| ([\d.]+)$/gm),
+      ([, number]) => number,
+    );
+    const light = lightWith({
+      position: [1, 1, 0, 0],
+      ambient: grey(20),
+      diffuse: grey(180),
+      specular: grey(90),
+    });
+    const { color, shares } = shade(
+      { p: [0, 0, 0], normal: [0, 1, 0], eye: [-1, 2, 0] },
+      { ka: grey(200), kd: grey(200), ks: grey(128), shininess: 32 },
+      [light],
+    );
+    const { ambient, diffuse, specular, NoL, RoV } = shares[0]!;
+    const terms = [ambient[0], diffuse[0], specular[0], color[0]];
+    expect(written).toEqual(terms.map((term) => (255 * term).toFixed(1)));
+    expect(page).toContain(`N·L = ${NoL.toFixed(3)} and R·V = ${RoV.toFixed(3)}`);
   });
 
   it.each(pages)('$path: $formula', ({ text, formula }) => {

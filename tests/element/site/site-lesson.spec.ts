@@ -1,10 +1,9 @@
-// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons,
+// Do the figures of the guide's pages about light, and about helpers, views, probe and comparisons,
 // behave as their captions say?
 
 import type { Locator, Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';
 import { allReady, expect, test } from '../../support/test.js';
-import { firstOf } from '../../support/repeats.js';
 import { takeNoSamples } from '../../support/site-pages.js';
 import { drag, nextFrame, type PhongViewer } from '../support/viewer.js';
 
@@ -58,10 +57,10 @@ async function expectPrinted(page: Page): Promise<void> {
   await page.emulateMedia({ media: 'screen' });
 }
 
-// The article has two dozen pictures: all tests of its figures share one page.
-test('the figures of the article behave as their captions say', async ({ page }) => {
+// The page has two dozen pictures: all tests of its figures share one load.
+test('the figures of the page about light behave as their captions say', async ({ page }) => {
   test.setTimeout(120_000);
-  await open(page, 'article/');
+  await open(page, 'guide/light/');
   await test.step('a screen reader finds every picture, divider and light by name', async () => {
     for (const id of ['fig-near-far', 'fig-blinn', 'fig-point']) {
       await figure(page, id);
@@ -78,15 +77,6 @@ test('the figures of the article behave as their captions say', async ({ page })
     expect(dividers).toContain('Divider between the cosine and its power');
     expect(dividers).toContain('Divider between Gouraud and Phong');
     expect(named(/^option$|listboxoption/i).some((name) => name.startsWith('spot'))).toBe(true);
-  });
-  await test.step('the probe finds the numbers of Table 1', async () => {
-    const box = (await figure(page, 'fig-point-by-hand')).locator('[part=probe]');
-    const rows = page.getByRole('table', { name: /Table 1/ }).locator('tbody tr td:last-child');
-    const written = await rows.allTextContents();
-    expect(written).toEqual(['15.7', '99.8', '8.4', '123.9']);
-    for (const number of written) {
-      await expect(box).toContainText(`${number} ${number} ${number}`);
-    }
   });
   await test.step('dragging the rim of the cone opens it, and the markup under the figure follows', async () => {
     const cone = await figure(page, 'fig-cone');
@@ -108,40 +98,6 @@ test('the figures of the article behave as their captions say', async ({ page })
     // The rest stays as its author wrote it.
     await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
   });
-  await test.step('each plate of the rim has as many samples as it names, and follows the camera', async () => {
-    const rim = await figure(page, 'fig-pixel');
-    const plates = (): Promise<{ samples: number; alphas: number[] }[]> =>
-      rim.locator('.pixels canvas').evaluateAll((all) =>
-        all.map((canvas) => {
-          const context = new OffscreenCanvas(16, 10).getContext('2d', {
-            willReadFrequently: true,
-          })!;
-          context.drawImage(canvas as HTMLCanvasElement, 0, 0);
-          const { data } = context.getImageData(0, 0, 16, 10);
-          const samples = parseInt(canvas.parentElement!.textContent);
-          return { samples, alphas: [...new Set(data.filter((_, i) => i % 4 === 3))] };
-        }),
-      );
-    // A sample is on the sphere or beside it.
-    const isMeanOf = (alphas: readonly number[], samples: number): boolean =>
-      alphas.every(
-        (alpha) => Math.round((255 * Math.round((alpha * samples) / 255)) / samples) === alpha,
-      );
-    await expect.poll(async () => (await plates())[3]!.alphas.length).toBeGreaterThan(10);
-    for (const { samples, alphas } of await plates()) {
-      expect(isMeanOf(alphas, samples), `${String(samples)} samples`).toBe(true);
-      if (samples === 1) {
-        expect(alphas.sort()).toEqual([0, 255]);
-      } else {
-        expect(isMeanOf(alphas, samples / 2), `not ${String(samples / 2)}`).toBe(false);
-      }
-    }
-    expect((await plates()).map(({ samples }) => samples)).toEqual([1, 4, 16, 64]);
-    await rim.locator('phong-viewer').evaluate((viewer) => viewer.setAttribute('target', '5 5 5'));
-    await expect
-      .poll(async () => (await plates()).map(({ alphas }) => alphas))
-      .toEqual([[0], [0], [0], [0]]);
-  });
   await test.step('a slider under a divider changes the light on both sides', async () => {
     const decay = await figure(page, 'fig-decay');
     await decay.getByRole('spinbutton', { name: 'cutoff' }).fill('2');
@@ -161,49 +117,30 @@ test('the figures of the article behave as their captions say', async ({ page })
     expect(text.trim()).toMatch(/<\/phong-viewer>\n<\/phong-compare>$/);
   });
   await test.step('turning one picture of a figure turns the others', async () => {
-    for (const id of ['fig-exponents', 'fig-near-far']) {
+    for (const id of ['fig-terms', 'fig-near-far']) {
       await expectTurnedTogether(page, id);
     }
   });
   await test.step('every figure is on paper', () => expectPrinted(page));
 });
 
-test('turning one picture of a figure turns the others too; the guide prints its figures', async ({
+test('lights that are drawn can be moved by keys, and the markup below follows; all is printed', async ({
   page,
 }) => {
-  const figures = [['guide/spots/', 'main'], ['shapes/', 'geometries']] as const; // oxfmt-ignore
-  for (const [path, id] of firstOf(figures, 1)) {
-    await open(page, path);
-    await expectTurnedTogether(page, id);
-  }
   await open(page, 'guide/see/');
-  await expectPrinted(page);
-  await page.emulateMedia({ media: 'print' });
-  await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
-});
-
-test('the lights page draws its lights on request, and drags of them are in its listing', async ({
-  page,
-}) => {
-  await open(page, 'lights/');
-  const show = page.getByRole('button', { name: 'Show them' });
-  const handles = page.getByRole('option');
-  await expect(handles).toHaveCount(0);
-  await show.click();
-  await expect(show).toHaveAttribute('aria-pressed', 'true');
-  await expect(page.getByRole('option', { name: /^light 3: spot/ })).toBeVisible();
   const position = (): Promise<string> =>
     page
-      .locator('#garden')
-      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
+      .locator('#live-1 phong-viewer')
+      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[0]!.position.join(' '));
   const before = await position();
-  await page.getByRole('option', { name: /^light 3: spot/ }).focus();
+  await page.getByRole('option', { name: /^spot/ }).first().focus();
   await page.keyboard.press('Enter');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
   const after = await position();
   expect(after).not.toBe(before);
-  await expect(page.locator('.listing[data-of] pre')).toContainText(`position="${after}"`);
-  await show.click();
-  await expect(handles).toHaveCount(0);
+  await expect(page.locator('.listing[data-of] pre').first()).toContainText(`position="${after}"`);
+  await expectPrinted(page);
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
 });
