@@ -10,6 +10,7 @@ import {
 import type { PhongLighting } from '../../../phong/material/lighting.js';
 import type { BaseLook } from '../../../phong/material/file-surface.js';
 import { PhongMaterial } from '../../../phong/material/phong-material.js';
+import { Shared } from '../../model/shared.js';
 import type { Sides } from '../../../phong/material/back-faces.js';
 
 /**
@@ -24,18 +25,16 @@ export interface Appearance {
   readonly reflection: ShadingStyle['reflection'] | null;
 }
 
-interface Shared {
+interface SharedMaterial {
   readonly material: PhongMaterial;
   appearance: Appearance;
-  key: string;
-  users: number;
 }
 
 export class SharedMaterials {
   readonly #lighting: PhongLighting;
-  readonly #byKey = new Map<string, Shared>();
-  readonly #byMaterial = new Map<PhongMaterial, Shared>();
-  readonly #unused = new Set<Shared>();
+  readonly #byKey = new Shared<SharedMaterial>();
+  readonly #byMaterial = new Map<PhongMaterial, SharedMaterial>();
+  readonly #unused = new Set<SharedMaterial>();
   #style: ShadingStyle = DEFAULT_STYLE;
 
   constructor(lighting: PhongLighting) {
@@ -66,9 +65,7 @@ export class SharedMaterials {
 
   /** A material for one more user, who gives it back by {@link release}. */
   acquire(appearance: Appearance): PhongMaterial {
-    const key = keyOf(appearance);
-    const shared = this.#byKey.get(key) ?? this.#create(appearance, key);
-    shared.users += 1;
+    const shared = this.#byKey.acquire(keyOf(appearance), () => this.#create(appearance));
     this.#unused.delete(shared);
     return shared.material;
   }
@@ -80,16 +77,12 @@ export class SharedMaterials {
   exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
     const key = keyOf(appearance);
     const shared = this.#byMaterial.get(material);
-    if (shared?.key === key) return material;
-    const rewritable =
-      shared?.users === 1 &&
-      !this.#byKey.has(key) &&
-      shared.appearance.look === appearance.look &&
-      shared.appearance.sides === appearance.sides;
-    if (rewritable) {
-      this.#byKey.delete(shared.key);
-      this.#byKey.set(key, shared);
-      shared.key = key;
+    if (shared !== undefined && this.#byKey.get(key) === shared) return material;
+    if (
+      shared?.appearance.look === appearance.look &&
+      shared.appearance.sides === appearance.sides &&
+      this.#byKey.move(shared, key)
+    ) {
       this.#write(shared, appearance);
       return material;
     }
@@ -100,9 +93,7 @@ export class SharedMaterials {
 
   release(material: PhongMaterial): void {
     const shared = this.#byMaterial.get(material);
-    if (shared === undefined) return;
-    shared.users -= 1;
-    if (shared.users === 0) {
+    if (shared !== undefined && this.#byKey.release(shared)) {
       this.#unused.add(shared);
     }
   }
@@ -110,25 +101,24 @@ export class SharedMaterials {
   /** After a drawing: frees the materials without users. */
   sweep(): void {
     if (this.#unused.size === 0) return;
-    for (const { key, material } of this.#unused) {
-      this.#byKey.delete(key);
-      this.#byMaterial.delete(material);
-      material.dispose();
+    for (const shared of this.#unused) {
+      this.#byKey.forget(shared);
+      this.#byMaterial.delete(shared.material);
+      shared.material.dispose();
     }
     this.#unused.clear();
   }
 
-  #create(appearance: Appearance, key: string): Shared {
+  #create(appearance: Appearance): SharedMaterial {
     const material = new PhongMaterial(this.#lighting, appearance.look);
     material.sides = appearance.sides;
-    const shared = { material, appearance, key, users: 0 };
+    const shared = { material, appearance };
     this.#write(shared, appearance);
-    this.#byKey.set(key, shared);
     this.#byMaterial.set(material, shared);
     return shared;
   }
 
-  #write(shared: Shared, appearance: Appearance): void {
+  #write(shared: SharedMaterial, appearance: Appearance): void {
     shared.appearance = appearance;
     shared.material.setStyle(this.#styleOf(appearance));
     shared.material.setSurface(appearance.surface);

@@ -9,7 +9,7 @@ import {
   modelCode,
   requestModelFile,
 } from '../../model/request-model.js';
-import { WeakValues } from '../../model/weak-values.js';
+import { Shared } from '../../model/shared.js';
 
 interface ModelName {
   /** A file's address is not fetched: it is for messages. */
@@ -27,19 +27,14 @@ interface ModelUser {
   readonly onProgress: (loaded: number, total: number) => void;
 }
 
-const shared = new WeakValues<SharedModel>();
+const models = new Shared<SharedModel>();
 
 /**
  * For one more mesh, which disposes of it once. Rejects if it is unreadable or too large for the
  * claim.
  */
 export function acquireModel(name: ModelName, user: ModelUser): Promise<Content> {
-  const key = keyOf(name);
-  let model = shared.get(key);
-  if (model === undefined) {
-    shared.set(key, (model = new SharedModel(key, name)));
-  }
-  return model.use(user);
+  return models.acquire(keyOf(name), () => new SharedModel(name)).use(user);
 }
 
 const files = new WeakMap<Blob, number>();
@@ -53,16 +48,13 @@ function keyOf({ url, src, type, crossOrigin }: ModelName): string {
 }
 
 class SharedModel {
-  readonly #key: string;
   readonly #loading = new AbortController();
   readonly #content: Promise<Content>;
   /** Users to whom it has not come yet, each with what refuses it. */
   readonly #waiting = new Map<ModelUser, (error: unknown) => void>();
-  #users = 0;
   #claimed: Amounts = NO_CLAIMS;
 
-  constructor(key: string, { url, src, type, crossOrigin }: ModelName) {
-    this.#key = key;
+  constructor({ url, src, type, crossOrigin }: ModelName) {
     const onProgress = (loaded: number, total: number): void => {
       for (const user of this.#waiting.keys()) {
         user.onProgress(loaded, total);
@@ -75,13 +67,13 @@ class SharedModel {
       typeof src !== 'string' ? src : isDataUri(url.href) ? null : requestModelFile(url, options);
     this.#content = modelCode().then((code) => code.modelContent(url, options, request));
     this.#content.catch(() => {
-      this.#forget(); // the next request tries again
+      models.forget(this); // the next request tries again
     });
   }
 
+  /** For a user who has acquired it. */
   async use(user: ModelUser): Promise<Content> {
     const { claim, signal } = user;
-    this.#users += 1;
     try {
       const refused = new Promise<never>((_, reject) => {
         this.#waiting.set(user, reject);
@@ -135,19 +127,12 @@ class SharedModel {
   };
 
   #release(): void {
-    this.#users -= 1;
-    if (this.#users > 0) return;
-    this.#forget();
+    if (!models.release(this)) return;
+    models.forget(this);
     this.#loading.abort('unused'); // ends what is still being downloaded
     this.#content.then(
       (content) => content.dispose(),
       () => undefined,
     );
-  }
-
-  #forget(): void {
-    if (shared.get(this.#key) === this) {
-      shared.delete(this.#key);
-    }
   }
 }

@@ -4,7 +4,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../../../phong/material/file-surface.js';
 import { claimsOf, type Need } from '../../../model/budget.js';
 import type { Content } from '../../../model/model.js';
-import { WeakValues } from '../../../model/weak-values.js';
+import { Shared } from '../../../model/shared.js';
 import { type Cut, cutGeometry, type CutName, keyOfCut } from './cut-faces.js';
 import {
   CLOSED,
@@ -56,14 +56,13 @@ export interface ShapeContent extends Content {
   readonly needs: readonly Need[];
 }
 
-interface Shared {
+interface SharedShape {
   /** A promise until its code is here. */
   content: ShapeContent | Promise<ShapeContent>;
-  users: number;
   freeing?: ReturnType<typeof setTimeout>;
 }
 
-const shared = new WeakValues<Shared>();
+const shapes = new Shared<SharedShape>();
 
 const keyOf = ({ name, segments, isLevel, cut }: ShapeKey): string =>
   `${isLevel ? 'auto ' : ''}${name} ${cut === undefined ? String(effectiveSegments(name, segments)) : keyOfCut(cut)}`;
@@ -84,18 +83,16 @@ export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
  * call tries again.
  */
 export function acquireShape(key: ShapeKey): ShapeContent | Promise<ShapeContent> {
-  const entry = shared.get(keyOf(key)) ?? create(key);
-  clearTimeout(entry.freeing);
-  entry.users += 1;
-  return entry.content;
+  const shape = shapes.acquire(keyOf(key), () => shapeOf(key));
+  clearTimeout(shape.freeing);
+  return shape.content;
 }
 
-function create(key: ShapeKey): Shared {
-  const text = keyOf(key);
+function shapeOf(key: ShapeKey): SharedShape {
   const { name } = key;
   const contentOf = (geometry: BufferGeometry): ShapeContent => {
     const free = (): void => {
-      shared.delete(text);
+      shapes.forget(shape);
       geometry.dispose();
     };
     const sides = CLOSED.has(name) ? 'closed' : 'double';
@@ -104,10 +101,9 @@ function create(key: ShapeKey): Shared {
       motion: null,
       needs: shapeNeeds(key, true),
       dispose: () => {
-        entry.users -= 1;
-        if (entry.users > 0) return;
+        if (!shapes.release(shape)) return;
         if (key.isLevel) {
-          entry.freeing = setTimeout(free, KEPT_MS);
+          shape.freeing = setTimeout(free, KEPT_MS);
         } else {
           free();
         }
@@ -119,15 +115,14 @@ function create(key: ShapeKey): Shared {
       ? createGeometry(name, key.segments, key.isLevel)
       : cutGeometry(name as CutName, key.cut);
   const content = geometry instanceof Promise ? geometry.then(contentOf) : contentOf(geometry);
-  const entry: Shared = { content, users: 0 };
-  shared.set(text, entry);
+  const shape: SharedShape = { content };
   if (content instanceof Promise) {
     content.then(
-      (ready) => (entry.content = ready),
-      () => shared.delete(text),
+      (ready) => (shape.content = ready),
+      () => shapes.forget(shape),
     );
   }
-  return entry;
+  return shape;
 }
 
 export const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
