@@ -107,31 +107,68 @@ describe('the number of segments that a shape needs', () => {
     }
   });
 
-  it('keeps the outline of a sphere within the tolerance wherever it is in the picture', () => {
-    const height = 400;
-    for (const fov of [10, 45, 120]) {
-      for (const distance of [0.52, 0.7, 2, 30]) {
+  interface Seen {
+    readonly view: Frustum;
+    readonly matrix: readonly number[];
+    /** Of the sphere's middle from the view's, at its depth, and of the picture's edge at depth 1. */
+    readonly aside: number;
+    readonly edge: number;
+    readonly text: string;
+  }
+
+  /** Spheres between the middle of a view and its right edge, or its corner. */
+  function* spheres(distances: readonly number[]): Generator<Seen> {
+    for (const fov of [10, 45, 120, 150, 170]) {
+      for (const distance of distances) {
         const view = viewFrom(distance, fov);
-        const pixels = height / (2 * view.slopeY);
-        for (const share of [0, 0.3, 0.9]) {
-          const x = share * distance * view.slopeX;
-          const away = Math.hypot(x, distance);
-          const n = segmentsIn(view, 4 * pixels, sphere, at(x, 0, 0));
-          if (n === null || away <= 0.5) continue;
-          // Rays that touch the sphere on both sides, where they are in view, and once with the
-          // radius that is drawn.
-          for (const sign of [-1, 1]) {
-            const place = (radius: number): number =>
-              Math.tan(Math.atan2(x, distance) + sign * Math.asin(radius / away));
-            if (Math.abs(place(0.5)) > view.slopeX) continue;
-            const error = Math.abs(pixels * (place(0.5 - sphere.gap / n ** 2) - place(0.5)));
-            expect(error, `${String(fov)}° ${String(distance)} ${String(share)}`).toBeLessThan(
-              0.251,
-            );
+        for (const upward of [0, view.slopeY]) {
+          const edge = Math.hypot(view.slopeX, upward);
+          for (const share of [0, 0.1, 0.3, 0.6, 0.9]) {
+            const aside = share * distance * edge;
+            if (Math.hypot(aside, distance) <= 0.5) continue;
+            const matrix = at(share * distance * view.slopeX, share * distance * upward, 0);
+            const text = `${String(fov)}° from ${String(distance)} at ${String(share)} of ${String(edge)}`;
+            yield { view, matrix, aside, edge, text };
           }
         }
       }
     }
+  }
+
+  /** In pixels of a picture 400 high: of the outline of `n` segments, as far as it is in view. */
+  function outlineErrors({ view, aside, edge }: Seen, n: number): number[] {
+    const distance = view.frame.eye[2];
+    // Rays that touch the sphere on both sides, and once with the radius that is drawn.
+    return [-1, 1].flatMap((sign) => {
+      const angle = (radius: number): number =>
+        Math.atan2(aside, distance) + sign * Math.asin(radius / Math.hypot(aside, distance));
+      const place = Math.tan(angle(0.5));
+      if (Math.abs(angle(0.5)) >= Math.PI / 2 || Math.abs(place) > edge) return [];
+      const drawn = Math.tan(angle(0.5 - sphere.gap / n ** 2));
+      return Math.abs(((drawn - place) * 400) / (2 * view.slopeY));
+    });
+  }
+
+  it('keeps the outline of a sphere within the tolerance wherever it is in the picture', () => {
+    for (const seen of spheres([0.4, 0.52, 0.7, 2, 30])) {
+      const { view, matrix, text } = seen;
+      const n = segmentsIn(view, (4 * 400) / (2 * view.slopeY), sphere, matrix);
+      for (const error of n === null ? [] : outlineErrors(seen, n)) {
+        expect(error, text).toBeLessThan(0.251);
+      }
+    }
+  });
+
+  it('is what a level has wherever a wide view stretches a sphere over many pixels', () => {
+    let compared = 0;
+    for (const seen of spheres([0.7, 2, 4])) {
+      const level = levelIn(seen.view, 400, false, 'sphere', seen.matrix, 2 ** 14);
+      for (const error of level === null ? [] : outlineErrors(seen, level)) {
+        expect(error, seen.text).toBeLessThan(0.251);
+        compared += 1;
+      }
+    }
+    expect(compared).toBeGreaterThan(100);
   });
 
   it('is none out of view, and bounded where the eye is on the surface', () => {

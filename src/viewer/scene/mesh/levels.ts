@@ -291,8 +291,9 @@ function within(triangles: number, level: number, name: GeometryName): number {
 }
 
 /**
- * Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the
- * picture.
+ * Pixels that a shape covers, about: its mean share of the ellipse that its bounding sphere is seen
+ * as, at most the picture. The ellipse grows with the angle from the view's middle: at a fov of 170
+ * up to a thousand times.
  */
 function coveredIn(
   view: Frustum,
@@ -301,16 +302,19 @@ function coveredIn(
   m: readonly number[],
 ): number {
   const { frame, slopeX, slopeY } = view;
-  const { origin, eye } = frame;
+  const { origin, eye, back } = frame;
   const picture = (height * height * slopeX) / slopeY;
   const x = m[12]! - origin[0] - eye[0];
   const y = m[13]! - origin[1] - eye[1];
   const z = m[14]! - origin[2] - eye[2];
+  const depth = -(x * back[0] + y * back[1] + z * back[2]);
   const reach = radius * stretch(m);
+  if (depth <= reach) return picture;
+  const ahead = depth * depth - reach * reach;
   const beyond = x * x + y * y + z * z - reach * reach; // squared: from the eye to where its rays touch the sphere
-  if (beyond <= 0) return picture;
   const disc = (reach * height) / (2 * slopeY);
-  return Math.min(picture, (cover * Math.PI * disc * disc) / beyond);
+  const ellipse = (Math.PI * disc * disc * Math.sqrt(beyond / ahead)) / ahead;
+  return Math.min(picture, cover * ellipse);
 }
 
 /**
