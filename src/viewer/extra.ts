@@ -119,5 +119,5 @@ export { createGeometry, type GeometryName, roundOf } from './scene/mesh/shapes/
 export type { Picture } from './scene/picture.js';
 export type { DrawnLook, OwnDrawn, SceneSnapshot } from './scene/scene-snapshot.js';
 export type { ConvergingPicture, SampledViewport } from './scene/still-picture.js';
-export { type BoxList, bvhInSteps, walkBvh } from './scene/triangle-bvh.js';
+export { type BoxList, type BvhQuery, bvhInSteps, walkBvh } from './scene/triangle-bvh.js';
 export type { Viewport } from './scene/viewport.js';

@@ -1,6 +1,7 @@
 // Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the
 // pixel's ray, in float64.
 import {
+  type BufferGeometry,
   type Intersection,
   Matrix3,
   type Object3D,
@@ -29,13 +30,15 @@ import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
 import {
   type RaySearch,
+  searchNear,
   searchTriangles,
   type TriangleHit,
+  type TrianglePoint,
   type ViewRay,
 } from './ray-triangles.js';
 
-/** The point of a Phong-lit surface seen through a pixel. */
-export interface Hit<Owner = unknown> extends TriangleHit {
+/** A point of a Phong-lit surface. */
+export interface Hit<Owner = unknown> extends TrianglePoint {
   readonly drawn: OwnDrawn<Owner>;
   readonly frame: ShadingFrame;
   /** Place relative to the frame's origin. */
@@ -44,6 +47,9 @@ export interface Hit<Owner = unknown> extends TriangleHit {
   /** The picture averages a texture that is read at one point here. */
   readonly filtered: boolean;
 }
+
+/** The one seen through a pixel. */
+export type SeenHit<Owner = unknown> = Hit<Owner> & TriangleHit;
 
 /**
  * The point seen through the centre of a device pixel, counted from the top left corner; fractions
@@ -55,7 +61,7 @@ export function* pick<Owner>(
   snapshot: SceneSnapshot<Owner>,
   column: number,
   row: number,
-): RaySearch<Hit<Owner> | null> {
+): RaySearch<SeenHit<Owner> | null> {
   const { width, height, camera, frame } = snapshot;
   if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
   const { near, far, aspect } = camera;
@@ -70,7 +76,7 @@ export function* pick<Owner>(
     far,
   };
   const pixel: PixelSlopes = [(2 * tan * aspect) / width, (-2 * tan) / height];
-  let nearest: Hit<Owner> | null = null;
+  let nearest: SeenHit<Owner> | null = null;
   let depth = Infinity;
   // Of what a mask cuts out here, and may not cut out in the picture.
   let cutOut = Infinity;
@@ -138,33 +144,30 @@ export function* distanceAlong(
   return nearest;
 }
 
-/**
- * Of all surfaces on the line from the eye through a point, drawn or not, the nearest to it; null
- * if none is near.
- */
+/** Of all surfaces, drawn or not, the point that is nearest to another; null if none is near. */
 export function* pickNear<Owner>(
   { frame, objects }: SceneSnapshot<Owner>,
   point: Vec3,
 ): RaySearch<Hit<Owner> | null> {
   const place = subtract(point, frame.origin);
-  const toPoint = subtract(place, frame.eye);
-  const along = normalize(toPoint);
-  const ray = rayAlong(frame.origin, frame.eye, along);
-  const placeAt = (depth: number): Vec3 => add(frame.eye, scale(along, depth));
   let nearest: Hit<Owner> | null = null;
-  let distance = NEAR * length(toPoint);
+  let distance = NEAR * length(subtract(place, frame.eye));
   for (const drawn of objects) {
     if (drawn.phong === null) continue;
-    const { geometry, phong } = drawn;
-    const hit = yield* searchSurface(drawn, ray, (depth, _, read) => {
-      const away = length(subtract(placeAt(depth), place));
-      if (away > distance || isCutOut(drawn, read)) return false;
-      distance = away;
-      return true;
-    });
-    if (hit !== null) {
-      const base = baseColorAt(phong.look, geometry, hit, phong.linear);
-      nearest = { ...hit, drawn, base, filtered: false, frame, p: placeAt(hit.depth) };
+    const { geometry, matrixWorld, phong } = drawn;
+    const near = yield* searchNear(
+      frame,
+      place,
+      geometry,
+      matrixWorld,
+      rangeOf(geometry),
+      distance,
+      (read) => !isCutOut(drawn, read),
+    );
+    if (near !== null) {
+      distance = length(near.away);
+      const base = baseColorAt(phong.look, geometry, near, phong.linear);
+      nearest = { ...near, drawn, base, filtered: false, frame, p: add(place, near.away) };
     }
   }
   return nearest;
@@ -190,16 +193,16 @@ function searchSurface(
   ray: ViewRay,
   keeps: Parameters<typeof searchTriangles>[4],
 ): RaySearch<TriangleHit | null> {
-  const { index, drawRange } = geometry;
-  const count = (index ?? geometry.getAttribute('position')).count;
-  const range = [
-    Math.max(drawRange.start, 0),
-    Math.min(drawRange.start + drawRange.count, count),
-  ] as const;
-  return searchTriangles(ray, geometry, matrixWorld, range, keeps);
+  return searchTriangles(ray, geometry, matrixWorld, rangeOf(geometry), keeps);
 }
 
-const isCutOut = ({ geometry, phong: { look, linear } }: OwnDrawn, read: () => TriangleHit) =>
+/** The corners that are drawn. */
+function rangeOf({ index, drawRange, attributes }: BufferGeometry): readonly [number, number] {
+  const { count } = index ?? attributes['position']!;
+  return [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)];
+}
+
+const isCutOut = ({ geometry, phong: { look, linear } }: OwnDrawn, read: () => TrianglePoint) =>
   look.alphaMode === 'mask' && baseColorAt(look, geometry, read(), linear).discarded;
 
 const directionOf = ({ frame: { right, up, back }, slopeX, slopeY }: ViewRay): Vec3 =>

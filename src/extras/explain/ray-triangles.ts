@@ -4,8 +4,23 @@
 // inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../phong/material/lighting.js';
-import { scale, type Vec3 } from '../../phong/math/vector.js';
-import { type BoxList, bvhInSteps, walkBvh, writeModelViewProjection } from '../../viewer/extra.js';
+import {
+  add,
+  clamp,
+  cross,
+  dot,
+  length,
+  scale,
+  subtract,
+  type Vec3,
+} from '../../phong/math/vector.js';
+import {
+  type BoxList,
+  type BvhQuery,
+  bvhInSteps,
+  walkBvh,
+  writeModelViewProjection,
+} from '../../viewer/extra.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {
@@ -19,16 +34,19 @@ export interface ViewRay {
   readonly far: number;
 }
 
-export interface TriangleHit {
+export interface TrianglePoint {
   /** Index of the triangle in drawing order, from 0. */
   readonly triangle: number;
   /** The corners' vertex indices, and their barycentric weights, which add up to 1. */
   readonly corners: readonly [number, number, number];
   readonly weights: Vec3;
-  /** Distance from the eye along the view direction. */
-  readonly depth: number;
   /** Seen from the front: the corners appear counter-clockwise. */
   readonly front: boolean;
+}
+
+export interface TriangleHit extends TrianglePoint {
+  /** Distance from the eye along the view direction. */
+  readonly depth: number;
   /**
    * Each corner's distance right of the ray and above it, at the corner's depth, and that depth.
    */
@@ -50,6 +68,9 @@ const STEP = 2 ** 14;
  */
 const HIT = 2;
 const READ = 16;
+
+/** The same of a triangle that is near the place that was searched from. */
+const NEAR = 4;
 
 /** The numbers of a hit: first corner, vertices, weights, depth, front, and nine of its corners. */
 type HitNumbers = Float64Array;
@@ -137,24 +158,194 @@ export function* searchTriangles(
     }
     return tested >= STEP;
   };
+  const meets = (boxes: BoxList, at: number): boolean =>
+    hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at);
+  yield* inSteps(geometry, [first, end], meets, test, () => {
+    const step = tested;
+    tested = 0;
+    return step;
+  });
+  return found ? hitOf(kept) : null;
+}
+
+/**
+ * Tests runs of triangles of the corners `first` to `end` (excluded), but for boxes that do not
+ * meet, until `test` ends a step. `spent`: how many triangles were tested in it.
+ */
+function* inSteps(
+  geometry: BufferGeometry,
+  [first, end]: readonly [first: number, end: number],
+  meets: BvhQuery['meets'],
+  test: (from: number, to: number) => boolean,
+  spent: () => number,
+): RaySearch<void> {
   // Runs begin at whole triangles of the index.
   const bvh = first % 3 === 0 ? yield* bvhInSteps(geometry) : null;
-  const runs = {
-    meets: (boxes: BoxList, at: number) => hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at),
-    visit: (from: number, to: number) => test(Math.max(from, first), Math.min(to, end)),
-  };
+  const visit = (from: number, to: number): boolean =>
+    test(Math.max(from, first), Math.min(to, end));
   for (let at = first; at < end;) {
     if (bvh === null) {
       const from = at;
       at += 3 * STEP;
       test(from, Math.min(at, end));
     } else {
-      at = walkBvh(bvh, runs, at);
+      at = walkBvh(bvh, { meets, visit }, at);
     }
-    yield tested;
-    tested = 0;
+    yield spent();
   }
-  return found ? hitOf(kept) : null;
+}
+
+/** A point of a triangle, and its place relative to the one that was searched from. */
+export interface NearPoint extends TrianglePoint {
+  readonly away: Vec3;
+}
+
+/**
+ * The point of any triangle that is nearest to a place, at most `most` away from it: of the same
+ * triangles as {@link searchTriangles}, and the last of equal ones that `allows` does not refuse.
+ */
+export function* searchNear(
+  { origin, eye }: ShadingFrame,
+  place: Vec3,
+  geometry: BufferGeometry,
+  matrixWorld: Matrix4,
+  range: readonly [first: number, end: number],
+  most: number,
+  allows: (read: () => NearPoint) => boolean,
+): RaySearch<NearPoint | null> {
+  const { index } = geometry;
+  const position = geometry.getAttribute('position');
+  const rows = rowsOf(
+    { frame: { origin, eye: place, ...WORLD_AXES }, slopeX: 0, slopeY: 0, near: 0, far: 0 },
+    matrixWorld,
+  );
+  const [rowX, rowY, rowZ] = rows;
+  const along = (row: MatrixRow, i: number): number =>
+    row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
+  const vertex = (corner: number): number => (index === null ? corner : index.getX(corner));
+  const placeOf = (i: number): Vec3 => [along(rowX, i), along(rowY, i), -along(rowZ, i)];
+  const fromEye = subtract(place, eye);
+  const mirrored = matrixWorld.determinant() < 0;
+  const pointOf = (corner: number): NearPoint => {
+    const corners = [vertex(corner), vertex(corner + 1), vertex(corner + 2)] as const;
+    const [a, b, c] = [placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2])];
+    const weights = nearestWeights(a, b, c);
+    const normal = cross(subtract(b, a), subtract(c, a));
+    const front = dot(normal, add(a, fromEye)) < 0 !== mirrored;
+    return { triangle: corner / 3, corners, weights, front, away: weighted(weights, [a, b, c]) };
+  };
+  let found = -1;
+  let reach = most;
+  let tested = 0;
+  const test = (from: number, to: number): boolean => {
+    tested += (to - from) / 3;
+    for (let corner = from; corner + 2 < to; corner += 3) {
+      const a = vertex(corner);
+      const b = vertex(corner + 1);
+      const c = vertex(corner + 2);
+      const ax = along(rowX, a);
+      const bx = along(rowX, b);
+      const cx = along(rowX, c);
+      if (isBeyond(ax, bx, cx, reach)) continue; // most triangles are rejected here
+      const ay = along(rowY, a);
+      const by = along(rowY, b);
+      const cy = along(rowY, c);
+      if (isBeyond(ay, by, cy, reach)) continue;
+      const az = along(rowZ, a);
+      const bz = along(rowZ, b);
+      const cz = along(rowZ, c);
+      if (isBeyond(az, bz, cz, reach)) continue;
+      tested += NEAR;
+      // As nearestWeights() below, without lists.
+      const nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
+      const ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
+      const nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+      const squared = nx * nx + ny * ny + nz * nz;
+      const height = ax * nx + ay * ny + az * nz;
+      const most2 = reach * reach;
+      if (!(squared > 0) || height * height > most2 * squared) continue;
+      const isInside =
+        nx * (by * cz - bz * cy) + ny * (bz * cx - bx * cz) + nz * (bx * cy - by * cx) >= 0 &&
+        nx * (cy * az - cz * ay) + ny * (cz * ax - cx * az) + nz * (cx * ay - cy * ax) >= 0 &&
+        nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx) >= 0;
+      const away = isInside
+        ? (height * height) / squared
+        : Math.min(
+            toSide(ax, ay, az, bx, by, bz),
+            toSide(bx, by, bz, cx, cy, cz),
+            toSide(cx, cy, cz, ax, ay, az),
+          );
+      if (!(away <= most2)) continue;
+      const allowed = allows(() => {
+        tested += READ;
+        return pointOf(corner);
+      });
+      if (!allowed) continue;
+      found = corner;
+      reach = Math.sqrt(away);
+    }
+    return tested >= STEP;
+  };
+  const meets = (boxes: BoxList, at: number): boolean => {
+    const x = distanceToZero(rowX, boxes, at);
+    const y = distanceToZero(rowY, boxes, at);
+    const z = distanceToZero(rowZ, boxes, at);
+    return !(x * x + y * y + z * z > reach * reach);
+  };
+  yield* inSteps(geometry, range, meets, test, () => {
+    const step = tested;
+    tested = 0;
+    return step;
+  });
+  return found < 0 ? null : pointOf(found);
+}
+
+const WORLD_AXES = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] } as const;
+
+const isBeyond = (a: number, b: number, c: number, reach: number): boolean =>
+  (a > reach && b > reach && c > reach) || (a < -reach && b < -reach && c < -reach);
+
+/** The square of the origin's distance from a side. */
+function toSide(ax: number, ay: number, az: number, bx: number, by: number, bz: number): number {
+  const dx = bx - ax;
+  const dy = by - ay;
+  const dz = bz - az;
+  const share = clamp(-(ax * dx + ay * dy + az * dz) / (dx * dx + dy * dy + dz * dz), 0, 1);
+  const x = ax + share * dx;
+  const y = ay + share * dy;
+  const z = az + share * dz;
+  return x * x + y * y + z * z;
+}
+
+export const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
+  add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
+
+/**
+ * Weights of the point of a triangle that is nearest to the origin: inside it where the origin lies
+ * above it, else the nearest of its sides.
+ */
+function nearestWeights(a: Vec3, b: Vec3, c: Vec3): Vec3 {
+  const normal = cross(subtract(b, a), subtract(c, a));
+  // Twice the areas that the origin's foot on the plane spans with each side, times the normal's length.
+  const inside: Vec3 = [
+    dot(normal, cross(b, c)),
+    dot(normal, cross(c, a)),
+    dot(normal, cross(a, b)),
+  ];
+  if (Math.min(...inside) >= 0) return scale(inside, 1 / (inside[0] + inside[1] + inside[2]));
+  const sides: readonly Vec3[] = [
+    ((t: number): Vec3 => [1 - t, t, 0])(shareAlong(a, b)),
+    ((t: number): Vec3 => [0, 1 - t, t])(shareAlong(b, c)),
+    ((t: number): Vec3 => [t, 0, 1 - t])(shareAlong(c, a)),
+  ];
+  const distances = sides.map((weights) => length(weighted(weights, [a, b, c])));
+  return sides[distances.indexOf(Math.min(...distances))]!;
+}
+
+/** Of the way from one point to another, where the origin is nearest. */
+function shareAlong(from: Vec3, to: Vec3): number {
+  const way = subtract(to, from);
+  return clamp(-dot(from, way) / dot(way, way), 0, 1);
 }
 
 const hitOf = (n: HitNumbers): TriangleHit => ({
@@ -211,7 +402,11 @@ function rowsOf(
 }
 
 /** False only if the function is above 0, or below, in the whole box; NaN counts as 0. */
-function hasZero(row: MatrixRow, boxes: BoxList, at: number): boolean {
+const hasZero = (row: MatrixRow, boxes: BoxList, at: number): boolean =>
+  !(distanceToZero(row, boxes, at) > 0);
+
+/** The least absolute value of a function in a box, or a little less. */
+function distanceToZero(row: MatrixRow, boxes: BoxList, at: number): number {
   const x = row[0] * boxes[at]!;
   const y = row[1] * boxes[at + 1]!;
   const z = row[2] * boxes[at + 2]!;
@@ -221,5 +416,5 @@ function hasZero(row: MatrixRow, boxes: BoxList, at: number): boolean {
     Math.abs(row[2]) * boxes[at + 5]!;
   // Far more than the roundings of float64 at a vertex, 1e-16 of each product.
   const slack = 1e-12 * (extent + Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(row[3]));
-  return !(Math.abs(x + y + z + row[3]) > extent + slack);
+  return Math.max(Math.abs(x + y + z + row[3]) - (extent + slack), 0);
 }

@@ -14,7 +14,7 @@ import {
 import { isDecodable } from '../../phong/material/decoded-texture.js';
 import { srgbDecode } from '../../phong/math/color.js';
 import type { Vec4 } from '../../phong/math/vector.js';
-import { type TriangleHit, weightsBeside } from './ray-triangles.js';
+import { type TriangleHit, type TrianglePoint, weightsBeside } from './ray-triangles.js';
 import { NoWebGL2Error } from '../../viewer/extra.js';
 
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
@@ -78,8 +78,6 @@ export function decodedAt(texture: Texture, geometry: BufferGeometry, hit: Trian
   return isDecoded ? [r, g, b, a] : [srgbDecode(r), srgbDecode(g), srgbDecode(b), a];
 }
 
-type TrianglePoint = Pick<TriangleHit, 'corners' | 'weights'>;
-
 /** u, v after the texture's transform. */
 function coordinatesAt(
   { channel, matrix }: Texture,
@@ -134,7 +132,7 @@ export function isMinified(
   const [u, v] = coordinatesAt(texture, geometry, hit);
   const texelsTo = (x: number, y: number): readonly [number, number] => {
     const weights = weightsBeside(hit, x, y);
-    const [there, below] = coordinatesAt(texture, geometry, { corners: hit.corners, weights });
+    const [there, below] = coordinatesAt(texture, geometry, { ...hit, weights });
     return [(there - u) * width, (below - v) * height];
   };
   // A GPU takes differences within squares of four pixels, so its neighbour is on either side.

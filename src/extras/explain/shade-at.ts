@@ -2,7 +2,7 @@
 // at the fragment, or under Gouraud shading at the triangle's corners, interpolated.
 import type { Mesh } from 'three';
 import type { LightValues, Term } from '../../phong/light/light-state.js';
-import { add, map, scale, subtract, type Vec3, type Vec4 } from '../../phong/math/vector.js';
+import { add, map, subtract, type Vec3, type Vec4 } from '../../phong/math/vector.js';
 import type * as Reference from '../../phong/reference/index.js';
 import type { LightShare, Shaded } from '../../phong/reference/index.js';
 import {
@@ -14,7 +14,7 @@ import {
   type ViewerSnapshot,
 } from '../../viewer/extra.js';
 import { cornersOf, type Hit, pick, pickNear } from './pick.js';
-import type { RaySearch } from './ray-triangles.js';
+import { type RaySearch, weighted } from './ray-triangles.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
 
 const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), 'shadeAt');
@@ -191,9 +191,6 @@ function relative(values: LightValues, origin: Vec3): LightValues {
   if (w === 0 || values.space === 'camera') return values;
   return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
-
-const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
-  add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
 
 function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
   const [a, b, c] = corners.map(({ tangent }) => tangent);

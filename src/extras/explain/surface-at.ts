@@ -22,7 +22,7 @@ import {
   type Vec4,
 } from '../../phong/math/vector.js';
 import type { DrawnLook } from '../../viewer/extra.js';
-import type { TriangleHit } from './ray-triangles.js';
+import type { TriangleHit, TrianglePoint } from './ray-triangles.js';
 import { interpolated, isMinified, type PixelSlopes, sampleAt, decodedAt } from './sample.js';
 
 /** A surface as the reference equation takes it. */
@@ -38,7 +38,7 @@ export interface SurfaceHere extends Readonly<SurfaceValues> {
 export function surfaceAt(
   { look, style, linear, surface }: DrawnLook,
   geometry: BufferGeometry,
-  hit: TriangleHit,
+  hit: TrianglePoint,
   base: BaseColor,
 ): SurfaceHere {
   const { unlit, emissiveMap, metalRoughMap, roughness } = look;
@@ -86,7 +86,7 @@ export function isFiltered(
 export function mappedNormalAt(
   { look, style }: DrawnLook,
   geometry: BufferGeometry,
-  hit: TriangleHit,
+  hit: TrianglePoint,
   N: Vec3,
   tangent: Vec4 | null,
 ): Vec3 {
@@ -106,7 +106,7 @@ const WHITE: Vec3 = [1, 1, 1];
 function texelAt(
   texture: Texture,
   geometry: BufferGeometry,
-  hit: TriangleHit,
+  hit: TrianglePoint,
   decoded = false,
 ): Vec3 {
   const [r, g, b] = (decoded ? decodedAt : sampleAt)(texture, geometry, hit);
@@ -128,7 +128,7 @@ export interface BaseColor {
 export function baseColorAt(
   look: BaseLook,
   geometry: BufferGeometry,
-  hit: TriangleHit,
+  hit: TrianglePoint,
   linear: boolean,
 ): BaseColor {
   const own = linear ? map(look.baseColor, srgbDecode) : look.baseColor;
@@ -155,7 +155,7 @@ export function baseColorAt(
 function vertexColorAt(
   storedLinear: boolean,
   geometry: BufferGeometry,
-  hit: TriangleHit,
+  hit: TrianglePoint,
   linear: boolean,
 ): Vec4 {
   const decode = linear && !storedLinear;
