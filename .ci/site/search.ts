@@ -34,7 +34,9 @@ export function entriesOf({ path, html }: SearchedPage): SearchEntry[] {
     const title = textOf(name);
     if (whole === undefined || title === '') return [];
     const address = path + (id === undefined || start[1] === '1' ? '' : `#${id}`);
-    const of = title === page ? '' : page;
+    // Of a name in a table, its element too: several have a `position`.
+    const element = /^<code/.test(part) ? `${/^phong-[a-z]+/.exec(id ?? '')?.[0] ?? ''}, ` : '';
+    const of = title === page ? '' : element + page;
     return [{ address, title, page: of, text: textOf(part.slice(whole.length)) }];
   });
 }

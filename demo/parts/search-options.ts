@@ -15,5 +15,12 @@ export const SEARCH_OPTIONS: Options<SearchEntry> = {
   idField: 'address',
   fields: ['title', 'page', 'text'],
   storeFields: ['title', 'page'],
-  searchOptions: { boost: { title: 4, page: 2 }, prefix: true, fuzzy: 0.2, combineWith: 'AND' },
+  searchOptions: {
+    boost: { title: 4, page: 2 },
+    // A name in a table comes before a section only where it is the word itself.
+    boostDocument: (id) => (String(id).includes('#phong-') ? 0.4 : 1),
+    prefix: true,
+    fuzzy: (word) => (word.length > 4 ? 0.2 : false),
+    combineWith: 'AND',
+  },
 };

@@ -83,7 +83,7 @@ test('each section and each name is an entry of the search, without markup', () 
     {
       address: 'guide/reference/#phong-light-axis',
       title: 'axis',
-      page: 'Reference',
+      page: 'phong-light, Reference',
       text: 'Where a spot points.',
     },
   ]);
