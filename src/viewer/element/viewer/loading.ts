@@ -57,8 +57,12 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       const isFirst = (near && !this.#near) || (painted && !this.#painted);
       this.#near ||= near;
       this.#painted ||= painted;
-      if (isFirst && context.values.loading !== 'eager') {
-        this.update();
+      if (!isFirst) return;
+      // Those that waited. An update of the others would count as a change of the picture.
+      for (const mesh of this.#meshes()) {
+        if (mesh.complete === null) {
+          mesh.update();
+        }
       }
     });
     takeDrops(viewer);
