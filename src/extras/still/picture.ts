@@ -5,7 +5,7 @@
 // the same lights' cones and horizons), and Simpson's rule agrees with a rule of lower order to a
 // quarter of a code, its mean is right to some hundredths. A curve that enters between two of the
 // points, half a pixel apart, and leaves again cuts off 0.01 / r of the pixel, r being its radius in
-// pixels.
+// pixels. Not where highlights may be that narrow.
 //
 // All other pixels are cut into equal squares, with one sample at a random place in each, and the
 // more the colours vary, the more squares there are. Where colours are linear and differ by c codes,
@@ -54,7 +54,8 @@ export function castRows(
       const isSmooth =
         middle.isAll(piece, column) && top.isAll(piece, column) && bottom.isAll(piece, column);
       if (isSmooth && piece === NOTHING && !tracer.mayMeet(column, row, true)) continue;
-      if (!isSmooth || piece === NOTHING || !bySimpson(top, middle, bottom, column)) {
+      const mayHide = tracer.hasNarrowLobes || piece === NOTHING;
+      if (!isSmooth || mayHide || !bySimpson(top, middle, bottom, column)) {
         castPixel(tracer, column, row, most, isSmooth, piece);
       }
       means.set(mean, 4 * ((row - from) * width + column));

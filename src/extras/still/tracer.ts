@@ -44,8 +44,16 @@ export interface Sample {
 /** The piece of a sample that meets nothing. */
 export const NOTHING = 0;
 
+/**
+ * Largest exponent whose highlights nine points of a pixel find. With them, a knot of exponent 2,000
+ * is 1.02 codes (RMSE) off the screen and 0.61 without, a teapot of 120 0.77 and 0.70.
+ */
+const LARGEST_WIDE_EXPONENT = 64;
+
 export class Tracer {
   readonly screen: Screen;
+  /** A highlight may be narrower than the points of a pixel are apart. */
+  readonly hasNarrowLobes: boolean;
   readonly #scene: CastScene;
   readonly #solids: Solid[] = [];
   readonly #triangles: Triangles;
@@ -65,6 +73,9 @@ export class Tracer {
   constructor(scene: CastScene, width: number, height: number) {
     this.#scene = scene;
     this.screen = new Screen(scene.camera, width, height);
+    this.hasNarrowLobes = scene.objects.some(
+      ({ material }) => material.shininess > LARGEST_WIDE_EXPONENT,
+    );
     this.#lights = new LightSums(scene.lights, scene.camera, scene.linear ?? false);
     this.#triangles = new Triangles(this.screen);
     const { eye, back } = scene.camera;
