@@ -50,6 +50,8 @@ export class OrbitInput {
   /** Where a finger pressed, until it is clear whether it scrolls the page or drags. */
   #undecided: { readonly x: number; readonly y: number } | undefined;
   #menuUntil = -1;
+  /** The menu of the drag in progress has been suppressed: none follows its release. */
+  #menuCame = false;
   /** Where the drag began, and whether a pointer has moved away from there since. */
   #start = { x: 0, y: 0, left: false };
   #release: ((moved: boolean) => void) | undefined;
@@ -143,6 +145,7 @@ export class OrbitInput {
     const kind = event.button === SECONDARY || event.shiftKey ? 'shift' : 'turn';
     if (!this.#gesture.press(event.pointerId, event.clientX, event.clientY, kind)) return;
     this.#button = event.button;
+    this.#menuCame = false;
     this.#touching = touch;
     this.#undecided = touch && begins ? { x: event.clientX, y: event.clientY } : undefined;
     try {
@@ -186,7 +189,7 @@ export class OrbitInput {
   #onLift(event: PointerEvent): void {
     if (!this.#gesture.has(event.pointerId)) return;
     this.#lift(event.pointerId);
-    if (this.#button === SECONDARY && this.#gesture.dragged) {
+    if (this.#button === SECONDARY && this.#gesture.dragged && !this.#menuCame) {
       this.#menuUntil = event.timeStamp + MENU_DELAY;
     }
   }
@@ -202,6 +205,7 @@ export class OrbitInput {
       !(event.timeStamp <= this.#menuUntil);
     this.#menuUntil = -1;
     if (!wanted) {
+      this.#menuCame = true;
       event.preventDefault();
     }
     // An open menu captures the mouse. Touch is different: a long press fires `contextmenu` even if

@@ -353,6 +353,15 @@ describe('defaults of the browser', () => {
     expect(menu(30)).toBe(false);
   });
 
+  it('the context menu of the next press opens, here or elsewhere, where a drag had its own at its press', () => {
+    const { mouse, menu } = setUp();
+    mouse('pointerdown', 0, SECONDARY);
+    expect(menu(1)).toBe(true);
+    mouse('pointermove', 80, SECONDARY);
+    mouse('pointerup', 80, { button: 2, buttons: 0, timeStamp: 10 });
+    expect(menu(20)).toBe(false);
+  });
+
   it('a context menu ends the drag of a mouse, which it captures, but not of a finger', () => {
     const { log, mouse, touch, menu } = setUp();
     mouse('pointerdown', 0);
