@@ -25,6 +25,11 @@ const scenes = {
   'a shape': `<phong-viewer geometry="teapot">${light}</phong-viewer>`,
   'a flat shape': `<phong-viewer geometry="sphere" shading="flat">${light}</phong-viewer>`,
   'a text model': `<phong-viewer src="/fixtures/models/quads.obj">${light}</phong-viewer>`,
+  'a glTF model': `<phong-viewer src="${model}">${light}</phong-viewer>`,
+  'a glTF model with Draco': `<phong-viewer src="/assets/models/bunny.glb">${light}</phong-viewer>`,
+  'a glTF model with a skin': `<phong-viewer src="/assets/models/real/figure/RiggedFigure.gltf">${light}</phong-viewer>`,
+  'a glTF model with morph targets': `<phong-viewer src="/assets/models/real/morph-cube/AnimatedMorphCube.gltf">${light}</phong-viewer>`,
+  'a flat glTF model': `<phong-viewer src="${model}" shading="flat">${light}</phong-viewer>`,
   'a converged picture': `<phong-viewer geometry="box" antialias="full" samples="16">${light}</phong-viewer>`,
   'a viewer with all extras': `<phong-viewer geometry="box" gui helpers="lights axes grid normals bounds"
     view="n-dot-l" probe probe-at="0.5 0.5 0.5" camera-group="a">${light}</phong-viewer>`,

@@ -31,6 +31,7 @@ export function dracoLoader(slices: Slices, signal: AbortSignal): DracoLoader {
     await slices.pause();
     const { index, attributes } = await thread.decode(job, signal);
     const geometry = new BufferGeometry();
+    Object.setPrototypeOf(geometry.attributes, null); // as in primitives.ts
     geometry.setIndex(new BufferAttribute(index, 1));
     for (const [name, { array, itemSize }] of Object.entries(attributes)) {
       geometry.setAttribute(name, new BufferAttribute(array, itemSize));

@@ -125,9 +125,12 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     const accessor = accessors.at(written[writtenName], name);
     return [{ name, accessor, items: Math.max(least, accessor.components) }];
   });
-  const indexes = Object.fromEntries(
-    attributes.map(({ name, accessor }) => [name, accessor.index]),
-  );
+  // Without a prototype, as the Draco attributes: three.js would look for an accessor by what a page
+  // added to Object.prototype.
+  const indexes = Object.create(null) as Record<string, number>;
+  for (const { name, accessor } of attributes) {
+    indexes[name] = accessor.index;
+  }
   const order =
     primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
   const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
@@ -219,7 +222,7 @@ function readDraco(
   nameOf: (written: string) => string,
   context: PrimitiveContext,
 ): { bufferView: number; attributes: JsonObject } {
-  const attributes: Record<string, number> = {};
+  const attributes = Object.create(null) as Record<string, number>;
   const ids = objectAt(extension['attributes'], DRACO);
   for (const written of namesIn(ids, DRACO)) {
     const name = nameOf(written);
