@@ -68,8 +68,9 @@ export interface ViewerProperties extends ShapeProperties {
   set poster(value: Accepted['poster']);
   /**
    * What waits until the viewer is in view or less than a screen height away from it. `auto`:
-   * drawing; models are fetched at once. `eager`: nothing, the picture is drawn off screen too, as
-   * screenshots of whole pages need. `lazy`: drawing and fetching models. Default auto.
+   * drawing; models are fetched at once, but inside a closed dialog or `<details>` only once it is
+   * opened. `eager`: nothing, the picture is drawn off screen too, as screenshots of whole pages
+   * need. `lazy`: drawing and fetching models. Default auto.
    */
   get loading(): Loading;
   set loading(value: Accepted['loading']);
