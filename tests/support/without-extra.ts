@@ -1,0 +1,92 @@
+// The source without an extra: without its folder, its rows in the table of extras, and the extras
+// that depend on it.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import ts from 'typescript';
+import { layers } from '../../.ci/layers.mjs';
+
+export const repository = fileURLToPath(new URL('../..', import.meta.url));
+
+export const TABLE = 'src/viewer/extras.ts';
+
+export const EXTRAS: readonly string[] = readdirSync(join(repository, 'src/extras'), {
+  withFileTypes: true,
+})
+  .filter((entry) => entry.isDirectory())
+  .map(({ name }) => name);
+
+/** `extra`, and those that may import it, in turn. */
+export function withDependents(extra: string): ReadonlySet<string> {
+  const gone = new Set([extra]);
+  for (const each of gone) {
+    for (const other of EXTRAS) {
+      const { layers: plain = [], lazy = [] } = layers[`extras/${other}`] ?? {};
+      if ([...plain, ...lazy].includes(`extras/${each}`)) {
+        gone.add(other);
+      }
+    }
+  }
+  return gone;
+}
+
+/** The table without the rows of these extras, and without the imports that only they used. */
+export function tableWithout(gone: ReadonlySet<string>): string {
+  const code = readFileSync(join(repository, TABLE), 'utf8');
+  const file = ts.createSourceFile(TABLE, code, ts.ScriptTarget.Latest, true);
+  const isGone = (node: ts.Node): boolean =>
+    [...gone].some((name) => node.getText().includes(`'../extras/${name}/`));
+  const cuts: ts.Node[] = [];
+  for (const statement of file.statements) {
+    if (!ts.isExpressionStatement(statement) || !ts.isCallExpression(statement.expression))
+      continue;
+    const rows = statement.expression.arguments.filter(ts.isObjectLiteralExpression);
+    cuts.push(...(rows.length > 0 ? rows : [statement]).filter(isGone));
+  }
+  let left = code;
+  for (const node of cuts.reverse()) {
+    const comma = left[node.end] === ',' ? 1 : 0;
+    left = left.slice(0, node.getStart()) + left.slice(node.end + comma);
+  }
+  const uses = (name: string): number => left.match(new RegExp(`\\b${name}\\b`, 'g'))?.length ?? 0;
+  return left.replace(/import \{([^}]*)\} from ('[^']*');\n/g, (_line, names: string, from) => {
+    const used = names.split(',').filter((name) => uses(name.trim()) > 1);
+    return used.length === 0 ? '' : `import {${used.join()}} from ${String(from)};\n`;
+  });
+}
+
+const parsed = new Map<string, ts.SourceFile | undefined>();
+
+/** What the compiler says of src/ without these extras. */
+export function typeErrors(gone: ReadonlySet<string>): readonly string[] {
+  const config = ts.readConfigFile(join(repository, 'tsconfig.json'), (path) =>
+    readFileSync(path, 'utf8'),
+  ).config as object;
+  const { options, fileNames } = ts.parseJsonConfigFileContent(
+    { ...config, include: ['src'] },
+    ts.sys,
+    repository,
+  );
+  const folders = [...gone].map((name) => `/src/extras/${name}/`);
+  const isGone = (path: string): boolean => folders.some((folder) => path.includes(folder));
+  const host = ts.createCompilerHost(options);
+  const { fileExists, getSourceFile } = host;
+  host.fileExists = (path) => !isGone(path) && fileExists(path);
+  host.getSourceFile = (path, version, ...rest) => {
+    if (path.endsWith(TABLE)) return ts.createSourceFile(path, tableWithout(gone), version, true);
+    if (!parsed.has(path)) {
+      parsed.set(path, getSourceFile(path, version, ...rest));
+    }
+    return parsed.get(path);
+  };
+  const roots = fileNames.filter((path) => !isGone(path));
+  const program = ts.createProgram(roots, options, host);
+  return ts
+    .getPreEmitDiagnostics(program)
+    .map(({ file, messageText }) =>
+      [file?.fileName.slice(repository.length), ts.flattenDiagnosticMessageText(messageText, '\n')]
+        .filter((part) => part !== undefined)
+        .join(': '),
+    );
+}
