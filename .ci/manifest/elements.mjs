@@ -39,13 +39,13 @@ const folder = join(repository, 'src/viewer/element');
  */
 export function describeElements({ fields, attributeOf, formatValue }) {
   const tags = Object.keys(fields);
-  const files = [...tags, 'events'].map((name) => join(folder, `${name}.ts`));
+  const files = [...tags, 'elements'].map((name) => join(folder, `${name}.ts`));
   const program = ts.createProgram(
     [...files, join(repository, 'src/glsl.d.ts')],
     compilerOptions(),
   );
   const reader = new SourceReader(program.getTypeChecker());
-  const eventsFile = program.getSourceFile(join(folder, 'events.ts'));
+  const eventsFile = program.getSourceFile(join(folder, 'elements.ts'));
   return tags.map((tag) => {
     const file = program.getSourceFile(join(folder, `${tag}.ts`));
     const className = tag.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());

@@ -3,15 +3,18 @@
 export { registryAround } from './element/child-registry.js';
 export { create, createSvg, set, write, zoomOf } from './element/dom.js';
 export type {
+  AnswerDetail,
   CameraSource,
+  FragmentExplanation,
+  LightExplanation,
   PhongCompare,
   PhongLight,
   PhongMesh,
   PhongViewer,
   PictureOptions,
+  ProbeDetail,
+  ShadeOptions,
 } from './element/elements.js';
-export type { AnswerDetail, ProbeDetail } from './element/events.js';
-export type { FragmentExplanation, LightExplanation, ShadeOptions } from './element/explanation.js';
 export type { CreatePanel, Panel, PanelChange } from './element/extra-code.js';
 export { attributeOf, formatValue, parseText } from './element/fields/attribute-text.js';
 export type { CompareValues } from './element/fields/compare-fields.js';

@@ -40,12 +40,19 @@ endEarly();
 export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
 export type { ViewerErrorCode, ViewerTexts } from './element/fields/texts.js';
 export type {
+  CameraSource,
+  CameraState,
+  FragmentExplanation,
+  LightExplanation,
   LoadDetail,
   PhongCompareEventMap,
   PhongMeshEventMap,
   PhongViewerEventMap,
+  PictureOptions,
+  ShadeOptions,
   ViewerErrorDetail,
-} from './element/events.js';
+  ViewerStats,
+} from './element/elements.js';
 export type { NumberList } from './element/fields/properties.js';
 export type {
   PhongCompareProps,
@@ -54,6 +61,4 @@ export type {
   PhongMeshProps,
   PhongViewerProps,
 } from './element/template-types.js';
-export type { FragmentExplanation, LightExplanation, ShadeOptions } from './element/explanation.js';
-export type { CameraSource, CameraState, PictureOptions, ViewerStats } from './element/elements.js';
 export type { Vec3, Vec4 } from '../phong/math/vector.js';

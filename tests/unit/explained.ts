@@ -1,6 +1,6 @@
 // The fragment at the origin of a floor, as shadeAt explains it.
 import { Mesh } from 'three';
-import type { FragmentExplanation } from '../../src/viewer/element/explanation.js';
+import type { FragmentExplanation } from '../../src/viewer/element/elements.js';
 import type { PhongViewer } from '../../src/viewer/element/phong-viewer.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import {

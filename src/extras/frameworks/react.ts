@@ -12,7 +12,7 @@ import {
   useLayoutEffect,
   useRef,
 } from 'react';
-import type { PhongCompareEventMap, PhongViewerEventMap } from '../../viewer/element/events.js';
+import type { PhongCompareEventMap, PhongViewerEventMap } from '../../viewer/element/elements.js';
 import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
 import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
 import type {

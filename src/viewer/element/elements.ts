@@ -1,21 +1,15 @@
-// The elements as their users and each other's parts see them. The classes implement these types.
-// Types only.
-import type { LitElement } from 'lit';
-import type { Scene } from 'three';
-import type {
-  Listen,
-  PhongCompareEventMap,
-  PhongMeshEventMap,
-  PhongViewerEventMap,
-} from './events.js';
-import type { FragmentExplanation, ShadeOptions } from './explanation.js';
+// The elements, their events and explanations, as their users and each other's parts see them. The
+// classes implement these types. Types only.
+import type { Vec3 } from '../../phong/math/vector.js';
+import type { LightShare } from '../../phong/reference/index.js';
+import type { ViewportStats } from '../scene/picture.js';
 import type { CompareProperties } from './fields/compare-fields.js';
 import type { ControlProperties } from './fields/control-properties.js';
 import type { LightProperties, MeshProperties } from './fields/properties.js';
-import type { ViewerTexts } from './fields/texts.js';
+import type { ViewerErrorCode, ViewerTexts } from './fields/texts.js';
 import type { ViewerProperties } from './fields/viewer-fields.js';
-import type { Vec3 } from '../../phong/math/vector.js';
-import type { ViewportStats } from '../scene/picture.js';
+import type { LitElement } from 'lit';
+import type { Mesh, Scene } from 'three';
 
 /** The class of an element. */
 export interface ElementClass<E extends HTMLElement> {
@@ -227,4 +221,211 @@ declare global {
     'phong-compare': PhongCompare;
     'phong-control': PhongControl;
   }
+}
+
+export interface ViewerErrorDetail {
+  readonly code: ViewerErrorCode;
+  /** For the page's author. */
+  readonly message: string;
+  /** The address that could not be loaded; null if the error is about something else. */
+  readonly url: string | null;
+}
+
+/** What was loaded. */
+export interface LoadDetail {
+  readonly url: string;
+  /**
+   * Images and material libraries that are missing or broken, by the names in the model; empty if
+   * all are there.
+   */
+  readonly missing: readonly string[];
+}
+
+/** Events of `<phong-mesh>`. None bubbles. */
+export interface PhongMeshEventMap {
+  /**
+   * Its `src` is shown; `detail.url` is where it came from, `detail.missing` what it is shown
+   * without.
+   */
+  load: CustomEvent<LoadDetail>;
+  /** Its `src` cannot be shown; `detail.code` and `detail.message` say why. */
+  error: CustomEvent<ViewerErrorDetail>;
+}
+
+/** What the probe shows. */
+export interface ProbeDetail {
+  /** As by `shadeAt`; null where none is explained. */
+  readonly fragment: FragmentExplanation | null;
+  /** Where it is, as `shadeAt` takes it. Null outside the picture, and while nothing is shown. */
+  readonly x: number | null;
+  readonly y: number | null;
+  /** It stays there when the mouse moves. */
+  readonly pinned: boolean;
+}
+
+/** An answer to a question of `probe="ask"`. */
+export interface AnswerDetail {
+  readonly term: 'ambient' | 'diffuse' | 'specular' | 'sum';
+  /** Null for the sum and the head-light. */
+  readonly light: PhongLight | null;
+  /** Null where all channels are equal. */
+  readonly channel: 'red' | 'green' | 'blue' | null;
+  /** As typed, and as a number; null if it is none. */
+  readonly text: string;
+  readonly value: number | null;
+  readonly expected: number;
+  readonly correct: boolean;
+  /** The likeliest one that gives this value. Null for right answers and unusual ones. */
+  readonly mistake:
+    | 'digits'
+    | 'left-out'
+    | 'unclamped'
+    | 'angle'
+    | 'radians'
+    | 'sine'
+    | 'exponent'
+    | 'times-exponent'
+    | 'other-value'
+    | 'attenuation'
+    | 'aperture'
+    | 'cone'
+    | 'behind'
+    | 'scale'
+    | null;
+}
+
+/**
+ * Events of `<phong-viewer>`. None bubbles. `progress`, `camera-change` and `light-change` come
+ * once for a task, however many there were.
+ */
+export interface PhongViewerEventMap {
+  /**
+   * A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from,
+   * `detail.missing` what it is shown without.
+   */
+  load: CustomEvent<LoadDetail>;
+  /** Bytes of models have arrived; `detail.totalProgress` is from 0 to 1. */
+  progress: CustomEvent<{ readonly totalProgress: number }>;
+  /**
+   * Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if
+   * any.
+   */
+  error: CustomEvent<ViewerErrorDetail>;
+  /**
+   * The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another
+   * viewer of its `camera-group`.
+   */
+  'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
+  /**
+   * Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it
+   * may be empty).
+   */
+  'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
+  /**
+   * The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and
+   * `detail.y`.
+   */
+  'probe-change': CustomEvent<ProbeDetail>;
+  /** The user answered a question of `probe="ask"`. */
+  answer: CustomEvent<AnswerDetail>;
+  /** A changed picture is on the canvas. Its pixels can be read in the listener, but not later. */
+  render: CustomEvent<null>;
+}
+
+/** Events of `<phong-compare>`. None bubbles. */
+export interface PhongCompareEventMap {
+  /** The user moved a divider; `detail.at` are the places of all, in percent. */
+  'divider-change': CustomEvent<{ readonly at: readonly number[] }>;
+}
+
+/** All events by name, including those of every element. */
+type HeardEvents<Own> = Omit<HTMLElementEventMap, keyof Own> & Own;
+
+/** `addEventListener` and `removeEventListener` of an element with its own events. */
+export interface Listen<E, Own> {
+  <K extends keyof HeardEvents<Own>>(
+    type: K,
+    listener: (this: E, event: HeardEvents<Own>[K]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  (
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+}
+
+/** One light's share of a fragment. Frozen. */
+export interface LightExplanation extends LightShare {
+  /** The light's element; null for the head-light of a viewer without lights. */
+  readonly light: PhongLight | null;
+  /** Its name as the panel shows it. */
+  readonly name: string;
+}
+
+export interface ShadeOptions {
+  /**
+   * Explains the point at `x`, `y` itself, not the one at its pixel's centre: for
+   * `antialias="full"`, whose pixels are means. Default false.
+   */
+  readonly exact?: boolean;
+}
+
+/**
+ * One fragment by the equation in float64. Frozen; lengths in scene units, vectors in world space.
+ */
+export interface FragmentExplanation {
+  /** The point on the surface. */
+  readonly p: Vec3;
+  /**
+   * Unit normal, interpolated and flipped toward the visible side; zero where the surface has none.
+   */
+  readonly N: Vec3;
+  /** Unit vector toward the eye. */
+  readonly V: Vec3;
+  /**
+   * The element the surface belongs to: a `<phong-mesh>`, or the viewer for its own `src` or
+   * `geometry`.
+   */
+  readonly mesh: PhongMesh | PhongViewer;
+  /** Its object in {@link PhongViewer.scene}. */
+  readonly object: Mesh;
+  /** The object's triangle, counted from 0 in the order of its geometry's index. */
+  readonly triangle: number;
+  /**
+   * Ka, Kd and Ks as the equation uses them: 0–1, with base colour and metalness, decoded if
+   * shading is linear.
+   */
+  readonly ka: Vec3;
+  readonly kd: Vec3;
+  readonly ks: Vec3;
+  /** The specular exponent n. */
+  readonly shininess: number;
+  /**
+   * The factor of ka and kd from a model's own colour, texture and vertex colours. Encoded sRGB,
+   * 0–1; 1 1 1 without any.
+   */
+  readonly baseColor: Vec3;
+  /** E, what the surface adds to the sum itself. Encoded sRGB; black for most. */
+  readonly emissive: Vec3;
+  /** m, 0–1: ka, kd and ks above include it. */
+  readonly metalness: number;
+  /** The colour is the base colour, whatever the lights; ka, kd and ks are black. */
+  readonly unlit: boolean;
+  /**
+   * The picture averages texels here, because a texture is drawn smaller than it is; this answer
+   * reads the texture at the one point `p`. So `color` can be another one than the picture's.
+   */
+  readonly filtered: boolean;
+  /** How much of `color` the picture shows, 0–1; the rest comes from what lies behind. */
+  readonly opacity: number;
+  /**
+   * One for each of {@link PhongViewer.lights}, in their order, null if it is not active; or the
+   * head-light alone. The terms of all of them add up to the sum.
+   */
+  readonly shares: readonly (LightExplanation | null)[];
+  /** The sum over the lights before it is clamped; encoded if shading is linear. 1 is full. */
+  readonly sum: Vec3;
+  /** The colour drawn: the sum clamped to 0–1. */
+  readonly color: Vec3;
 }

@@ -2,8 +2,14 @@
 // is fetched (`viewer/extras.ts`).
 import type { ReactiveController, TemplateResult } from 'lit';
 import { extraCode } from '../model/lazy-code.js';
-import type { PhongCompare, PhongControl, PhongViewer, PictureOptions } from './elements.js';
-import type { FragmentExplanation, ShadeOptions } from './explanation.js';
+import type {
+  FragmentExplanation,
+  PhongCompare,
+  PhongControl,
+  PhongViewer,
+  PictureOptions,
+  ShadeOptions,
+} from './elements.js';
 import type { ViewerSnapshot } from './viewer/extra-host.js';
 
 /** What has changed, so that a panel updates only that. */

@@ -3,8 +3,13 @@
 import { html, LitElement, nothing } from 'lit';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { reportMissing } from '../model/lazy-code.js';
-import type { ElementClass, PhongCompare as PublicCompare, PhongViewer } from './elements.js';
-import type { Listen, PhongCompareEventMap } from './events.js';
+import type {
+  ElementClass,
+  Listen,
+  PhongCompare as PublicCompare,
+  PhongCompareEventMap,
+  PhongViewer,
+} from './elements.js';
 import {
   COMPARE_FIELDS,
   type CompareProperties,

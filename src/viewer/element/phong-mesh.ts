@@ -3,8 +3,12 @@
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
 import { childBinding, ChildElement } from './child-element.js';
-import type { ElementClass, PhongMesh as PublicMesh } from './elements.js';
-import type { Listen, PhongMeshEventMap } from './events.js';
+import type {
+  ElementClass,
+  Listen,
+  PhongMesh as PublicMesh,
+  PhongMeshEventMap,
+} from './elements.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { MeshProperties } from './fields/properties.js';
 

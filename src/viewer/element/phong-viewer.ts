@@ -5,15 +5,17 @@ import type { Scene } from 'three';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import type {
   CameraState,
+  FragmentExplanation,
+  Listen,
   PhongLight,
   PhongMesh,
   PhongViewer as PublicViewer,
+  PhongViewerEventMap,
   PictureOptions,
+  ShadeOptions,
   ViewerClass,
 } from './elements.js';
 import { create, renderWhereShown } from './dom.js';
-import type { Listen, PhongViewerEventMap } from './events.js';
-import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import { explanationCode } from './extra-code.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';

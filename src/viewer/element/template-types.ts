@@ -16,8 +16,16 @@ import type { HTMLAttributes as SvelteAttributes } from 'svelte/elements';
 import type { HTMLAttributes as VueAttributes, PublicProps } from 'vue';
 import type { LightValues } from '../../phong/light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
-import type { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer } from './elements.js';
-import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
+import type {
+  PhongCompare,
+  PhongCompareEventMap,
+  PhongControl,
+  PhongLight,
+  PhongMesh,
+  PhongMeshEventMap,
+  PhongViewer,
+  PhongViewerEventMap,
+} from './elements.js';
 import type { CompareValues } from './fields/compare-fields.js';
 import type { ControlValues } from './fields/control-properties.js';
 import type { Inputs } from './fields/properties.js';

@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import type { FragmentExplanation } from '../../../src/viewer/element/explanation.js';
+import type { FragmentExplanation } from '../../../src/viewer/element/elements.js';
 import type { LightValues } from '../../../src/phong/light/light-state.js';
 import { srgbDecode } from '../../../src/phong/math/color.js';
 import { length, normalize } from '../../../src/phong/math/vector.js';

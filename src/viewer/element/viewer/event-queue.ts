@@ -2,8 +2,7 @@
 // the last detail, where each only says how things are now; one `light-change` covers all lights.
 import type { Signal } from '../../../phong/fields/signal.js';
 import type { LightState } from '../../../phong/light/light-state.js';
-import type { PhongLight } from '../elements.js';
-import type { PhongViewerEventMap } from '../events.js';
+import type { PhongLight, PhongViewerEventMap } from '../elements.js';
 import { lightOf } from '../phong-light.js';
 
 export class EventQueue {

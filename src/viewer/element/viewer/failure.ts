@@ -6,7 +6,7 @@ import { ModelError } from '../../model/model.js';
 import { nameOf } from '../../model/request-model.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import type { ViewerErrorDetail } from '../events.js';
+import type { ViewerErrorDetail } from '../elements.js';
 import type { ViewerErrorCode } from '../fields/texts.js';
 import type { EventQueue } from './event-queue.js';
 import type { ViewerContext } from './viewer-context.js';
