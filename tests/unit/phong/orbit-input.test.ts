@@ -516,7 +516,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     for (let drag = 0; drag < fullOr(1e5, 1000); drag++) {
       // Not beyond the poles: there the camera stops and the pointer goes on, and a new anchor
       // drops the difference.
-      orbit.set({ theta: from(-1000, 1000), phi: from(80, 100) });
+      orbit.set({ theta: from(-1000, 1000), phi: from(80, 100), radius: 4 });
       const { pose } = orbit;
       const start = { clientX: from(0, 600), clientY: from(0, 400) };
       pointer('pointerdown', start);
