@@ -1,8 +1,8 @@
 // @ts-check
-// The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), #private instead of
-// `private`, what `breaches` says more, and arithmetic that is the same in every engine in the files
-// that stills import. Not a plugin of oxlint: with one it takes 4 GiB of address space for each
-// core, and a small machine refuses that.
+// The lint rules of src/ that oxlint does not have: the layers (.ci/layers.mjs), #private instead
+// of `private`, what `breaches` says more, and arithmetic that is the same in every engine in the
+// files that stills import. Not a plugin of oxlint: with one it takes 4 GiB of address space for
+// each core, and a small machine refuses that.
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { posix } from 'node:path';

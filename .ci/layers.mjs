@@ -1,7 +1,7 @@
 // @ts-check
 // Who may import whom in src/: the one table, which .ci/house-rules.mjs enforces. Arrows go down
-// only, and a few doors are lazy: a lazily reached layer may be named in `import()` or `import type`,
-// never in a plain import.
+// only, and a few doors are lazy: a lazily reached layer may be named in `import()` or `import
+// type`, never in a plain import.
 
 import { posix } from 'node:path';
 
@@ -112,8 +112,8 @@ export const layers = {
 };
 
 /**
- * The layer of a file: the file itself where the table has a line for it, else its first two folders
- * under src/, the first alone for an entry, or `shaders`; undefined outside of both.
+ * The layer of a file: the file itself where the table has a line for it, else its first two
+ * folders under src/, the first alone for an entry, or `shaders`; undefined outside of both.
  * @param {string} file path with forward slashes
  */
 function layerOf(file) {

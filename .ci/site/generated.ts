@@ -1,5 +1,5 @@
-// The parts of pages that are not typed by hand: the examples, and the sizes from the built package.
-// Text in, HTML out.
+// The parts of pages that are not typed by hand: the examples, and the sizes from the built
+// package. Text in, HTML out.
 
 import { readdirSync, readFileSync, existsSync } from 'node:fs';
 import { join } from 'node:path';

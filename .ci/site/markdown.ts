@@ -1,5 +1,5 @@
-// Markdown to HTML, by markdown-it: the pages of demo/guide/, and the manifest's descriptions. Knows
-// no page's content.
+// Markdown to HTML, by markdown-it: the pages of demo/guide/, and the manifest's descriptions.
+// Knows no page's content.
 
 import MarkdownIt, { type Env, type Token } from 'markdown-it';
 
@@ -121,8 +121,8 @@ const plainFence = pages.renderer.rules.fence!;
 let figures = 0;
 
 /**
- * A block marked `html live` is a picture above its markup. Sizes are the page's: the policy refuses
- * `style`.
+ * A block marked `html live` is a picture above its markup. Sizes are the page's: the policy
+ * refuses `style`.
  */
 pages.renderer.rules.fence = (tokens, i, options, env, self) => {
   const { info, content } = tokens[i]!;

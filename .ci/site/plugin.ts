@@ -1,6 +1,6 @@
-// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- sizes
-// -->` by generated parts, adds the search index and what is at earlier addresses, and gives the
-// playground the documented attributes. The same in the development server and in the build.
+// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!--
+// sizes -->` by generated parts, adds the search index and what is at earlier addresses, and gives
+// the playground the documented attributes. The same in the development server and in the build.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';

@@ -1,7 +1,7 @@
 // Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js,
-// react.js, react-standalone.js, playwright.js, still.js and still-worker.js. Packages stay imports,
-// for the user's bundler or Node. `npm run build` runs this first; the standalone and the classic
-// file have configs of their own.
+// react.js, react-standalone.js, playwright.js, still.js and still-worker.js. Packages stay
+// imports, for the user's bundler or Node. `npm run build` runs this first; the standalone and the
+// classic file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -131,8 +131,8 @@ export default defineConfig(({ mode }) => ({
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
     target: 'es2022',
-    // Node's entries run as they are. A map would point stack traces to sources that the package does
-    // not have.
+    // Node's entries run as they are. A map would point stack traces to sources that the package
+    // does not have.
     sourcemap: !isForNode(mode),
     minify: !isForNode(mode),
     lib: {

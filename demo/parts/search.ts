@@ -1,5 +1,5 @@
-// The search field in each page's head. Its index is fetched with the first focus. Results are links
-// in a list below the field; Enter follows the first one, Escape closes the list.
+// The search field in each page's head. Its index is fetched with the first focus. Results are
+// links in a list below the field; Enter follows the first one, Escape closes the list.
 import type MiniSearch from 'minisearch';
 import type { SearchEntry } from './search-options.js';
 

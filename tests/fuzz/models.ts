@@ -128,7 +128,10 @@ export function morphsGlb(vertices: number, weights: readonly number[]): Buffer 
   const { bufferViews, buffers, body } = viewsOf([floats(0), floats(...weights)]);
   const zeros = { componentType: FLOAT, count: vertices, type: 'VEC3' };
   const scalars = (bufferView: number, count: number): Json => ({
-    ...{ bufferView, componentType: FLOAT, count, type: 'SCALAR' },
+    bufferView,
+    componentType: FLOAT,
+    count,
+    type: 'SCALAR',
   });
   const targets = weights.map(() => ({ POSITION: 0 }));
   const document = triangleDocument({
@@ -140,7 +143,8 @@ export function morphsGlb(vertices: number, weights: readonly number[]): Buffer 
         channels: [{ sampler: 0, target: { node: 0, path: 'weights' } }],
       },
     ],
-    ...{ bufferViews, buffers },
+    bufferViews,
+    buffers,
   });
   return glbOf(document, body);
 }
@@ -175,7 +179,8 @@ export function skinsGlb(skins: number, nodes: number): Buffer {
         channels: [{ sampler: 0, target: { node: skins, path: 'translation' } }],
       },
     ],
-    ...{ bufferViews, buffers },
+    bufferViews,
+    buffers,
   });
   return glbOf(document, body);
 }

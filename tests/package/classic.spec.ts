@@ -144,7 +144,8 @@ test('the classic script imports nothing and is ASCII after its notice', () => {
   expect(/[\u0080-\uffff]/.exec(code)?.[0]).toBeUndefined();
 });
 
-// All code is there before the first picture, so the panel is built before `auto` has found a camera.
+// All code is there before the first picture, so the panel is built before `auto` has found a
+// camera.
 test('the panel of a page opened from disk shows the camera of the first picture', async ({
   page,
 }) => {

@@ -121,7 +121,8 @@ export const strictOptions = {
 };
 
 /**
- * The first block of code under a heading of the README, or of the guide's pages about installing and core.
+ * The first block of code under a heading of the README, or of the guide's pages about installing
+ * and core.
  */
 export function readmeSample(heading: string): string {
   for (const page of ['README.md', 'demo/guide/install.md', 'demo/guide/core.md']) {

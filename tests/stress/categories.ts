@@ -180,7 +180,9 @@ function brightMaterial(random: Random): StressCase {
   const color = (): Vec3 => random.color(brightness());
   const angle = random.chance(0.7) ? Math.PI - random.magnitude(1e-6, 0.5) : random.from(0, 3);
   const light = spotOver(random, fragment.p, angle, {
-    ...{ ambient: color(), diffuse: color(), specular: color() },
+    ambient: color(),
+    diffuse: color(),
+    specular: color(),
     cutoff: random.pick([1, 2, 4, random.from(1, 64)]),
   });
   const material = { ka: color(), kd: color(), ks: color(), shininess: random.from(1, 100) };

@@ -8,12 +8,13 @@ import type { LightShare, Shaded } from '../../src/phong/reference/equation.js';
 import type { StressCase, Variant } from './case.js';
 
 /**
- * Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities). Each is above
- * what climbing to the largest error found on any driver: see REPORT.md. `mildPower`: exponents to
- * LARGEST_MILD_POWER. N counts four times in R·V, L and V once each, and an inversesqrt that is 2 ULP
- * off is off by 2^-22: six times that, times 150, is 0.055 of a code; log2 may add 0.013, a spot's
- * decay 0.004, and the driver that runs a worst one errs by up to half as much again. `shininess…`:
- * what float32 makes of L and V, over |L + V| >= 0.04, times 0.6·√n. `generic`: exponents to 100.
+ * Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities). Each is
+ * above what climbing to the largest error found on any driver: see REPORT.md. `mildPower`:
+ * exponents to LARGEST_MILD_POWER. N counts four times in R·V, L and V once each, and an
+ * inversesqrt that is 2 ULP off is off by 2^-22: six times that, times 150, is 0.055 of a code;
+ * log2 may add 0.013, a spot's decay 0.004, and the driver that runs a worst one errs by up to half
+ * as much again. `shininess…`: what float32 makes of L and V, over |L + V| >= 0.04, times 0.6·√n.
+ * `generic`: exponents to 100.
  */
 export const BOUNDS = {
   generic: 0.05,

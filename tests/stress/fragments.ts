@@ -140,8 +140,8 @@ function shining(random: Random, n: number, { normal, L, V }: Directions): Stres
 }
 
 /**
- * Light and eye nearly opposite each other, and N within 3/√n of the half vector: what float32 makes
- * of L and V is divided by |L + V| there, and multiplied by √n.
+ * Light and eye nearly opposite each other, and N within 3/√n of the half vector: what float32
+ * makes of L and V is divided by |L + V| there, and multiplied by √n.
  */
 export function nearlyOpposite(random: Random, n: number): StressCase {
   const normal = shortNormal(random, random.unit());

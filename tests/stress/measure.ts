@@ -14,8 +14,8 @@ export interface Measured {
   /** Cases at random, in all programs. */
   cases: number;
   /**
-   * Cases that were found by climbing: they count for the largest error, wrong codes and numbers that
-   * are none, not for shares.
+   * Cases that were found by climbing: they count for the largest error, wrong codes and numbers
+   * that are none, not for shares.
    */
   searched: number;
   /** Cases beside a branch point, by its name: they count for NaN and Infinity alone. */
@@ -29,8 +29,8 @@ export interface Measured {
   rms: number;
   channels: number;
   /**
-   * Channels whose 8-bit code is exactly the nearest to float64; where the bound allows more than one
-   * code, within the bound.
+   * Channels whose 8-bit code is exactly the nearest to float64; where the bound allows more than
+   * one code, within the bound.
    */
   exact: number;
   /**

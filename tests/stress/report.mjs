@@ -326,7 +326,8 @@ const widestEdge = (stacks, drivers) =>
   Math.max(...measuredOf(stacks, drivers).map(({ edge }) => edge));
 
 /**
- * @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases' | 'searched'} key
+ * @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases' |
+ * 'searched'} key
  * @param {readonly string[]} [drivers]
  */
 const total = (stacks, key, drivers) => sum(measuredOf(stacks, drivers), key);

@@ -6,7 +6,9 @@ import { Search } from './search.js';
 const SEED = 5;
 const STEPS = 4000;
 
-/** An error that only cases beside 0.3 0.7 0.5 0.9 have: one in 10^8 at random comes within 1e-2. */
+/**
+ * An error that only cases beside 0.3 0.7 0.5 0.9 have: one in 10^8 at random comes within 1e-2.
+ */
 function peak(random: Random): number {
   const at = [0.3, 0.7, 0.5, 0.9];
   return Math.exp(-Math.max(...at.map((x) => Math.abs(random.from(0, 1) - x))) * 20);

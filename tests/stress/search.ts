@@ -1,5 +1,5 @@
-// Climbs to a category's largest error: the worst cases so far, changed a little, are tried again. A
-// case is the list of random numbers that it was made from, so every category can be searched.
+// Climbs to a category's largest error: the worst cases so far, changed a little, are tried again.
+// A case is the list of random numbers that it was made from, so every category can be searched.
 import { Random } from './random.js';
 
 interface Found {

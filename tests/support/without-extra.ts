@@ -39,8 +39,9 @@ export function tableWithout(gone: ReadonlySet<string>): string {
     [...gone].some((name) => node.getText().includes(`'../extras/${name}/`));
   const cuts: ts.Node[] = [];
   for (const statement of file.statements) {
-    if (!ts.isExpressionStatement(statement) || !ts.isCallExpression(statement.expression))
+    if (!ts.isExpressionStatement(statement) || !ts.isCallExpression(statement.expression)) {
       continue;
+    }
     const rows = statement.expression.arguments.filter(ts.isObjectLiteralExpression);
     cuts.push(...(rows.length > 0 ? rows : [statement]).filter(isGone));
   }

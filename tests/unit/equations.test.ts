@@ -97,7 +97,9 @@ function valueOf(formula: string, values: Readonly<Record<string, number>>): num
 
 const grey = (x: number) => [x, x, x] as const;
 
-/** A fragment under a light from anywhere: what formulas name, and what the reference makes of it. */
+/**
+ * A fragment under a light from anywhere: what formulas name, and what the reference makes of it.
+ */
 function sample(random: Random) {
   const full = (): number => random.from(1, 255);
   const [ka, kd, ks, ambient, diffuse, specular] = [1, 2, 3, 4, 5, 6].map(full) as number[];

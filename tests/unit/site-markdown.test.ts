@@ -1,5 +1,5 @@
-// Do pages and descriptions become the HTML that the site needs: escaped text, anchors as GitHub has
-// them, pictures from marked blocks, links that fit the site, and entries for the search?
+// Do pages and descriptions become the HTML that the site needs: escaped text, anchors as GitHub
+// has them, pictures from marked blocks, links that fit the site, and entries for the search?
 import { expect, test } from 'vitest';
 import {
   anchorOf,

@@ -1,5 +1,6 @@
-// How large may the project be? Counts tokens: comments, blank lines, imports and re-exports are free, so that nothing
-// is gained by packing lines. A budget rises only with the reason in the commit's body.
+// How large may the project be? Counts tokens: comments, blank lines, imports and re-exports are
+// free, so that nothing is gained by packing lines. A budget rises only with the reason in the
+// commit's body.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

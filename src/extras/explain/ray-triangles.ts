@@ -326,7 +326,8 @@ export const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]):
  */
 function nearestWeights(a: Vec3, b: Vec3, c: Vec3): Vec3 {
   const normal = cross(subtract(b, a), subtract(c, a));
-  // Twice the areas that the origin's foot on the plane spans with each side, times the normal's length.
+  // Twice the areas that the origin's foot on the plane spans with each side, times the normal's
+  // length.
   const inside: Vec3 = [
     dot(normal, cross(b, c)),
     dot(normal, cross(c, a)),

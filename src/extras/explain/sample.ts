@@ -20,8 +20,8 @@ import { NoWebGL2Error } from '../../viewer/extra.js';
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
 
 /**
- * Channels, 0–1, at u, v after the texture's transform. @param decoded whether the colours of texels
- * are decoded before they are filtered.
+ * Channels, 0–1, at u, v after the texture's transform. @param decoded whether the colours of
+ * texels are decoded before they are filtered.
  */
 export function sampleTexture(
   texels: Texels,

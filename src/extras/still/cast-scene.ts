@@ -1,5 +1,6 @@
 // What the ray caster casts: a scene as plain data, so that threads can be sent it. World space
-// unless a field says otherwise; colours as in the reference: 255 is full for Ka, Kd, Ks and lights.
+// unless a field says otherwise; colours as in the reference: 255 is full for Ka, Kd, Ks and
+// lights.
 import type { LightValues, ReferenceOptions, Surface, Vec3 } from '../../phong/reference/index.js';
 
 /**

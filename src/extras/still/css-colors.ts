@@ -1,5 +1,5 @@
-// A CSS colour as three numbers, 255 being full, in sRGB: names, hex, rgb(), hsl() and hwb(), without
-// their alpha. In browsers the canvas parses them (viewer/element/fields/css-color.ts).
+// A CSS colour as three numbers, 255 being full, in sRGB: names, hex, rgb(), hsl() and hwb(),
+// without their alpha. In browsers the canvas parses them (viewer/element/fields/css-color.ts).
 import { clamp, type Vec3 } from '../../phong/math/vector.js';
 
 /** Colours that browsers know and stills do not. */

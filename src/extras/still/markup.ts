@@ -36,7 +36,9 @@ export function readMarkup(markup: string, warn: Warn): Declared {
   }
   const once = new Set<string>();
   const warnOnce = (message: string): void => {
-    if (!once.has(message)) warn(message);
+    if (!once.has(message)) {
+      warn(message);
+    }
     once.add(message);
   };
   const declared = <V extends object, S extends FieldStore<V>>(

@@ -1,17 +1,17 @@
 // Means over the pixels' squares of what the equation writes there.
 //
 // First nine points of each pixel are taken: corners, middles of sides, and the middle; neighbours
-// share them, so that they cost four samples a pixel. If all are of one piece (one object, one side,
-// the same lights' cones and horizons), and Simpson's rule agrees with a rule of lower order to a
-// quarter of a code, its mean is right to some hundredths. A curve that enters between two of the
-// points, half a pixel apart, and leaves again cuts off 0.01 / r of the pixel, r being its radius in
-// pixels. Not where highlights may be that narrow.
+// share them, so that they cost four samples a pixel. If all are of one piece (one object, one
+// side, the same lights' cones and horizons), and Simpson's rule agrees with a rule of lower order
+// to a quarter of a code, its mean is right to some hundredths. A curve that enters between two of
+// the points, half a pixel apart, and leaves again cuts off 0.01 / r of the pixel, r being its
+// radius in pixels. Not where highlights may be that narrow.
 //
 // All other pixels are cut into equal squares, with one sample at a random place in each, and the
-// more the colours vary, the more squares there are. Where colours are linear and differ by c codes,
-// the mean of s² samples has a standard error of c / (√12 s²): 0.04 codes by the rule below. Where
-// an edge of c codes passes, some √2 s squares are cut, which leave about 0.29 c / s^1.5: 0.4 codes.
-// `tests/extras/still/caster.test.ts` measures it.
+// more the colours vary, the more squares there are. Where colours are linear and differ by c
+// codes, the mean of s² samples has a standard error of c / (√12 s²): 0.04 codes by the rule below.
+// Where an edge of c codes passes, some √2 s squares are cut, which leave about 0.29 c / s^1.5: 0.4
+// codes. `tests/extras/still/caster.test.ts` measures it.
 import type { CastOptions } from './cast-scene.js';
 import { NOTHING, type Sample, type Tracer } from './tracer.js';
 

@@ -45,8 +45,8 @@ export interface Sample {
 export const NOTHING = 0;
 
 /**
- * Largest exponent whose highlights nine points of a pixel find. With them, a knot of exponent 2,000
- * is 1.02 codes (RMSE) off the screen and 0.61 without, a teapot of 120 0.77 and 0.70.
+ * Largest exponent whose highlights nine points of a pixel find. With them, a knot of exponent
+ * 2,000 is 1.02 codes (RMSE) off the screen and 0.61 without, a teapot of 120 0.77 and 0.70.
  */
 const LARGEST_WIDE_EXPONENT = 64;
 
@@ -168,8 +168,9 @@ export class Tracer {
       const along = cx * dx + cy * dy + cz * dz;
       const squared = dx * dx + dy * dy + dz * dz;
       // Beside its sphere: a rounding more than that is still inside.
-      if ((cx * cx + cy * cy + cz * cz - radius * radius) * squared > along * along * 1.000001)
+      if ((cx * cx + cy * cy + cz * cz - radius * radius) * squared > along * along * 1.000001) {
         continue;
+      }
       if (!intersect(eye, turned(toShape, dx, dy, dz), hit)) continue;
       [hit.nx, hit.ny, hit.nz] = turned(toWorld, hit.nx, hit.ny, hit.nz);
       hit.object = object;

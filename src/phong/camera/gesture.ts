@@ -123,7 +123,8 @@ export class PointerGesture {
     finger.y = y;
     const { orbit } = this.#host;
     const pose = this.#pose(anchor);
-    // The picture that stays is the one that markup gives; back at its start a drag has moved nothing.
+    // The picture that stays is the one that markup gives; back at its start a drag has moved
+    // nothing.
     orbit.set(samePose(pose, anchor.pose) ? pose : writtenPose(pose));
     const moved = orbit.version !== anchor.version;
     anchor.version = orbit.version;

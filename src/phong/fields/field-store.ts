@@ -75,8 +75,9 @@ export class FieldStore<V extends object> {
     // Not for … in, here and elsewhere: pages may add to Object.prototype.
     const keys = Object.keys(values) as (keyof V)[];
     for (const key of keys) {
-      if (!Object.hasOwn(this.fields, key))
+      if (!Object.hasOwn(this.fields, key)) {
         throw new TypeError(`there is no value named ${String(key)}`);
+      }
       const value = values[key];
       if (value !== undefined && value !== null) {
         this.fields[key].check(value);

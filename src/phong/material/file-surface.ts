@@ -17,8 +17,8 @@ export interface BaseLook {
   readonly alphaCutoff: number;
   /**
    * Multiplies the base colour. Encoded sRGB with `NoColorSpace`: filtered as it is stored, under
-   * `linear` decoded before. Sampled with `uv` transformed by `map.matrix` (up to date), with the file's filters and wrapping. The first
-   * row is the top of the image, as in glTF.
+   * `linear` decoded before. Sampled with `uv` transformed by `map.matrix` (up to date), with the
+   * file's filters and wrapping. The first row is the top of the image, as in glTF.
    */
   readonly map: Texture | null;
   /**

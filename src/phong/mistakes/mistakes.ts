@@ -1,6 +1,6 @@
 // The usual mistakes in Phong's equation, one entry each: the steps that are written wrongly, in
-// the forms in which people make them, and the sentence that says what is wrong. A sentence fits all
-// forms of its mistake: up or down, one factor or all.
+// the forms in which people make them, and the sentence that says what is wrong. A sentence fits
+// all forms of its mistake: up or down, one factor or all.
 import { radians } from '../math/angle.js';
 import {
   add,

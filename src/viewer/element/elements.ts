@@ -119,8 +119,8 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /**
    * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface
-   * there, drawn, hidden or outside the picture. Null if no surface is within a two-hundredth of the
-   * eye's distance from it. Rejects unless it is three finite numbers.
+   * there, drawn, hidden or outside the picture. Null if no surface is within a two-hundredth of
+   * the eye's distance from it. Rejects unless it is three finite numbers.
    */
   explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null>;
   /**

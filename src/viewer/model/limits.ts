@@ -60,7 +60,9 @@ export const NODE_LIMIT = 30_000;
 /** Most values in a glTF's JSON, by its brackets and commas. A parsed one takes up to 200 bytes. */
 export const JSON_LIMIT = 2 ** 21;
 
-/** Most items of a list of that JSON that is read in one task, of joints or children for example. */
+/**
+ * Most items of a list of that JSON that is read in one task, of joints or children for example.
+ */
 export const JSON_LIST_LIMIT = 2 ** 16;
 
 /** Most names in one of its objects, and most morph targets of a primitive. One takes 5 µs. */

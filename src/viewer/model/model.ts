@@ -68,9 +68,9 @@ export interface Motion {
    */
   pose(name: string | null, seconds: number): void;
   /**
-   * How far the model comes in the poses at the keys of an animation, all parts together; null where
-   * it has no vertices. Found with the first call, in slices, by posing it. @throws the signal's
-   * reason after an abort.
+   * How far the model comes in the poses at the keys of an animation, all parts together; null
+   * where it has no vertices. Found with the first call, in slices, by posing it. @throws the
+   * signal's reason after an abort.
    */
   reach(name: string, signal: AbortSignal): Promise<GeometrySize | null>;
 }

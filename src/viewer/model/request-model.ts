@@ -8,8 +8,8 @@ import type { Content } from './model.js';
 /** What loads of models need of their code. */
 export interface ModelCode {
   /**
-   * Loads a model and the files it refers to. @param from the request of the file at `url`, if there
-   * is one already; or a file, whose `url` is for messages.
+   * Loads a model and the files it refers to. @param from the request of the file at `url`, if
+   * there is one already; or a file, whose `url` is for messages.
    * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
    */
   readonly modelContent: (

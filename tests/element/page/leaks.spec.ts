@@ -97,7 +97,9 @@ type Last = readonly [
   said?: RegExp,
 ];
 
-/** What is the last of its kind on a page, how it is used before it is removed, and what it says. */
+/**
+ * What is the last of its kind on a page, how it is used before it is removed, and what it says.
+ */
 const lasts: Record<string, Last> = {
   'one viewer': [box()],
   'four viewers': [kinds.join('')],

@@ -90,7 +90,9 @@ describe('a texture', () => {
 });
 
 describe('a texture with two filters', () => {
-  /** Whether it counts as filtered at so many texels a pixel, turned by an angle against the pixels. */
+  /**
+   * Whether it counts as filtered at so many texels a pixel, turned by an angle against the pixels.
+   */
   const isFiltered = (
     mag: MagnificationTextureFilter,
     min: MinificationTextureFilter,

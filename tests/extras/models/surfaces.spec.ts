@@ -1,5 +1,5 @@
-// Are the materials of files shaded and explained by the rules of demo/guide/models.md? Compares pixels
-// with shadeAt, and shadeAt with values computed here from those rules.
+// Are the materials of files shaded and explained by the rules of demo/guide/models.md? Compares
+// pixels with shadeAt, and shadeAt with values computed here from those rules.
 
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { firstOf } from '../../support/repeats.js';

@@ -1,5 +1,5 @@
-// The judge of stills: pixels whose colour the equation gives by hand. The arithmetic is written out
-// here, so that no code of the package judges itself.
+// The judge of stills: pixels whose colour the equation gives by hand. The arithmetic is written
+// out here, so that no code of the package judges itself.
 import { describe, expect, it } from 'vitest';
 import { still } from 'phong-viewer/still';
 

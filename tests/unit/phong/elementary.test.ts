@@ -45,15 +45,21 @@ const artanh = (z: bigint): bigint => {
 const LN2 = 2n * artanh(ONE / 3n);
 const exactLog = (x: bigint): bigint => {
   let [k, m] = [0n, x];
-  for (; m > 2n * ONE; k += 1n) m >>= 1n;
-  for (; m < ONE; k -= 1n) m <<= 1n;
+  for (; m > 2n * ONE; k += 1n) {
+    m >>= 1n;
+  }
+  for (; m < ONE; k -= 1n) {
+    m <<= 1n;
+  }
   return k * LN2 + 2n * artanh(over(m - ONE, m + ONE));
 };
 const series = (x: bigint, first: bigint, from: bigint, step: bigint, sign: bigint): bigint => {
   let [sum, term] = [0n, first];
   for (let n = from; term !== 0n; n += step) {
     sum += term;
-    for (let i = 1n; i <= step; i += 1n) term = times(term, x) / (n + i);
+    for (let i = 1n; i <= step; i += 1n) {
+      term = times(term, x) / (n + i);
+    }
     term *= sign;
   }
   return sum;

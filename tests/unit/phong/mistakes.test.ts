@@ -70,7 +70,10 @@ it('the equation in steps is the reference, term by term', () => {
   );
 });
 
-/** A lamp with all that a lamp may have, near a point that its cone, its decay and its distance touch. */
+/**
+ * A lamp with all that a lamp may have, near a point that its cone, its decay and its distance
+ * touch.
+ */
 const WITH_ALL: Given = {
   light: {
     ambient: [0.2, 0.3, 0.1],
@@ -132,7 +135,9 @@ describe('each mistake', () => {
   it('has a sentence of its own', () => {
     const sentences = MISTAKE_IDS.map((id) => MISTAKES[id].sentence);
     expect(new Set(sentences).size).toBe(sentences.length);
-    for (const sentence of sentences) expect(sentence).toMatch(/^[A-Zakp].*\.$/);
+    for (const sentence of sentences) {
+      expect(sentence).toMatch(/^[A-Zakp].*\.$/);
+    }
   });
 
   it('two of them are one function where they replace different steps', () => {

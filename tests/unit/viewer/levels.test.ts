@@ -110,7 +110,9 @@ describe('the number of segments that a shape needs', () => {
   interface Seen {
     readonly view: Frustum;
     readonly matrix: readonly number[];
-    /** Of the sphere's middle from the view's, at its depth, and of the picture's edge at depth 1. */
+    /**
+     * Of the sphere's middle from the view's, at its depth, and of the picture's edge at depth 1.
+     */
     readonly aside: number;
     readonly edge: number;
     readonly text: string;

@@ -401,8 +401,8 @@ export class JointPose {
   }
 
   /**
-   * World matrices must be up to date, those of {@link roots} too. A joint whose matrix leaves the domain of coordinates stays
-   * where it was.
+   * World matrices must be up to date, those of {@link roots} too. A joint whose matrix leaves the
+   * domain of coordinates stays where it was.
    */
   update(): void {
     const { bones, boneInverses } = this.#skeleton;

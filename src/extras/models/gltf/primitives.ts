@@ -125,8 +125,8 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     const accessor = accessors.at(written[writtenName], name);
     return [{ name, accessor, items: Math.max(least, accessor.components) }];
   });
-  // Without a prototype, as the Draco attributes: three.js would look for an accessor by what a page
-  // added to Object.prototype.
+  // Without a prototype, as the Draco attributes: three.js would look for an accessor by what a
+  // page added to Object.prototype.
   const indexes = Object.create(null) as Record<string, number>;
   for (const { name, accessor } of attributes) {
     indexes[name] = accessor.index;

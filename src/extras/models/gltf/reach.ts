@@ -1,5 +1,5 @@
-// Where the vertices of an animated model come to: a bounded number of them, the outermost, over the
-// poses at its keys.
+// Where the vertices of an animated model come to: a bounded number of them, the outermost, over
+// the poses at its keys.
 import { Box3, type BufferAttribute, type Matrix4, Vector3 } from 'three';
 import { type ContentPart, hasMovingVertices, POSE_LIMIT } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
@@ -9,7 +9,9 @@ const WORK_LIMIT = 8 * POSE_LIMIT;
 /** Most keys that are read, whatever the model: nodes are moved too. */
 const KEY_LIMIT = 1000;
 
-/** Times to read out of these, evenly spread where not all can be; first and last are among them. */
+/**
+ * Times to read out of these, evenly spread where not all can be; first and last are among them.
+ */
 export function keysWithin(keys: readonly number[], work: number): readonly number[] {
   const most = Math.min(Math.max(Math.floor(WORK_LIMIT / work), 2), KEY_LIMIT);
   if (keys.length <= most) return keys;

@@ -68,7 +68,9 @@ export class RayTests<Key, Answer> {
     this.#slice(this.#series(scene, tests));
   };
 
-  /** Answers one question after the other. Returns whether an answer differs from the one before. */
+  /**
+   * Answers one question after the other. Returns whether an answer differs from the one before.
+   */
   *#series(scene: SceneSnapshot, tests: ReadonlyMap<Key, RayTest<Answer>>): RaySearch<boolean> {
     let differ = false;
     for (const [key, test] of tests) {

@@ -1,6 +1,6 @@
 // The texts that a viewer shows or announces, the page's own words in place of them, and numbers in
-// their language. Of their table only the keys' type is imported, so that the first file contains no
-// texts.
+// their language. Of their table only the keys' type is imported, so that the first file contains
+// no texts.
 import type { TextKey } from './text-key.js';
 
 export type ViewerErrorCode =

@@ -111,7 +111,8 @@ export class PageObservers {
       observer.unobserve(element);
     }
     if (this.#watched.size === 0) {
-      // By a text: an error as the reason would keep the callers on its stack, and so the last viewer.
+      // By a text: an error as the reason would keep the callers on its stack, and so the last
+      // viewer.
       this.#listeners.abort('unwatched');
     }
   }

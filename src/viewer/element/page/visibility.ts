@@ -21,7 +21,10 @@ export interface ElementView {
   readonly pixelHeight: number;
 }
 
-/** Watches `element` while its host is connected and gives `changed` after each change. `closed`: see there. */
+/**
+ * Watches `element` while its host is connected and gives `changed` after each change. `closed`:
+ * see there.
+ */
 export class Visibility implements ReactiveController {
   /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
   readonly closed: () => void;

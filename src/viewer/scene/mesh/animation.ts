@@ -45,7 +45,9 @@ export class MeshAnimation {
     return this.#motion.work;
   }
 
-  /** What `auto` frames while it plays; null for what is there. Call {@link measureReach} before. */
+  /**
+   * What `auto` frames while it plays; null for what is there. Call {@link measureReach} before.
+   */
   get reach(): GeometrySize | null {
     return this.#name === null ? null : (reaches.get(this.#motion)?.get(this.#name) ?? null);
   }
@@ -66,8 +68,8 @@ export class MeshAnimation {
 const reaches = new WeakMap<Motion, Map<string, GeometrySize | null>>();
 
 /**
- * Finds how far the animation comes that the values name. True if that was not known before; rejects
- * with the signal's reason after an abort.
+ * Finds how far the animation comes that the values name. True if that was not known before;
+ * rejects with the signal's reason after an abort.
  */
 export async function measureReach(
   motion: Motion | null,

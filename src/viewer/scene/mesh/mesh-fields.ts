@@ -45,8 +45,8 @@ export interface ShapeValues extends SurfaceValues {
   /**
    * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's
    * outline (1/4 of a device pixel) and the shading of its faces (one code) need, within what its
-   * pixels allow; shapes with flat faces have 1. Under other shading the shape's own number. Framing and zoom always measure the round shape.
-   * Default auto.
+   * pixels allow; shapes with flat faces have 1. Under other shading the shape's own number.
+   * Framing and zoom always measure the round shape. Default auto.
    */
   segments: number | 'auto';
   /**

@@ -31,7 +31,9 @@ const MOST_CUBES = 13;
 /** At least the triangles of any cut. */
 export const MOST_CUT_TRIANGLES = 6 * (2 + 8 * MOST_CUBES);
 
-/** The axes of the texture's u and v, the directions in which they grow (v: shrinks), the outside. */
+/**
+ * The axes of the texture's u and v, the directions in which they grow (v: shrinks), the outside.
+ */
 type Face = readonly [
   u: 0 | 1 | 2,
   v: 0 | 1 | 2,
@@ -54,7 +56,9 @@ const FACES: Readonly<Record<CutName, readonly Face[]>> = {
   plane: [[0, 2, 1, 1, 1, 0]],
 };
 
-/** Where a cube meets a face, in the face's own directions. Its sides in the order of its corners. */
+/**
+ * Where a cube meets a face, in the face's own directions. Its sides in the order of its corners.
+ */
 type Rectangle = readonly [u0: number, v1: number, u1: number, v0: number];
 
 const WHOLE: Rectangle = [-0.5, 0.5, 0.5, -0.5];
