@@ -51,7 +51,7 @@ interface SizeRow {
 
 /** What files of dist/ are for. */
 export const SIZES: readonly SizeRow[] = [
-  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 118 }, // oxfmt-ignore
+  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 127 }, // oxfmt-ignore
   {
     words: 'the control panel, when it is first opened',
     folder: 'chunks',
@@ -82,7 +82,7 @@ const CLASSIC: SizeRow = {
   words: '',
   folder: '.',
   file: /^phong-viewer\.classic\.js$/,
-  noted: 324,
+  noted: 340,
 };
 
 /**

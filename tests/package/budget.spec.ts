@@ -20,7 +20,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
  * Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the
  * same commit.
  */
-const budgets = { standalone: 117_760, modules: 57_856 } as const;
+const budgets = { standalone: 127_488, modules: 61_184 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no unused part (${usage})`, async ({
@@ -51,21 +51,21 @@ test('@release the standalone file is about as large as a bundle of plain three.
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.100.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.11);
+  // Measured: 1.195. Until three.js's functions were left as they are it was 1.100.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.2);
 });
 
 test('@release a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 175.5 kB, because bundlers keep three.js's shader chunks, and 118.4 kB.
-  expect(await bundled('index.js')).toBeLessThan(176_500);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(119_500);
+  // Measured: 178.7 kB, because bundlers keep three.js's shader chunks, and 128.2 kB.
+  expect(await bundled('index.js')).toBeLessThan(179_500);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(129_200);
 });
 
 test('the script for pages opened from disk and the React components are not larger than measured', () => {
-  // Measured: 323.5 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(324_608);
+  // Measured: 339.6 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(340_480);
   // Measured: 0.64 kB.
   expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
