@@ -40,9 +40,11 @@ test.describe('the packed package', () => {
   const intended = [
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
     // What the README links to.
-    /^(src\/[A-Z-]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
+    /^(demo\/guide\/[a-z]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js(\.map)?$/,
     /^dist\/react(-standalone)?-client\.js$/,
+    /^dist\/still(-worker)?\.js$/,
+    /^dist\/still\/[\w-]+\.js$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/embed\.(html|js)$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
