@@ -14,11 +14,9 @@ import {
 } from '../math/vector.js';
 import {
   angleOf,
-  evaluate,
   falloff,
   type Given,
   isPositional,
-  type LightTerms,
   NoH,
   placeOf,
   power,
@@ -349,10 +347,6 @@ const lengthTo = (given: Given): number => {
   const [x, y, z] = subtract(placeOf(given), given.p);
   return Math.hypot(x, y, z);
 };
-
-/** What a function with this mistake gives, in each of its forms. */
-export const wrongTerms = (id: MistakeId, given: Given): LightTerms[] =>
-  formsOf(id).map((form) => evaluate(given, form));
 
 export const formsOf = (id: MistakeId): readonly Form[] => MISTAKES[id].forms;
 
