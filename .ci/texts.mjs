@@ -23,10 +23,18 @@ const table = Object.assign({}, ...Object.values(sections));
 export const LANGUAGES = Object.keys(table['en'] ?? {});
 
 /**
- * The ready set of a language, by key. @param {string} language @returns {Record<string, string>}
+ * The ready set of a language, by key. What a language of a country does not say in its own way is
+ * as in the language: `pt-PT` has few rows, and the others are those of `pt`.
+ * @param {string} language
+ * @returns {Record<string, string>}
  */
 export const textsIn = (language) =>
-  Object.fromEntries(Object.entries(table).map(([key, texts]) => [key, texts[language] ?? '']));
+  Object.fromEntries(
+    Object.entries(table).map(([key, texts]) => [
+      key,
+      texts[language] ?? texts[language.split('-')[0] ?? ''] ?? '',
+    ]),
+  );
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   writeAll();

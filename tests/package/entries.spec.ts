@@ -51,7 +51,7 @@ test.describe('the packed package', () => {
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/(chunks|shared)\/(basis_transcoder|draco_decoder)\.wasm$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
-    /^dist\/texts\/\w+\.(js|json|d\.ts)$/,
+    /^dist\/texts\/[\w-]+\.(js|json|d\.ts)$/,
     /^dist\/[\w.-]+\.json$/,
     /^dist\/THIRD-PARTY-LICENSES\.txt$/,
   ];

@@ -62,6 +62,50 @@ it("a viewer's texts are a frozen copy, null for none, and replace others even b
 
 const bracesOf = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 
+describe('the ready sets', () => {
+  const sets = Object.fromEntries(LANGUAGES.map((language) => [language, readyTexts(language)]));
+  const entriesOf = (language: string): [string, string][] => Object.entries(sets[language]!);
+
+  it('are in five languages, and one of them as in Portugal', () => {
+    expect(LANGUAGES).toEqual(['de', 'es', 'fr', 'pt', 'pt-PT']);
+    for (const language of LANGUAGES) {
+      expect(sets[language]!.en).toBe(language);
+    }
+  });
+
+  it('are complete: what Portugal says as Brazil does is from the set of Brazil', () => {
+    expect(sets['pt-PT']!['Close']).toBe('Fechar');
+    expect(sets['pt-PT']!['Camera']).toBe('Câmara');
+    expect(sets['pt']!['Camera']).toBe('Câmera');
+    for (const language of LANGUAGES) {
+      expect(Object.keys(sets[language]!)).toEqual(Object.keys(sets['de']!));
+    }
+  });
+
+  it('keep each Portuguese apart: no clitic after a verb in Brazil, no word of Brazil in Portugal', () => {
+    const clitic = /\p{L}-(?:[ao]s?|l[ao]s?|n[ao]s?|me|te|se|lhes?)(?!\p{L})/iu;
+    expect(entriesOf('pt').filter(([, text]) => clitic.test(text))).toEqual([]);
+    const brazilian =
+      /câmera|arquivo|\btela\b|salvar|carregando|controles|\bpixel\b|placa de vídeo|conexão|você|desfaz/i;
+    expect(entriesOf('pt-PT').filter(([, text]) => brazilian.test(text))).toEqual([]);
+  });
+
+  it('have a word each for highlight, shininess and brightness, and say tú in Spanish', () => {
+    for (const language of LANGUAGES) {
+      const texts = sets[language]!;
+      const words = [
+        texts['{cosines} = {cosine} is not above 0: no highlight.'],
+        texts['shininess'],
+        texts['{color} brightness'],
+      ].map((text) => text.split(/[ .:\u00ad]/u).filter((word) => word.length > 4));
+      const [highlight = [], shininess = [], brightness = []] = words;
+      expect(shininess.filter((word) => highlight.includes(word))).toEqual([]);
+      expect(brightness.filter((word) => [...highlight, ...shininess].includes(word))).toEqual([]);
+    }
+    expect(entriesOf('es').filter(([, text]) => /\busted/i.test(text))).toEqual([]);
+  });
+});
+
 describe.each(LANGUAGES)('the texts in %s', (language) => {
   const texts = readyTexts(language);
 
