@@ -27,7 +27,7 @@ const extra = ['viewer/extra.ts', ...phong];
 
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
-  'phong/math': {},
+  'phong/math': { types: ['three'] },
   'phong/fields': { layers: ['phong/math'] },
   'phong/light': { layers: ['phong/fields', 'phong/math'] },
   'phong/reference': { layers: ['phong/light', 'phong/fields', 'phong/math'] },
@@ -83,15 +83,14 @@ export const layers = {
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },
   'extras/frameworks': {
-    layers: ['viewer', 'viewer/element'],
+    layers: ['viewer', 'viewer/element', 'phong/fields'],
     lazy: ['viewer/scene', 'phong/light'],
     packages: ['react'],
     types: ['react', 'solid-js', 'svelte', 'vue'],
   },
   // Runs in Node, and in pages without threads.
   'extras/still': {
-    layers: ['phong/reference', ...extra],
-    lazy: ['extras/models'],
+    layers: ['phong/reference', 'extras/models', ...extra],
     packages: [
       'three',
       'parse5',

@@ -8,7 +8,7 @@ import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js'
 import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
 import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
-export { attributeOf, formatValue } from '../../src/viewer/element/fields/attribute-text.js';
+export { attributeOf, formatValue } from '../../src/phong/fields/attribute-text.js';
 
 export const fields: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
   'phong-viewer': VIEWER_FIELDS,

@@ -16,15 +16,14 @@ export type {
   ShadeOptions,
 } from './element/elements.js';
 export type { CreatePanel, Panel, PanelChange } from './element/extra-code.js';
-export { attributeOf, formatValue, parseText } from './element/fields/attribute-text.js';
 export type { CompareValues } from './element/fields/compare-fields.js';
 export type { ControlValues } from './element/fields/control-properties.js';
+export { cssColor } from './element/fields/css-color.js';
 export {
   attributesOf,
   bindingOf,
   defineProperties,
   FieldBinding,
-  valueWarning,
 } from './element/fields/field-binding.js';
 export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
 export {
@@ -36,7 +35,6 @@ export {
 } from './element/fields/viewer-fields.js';
 export { dimValues, inspect, isFlat, strayAttributes, wrappedViewer } from './element/inspect.js';
 export { fieldsOf, placed, sceneMeshes, viewerCameras, viewerPins } from './element/internals.js';
-export { followDrag } from './element/page/followed-drag.js';
 export { default as ownText } from './element/page/own-text.css?inline';
 export { leaveTexts, useTexts } from './element/page/page-texts.js';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
@@ -59,14 +57,7 @@ export {
 } from './element/viewer/history.js';
 export { AWAITED, OPEN_PANEL, WIDE_PANEL } from './element/viewer/viewer-panel.js';
 export type { ViewerTree } from './element/viewer/viewer-tree.js';
-export {
-  type Amounts,
-  type Claims,
-  NO_CLAIMS,
-  plus,
-  requireAtMost,
-  requireWithin,
-} from './model/budget.js';
+export { requireAtMost } from './model/budget.js';
 export { FORMAT_NAMES, type FormatKey, type FormatNames } from './model/format-names.js';
 export {
   type GeometrySize,
@@ -75,23 +66,8 @@ export {
   sizeOfVertices,
 } from './model/geometry-size.js';
 export { lazyCode, reportMissing } from './model/lazy-code.js';
-export {
-  BYTE_LIMIT,
-  CORNER_LIMIT,
-  DRACO_LIMIT,
-  FILE_LIMIT,
-  free,
-  IMAGE_PIXEL_LIMIT,
-  IMAGE_SIDE_LIMIT,
-  isOutOfMemory,
-  JSON_LIMIT,
-  JSON_LIST_LIMIT,
-  JSON_NAME_LIMIT,
-  JSON_TEXT_LIMIT,
-  PART_LIMIT,
-  POSE_LIMIT,
-  TRIANGLE_LIMIT,
-} from './model/limits.js';
+export { isOutOfMemory, LIMITS } from './model/limits.js';
+export { ModelBudget } from './model/model-budget.js';
 export { type Content, type ContentPart, ModelError, type Motion } from './model/model.js';
 export {
   type CrossOrigin,
@@ -122,5 +98,4 @@ export { createGeometry, type GeometryName, roundOf } from './scene/mesh/shapes/
 export type { Picture } from './scene/picture.js';
 export type { DrawnLook, OwnDrawn, SceneSnapshot } from './scene/scene-snapshot.js';
 export type { ConvergingPicture, SampledViewport } from './scene/still-picture.js';
-export { type BoxList, type BvhQuery, bvhInSteps, walkBvh } from './scene/triangle-bvh.js';
 export type { Viewport } from './scene/viewport.js';

@@ -32,7 +32,7 @@ const FOLDERS = {
   light: ['src/phong/light/**/*.ts'],
   reference: ['src/phong/reference/**/*.ts'],
   camera: ['src/phong/camera/**/*.ts'],
-  parser: ['src/viewer/element/fields/attribute-text.ts'],
+  parser: ['src/phong/fields/attribute-text.ts'],
   shaders: [],
 };
 

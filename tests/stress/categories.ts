@@ -1,6 +1,6 @@
 // All adversarial categories: what each attacks, and the bound that the contract gives it.
 import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
-import { parseText } from '../../src/viewer/element/fields/attribute-text.js';
+import { parseText } from '../../src/phong/fields/attribute-text.js';
 import type { Field } from '../../src/phong/fields/field.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/phong/light/light-state.js';
 import { LARGEST_MILD_POWER } from '../../src/phong/light/precision.js';

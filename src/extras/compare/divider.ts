@@ -1,8 +1,8 @@
 // A divider that the user moves: by pointer, from where it was pressed, and by keys; Escape takes a
 // drag back. Places are percent of the box from the start of the line or from the top, ascending.
 import { html, type TemplateResult } from 'lit';
-import { followDrag } from '../../viewer/extra.js';
 import type { PictureBox } from '../../phong/camera/gesture.js';
+import { followDrag } from '../../phong/camera/followed-drag.js';
 
 /** The comparison that a divider is part of. */
 export interface DividedBox {

@@ -14,13 +14,8 @@ import {
   subtract,
   type Vec3,
 } from '../../phong/math/vector.js';
-import {
-  type BoxList,
-  type BvhQuery,
-  bvhInSteps,
-  walkBvh,
-  writeModelViewProjection,
-} from '../../viewer/extra.js';
+import { writeModelViewProjection } from '../../viewer/extra.js';
+import { type BoxList, type BvhQuery, bvhInSteps, walkBvh } from '../../phong/math/triangle-bvh.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {

@@ -13,7 +13,7 @@ import {
   useRef,
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from '../../viewer/element/elements.js';
-import { attributeOf } from '../../viewer/element/fields/attribute-text.js';
+import { attributeOf } from '../../phong/fields/attribute-text.js';
 import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
 import type {
   ComponentProps,

@@ -1,7 +1,6 @@
 // Bytes out of base64, data: URIs and UTF-16. In slices and mostly in place: files of hundreds of
 // megabytes are never strings.
-import { isDataUri, ModelError } from '../../viewer/extra.js';
-import type { ModelBudget } from './model-budget.js';
+import { isDataUri, type ModelBudget, ModelError } from '../../viewer/extra.js';
 import type { FileBytes } from './model-reader.js';
 import type { Slices } from './slices.js';
 

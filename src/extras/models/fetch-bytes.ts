@@ -5,16 +5,16 @@ import type { FileBytes } from './model-reader.js';
 import {
   type CrossOrigin,
   type Fetch,
-  FILE_LIMIT,
   type FileRequest,
   isDataUri,
+  type ModelBudget,
   ModelError,
   nameOf,
   requestFile,
   requireAtMost,
 } from '../../viewer/extra.js';
-import type { ModelBudget } from './model-budget.js';
 import { Slices } from './slices.js';
+import { FILE_LIMIT } from './limits.js';
 
 /**
  * How long a server may send nothing, in milliseconds: before its answer, and between two parts of

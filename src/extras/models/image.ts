@@ -3,9 +3,10 @@
 // fetched, as a strict CSP requires.
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
-import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from '../../viewer/extra.js';
+import { LIMITS } from '../../viewer/extra.js';
 import { type FileBytes, type ModelSource, requireDecoders } from './model-reader.js';
 import { Slices } from './slices.js';
+import { IMAGE_SIDE_LIMIT } from './limits.js';
 
 /**
  * Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of
@@ -89,8 +90,8 @@ export class ImageTextures {
         );
       }
       const pixels = size.width * size.height;
-      if (pixels > IMAGE_PIXEL_LIMIT) {
-        const [has, most] = [pixels, IMAGE_PIXEL_LIMIT].map((count) => count.toLocaleString('en'));
+      if (pixels > LIMITS.imagePixels) {
+        const [has, most] = [pixels, LIMITS.imagePixels].map((count) => count.toLocaleString('en'));
         throw new Error(`has ${has!} pixels; at most ${most!} can be shown`);
       }
       await requireFewScans(file.bytes, new Slices(signal));

@@ -7,14 +7,13 @@ import {
   type Fetch,
   type FileRequest,
   type FormatNames,
-  free,
   isOutOfMemory,
   type LoadOptions,
   measureInSlices,
+  ModelBudget,
   ModelError,
   nameOf,
 } from '../../viewer/extra.js';
-import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
 import { formatOf } from './format.js';
@@ -27,6 +26,7 @@ import {
 import { asUtf8 } from './encodings.js';
 import { isMoving } from './moving-copy.js';
 import { Slices } from './slices.js';
+import { free } from './limits.js';
 
 export { Slices };
 

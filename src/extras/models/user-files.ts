@@ -3,9 +3,8 @@
 import { listed } from '../../phong/fields/clip.js';
 import { requireContent } from './fetch-bytes.js';
 import { modelExtensions, supportedFormats } from './format.js';
-import type { ModelBudget } from './model-budget.js';
 import type { FileBytes } from './model-reader.js';
-import { fileName, ModelError } from '../../viewer/extra.js';
+import { fileName, type ModelBudget, ModelError } from '../../viewer/extra.js';
 
 /**
  * Most files of a dropped folder. Models come with hundreds at most; a whole disk should not be

@@ -1,7 +1,7 @@
 // A row for a colour: a picker, text as in HTML (`200 80 60`, `#c85`, `orange`), and a slider for
 // its brightness. 255 is full, more is brighter.
 import type { GUI } from 'lil-gui';
-import { parseText, type ViewerText } from '../../viewer/extra.js';
+import { cssColor, type ViewerText } from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { LIGHT_FIELDS, LIMITS } from '../../phong/light/light-state.js';
 import { clamp, map, type Vec3 } from '../../phong/math/vector.js';
@@ -10,6 +10,7 @@ import { InputRow, nameInput, TextField } from './input-row.js';
 import { explain } from './label.js';
 import { Slider } from './number-controls.js';
 import { linear, numberText } from './travel.js';
+import { parseText } from '../../phong/fields/attribute-text.js';
 
 const COLOR = LIGHT_FIELDS.diffuse;
 
@@ -37,7 +38,7 @@ export function addColor(folder: GUI, value: Bound<Vec3>, name: ViewerText, usua
         : value.value.map((channel) => numberText(channel)).join(' '),
     (text) =>
       accepted(() => {
-        value.value = COLOR.check(parseText(text, COLOR));
+        value.value = COLOR.check(parseText(text, COLOR, cssColor));
         typed = { text: text.trim(), value: value.value };
       }),
   );

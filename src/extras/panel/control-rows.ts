@@ -1,9 +1,7 @@
 // The rows of a <phong-control> that the panel has not: a stepper through values, and fields
 // without a row.
 import {
-  attributeOf,
-  formatValue,
-  parseText,
+  cssColor,
   type PhongViewer,
   sceneMeshes,
   type ViewerText,
@@ -28,6 +26,7 @@ import {
   vector,
 } from './rows.js';
 import { linear, type SliderScale } from './travel.js';
+import { attributeOf, formatValue, parseText } from '../../phong/fields/attribute-text.js';
 
 /** Shown for a value without words. */
 const NOTHING = '–';
@@ -96,7 +95,7 @@ export const stepper = (
 
 function valuesIn(text: string, field: Field<unknown>): readonly unknown[] {
   try {
-    return [field.check(parseText(text.trim(), field))];
+    return [field.check(parseText(text.trim(), field, cssColor))];
   } catch (error) {
     console.warn(`<phong-control values="…">: ${(error as Error).message}`);
     return [];

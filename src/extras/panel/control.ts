@@ -3,7 +3,6 @@
 import { GUI } from 'lil-gui';
 import {
   addStyles,
-  attributeOf,
   attributesOf,
   bindingOf,
   type ControlValues,
@@ -32,6 +31,7 @@ import { declared, type Editable, type Rows, type Source } from './rows.js';
 import { SceneRange, type SliderScale } from './travel.js';
 import { listenForUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
+import { attributeOf } from '../../phong/fields/attribute-text.js';
 
 const ROWS = {
   'phong-viewer': VIEWER_ROWS,

@@ -2,12 +2,7 @@
 // attribute has a row for every element that has it; where that is more than one, the row says
 // whose it is.
 import type { GUI } from 'lil-gui';
-import {
-  attributeOf,
-  type PhongLight,
-  type PhongMesh,
-  type PhongViewer,
-} from '../../viewer/extra.js';
+import type { PhongLight, PhongMesh, PhongViewer } from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { type ChildKind, showRows } from './folders.js';
 import { nameOwner, relabel } from './label.js';
@@ -23,6 +18,7 @@ import {
 } from './rows.js';
 import type { SceneRange } from './travel.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
+import { attributeOf } from '../../phong/fields/attribute-text.js';
 
 /** An element with the rows that it could have. */
 interface Owner extends RowContext<Editable> {

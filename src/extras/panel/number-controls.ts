@@ -1,12 +1,13 @@
 // Rows of numbers: one number by slider and field, or a vector by a field for each component.
 import type { GUI } from 'lil-gui';
-import { followDrag, type ViewerText } from '../../viewer/extra.js';
+import type { ViewerText } from '../../viewer/extra.js';
 import { clamp, type Vec3 } from '../../phong/math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { label } from './label.js';
 import { InputRow, nameInput, type RowInput, TextField } from './input-row.js';
 import { tidy } from '../../phong/math/round-number.js';
 import { numberText, type SliderScale } from './travel.js';
+import { followDrag } from '../../phong/camera/followed-drag.js';
 
 /** A slider over the usual range, and a field that accepts every value that the element accepts. */
 export function addNumber(

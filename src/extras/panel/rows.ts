@@ -2,7 +2,6 @@
 // an element, or says that the field has none; a folder is built from it. Each write can be undone.
 import { type Controller, FunctionController, type GUI } from 'lil-gui';
 import {
-  attributeOf,
   bindingOf,
   historyOf,
   type PhongLight,
@@ -26,6 +25,7 @@ import {
 } from './number-controls.js';
 import { addSelect, addText, Readout } from './input-row.js';
 import type { SceneRange, SliderScale } from './travel.js';
+import { attributeOf } from '../../phong/fields/attribute-text.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
 

@@ -14,13 +14,13 @@ import {
   type Frustum,
   type GeometryName,
   levelFor,
+  LIMITS,
   measure,
   type MeshState,
   requireAtMost,
   roundOf,
   SAMPLED_TOLERANCE,
   segmentsIn,
-  TRIANGLE_LIMIT,
   type ViewerValues,
 } from '../../viewer/extra.js';
 import type {
@@ -79,7 +79,7 @@ export async function castSceneOf(
     const { shape } = object;
     if (shape.kind === 'triangles') {
       triangles += (shape.index ?? shape.positions).length / (shape.index === undefined ? 9 : 3);
-      requireAtMost(triangles, TRIANGLE_LIMIT, 'triangles', 'The still has');
+      requireAtMost(triangles, LIMITS.triangles, 'triangles', 'The still has');
     }
     objects.push(object);
   }

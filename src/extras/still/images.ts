@@ -1,13 +1,14 @@
 // PNG and JPEG images by plain JavaScript; other formats are refused by name.
 import type { FileBytes } from '../models/model-reader.js';
-import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT, ModelError } from '../../viewer/extra.js';
+import { LIMITS, ModelError } from '../../viewer/extra.js';
 import type { Pixels } from './mesh-shape.js';
+import { IMAGE_SIDE_LIMIT } from '../models/limits.js';
 
 /** @throws ModelError for a format that is not read; Error for a broken file. */
 export async function decodeImage({ bytes }: FileBytes): Promise<Pixels> {
   const decoded = isJpeg(bytes) ? await decodeJpeg(bytes) : await decodePng(bytes);
   const { width, height, data } = decoded;
-  if (Math.max(width, height) > IMAGE_SIDE_LIMIT || width * height > IMAGE_PIXEL_LIMIT) {
+  if (Math.max(width, height) > IMAGE_SIDE_LIMIT || width * height > LIMITS.imagePixels) {
     throw new ModelError(
       'too-large',
       `A still cannot scale an image of ${String(width)} × ${String(height)} pixels down.`,

@@ -5,15 +5,13 @@ import type { Field } from '../../phong/fields/field.js';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { LightState, type LightValues } from '../../phong/light/light-state.js';
 import {
-  attributeOf,
   MESH_FIELDS,
   type MeshValues,
-  parseText,
-  valueWarning,
   VIEWER_FIELDS,
   type ViewerValues,
 } from '../../viewer/extra.js';
 import { cssColor } from './css-colors.js';
+import { attributeOf, parseText, valueWarning } from '../../phong/fields/attribute-text.js';
 
 export type Warn = (message: string) => void;
 
@@ -80,7 +78,7 @@ function read<V extends object>(element: Element, store: FieldStore<V>, warn: Wa
     const key = keyOf.get(name);
     if (key === undefined) continue;
     const field: Field<unknown> = store.fields[key];
-    const typed = valueOf(value, field);
+    const typed = parseText(value, field, cssColor);
     try {
       if (typed === undefined) throw new TypeError('malformed');
       store.set(key, typed);
@@ -90,8 +88,3 @@ function read<V extends object>(element: Element, store: FieldStore<V>, warn: Wa
     }
   }
 }
-
-const valueOf = (text: string, field: Field<unknown>): unknown =>
-  field.kind === 'color'
-    ? (parseText(text, { ...field, kind: 'numbers' }) ?? cssColor(text) ?? undefined)
-    : parseText(text, field);

@@ -1,7 +1,6 @@
 // What the files and shapes of one viewer claim, before anything is allocated. What meshes share
 // counts once.
-import * as limits from './limits.js';
-import { TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } from './limits.js';
+import { LIMITS, VALUES_PER_TRIANGLE } from './limits.js';
 import { ModelError } from './model.js';
 
 /** What is claimed, in the units of the limits. */
@@ -27,19 +26,19 @@ export interface Claims {
 export type Amounts = Required<Claims>;
 
 /** What is limited, in the order in which it is checked. */
-const LIMITS: Readonly<Record<keyof Claims, readonly [limit: number, what: string]>> = {
-  bytes: [limits.BYTE_LIMIT, 'bytes in its files'],
-  text: [limits.TEXT_LIMIT, 'bytes of text'],
-  json: [limits.JSON_LIMIT, 'values in its JSON'],
-  nodes: [limits.NODE_LIMIT, 'nodes'],
-  parts: [limits.PART_LIMIT, 'draws'],
-  corners: [limits.CORNER_LIMIT, 'triangle corners'],
-  values: [limits.VALUE_LIMIT, 'numbers in its vertices'],
-  pixels: [limits.PIXEL_LIMIT, 'pixels in its images'],
-  work: [limits.WORK_LIMIT, 'items to read'],
+const WORDS: Readonly<Record<keyof Claims, string>> = {
+  bytes: 'bytes in its files',
+  text: 'bytes of text',
+  json: 'values in its JSON',
+  nodes: 'nodes',
+  parts: 'draws',
+  corners: 'triangle corners',
+  values: 'numbers in its vertices',
+  pixels: 'pixels in its images',
+  work: 'items to read',
 };
 
-const KEYS = /* @__PURE__ */ (() => Object.keys(LIMITS) as (keyof Claims)[])();
+const KEYS = /* @__PURE__ */ (() => Object.keys(WORDS) as (keyof Claims)[])();
 
 export const NO_CLAIMS = /* @__PURE__ */ (() =>
   Object.fromEntries(KEYS.map((key) => [key, 0])) as unknown as Amounts)();
@@ -61,7 +60,7 @@ const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
   Math.ceil(
     8 * values +
       9.33 * pixels +
-      8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) +
+      8 * Math.min(pixels, LIMITS.imagePixels) +
       12e3 * parts +
       2000 * nodes,
   );
@@ -72,12 +71,11 @@ const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
  */
 export function requireWithin(amounts: Amounts, subject = 'The model has', share = 1): void {
   for (const key of KEYS) {
-    const [limit, what] = LIMITS[key];
-    requireAtMost(amounts[key], Math.floor(share * limit), what, subject);
+    requireAtMost(amounts[key], Math.floor(share * LIMITS[key]), WORDS[key], subject);
   }
   requireAtMost(
     memoryOf(amounts),
-    Math.floor(share * limits.MEMORY_LIMIT),
+    Math.floor(share * LIMITS.memory),
     'bytes in memory (vertices and images)',
     subject,
   );
@@ -160,8 +158,8 @@ interface Use {
 
 /** What all meshes of one viewer hold. */
 export class Budget {
-  #limit = TRIANGLE_LIMIT;
-  #memory = limits.MEMORY_LIMIT;
+  #limit: number = LIMITS.triangles;
+  #memory: number = LIMITS.memory;
   readonly #total = { ...NO_CLAIMS };
   readonly #uses = new Map<Need['key'], Use>();
   readonly #claims = new Map<object, Set<Claim>>();
@@ -176,7 +174,7 @@ export class Budget {
    * default.
    */
   set limit(limit: number | null) {
-    this.#limit = upTo(TRIANGLE_LIMIT, limit, 'maxTriangles');
+    this.#limit = upTo(LIMITS.triangles, limit, 'maxTriangles');
   }
 
   /** Most bytes in memory, by {@link memoryOf}. All limits but {@link limit} shrink with it. */
@@ -186,7 +184,7 @@ export class Budget {
 
   /** As {@link limit}. */
   set memory(bytes: number | null) {
-    this.#memory = upTo(limits.MEMORY_LIMIT, bytes, 'maxMemory');
+    this.#memory = upTo(LIMITS.memory, bytes, 'maxMemory');
   }
 
   /**
@@ -215,9 +213,9 @@ export class Budget {
     this.hold(claim, needs);
     try {
       requireAtMost(this.used, this.#limit, 'triangles', SUBJECT);
-      const share = this.#memory / limits.MEMORY_LIMIT;
+      const share = this.#memory / LIMITS.memory;
       // Triangles have been counted, in place of their values.
-      const values = Math.min(this.#total.values, Math.floor(share * limits.VALUE_LIMIT));
+      const values = Math.min(this.#total.values, Math.floor(share * LIMITS.values));
       requireWithin({ ...this.#total, values }, SUBJECT, share);
     } catch (error) {
       this.hold(claim, []);

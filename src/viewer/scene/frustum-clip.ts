@@ -4,7 +4,7 @@
 import type { ShadingFrame } from '../../phong/material/lighting.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { type Ball, stretch } from './bounds.js';
-import type { BoxList, Position } from './triangle-bvh.js';
+import type { BoxList, Position } from '../../phong/math/triangle-bvh.js';
 
 /** What is in view: its sides have slopes ±`slopeX` and ±`slopeY` from its axis. */
 export interface Frustum {

@@ -22,7 +22,12 @@ import {
   type Frustum,
   writeModelViewProjection,
 } from './frustum-clip.js';
-import { type BoxList, type BvhQuery, type Position, queryBvh } from './triangle-bvh.js';
+import {
+  type BoxList,
+  type BvhQuery,
+  type Position,
+  queryBvh,
+} from '../../phong/math/triangle-bvh.js';
 
 /**
  * Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond

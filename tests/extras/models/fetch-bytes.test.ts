@@ -5,14 +5,14 @@ import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { createGzip } from 'node:zlib';
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
-import { ModelBudget } from '../../../src/extras/models/model-budget.js';
+import { ModelBudget } from '../../../src/viewer/model/model-budget.js';
 import { byteFetcher, SILENCE_LIMIT_MS } from '../../../src/extras/models/fetch-bytes.js';
 
 const LIMIT = 2 ** 22;
-vi.mock(import('../../../src/viewer/model/limits.js'), async (original) => ({
-  ...(await original()),
-  BYTE_LIMIT: 2 ** 22,
-}));
+vi.mock(import('../../../src/viewer/model/limits.js'), async (original) => {
+  const limits = await original();
+  return { ...limits, LIMITS: { ...limits.LIMITS, bytes: 2 ** 22 } as never };
+});
 
 let server: Server;
 let origin = '';

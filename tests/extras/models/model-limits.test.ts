@@ -4,8 +4,8 @@ import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Growing } from '../../../src/extras/models/triangles/corner-lists.js';
-import { VALUE_LIMIT } from '../../../src/viewer/model/limits.js';
-import { ModelBudget } from '../../../src/extras/models/model-budget.js';
+import { LIMITS } from '../../../src/viewer/model/limits.js';
+import { ModelBudget } from '../../../src/viewer/model/model-budget.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/viewer/model/model.js';
 import { bitmapOf, OPTIONS, view } from './model-files.js';
@@ -28,7 +28,7 @@ async function outcome(file: Buffer | Blob): Promise<string> {
   let allocated = 0;
   const construct = (target: Float32ArrayConstructor, args: [number]): Float32Array => {
     if (typeof args[0] === 'number') {
-      expect((allocated += args[0])).toBeLessThanOrEqual(VALUE_LIMIT);
+      expect((allocated += args[0])).toBeLessThanOrEqual(LIMITS.values);
     }
     return Reflect.construct(target, args) as Float32Array;
   };

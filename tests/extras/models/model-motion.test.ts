@@ -4,7 +4,7 @@ import { AnimationMixer, type Mesh, Object3D, type SkinnedMesh, Vector3 } from '
 import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import { POSE_LIMIT } from '../../../src/viewer/model/limits.js';
+import { LIMITS } from '../../../src/viewer/model/limits.js';
 import { Animations } from '../../../src/viewer/scene/mesh/animation.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
 import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
@@ -135,7 +135,7 @@ describe('the reach of an animation', () => {
     const keys = Array.from({ length: 5000 }, (_, i) => i);
     expect(keysWithin(keys.slice(0, 900), 10)).toHaveLength(900);
     expect(keysWithin(keys, 10)).toHaveLength(1000);
-    const few = keysWithin(keys, 2 * POSE_LIMIT);
+    const few = keysWithin(keys, 2 * LIMITS.pose);
     expect(few).toHaveLength(4);
     expect([few[0], few.at(-1)]).toEqual([0, 4999]);
     expect(keysWithin(keys, 1e9)).toEqual([0, 4999]);
@@ -361,7 +361,7 @@ describe('the work of a pose', () => {
   it('keeps a model within the limit in motion, and shows one above it in its own pose', async () => {
     const vertices = 3 * 2 ** 16;
     const within = await loadGlb(morphsGlb(vertices, [1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0]));
-    expect(within.motion?.work).toBeLessThanOrEqual(POSE_LIMIT);
+    expect(within.motion?.work).toBeLessThanOrEqual(LIMITS.pose);
     expect(within.dropped?.size).toBe(0);
     const warned = vi.spyOn(console, 'warn').mockReturnValue().mockClear();
     const above = await loadGlb(morphsGlb(vertices, [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0]));
@@ -397,7 +397,7 @@ it('meshes of a picture play as far as the work of their poses is within the lim
   const animations = new Animations();
   const advances = [0, 0, 0];
   advances.forEach((_, i) => {
-    const mesh = { plays: true, work: 0.4 * POSE_LIMIT, advance: () => void advances[i]!++ };
+    const mesh = { plays: true, work: 0.4 * LIMITS.pose, advance: () => void advances[i]!++ };
     animations.meshes.add(mesh as unknown as SceneMesh);
   });
   animations.step(0);

@@ -2,13 +2,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { flatGeometry } from '../../../src/phong/material/flat-geometry.js';
-import * as limits from '../../../src/viewer/model/limits.js';
+import { LIMITS, VALUES_PER_TRIANGLE } from '../../../src/viewer/model/limits.js';
 import { createGeometry, GEOMETRIES } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
 import { shapeNeeds } from '../../../src/viewer/scene/mesh/shapes/shared-shapes.js';
 import { Budget, type Claims, claimsOf } from '../../../src/viewer/model/budget.js';
-import { ModelBudget } from '../../../src/extras/models/model-budget.js';
-
-const { PART_LIMIT, PIXEL_LIMIT, TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } = limits;
+import { ModelBudget } from '../../../src/viewer/model/model-budget.js';
 
 const need = (key: object | string, triangles: number) => ({
   key,
@@ -43,15 +41,15 @@ it.each(GEOMETRIES)(
 );
 
 describe('the budget of memory', () => {
-  const quarter = limits.MEMORY_LIMIT / 4;
+  const quarter = LIMITS.memory / 4;
 
   it('holds four viewers that have a quarter each to the limits of one, of every kind', () => {
     const kinds: readonly [keyof Claims, number][] = [
-      ['bytes', limits.BYTE_LIMIT],
-      ['text', limits.TEXT_LIMIT],
-      ['pixels', PIXEL_LIMIT],
-      ['parts', PART_LIMIT],
-      ['nodes', limits.NODE_LIMIT],
+      ['bytes', LIMITS.bytes],
+      ['text', LIMITS.text],
+      ['pixels', LIMITS.pixels],
+      ['parts', LIMITS.parts],
+      ['nodes', LIMITS.nodes],
     ];
     for (const [kind, most] of kinds) {
       let held = 0;
@@ -77,12 +75,12 @@ describe('the budget of memory', () => {
   it('is a whole number from 0 to the default; null restores the default', () => {
     const budget = new Budget();
     budget.memory = quarter;
-    for (const wrong of ['1', Number.NaN, -1, 0.5, limits.MEMORY_LIMIT + 1]) {
+    for (const wrong of ['1', Number.NaN, -1, 0.5, LIMITS.memory + 1]) {
       expect(() => (budget.memory = wrong as number)).toThrow(/^maxMemory must be a /);
       expect(budget.memory).toBe(quarter);
     }
     budget.memory = null;
-    expect(budget.memory).toBe(limits.MEMORY_LIMIT);
+    expect(budget.memory).toBe(LIMITS.memory);
   });
 });
 
@@ -126,14 +124,14 @@ describe('the budget of triangles', () => {
   });
 
   it.each<[keyof Claims, number]>([
-    ['bytes', limits.BYTE_LIMIT],
-    ['text', limits.TEXT_LIMIT],
-    ['json', limits.JSON_LIMIT],
-    ['nodes', limits.NODE_LIMIT],
-    ['parts', PART_LIMIT],
-    ['corners', limits.CORNER_LIMIT],
-    ['pixels', PIXEL_LIMIT],
-    ['work', limits.WORK_LIMIT],
+    ['bytes', LIMITS.bytes],
+    ['text', LIMITS.text],
+    ['json', LIMITS.json],
+    ['nodes', LIMITS.nodes],
+    ['parts', LIMITS.parts],
+    ['corners', LIMITS.corners],
+    ['pixels', LIMITS.pixels],
+    ['work', LIMITS.work],
   ])('has one limit of %s for all files together', (key, limit) => {
     const budget = new Budget();
     budget.claim({}).add(holds({ [key]: limit }));
@@ -151,7 +149,7 @@ describe('the budget of triangles', () => {
 
   it('counts the draws of each mesh that shows the same, and everything else once', () => {
     const budget = new Budget();
-    const content = { values: 1000, pixels: PIXEL_LIMIT / 2, parts: PART_LIMIT / 4 };
+    const content = { values: 1000, pixels: LIMITS.pixels / 2, parts: LIMITS.parts / 4 };
     const meshes = [1, 2, 3, 4].map(() => budget.claim({}));
     for (const mesh of meshes) {
       mesh.add(holds(content, 'model'));
@@ -163,13 +161,13 @@ describe('the budget of triangles', () => {
 
   it('throws for a limit that is none, and keeps the one before', () => {
     const budget = budgetOf(10);
-    for (const wrong of [-1, 1.5, NaN, Infinity, TRIANGLE_LIMIT + 1]) {
+    for (const wrong of [-1, 1.5, NaN, Infinity, LIMITS.triangles + 1]) {
       expect(() => (budget.limit = wrong)).toThrow(RangeError);
     }
     expect(() => Reflect.set(budget, 'limit', '5')).toThrow(TypeError);
     expect(budget.limit).toBe(10);
     Reflect.set(budget, 'limit', null);
-    expect(budget.limit).toBe(TRIANGLE_LIMIT);
+    expect(budget.limit).toBe(LIMITS.triangles);
   });
 
   it('holds the sum of the distinct geometries, and never more than its limit, in any order of claims', () => {

@@ -1,6 +1,6 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once,
 // on first use.
-import { BYTE_LIMIT, isDataUri, lazyCode, requireAtMost } from '../../../viewer/extra.js';
+import { isDataUri, lazyCode, LIMITS, requireAtMost } from '../../../viewer/extra.js';
 import { type FileBytes, type ModelSource, neededCode, requireDecoders } from '../model-reader.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
@@ -60,7 +60,7 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
       const size = length + (view?.byteStride ?? 0);
       copied += size;
       // Views may overlap or be compressed, so a small file can claim any size.
-      requireAtMost(copied, BYTE_LIMIT, 'bytes once they are unpacked');
+      requireAtMost(copied, LIMITS.bytes, 'bytes once they are unpacked');
       const copy = new Uint8Array(size);
       copy.set(meshopt ? await unpacked(bytes, meshopt) : bytes);
       return copy.buffer;

@@ -1,10 +1,10 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of
 // the file.
-import { isDataUri, JSON_TEXT_LIMIT, requireAtMost } from '../../../viewer/extra.js';
+import { isDataUri, type ModelBudget, requireAtMost } from '../../../viewer/extra.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
-import type { ModelBudget } from '../model-budget.js';
 import type { FileBytes } from '../model-reader.js';
 import type { Slices } from '../slices.js';
+import { JSON_TEXT_LIMIT } from '../limits.js';
 
 export interface Container {
   readonly json: unknown;

@@ -2,8 +2,7 @@
 // textures, skins and animations. Everything else is removed before anything is loaded. Every index
 // and size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../phong/fields/clip.js';
-import { DRACO_LIMIT, ModelError, requireAtMost } from '../../../viewer/extra.js';
-import type { ModelBudget } from '../model-budget.js';
+import { type ModelBudget, ModelError, requireAtMost } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';
@@ -25,6 +24,7 @@ import {
 } from './json.js';
 import { readMaterials, readTextures, type GltfTexture } from './materials.js';
 import { DRACO, type Primitive, type PrimitiveContext, readPrimitives } from './primitives.js';
+import { DRACO_LIMIT } from '../limits.js';
 
 export interface GltfDocument {
   /**

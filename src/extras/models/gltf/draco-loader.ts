@@ -2,11 +2,12 @@
 import wasm from 'three/examples/jsm/libs/draco/gltf/draco_decoder.wasm?url';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { DRACO_LIMIT, lazyCode, requireAtMost } from '../../../viewer/extra.js';
+import { lazyCode, requireAtMost } from '../../../viewer/extra.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { neededCode } from '../model-reader.js';
 import type { Slices } from '../slices.js';
 import type { DracoJob, DracoMesh } from './draco-mesh.js';
+import { DRACO_LIMIT } from '../limits.js';
 
 const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
 

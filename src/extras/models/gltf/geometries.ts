@@ -1,5 +1,6 @@
 // Turns the geometries from three's glTF loader into those that are drawn, in the file's pose.
 // Shared ones stay shared.
+import type { ModelBudget } from '../../../viewer/extra.js';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -10,7 +11,6 @@ import {
   SkinnedMesh,
 } from 'three';
 import { faceNormals } from '../model-reader.js';
-import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import {
   type Attribute,

@@ -6,8 +6,8 @@ import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import {
   type ContentPart,
   type GeometrySize,
+  LIMITS,
   type Motion,
-  POSE_LIMIT,
   sizeOfVertices,
 } from '../../../viewer/extra.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
@@ -101,8 +101,8 @@ export async function readMotion(
   }
   if (clips.length === 0) return null;
   const work = workOf(clips, movable, weighted);
-  if (work <= POSE_LIMIT) return motionOf(file, clips, movable, parts, work);
-  const [taken, most] = [work, POSE_LIMIT].map((steps) => steps.toLocaleString('en'));
+  if (work <= LIMITS.pose) return motionOf(file, clips, movable, parts, work);
+  const [taken, most] = [work, LIMITS.pose].map((steps) => steps.toLocaleString('en'));
   dropped.add(`its animations (a pose takes ${taken!} steps; at most ${most!} are computed)`);
   return null;
 }

@@ -1,6 +1,5 @@
 // The primitives of a glTF mesh that are drawn: triangles, and the attributes that are used. Knows
 // the JSON only.
-import { JSON_NAME_LIMIT } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';
@@ -15,6 +14,7 @@ import {
   shortListAt,
   type JsonObject,
 } from './json.js';
+import { JSON_NAME_LIMIT } from '../limits.js';
 
 export const DRACO = 'KHR_draco_mesh_compression';
 

@@ -1,11 +1,11 @@
 // Where the vertices of an animated model come to: a bounded number of them, the outermost, over
 // the poses at its keys.
 import { Box3, type BufferAttribute, type Matrix4, Vector3 } from 'three';
-import { type ContentPart, hasMovingVertices, POSE_LIMIT } from '../../../viewer/extra.js';
+import { type ContentPart, hasMovingVertices, LIMITS } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 
 /** Steps of all poses that are read for one animation: 0.3 s. Of more keys some are left out. */
-const WORK_LIMIT = 8 * POSE_LIMIT;
+const WORK_LIMIT = 8 * LIMITS.pose;
 /** Most keys that are read, whatever the model: nodes are moved too. */
 const KEY_LIMIT = 1000;
 

@@ -1,7 +1,7 @@
 // Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material
 // each belongs to. Lines, points, curves and surfaces are skipped, and so is a face that refers to
 // what is not there.
-import { CORNER_LIMIT, PART_LIMIT, requireAtMost } from '../../../viewer/extra.js';
+import { LIMITS, requireAtMost } from '../../../viewer/extra.js';
 import type { LeftOut, LeftOutKind } from '../left-out.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
@@ -265,7 +265,7 @@ class ObjReader {
   #index(kind: ReferenceKind, count: number): number {
     const written = this.#scanner.integerHere();
     const index = written > 0 ? written - 1 : count + written;
-    if (!(written !== 0 && index >= 0 && index < CORNER_LIMIT)) {
+    if (!(written !== 0 && index >= 0 && index < LIMITS.corners)) {
       // Read now, not by the reason: it steps over the word.
       const why = Number.isNaN(written)
         ? `${this.#scanner.quotedWord()} is not a corner of a face`
@@ -298,7 +298,7 @@ class ObjReader {
       const material = this.#nameOf('usemtl');
       this.#materials.add(material);
       // At least one draw each.
-      requireAtMost(this.#materials.size, PART_LIMIT, 'materials');
+      requireAtMost(this.#materials.size, LIMITS.parts, 'materials');
       const object = this.#nameOf('o') || this.#nameOf('g');
       this.#runs.push({ object, material, start: this.#runStart, end });
     }

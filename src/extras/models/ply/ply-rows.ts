@@ -1,7 +1,7 @@
 // Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each.
 import { clip } from '../../../phong/fields/clip.js';
 import type { LeftOut } from '../left-out.js';
-import { CORNER_LIMIT } from '../../../viewer/extra.js';
+import { LIMITS } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import {
@@ -254,7 +254,7 @@ class PlyRows {
 
   /** The vertex with this number, which may come later. */
   #vertexOf(value: number): number {
-    if (Number.isInteger(value) && value >= 0 && value < CORNER_LIMIT) {
+    if (Number.isInteger(value) && value >= 0 && value < LIMITS.corners) {
       this.#highestVertex = Math.max(this.#highestVertex, value);
       return value;
     }

@@ -8,11 +8,10 @@ import { LeftOut } from '../left-out.js';
 import { type BaseLook, PLAIN_LOOK } from '../../../phong/material/file-surface.js';
 import {
   type ContentPart,
-  CORNER_LIMIT,
-  PART_LIMIT,
+  LIMITS,
+  type ModelBudget,
   requireAtMost,
 } from '../../../viewer/extra.js';
-import type { ModelBudget } from '../model-budget.js';
 import { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
@@ -62,7 +61,7 @@ async function readBinary(
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = countOf(view);
   // Before anything is allocated.
-  requireAtMost(3 * count, CORNER_LIMIT, 'triangle corners');
+  requireAtMost(3 * count, LIMITS.corners, 'triangle corners');
   const header = headerColor(view);
   const places = new Positions(3 * count);
   /** Of the triangles that are kept. */
@@ -281,7 +280,7 @@ class StlTextReader {
       this.#spoil('a facet has more than three vertices', at);
     }
     if (!this.#isSound) return;
-    requireAtMost(this.#total + 1, CORNER_LIMIT, 'triangle corners');
+    requireAtMost(this.#total + 1, LIMITS.corners, 'triangle corners');
     const start = scanner.at;
     const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
     this.#corners = (this.#corners ?? 0) + 1;
@@ -318,7 +317,7 @@ class StlTextReader {
       color: WHITE,
       opacity: 1,
     });
-    requireAtMost(this.#solids.length, PART_LIMIT, 'solids');
+    requireAtMost(this.#solids.length, LIMITS.parts, 'solids');
     this.#places = new Positions();
   }
 

@@ -1,9 +1,10 @@
 // A file's triangles while they are read: corners refer to lists of positions, uvs and normals, as
 // OBJ writes them.
 import { Matrix4, type TypedArray } from 'three';
-import { CORNER_LIMIT, free, requireAtMost } from '../../../viewer/extra.js';
-import { LIMITS } from '../../../phong/light/light-state.js';
+import { LIMITS, requireAtMost } from '../../../viewer/extra.js';
+import { LIMITS as LIGHT_LIMITS } from '../../../phong/light/light-state.js';
 import type { Slices } from '../slices.js';
+import { free } from '../limits.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
 export const UNSTATED = -1;
@@ -78,7 +79,7 @@ export class CornerLists {
 
   /** @throws ModelError `too-large` for too many triangles. Call before the corners of each. */
   beginTriangle(joined: boolean): void {
-    requireAtMost(this.corners.length + 3, CORNER_LIMIT, 'triangle corners');
+    requireAtMost(this.corners.length + 3, LIMITS.corners, 'triangle corners');
     this.joined.push(joined ? 1 : 0);
   }
 
@@ -147,7 +148,7 @@ export class Positions {
    */
   push(x: number, y: number, z: number): boolean {
     const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
-    const sound = largest <= LIMITS.coordinate;
+    const sound = largest <= LIGHT_LIMITS.coordinate;
     if (sound) {
       this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
     }
@@ -174,7 +175,7 @@ const NOWHERE = [NaN, NaN, NaN] as const;
 
 /** Why {@link Positions.push} refused a vertex, for messages. */
 export function wrongCoordinate(x: number, y: number, z: number): string {
-  const value = [x, y, z].find((coordinate) => !(Math.abs(coordinate) <= LIMITS.coordinate));
+  const value = [x, y, z].find((coordinate) => !(Math.abs(coordinate) <= LIGHT_LIMITS.coordinate));
   return `a vertex has the coordinate ${String(value)}; ±1e15 is the limit`;
 }
 

@@ -1,10 +1,10 @@
 // Turns corners into a geometry that the GPU reads. Corners that agree in everything share a
 // vertex.
+import type { ModelBudget } from '../../../viewer/extra.js';
 import { BufferAttribute, BufferGeometry } from 'three';
-import { free } from '../../../viewer/extra.js';
-import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import { itemAt, NONE, NOT_THERE, type CornerLists } from './corner-lists.js';
+import { free } from '../limits.js';
 
 /** Corners from `start` on, up to before `end`. */
 export interface CornerRange {

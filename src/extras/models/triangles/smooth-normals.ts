@@ -3,10 +3,10 @@
 // cut into triangles.
 import { cosDegrees } from '../../../phong/math/angle.js';
 import { atan2 } from '../../../phong/math/elementary.js';
-import { free } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
+import { free } from '../limits.js';
 
 /**
  * Faces without a stated smoothing group are smoothed together if they meet at less than 40°. The

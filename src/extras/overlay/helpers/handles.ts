@@ -6,7 +6,6 @@ import {
   create,
   type ExtraHost,
   fieldsOf,
-  followDrag,
   historyOf,
   lightText,
   localNumber,
@@ -30,6 +29,7 @@ import {
   type SceneBall,
 } from './light-marks.js';
 import { LightMove } from './light-move.js';
+import { followDrag } from '../../../phong/camera/followed-drag.js';
 
 interface HandleEntry {
   readonly element: HTMLElement;

@@ -1,9 +1,9 @@
 // How attributes and properties reach a FieldStore: a bad attribute warns and gives the default, a
 // bad property throws.
-import { type Field, show } from '../../../phong/fields/field.js';
+import { show } from '../../../phong/fields/field.js';
 import type { FieldStore } from '../../../phong/fields/field-store.js';
-import { nearest } from '../../../phong/fields/nearest.js';
-import { attributeOf, parseText } from './attribute-text.js';
+import { attributeOf, parseText, valueWarning } from '../../../phong/fields/attribute-text.js';
+import { cssColor } from './css-color.js';
 
 /** For each set of fields, its keys by attribute name. */
 const keysByAttribute = new WeakMap<object, ReadonlyMap<string, string>>();
@@ -78,7 +78,7 @@ export class FieldBinding<V extends object> {
    */
   set(key: keyof V & string, value: unknown): void {
     const field = this.store.fields[key];
-    const typed = typeof value === 'string' ? parseText(value, field) : value;
+    const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
     if (typed === undefined && typeof value === 'string') {
       throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));
     }
@@ -111,7 +111,7 @@ export class FieldBinding<V extends object> {
 
   #setOrWarn(key: keyof V & string, value: unknown): void {
     const field = this.store.fields[key];
-    const typed = typeof value === 'string' ? parseText(value, field) : value;
+    const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
     if (typed !== undefined || value === undefined) {
       try {
         this.store.set(key, typed);
@@ -139,23 +139,6 @@ export class FieldBinding<V extends object> {
   #about(key: string, message: string): string {
     return `<${this.#element.localName}>.${key}: ${message}`;
   }
-}
-
-/** What is wrong with a declared value, and what is used instead. */
-export function valueWarning(
-  tag: string,
-  key: string,
-  value: unknown,
-  { expected, fallback, choices }: Field<unknown>,
-): string {
-  const words = Array.isArray(fallback)
-    ? fallback.join(' ')
-    : (fallback as { toString(): string } | null);
-  const instead = words?.toString() || 'none';
-  const meant =
-    typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
-  const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
-  return `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
 }
 
 /**

@@ -24,7 +24,7 @@ import {
 } from '../../../phong/fields/field.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { MESH_FIELDS, SHAPE_FIELDS } from '../../scene/mesh/mesh-fields.js';
-import { attributeOf } from './attribute-text.js';
+import { attributeOf } from '../../../phong/fields/attribute-text.js';
 import type { Inputs, ShapeProperties, ValuesOf } from './properties.js';
 
 export type Loading = 'auto' | 'eager' | 'lazy';

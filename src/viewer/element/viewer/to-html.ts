@@ -4,7 +4,7 @@ import type { FieldStore } from '../../../phong/fields/field-store.js';
 import { eightDigits } from '../../../phong/camera/written-pose.js';
 import { fileName } from '../../model/request-model.js';
 import { registryOf } from '../child-registry.js';
-import { attributeOf, formatValue } from '../fields/attribute-text.js';
+import { attributeOf, formatValue } from '../../../phong/fields/attribute-text.js';
 import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
 

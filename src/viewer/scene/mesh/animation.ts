@@ -1,5 +1,5 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
-import { POSE_LIMIT } from '../../model/limits.js';
+import { LIMITS } from '../../model/limits.js';
 import type { GeometrySize } from '../../model/geometry-size.js';
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
@@ -123,12 +123,12 @@ export class Animations {
     for (const mesh of this.meshes) {
       if (!mesh.plays) continue;
       work += mesh.work;
-      if (work <= POSE_LIMIT) {
+      if (work <= LIMITS.pose) {
         mesh.advance(elapsed);
       } else if (!this.#warned) {
         this.#warned = true;
         console.warn(
-          `Not all animations play: the poses of a frame take at most ${POSE_LIMIT.toLocaleString('en')} steps.`,
+          `Not all animations play: the poses of a frame take at most ${LIMITS.pose.toLocaleString('en')} steps.`,
         );
       }
     }

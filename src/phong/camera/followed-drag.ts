@@ -1,5 +1,5 @@
 // A drag of one element by one pointer, from the press to its end, wherever the pointer is by then.
-import { keepDrag } from '../../../phong/camera/kept-drag.js';
+import { keepDrag } from './kept-drag.js';
 
 interface DragListener {
   /** Whole travel since the press, in client coordinates. */

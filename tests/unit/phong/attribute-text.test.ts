@@ -3,11 +3,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  attributeOf,
-  formatValue,
-  parseText,
-} from '../../../src/viewer/element/fields/attribute-text.js';
+import { attributeOf, formatValue, parseText } from '../../../src/phong/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../../src/viewer/element/fields/viewer-fields.js';
 import { sameValue } from '../../../src/phong/fields/field-store.js';
 import {

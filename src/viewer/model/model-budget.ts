@@ -1,7 +1,7 @@
 // What one model claims. Every format claims what a file says before it allocates or reads it; past
 // a limit the result is `too-large`. Apart from the viewer's budget because no first frame needs
-// it.
-import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from '../../viewer/extra.js';
+// it: only readers of models do.
+import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from './budget.js';
 
 /** Adds up what a model claims. One instance per model. */
 export class ModelBudget {
@@ -13,7 +13,7 @@ export class ModelBudget {
     this.#onClaim = onClaim;
   }
 
-  /** @throws ModelError `too-large` past a limit. Call before allocating. */
+  /** @throws ModelError `too-large` past a limit: only readers of models do. Call before allocating. */
   add(claims: Claims): void {
     const claimed = plus(this.#claimed, claims);
     requireWithin(claimed);

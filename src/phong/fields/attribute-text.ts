@@ -1,8 +1,9 @@
 // Attribute text to values and back. One contract for every kind: `parseText` returns a value for
 // the field's own check, or undefined if the text is malformed. It never throws and never guesses.
 // Domains are checked by the fields.
-import type { Field, FieldKind } from '../../../phong/fields/field.js';
-import { cssColor } from './css-color.js';
+import { show, type Field, type FieldKind } from './field.js';
+import { nearest } from './nearest.js';
+import type { Vec3 } from '../math/vector.js';
 
 // Each digit matches in one way only, so that a long text that is not a number is refused in linear
 // time.
@@ -34,10 +35,15 @@ const parseWords = (text: string): readonly string[] =>
     .split(/[\s,]+/)
     .filter((word) => word !== '');
 
-const PARSERS: Readonly<Record<FieldKind, (text: string) => unknown>> = {
+/** Parses a CSS colour; null for other text. */
+type ColorParser = (text: string) => Vec3 | null;
+
+const PARSERS: Readonly<
+  Record<FieldKind, (text: string, colorOf: ColorParser | undefined) => unknown>
+> = {
   number: parseNumber,
   numbers: parseNumbers,
-  color: (text) => parseNumbers(text) ?? cssColor(text) ?? undefined,
+  color: (text, colorOf) => parseNumbers(text) ?? colorOf?.(text) ?? undefined,
   boolean: parseFlag,
   // Like HTML's own boolean attributes: no text is malformed.
   presence: (text) => parseFlag(text) ?? true,
@@ -47,12 +53,15 @@ const PARSERS: Readonly<Record<FieldKind, (text: string) => unknown>> = {
   'flag-or-words': (text) => parseFlag(text) ?? parseWords(text),
 };
 
-/** A value for `field.check`, or undefined if the text is malformed. */
-export function parseText(text: string, field: Field<unknown>): unknown {
+/**
+ * A value for `field.check`, or undefined if the text is malformed. Colours are numbers, or what
+ * `colorOf` knows.
+ */
+export function parseText(text: string, field: Field<unknown>, colorOf?: ColorParser): unknown {
   const word = text.trim().toLowerCase();
   if (field.word !== undefined && word === field.word) return field.word;
   if (field.empty !== undefined && word === '') return field.empty;
-  return PARSERS[field.kind](text);
+  return PARSERS[field.kind](text, colorOf);
 }
 
 /**
@@ -74,3 +83,20 @@ export const attributeOf = (key: string): string =>
   key === 'crossOrigin'
     ? 'crossorigin'
     : key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
+/** What is wrong with a declared value, and what is used instead. */
+export function valueWarning(
+  tag: string,
+  key: string,
+  value: unknown,
+  { expected, fallback, choices }: Field<unknown>,
+): string {
+  const words = Array.isArray(fallback)
+    ? fallback.join(' ')
+    : (fallback as { toString(): string } | null);
+  const instead = words?.toString() || 'none';
+  const meant =
+    typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
+  const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
+  return `<${tag}> ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
+}
