@@ -36,14 +36,7 @@ const parts = {
   },
   standalone: () => bundle('standalone'),
   classic: () => bundle('classic'),
-  types: () =>
-    runNode(
-      'node_modules/typescript/bin/tsc',
-      '-p',
-      'tsconfig.build.json',
-      '--outDir',
-      outputFolder('dist') + '/types',
-    ),
+  types: () => runNode('.ci/types.mjs'),
   texts: () => runNode('.ci/texts.mjs'),
   manifest: () => runNode('.ci/manifest.mjs'),
   embed: async () => {

@@ -7,7 +7,7 @@
 import type { Plugin } from 'vite';
 
 /** A function of `lazyCode` in minified code that imports a chunk. */
-const loader = /\(\)=>import\(`(\.\/[^`$]+)`\)/g;
+const loader = /\(\)=>import\(`(\.\.?\/[^`$]+)`\)/g;
 
 /**
  * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import

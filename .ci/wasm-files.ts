@@ -1,9 +1,10 @@
-// Puts the WebAssembly of three's decoders into dist/ as files beside the code, at addresses that
-// users' bundlers know.
+// Puts the WebAssembly of three's decoders into dist/ as files beside the decoders' code, at
+// addresses that users' bundlers know.
 
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
+import { DECODER_FOLDER, fromChunk } from './decoder-workers.js';
 
 const SPECIFIER = /^three\/.*\/([\w.]+\.wasm)\?url$/;
 /**
@@ -33,14 +34,14 @@ export function wasmFiles({ file = true } = {}): Plugin {
     generateBundle(_options, bundle) {
       for (const chunk of Object.values(bundle)) {
         if (chunk.type !== 'chunk') continue;
-        const folder = chunk.fileName.slice(0, chunk.fileName.lastIndexOf('/') + 1);
         chunk.code = chunk.code.replace(PLACEHOLDER, (_, name: string) => {
+          const fileName = `${DECODER_FOLDER}/${name}`;
           this.emitFile({
             type: 'asset',
-            fileName: folder + name,
+            fileName,
             source: readFileSync(sources.get(name) ?? ''),
           });
-          return `./${name}`;
+          return fromChunk(chunk.fileName, fileName);
         });
       }
     },

@@ -103,7 +103,8 @@ const workerPlugins = (): Plugin[] => [
 const withoutDecoders: Plugin = {
   name: 'without-decoders',
   enforce: 'pre',
-  resolveId: (specifier) => (/^\.\/(draco|ktx2|meshopt)\.js$/.test(specifier) ? '\0none' : null),
+  resolveId: (specifier) =>
+    /^\.\/(draco|ktx2-worker|meshopt)\.js$/.test(specifier) ? '\0none' : null,
   load: (id) => (id === '\0none' ? 'export {};' : null),
 };
 
@@ -131,9 +132,9 @@ export default defineConfig(({ mode }) => ({
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
     target: 'es2022',
-    // Node's entries run as they are. A map would point stack traces to sources that the package
-    // does not have.
-    sourcemap: !isForNode(mode),
+    // A map would be five times its file, and point to sources that are not in the package.
+    sourcemap: false,
+    // Node's entries run as they are: their stack traces keep the names of functions.
     minify: !isForNode(mode),
     lib: {
       entry: { [mode]: entries[mode] ?? missing(mode) },
@@ -149,7 +150,7 @@ export default defineConfig(({ mode }) => ({
       output: {
         // A second entry's chunks import that entry: they are not the first one's.
         chunkFileNames: mode === 'still' ? 'still/[name].js' : 'shared/[name].js',
-        minify: !isForNode(mode),
+        minify: isForNode(mode) ? { mangle: { keepNames: true } } : true,
         codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
       },
     },

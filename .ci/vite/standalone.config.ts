@@ -31,7 +31,6 @@ export default defineConfig({
     licences(),
     retriedImports(),
     decoderWorkers({
-      hashed: true,
       plugins: () => [dracoDecoder(), basisTranscoder(), licences({ listed: false })],
     }),
   ],

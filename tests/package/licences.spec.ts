@@ -56,10 +56,8 @@ test('every bundle that contains code of others begins with a notice that names 
     [chunk('chunks', 'teapot'), [/three\.js authors/]],
     [chunk('chunks', 'meshopt'), [/Arseny Kapoulkine/]],
     [chunk('chunks', 'draco'), [/Draco Authors/]],
-    [chunk('shared', 'draco'), [/Draco Authors/]],
     [chunk('chunks', 'draco-worker'), [/Draco Authors/]],
     [chunk('chunks', 'ktx2-worker'), [/Binomial LLC/]],
-    [chunk('shared', 'ktx2'), [/Binomial LLC/]],
   ];
   for (const [path, holders] of expected) {
     for (const holder of holders) {

@@ -55,7 +55,7 @@ async function pageCode(): Promise<string> {
       {
         name: 'without-decoders',
         enforce: 'pre',
-        resolveId: (name) => (/^\.\/(draco|ktx2|meshopt)\.js$/.test(name) ? '\0none' : null),
+        resolveId: (name) => (/^\.\/(draco|ktx2-worker|meshopt)\.js$/.test(name) ? '\0none' : null),
         load: (id) => (id === '\0none' ? 'export {};' : null),
       },
     ],

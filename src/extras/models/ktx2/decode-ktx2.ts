@@ -6,7 +6,7 @@ import { DecoderThread } from '../decoders/decoder-thread.js';
 import { neededCode } from '../model-reader.js';
 import type { Ktx2Job } from './ktx2.js';
 
-const decoderCode = /* @__PURE__ */ lazyCode(() => import('./ktx2.js'), 'KTX2 textures');
+const decoderCode = /* @__PURE__ */ lazyCode(() => import('./ktx2-worker.js'), 'KTX2 textures');
 
 const RESAVE = 'Save it with PNG, JPEG or WebP textures.';
 

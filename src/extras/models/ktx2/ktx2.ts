@@ -1,6 +1,5 @@
 // Turns KTX2 textures into pixels by the Basis Universal transcoder, as RGBA: exact, for every GPU,
-// and readable by `shadeAt`. The file's values are kept as they are. A separate chunk, and the same
-// in a worker's file.
+// and readable by `shadeAt`. The file's values are kept as they are.
 import createBasis, { type Basis } from 'three/examples/jsm/libs/basis/basis_transcoder.js';
 import type { Decoded } from '../decoders/decoder.js';
 import { startWasm } from '../decoders/decoder.js';
