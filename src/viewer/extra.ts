@@ -1,6 +1,5 @@
 // All that extras may import of the viewer. Its own files import each other, and never this one.
 
-export { registryAround } from './element/child-registry.js';
 export { create, createSvg, set, write, zoomOf } from './element/dom.js';
 export type {
   AnswerDetail,
@@ -15,7 +14,7 @@ export type {
   ProbeDetail,
   ShadeOptions,
 } from './element/elements.js';
-export type { CreatePanel, Panel, PanelChange } from './element/extra-code.js';
+export type { CreatePanel } from './element/extra-code.js';
 export type { CompareValues } from './element/fields/compare-fields.js';
 export type { ControlValues } from './element/fields/control-properties.js';
 export { cssColor } from './element/fields/css-color.js';
@@ -33,28 +32,19 @@ export {
   VIEWER_FIELDS,
   type ViewerValues,
 } from './element/fields/viewer-fields.js';
-export { dimValues, inspect, isFlat, strayAttributes, wrappedViewer } from './element/inspect.js';
-export { fieldsOf, placed, sceneMeshes, viewerCameras, viewerPins } from './element/internals.js';
+export { inspect, type MistakeTests } from './element/inspect.js';
+export { fieldsOf, placed, sceneMeshes, viewerPins } from './element/internals.js';
 export { default as ownText } from './element/page/own-text.css?inline';
 export { leaveTexts, useTexts } from './element/page/page-texts.js';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles, removeStyles } from './element/page/style-sheets.js';
-export { isCollapsed } from './element/page/visibility.js';
 export { PhongControl } from './element/phong-control.js';
 export { lightName, numberedName } from './element/phong-light.js';
 export type { ViewerCamera } from './element/viewer/camera.js';
-export { isNamed, lightNameText, lightText, meshTitle } from './element/viewer/description.js';
+export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';
-export {
-  cameraOf,
-  childrenOf,
-  type History,
-  historyOf,
-  type Undoable,
-  undoKey,
-  valuesOf,
-} from './element/viewer/history.js';
+export { historyOf, type Undoable, valuesOf } from './element/viewer/history.js';
 export { AWAITED, OPEN_PANEL, WIDE_PANEL } from './element/viewer/viewer-panel.js';
 export type { ViewerTree } from './element/viewer/viewer-tree.js';
 export { requireAtMost } from './model/budget.js';
@@ -69,21 +59,10 @@ export { lazyCode, reportMissing } from './model/lazy-code.js';
 export { isOutOfMemory, LIMITS } from './model/limits.js';
 export { ModelBudget } from './model/model-budget.js';
 export { type Content, type ContentPart, ModelError, type Motion } from './model/model.js';
-export {
-  type CrossOrigin,
-  type Fetch,
-  fileName,
-  type FileRequest,
-  isDataUri,
-  type LoadOptions,
-  modelCode,
-  nameOf,
-  requestFile,
-} from './model/request-model.js';
+export { fileName, isDataUri, type LoadOptions, modelCode, nameOf } from './model/request-model.js';
 export { type Fit, fitTo, type Framing, type SharedFit } from './scene/auto-fit.js';
 export { measure } from './scene/bounds.js';
 export { type Frustum, writeModelViewProjection } from './scene/frustum-clip.js';
-export { type Region, type Size, tilesOf } from './scene/gpu/atlas.js';
 export { SAFE_SIDE } from './scene/gpu/context.js';
 export { contextLost, NoWebGL2Error, stage } from './scene/gpu/stage.js';
 export { levelFor, SAMPLED_TOLERANCE, segmentsIn, type SharedLevels } from './scene/mesh/levels.js';
@@ -97,5 +76,5 @@ export { appearanceOf } from './scene/mesh/parts.js';
 export { createGeometry, type GeometryName, roundOf } from './scene/mesh/shapes/shapes.js';
 export type { Picture } from './scene/picture.js';
 export type { DrawnLook, OwnDrawn, SceneSnapshot } from './scene/scene-snapshot.js';
-export type { ConvergingPicture, SampledViewport } from './scene/still-picture.js';
+export type { SampledViewport } from './scene/still-picture.js';
 export type { Viewport } from './scene/viewport.js';

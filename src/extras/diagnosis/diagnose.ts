@@ -3,18 +3,7 @@
 import { clip } from '../../phong/fields/clip.js';
 import { nearest } from '../../phong/fields/nearest.js';
 import { radians } from '../../phong/math/angle.js';
-import {
-  dimValues,
-  fieldsOf,
-  isCollapsed,
-  isFlat,
-  isNamed,
-  type PhongLight,
-  type PhongViewer,
-  registryAround,
-  strayAttributes,
-  wrappedViewer,
-} from '../../viewer/extra.js';
+import { fieldsOf, type MistakeTests, type PhongLight } from '../../viewer/extra.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
 /** Not for the inside of a viewer. */
@@ -24,7 +13,7 @@ const ALL_TAGS = [...TAGS, 'phong-compare'] as const;
 const MOST = 100;
 const given = new Set<string>();
 
-export function diagnose(elements: readonly Element[]): void {
+export function diagnose(elements: readonly Element[], tests: MistakeTests): void {
   const known = new Map<string, readonly string[]>();
   for (const tag of ALL_TAGS) {
     const definition = customElements.get(tag) as
@@ -34,7 +23,7 @@ export function diagnose(elements: readonly Element[]): void {
   }
   for (const element of elements) {
     const tag = element.localName;
-    const strays = strayAttributes(element);
+    const strays = tests.strayAttributes(element);
     const quoted = quoteAdvice(element, strays);
     if (quoted !== undefined) {
       warn(quoted); // the other strays are words of the value
@@ -46,13 +35,13 @@ export function diagnose(elements: readonly Element[]): void {
         }
       }
     }
-    diagnoseUnits(element);
+    diagnoseUnits(element, tests);
     if (!element.isConnected) continue;
-    if (isFlat(element)) {
-      setTimeout(() => diagnoseSize(element), SIZE_MS);
+    if (tests.isFlat(element)) {
+      setTimeout(() => diagnoseSize(element, tests), SIZE_MS);
     }
     if (tag === 'phong-compare') {
-      const wrapper = wrappedViewer(element)?.parentElement?.localName;
+      const wrapper = tests.wrappedViewer(element)?.parentElement?.localName;
       if (wrapper !== undefined) {
         warn(
           `A <phong-viewer> in a <${clip(wrapper)}> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.`,
@@ -60,20 +49,20 @@ export function diagnose(elements: readonly Element[]): void {
       }
     } else if (tag === 'phong-viewer') {
       diagnoseContent(element);
-      if (!isNamed(element as PhongViewer)) {
+      if (!tests.isNamed(element as HTMLElementTagNameMap['phong-viewer'])) {
         warn(UNNAMED);
       }
-    } else if (registryAround(element) === null) {
+    } else if (tests.registryAround(element) === null) {
       warn(lonely(element));
     }
   }
 }
 
 /** Values as OpenGL, three.js and MTL files write them, which are nearly black here. */
-function diagnoseUnits(element: Element): void {
+function diagnoseUnits(element: Element, tests: MistakeTests): void {
   const values = fieldsOf(element as PhongLight).store.values as unknown as Values;
   const text = (name: string): string => element.getAttribute(name) ?? [values[name]].join(' ');
-  const dim = dimValues(element);
+  const dim = tests.dimValues(element);
   const colors = dim.filter((name) => name !== 'aperture');
   const given = colors.map((name) => `${name}="${clip(text(name))}"`).join(' ');
   // CSS colours are of the right range whatever they say.
@@ -120,10 +109,11 @@ function quoteAdvice(element: Element, strays: readonly string[]): string | unde
 const SIZE_MS = 500;
 
 /** Why a viewer or a comparison has no size, unless something around it is closed. */
-function diagnoseSize(element: Element): void {
+function diagnoseSize(element: Element, tests: MistakeTests): void {
   const { localName: tag, parentElement: around } = element;
-  if (!isFlat(element)) return;
-  if (around !== null && (isCollapsed(around) || around.localName === 'phong-compare')) return;
+  if (!tests.isFlat(element)) return;
+  if (around !== null && (tests.isCollapsed(around) || around.localName === 'phong-compare'))
+    return;
   const { display } = getComputedStyle(element);
   if (display === 'inline' || display === 'contents') {
     warn(`<${tag}> has display: ${display}, which has no size. Write display: block.`);

@@ -3,14 +3,11 @@
 import { decodeDataUri } from './encodings.js';
 import type { FileBytes } from './model-reader.js';
 import {
-  type CrossOrigin,
-  type Fetch,
-  type FileRequest,
   isDataUri,
+  type LoadOptions,
   type ModelBudget,
   ModelError,
   nameOf,
-  requestFile,
   requireAtMost,
 } from '../../viewer/extra.js';
 import { Slices } from './slices.js';
@@ -23,15 +20,10 @@ import { FILE_LIMIT } from './limits.js';
  */
 export const SILENCE_LIMIT_MS = 60_000;
 
-interface Transfer {
-  /** To be aborted after a failure too: that ends the other requests of the model. */
-  readonly signal: AbortSignal;
-  readonly crossOrigin: CrossOrigin;
-  /** In place of the browser's. */
-  readonly fetch?: Fetch | undefined;
-  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
-  readonly onProgress?: ((loaded: number, total: number) => void) | undefined;
-}
+/** `signal`: to be aborted after a failure too, which ends the other requests of the model. */
+type Transfer = Pick<LoadOptions, 'signal' | 'request' | 'onProgress'>;
+
+type FileRequest = ReturnType<Transfer['request']>;
 
 /** Downloads a file; `request` if it was requested already. */
 type FetchBytes = (
@@ -91,12 +83,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       return { ...file, from: url };
     }
     requireAtMost(++files, FILE_LIMIT, 'files');
-    const response = await answerTo(
-      url,
-      request ?? requestFile(url, redirect, transfer),
-      signal,
-      heard,
-    );
+    const response = await answerTo(url, request ?? transfer.request(url, redirect), signal, heard);
     const type = response.headers.get('content-type') ?? '';
     const from = new URL(response.url || url);
     const expected = expectedLength(response);

@@ -4,8 +4,6 @@
 import { clip, listed } from '../../phong/fields/clip.js';
 import {
   type Content,
-  type Fetch,
-  type FileRequest,
   type FormatNames,
   isOutOfMemory,
   type LoadOptions,
@@ -33,9 +31,9 @@ export { Slices };
 export { droppedModel } from './user-files.js';
 export { movingCopy, movingValues } from './moving-copy.js';
 
+type FileRequest = ReturnType<LoadOptions['request']>;
+
 export interface ReadOptions extends LoadOptions {
-  /** In place of the browser's. */
-  readonly fetch?: Fetch;
   readonly decodeImage?: DecodeImage;
   /** What the model is shown without. Default: the console's warnings. */
   readonly warn?: (message: string) => void;
@@ -114,7 +112,7 @@ function openAddress(
   request: FileRequest | null,
 ): OpenedModel {
   const fetchBytes = byteFetcher(options, budget);
-  const anywhere = options.crossOrigin !== null;
+  const { anywhere } = options;
   /** Where the model is: the address that answered. */
   let model = url;
   return {

@@ -2,7 +2,6 @@
 // while they are visible.
 import type { GUI } from 'lil-gui';
 import {
-  childrenOf,
   fieldsOf,
   historyOf,
   type PhongLight,
@@ -297,7 +296,8 @@ export class ChildFolders<E extends PhongLight | PhongMesh> {
   }
 
   #edit(write: () => void): void {
-    historyOf(this.#viewer).edit(childrenOf(this.#viewer), write);
+    const history = historyOf(this.#viewer);
+    history.edit(history.children, write);
     this.update();
   }
 }

@@ -6,8 +6,6 @@ import {
   type CreatePanel,
   GUI_FOLDERS,
   OPEN_PANEL,
-  type Panel,
-  type PanelChange,
   panelColumn,
   type PhongMesh,
   type PhongViewer,
@@ -37,8 +35,10 @@ const WIDE = { text: 40, column: WIDE_PANEL } as const;
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelColumn + panelStyles + controls;
 
+type Panel = ReturnType<CreatePanel>;
+
 interface Content {
-  update(change: PanelChange): void;
+  readonly update: Panel['update'];
   /** A folder was opened. */
   refreshVisible(): void;
   dispose(): void;

@@ -1,7 +1,7 @@
 // Undo and redo in a viewer with a panel: two buttons, and the keys and gestures that take back or
 // end a step.
 import type { GUI } from 'lil-gui';
-import { type History, historyOf, type PhongViewer, undoKey } from '../../viewer/extra.js';
+import { historyOf, type PhongViewer } from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
 
 /** The returned function stops following the history. */
@@ -45,7 +45,7 @@ const isEditor = (target: EventTarget | null | undefined): boolean =>
 export function listenForUndo(
   viewer: HTMLElement,
   panel: HTMLElement,
-  history: History,
+  history: ReturnType<typeof historyOf>,
 ): () => void {
   let typedIn: EventTarget | null = null;
   panel.addEventListener('input', ({ target }) => {
@@ -72,7 +72,7 @@ export function listenForUndo(
     }
   });
   const act = (event: KeyboardEvent): void => {
-    const action = undoKey(event);
+    const action = history.actionOf(event);
     if (action === null) return;
     event.preventDefault();
     event.stopPropagation();

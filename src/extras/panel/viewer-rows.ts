@@ -1,14 +1,11 @@
 // The rows of the viewer's own folders: camera, shading, what is shown beside the shaded picture,
 // and its own surface.
 import type { Pose } from '../../phong/camera/orbit.js';
-import { writtenPose } from '../../phong/camera/written-pose.js';
 import {
-  cameraOf,
   fieldsOf,
   HELPERS,
   historyOf,
   type PhongViewer,
-  viewerCameras,
   type ViewerValues,
 } from '../../viewer/extra.js';
 import { REFLECTIONS, SHADINGS } from '../../phong/material/material-values.js';
@@ -45,15 +42,11 @@ const ofCamera = <K extends keyof Pose>(
 ): Row<ViewerValues[K], PhongViewer> => ({
   ...(row as Row<ViewerValues[K], PhongViewer>),
   source: (viewer) => ({
-    subject: cameraOf(viewer),
+    subject: historyOf(viewer).camera,
     get: () => viewer.camera[key],
     set(value) {
       const checked = fieldsOf(viewer).store.fields[key].check(value);
-      const camera = viewerCameras.get(viewer);
-      camera?.place(
-        { pose: writtenPose({ ...camera.placement().pose, [key]: checked }), framing: null },
-        'panel',
-      );
+      historyOf(viewer).camera.move({ [key]: checked });
     },
   }),
 });
@@ -73,9 +66,10 @@ export const VIEWER_ROWS = {
     ),
     fov: number('fov °', linear(1, 170, 1)),
     autoRotate: number('auto-rotate', linear(-90, 90, 1), 'Degrees per second about y'),
-    resetCamera: button<PhongViewer>('reset camera', ({ viewer }) =>
-      historyOf(viewer).edit(cameraOf(viewer), () => viewerCameras.get(viewer)?.reset('panel')),
-    ),
+    resetCamera: button<PhongViewer>('reset camera', ({ viewer }) => {
+      const history = historyOf(viewer);
+      history.edit(history.camera, () => history.camera.reset());
+    }),
   }),
   ...inFolder('Shading', {
     shading: oneOf('shading', SHADINGS),

@@ -3,8 +3,9 @@
 // the next frame.
 import type { WebGLRenderer } from 'three';
 import { centredOffset } from '../../phong/math/pixel-offsets.js';
-import type { Picture, Region, Size } from '../../viewer/extra.js';
+import type { Picture } from '../../viewer/extra.js';
 import type { SampleSum } from './sample-sum.js';
+import { type Region, type Size } from '../../phong/math/region.js';
 
 const BATCH_MS = 12;
 

@@ -2,21 +2,12 @@
 // their mean replaces the plain picture, until all are there. And pictures for `toBlob({ samples
 // })`. Fetched with the first use of either.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import {
-  contextLost,
-  type ConvergingPicture as Converging,
-  type Picture,
-  type Region,
-  SAFE_SIDE,
-  type SampledViewport,
-  type Size,
-  stage,
-  tilesOf,
-} from '../../viewer/extra.js';
+import { contextLost, SAFE_SIDE, type SampledViewport, stage } from '../../viewer/extra.js';
 import { Batches, sendBatch } from './batches.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
 import { queue, release, seize, sharedSum, take } from './turns.js';
+import { type Region, type Size, tilesOf } from '../../phong/math/region.js';
 
 /**
  * Animation frames without a change before the first sample of a drag: a slow drag has frames in
@@ -38,7 +29,7 @@ const WAITS_AFTER = 8;
  */
 const SHOWN_AGAIN = 4;
 
-export class ConvergingPicture implements Converging {
+export class ConvergingPicture {
   readonly #viewport: SampledViewport;
   readonly #wanted: number;
   /** Samples of the picture that is shown; 0: the plain one. */
@@ -317,7 +308,7 @@ async function draw(
  * for them.
  */
 function* drawBatches(
-  picture: Picture,
+  picture: SampledViewport['picture'],
   size: Size,
   samples: number,
   atOnce: boolean,

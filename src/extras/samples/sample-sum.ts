@@ -10,8 +10,8 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import type { Region, Size } from '../../viewer/extra.js';
 import { ScreenPass } from './screen-pass.js';
+import { type Region, type Size } from '../../phong/math/region.js';
 
 /**
  * Most pixels of one sum. Its buffers take 52 bytes a pixel: 218 MB, and 108 MB at 1080p. Larger

@@ -14,7 +14,7 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import type { Region } from '../../viewer/extra.js';
+import { type Region } from '../../phong/math/region.js';
 
 const VERTEX = `
 precision highp float;

@@ -3,12 +3,11 @@
 import { clip } from '../../phong/fields/clip.js';
 import {
   type Content,
-  type CrossOrigin,
-  type Fetch,
   FORMAT_NAMES,
   ModelError,
   nameOf,
   type ShapeValues,
+  type ViewerValues,
 } from '../../viewer/extra.js';
 import type { Warn } from './markup.js';
 
@@ -29,7 +28,7 @@ type Named = Pick<ShapeValues, 'src' | 'type' | 'autoplay' | 'animationName'>;
 /** In its first pose. @throws ModelError, and TypeError for an address that is none. */
 export async function modelOf(
   { src, type, autoplay, animationName }: Named,
-  crossOrigin: CrossOrigin,
+  crossOrigin: ViewerValues['crossOrigin'],
   { base, warn }: ModelPlace,
 ): Promise<Content> {
   const address = src as string; // markup has no files
@@ -41,9 +40,13 @@ export async function modelOf(
   const { modelContent } = await import('../models/model-content.js');
   const content = await modelContent(new URL(address, base), {
     signal: new AbortController().signal,
-    crossOrigin,
+    anywhere: crossOrigin !== null,
     type: type ?? '',
-    fetch: fetchOrRead,
+    request: (file, redirect) => ({
+      response: fetchOrRead(file, redirect),
+      refusal: new Promise(() => undefined),
+      stop: () => undefined,
+    }),
     decodeImage: async (file) => {
       const { decodeImage } = await import('./images.js');
       return decodeImage(file);
@@ -56,11 +59,11 @@ export async function modelOf(
   return content;
 }
 
-const fetchOrRead: Fetch = async (url, init) => {
-  if (url.protocol !== 'file:') return fetch(url, init);
+async function fetchOrRead(url: URL, redirect: RequestRedirect): Promise<Response> {
+  if (url.protocol !== 'file:') return fetch(url, { redirect });
   const { readFile } = await import('node:fs/promises');
   const bytes = await readFile(url).catch((cause: unknown) => {
     throw new ModelError('load-failed', `The file ${nameOf(url)} cannot be read.`, { cause });
   });
   return new Response(bytes);
-};
+}

@@ -10,6 +10,7 @@ import type {
   PictureOptions,
   ShadeOptions,
 } from './elements.js';
+import type { MistakeTests } from './inspect.js';
 import type { ViewerSnapshot } from './viewer/extra-host.js';
 
 /** What has changed, so that a panel updates only that. */
@@ -63,5 +64,5 @@ interface PictureCode {
 export const pictureCode = /* @__PURE__ */ extraCode<PictureCode>('toBlob');
 
 export const diagnosisCode = /* @__PURE__ */ extraCode<{
-  readonly diagnose: (suspects: readonly Element[]) => void;
+  readonly diagnose: (suspects: readonly Element[], tests: MistakeTests) => void;
 }>('the diagnosis');

@@ -9,7 +9,7 @@ import type { ElementClass, PhongViewer } from './elements.js';
 import { diagnosisCode } from './extra-code.js';
 import { bindingOf } from './fields/field-binding.js';
 import { lookForTexts } from './page/page-texts.js';
-import { isPainted } from './page/visibility.js';
+import { isCollapsed, isPainted } from './page/visibility.js';
 import { isNamed } from './viewer/description.js';
 
 const waiting = new Set<Element>();
@@ -35,7 +35,7 @@ export function inspect(element: Element, again = false): void {
  * Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name
  * theirs; or with a curly quote around or in its value.
  */
-export function strayAttributes(element: Element): string[] {
+function strayAttributes(element: Element): string[] {
   const { observedAttributes: own } = element.constructor as unknown as ElementClass<HTMLElement>;
   return element
     .getAttributeNames()
@@ -52,7 +52,7 @@ const CURLY = /^[\p{Pi}\p{Pf}\u201a\u201e]\S*$/u;
  * material if all that are given are at most 1 and one is above 0; a cone narrower than half a
  * degree.
  */
-export function dimValues(element: Element): readonly string[] {
+function dimValues(element: Element): readonly string[] {
   const { store } = bindingOf<Record<string, unknown>>(element as HTMLElement);
   const colors = COLORS.filter((key) => key in store.fields && store.given(key));
   const largest = Math.max(...colors.flatMap((key) => store.values[key] as Vec3));
@@ -66,7 +66,7 @@ export function dimValues(element: Element): readonly string[] {
 const COLORS = ['ambient', 'diffuse', 'specular', 'ka', 'kd', 'ks'];
 
 /** A viewer in a <phong-compare> that is not its child. */
-export const wrappedViewer = (compare: Element): Element | null =>
+const wrappedViewer = (compare: Element): Element | null =>
   compare.querySelector(':scope > :not(phong-viewer) phong-viewer');
 
 /** Prefixes of one or two letters are those of frameworks, `ar-` is <model-viewer>'s. */
@@ -95,7 +95,7 @@ function report(suspects: readonly Element[]): void {
   if (suspects.length === 0) return;
   // Without this code nothing is reported, and nothing else fails.
   void diagnosisCode()
-    .then(({ diagnose }) => diagnose(suspects))
+    .then(({ diagnose }) => diagnose(suspects, TESTS))
     .catch(() => undefined);
 }
 
@@ -104,10 +104,23 @@ const BOXES = ['phong-viewer', 'phong-compare'];
 const isViewer = (element: Element): element is PhongViewer => element.localName === 'phong-viewer';
 
 /** Displayed, without width or height. Asks for no layout of what the browser skips. */
-export const isFlat = (element: Element): boolean =>
+const isFlat = (element: Element): boolean =>
   isPainted(element.parentElement ?? element) &&
   element.clientWidth * element.clientHeight === 0 &&
   (element.getClientRects().length > 0 || getComputedStyle(element).display === 'contents');
+
+/** What is known of an element, for the code that explains mistakes. */
+const TESTS = {
+  strayAttributes,
+  dimValues,
+  wrappedViewer,
+  isFlat,
+  isCollapsed,
+  isNamed,
+  registryAround,
+};
+
+export type MistakeTests = typeof TESTS;
 
 function isSuspect(element: Element): boolean {
   if (!element.isConnected) return false; // it is tested when it comes back

@@ -40,6 +40,8 @@ export interface Slices {
 export interface LoadOptions {
   /** Aborts the load; the promise then rejects with the signal's reason. */
   readonly signal: AbortSignal;
+  /** Requests a file, until the signal is aborted. */
+  readonly request: (url: URL, redirect: RequestRedirect) => FileRequest;
   /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: (loaded: number, total: number) => void;
   /**
@@ -48,10 +50,9 @@ export interface LoadOptions {
    */
   readonly onClaim?: (claimed: Amounts) => void;
   /**
-   * Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s)
-   * origin.
+   * The model may refer to files on any http(s) origin. Otherwise: in its own folder or below only.
    */
-  readonly crossOrigin: CrossOrigin;
+  readonly anywhere: boolean;
   /**
    * The format, as a word such as `obj` or a media type. Empty, the default: as content, extension
    * and server tell.
@@ -116,13 +117,9 @@ export function endEarly(): void {
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
 
-export type Fetch = (url: URL, init: RequestInit) => Promise<Response>;
-
 interface RequestOptions {
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
-  /** In place of the browser's. */
-  readonly fetch?: Fetch | undefined;
 }
 
 export interface FileRequest {
@@ -142,12 +139,12 @@ export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
 export function requestFile(
   url: URL,
   redirect: RequestRedirect,
-  { signal, crossOrigin, fetch: request = fetch }: RequestOptions,
+  { signal, crossOrigin }: RequestOptions,
 ): FileRequest {
   const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
   const watch = new AbortController();
   const refusal = refusalOf(url, watch.signal);
-  const response = request(url, { signal, redirect, credentials });
+  const response = fetch(url, { signal, redirect, credentials });
   response.catch(() => undefined); // the code that awaits it reports the error
   const stop = (): void => watch.abort('answered');
   return { response, refusal, stop };

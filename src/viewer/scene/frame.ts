@@ -6,7 +6,7 @@ import { depthRange, type Bounds, type DepthRange, nearBefore } from '../../phon
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../../phong/camera/orbit.js';
 import { type ShadingFrame, writeCamera, writeView } from '../../phong/material/lighting.js';
 import { radians } from '../../phong/math/angle.js';
-import type { Region, Size } from './gpu/atlas.js';
+import type { Region, Size } from '../../phong/math/region.js';
 import { nearestDepth } from './near-depth.js';
 import type { Frustum } from './frustum-clip.js';
 

@@ -19,7 +19,7 @@ import { Budget } from '../model/budget.js';
 import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
 import { Frame } from './frame.js';
-import type { Region, Size } from './gpu/atlas.js';
+import type { Region, Size } from '../../phong/math/region.js';
 import { Animations } from './mesh/animation.js';
 import { Levels } from './mesh/levels.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';

@@ -2,7 +2,7 @@
 // first use.
 import type { WebGLRenderer } from 'three';
 import { extraCode, reportMissing } from '../model/lazy-code.js';
-import type { Region, Size } from './gpu/atlas.js';
+import type { Region, Size } from '../../phong/math/region.js';
 import type { Picture } from './picture.js';
 
 /** Whose picture is sampled; its size is in device pixels. */

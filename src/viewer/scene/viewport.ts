@@ -4,7 +4,7 @@ import type { WebGLRenderer } from 'three';
 import { Signal } from '../../phong/fields/signal.js';
 import type { LightSet } from '../../phong/light/light-set.js';
 import { type FrameLoop, frameLoopOf } from './frame-loop.js';
-import type { Size } from './gpu/atlas.js';
+import type { Size } from '../../phong/math/region.js';
 import { stage } from './gpu/stage.js';
 import { Picture, type ViewportStats } from './picture.js';
 import { StillPicture } from './still-picture.js';

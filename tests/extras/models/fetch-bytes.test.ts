@@ -7,6 +7,7 @@ import { createGzip } from 'node:zlib';
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
 import { ModelBudget } from '../../../src/viewer/model/model-budget.js';
 import { byteFetcher, SILENCE_LIMIT_MS } from '../../../src/extras/models/fetch-bytes.js';
+import { loadWith } from './model-files.js';
 
 const LIMIT = 2 ** 22;
 vi.mock(import('../../../src/viewer/model/limits.js'), async (original) => {
@@ -67,7 +68,7 @@ const { signal: never } = new AbortController();
 /** Requests `path`; gives what it ends with, and the bytes so far. */
 function download(path: string, signal = never): { ended: Promise<unknown>; loaded: () => number } {
   const onProgress = vi.fn((loaded: number) => loaded);
-  const fetchBytes = byteFetcher({ signal, crossOrigin: null, onProgress }, new ModelBudget());
+  const fetchBytes = byteFetcher({ ...loadWith(signal), onProgress }, new ModelBudget());
   const ended = fetchBytes(new URL(path, origin), 'follow').catch((error: unknown) => error);
   return { ended, loaded: () => onProgress.mock.lastCall?.[0] ?? 0 };
 }
@@ -138,7 +139,7 @@ describe('a download', () => {
       later(half).then(() => (--left > 0 ? body.enqueue(new Uint8Array(1)) : body.close()));
     fetch.mockResolvedValueOnce(new Response(new ReadableStream({ pull })));
     fetch.mockReturnValueOnce(later(3 * half).then(() => new Response('late')));
-    const fetchBytes = byteFetcher({ signal: never, crossOrigin: null }, new ModelBudget());
+    const fetchBytes = byteFetcher(loadWith(never), new ModelBudget());
     const files = ['/slow', '/late'].map((path) => fetchBytes(new URL(path, origin), 'follow'));
     await vi.advanceTimersByTimeAsync(5 * half);
     expect((await Promise.all(files)).map(({ bytes }) => bytes.length)).toEqual([4, 4]);
@@ -181,7 +182,7 @@ describe('the files of one model', () => {
       });
       return new Response('x');
     });
-    const fetchBytes = byteFetcher({ signal, crossOrigin: null }, new ModelBudget());
+    const fetchBytes = byteFetcher(loadWith(signal), new ModelBudget());
     const results = Array.from({ length: count }, (_, i) =>
       fetchBytes(new URL(`${String(i)}.bin`, 'https://shop.example'), 'error').then(
         () => 'loaded',

@@ -4,9 +4,17 @@ import { afterEach, beforeEach, vi } from 'vitest';
 import { imageSize } from '../../../src/extras/models/image.js';
 import { modelContent, type ReadOptions } from '../../../src/extras/models/model-content.js';
 import { type Content, ModelError } from '../../../src/viewer/model/model.js';
+import { requestFile } from '../../../src/viewer/model/request-model.js';
 
 /** A load that nothing aborts. */
-export const OPTIONS: ReadOptions = { signal: new AbortController().signal, crossOrigin: null };
+/** As of a mesh without `crossorigin`. */
+export const loadWith = (signal: AbortSignal): ReadOptions => ({
+  signal,
+  request: (url, redirect) => requestFile(url, redirect, { signal, crossOrigin: null }),
+  anywhere: false,
+});
+
+export const OPTIONS = loadWith(new AbortController().signal);
 
 /** In the place of a file: the connection breaks after its first byte. */
 export const BREAKS_OFF = null;

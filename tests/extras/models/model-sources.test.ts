@@ -5,6 +5,7 @@ import { decodeDataUri } from '../../../src/extras/models/encodings.js';
 import { Slices } from '../../../src/extras/models/slices.js';
 import { formatOf } from '../../../src/extras/models/format.js';
 import { linkedUrl, modelContent } from '../../../src/extras/models/model-content.js';
+import { loadWith } from './model-files.js';
 
 const MODEL = new URL('https://shop.example/models/chairs/one.gltf?v=2');
 
@@ -97,7 +98,7 @@ describe('the files that a model names', () => {
     });
     const signal = new AbortController().signal;
     const address = new URL('https://shop.example/models/a.obj');
-    const model = await modelContent(address, { signal, crossOrigin: null });
+    const model = await modelContent(address, loadWith(signal));
     expect(asked).toEqual([address.href, ...(missing.length === 0 ? [library] : [])]);
     expect(warn.mock.calls.flat()).toEqual(missing);
     expect(model.missing).toHaveLength(missing.length);

@@ -2,7 +2,8 @@
 // without much waste? And do the tiles of a large one cover it?
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { layOutAtlas, type Region, tilesOf } from '../../../src/viewer/scene/gpu/atlas.js';
+import { type Region, tilesOf } from '../../../src/phong/math/region.js';
+import { layOutAtlas } from '../../../src/viewer/scene/gpu/atlas.js';
 
 const limit = { side: 4096, area: 1920 * 1080 };
 const side = fc.oneof(fc.integer({ min: 1, max: 40 }), fc.integer({ min: 1, max: limit.side }));

@@ -14,7 +14,6 @@ import {
   phrase,
   pictureBox,
   set,
-  undoKey,
   type ViewerText,
   type ViewerTexts,
   write,
@@ -230,11 +229,12 @@ export class Handles {
   }
 
   #onKey(event: KeyboardEvent): void {
-    const undo = undoKey(event);
+    const history = historyOf(this.#host.viewer);
+    const undo = history.actionOf(event);
     if (undo !== null) {
       event.preventDefault();
       this.#end();
-      historyOf(this.#host.viewer)[undo]();
+      history[undo]();
       return;
     }
     if (event.ctrlKey || event.altKey || event.metaKey) return;

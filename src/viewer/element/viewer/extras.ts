@@ -5,7 +5,7 @@
 import type { ReactiveController } from 'lit';
 import { reportMissing } from '../../model/lazy-code.js';
 import { MOST_SAMPLES } from '../fields/viewer-fields.js';
-import type { Size } from '../../scene/gpu/atlas.js';
+import type { Size } from '../../../phong/math/region.js';
 import { zoomOf } from '../dom.js';
 import type { PictureOptions } from '../elements.js';
 import { pictureCode } from '../extra-code.js';

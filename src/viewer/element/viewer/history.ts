@@ -4,6 +4,8 @@ import { sameValue } from '../../../phong/fields/field-store.js';
 import { registryOf } from '../child-registry.js';
 import { fieldsOf, viewerCameras } from '../internals.js';
 import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
+import { writtenPose } from '../../../phong/camera/written-pose.js';
+import type { Pose } from '../../../phong/camera/orbit.js';
 import type { CameraPlacement } from './camera.js';
 
 export interface Undoable<S> {
@@ -23,11 +25,20 @@ interface Step {
 /** Older steps are forgotten. A step holds a few small values. */
 const MOST_STEPS = 500;
 
-export class History {
+class History {
+  /** Where the camera is now, which its declared values do not say. */
+  readonly camera: CameraSubject;
+  /** Which children the viewer has, and where. */
+  readonly children: Undoable<ReadonlyMap<HTMLElement, TreePlace>>;
   readonly #done: Step[] = [];
   readonly #undone: Step[] = [];
   readonly #changed = new Set<() => void>();
   #open = false;
+
+  constructor(viewer: PhongViewer) {
+    this.camera = cameraOf(viewer);
+    this.children = childrenOf(viewer);
+  }
 
   get canUndo(): boolean {
     return this.#done.length > 0;
@@ -82,6 +93,14 @@ export class History {
     );
   }
 
+  /** What a press of a key means: Ctrl or Cmd with Z, Shift + Z, and Y. Null for other keys. */
+  actionOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 'undo' | 'redo' | null {
+    if (!(ctrlKey || metaKey) || altKey) return null;
+    const letter = key.toLowerCase();
+    if (letter === 'z') return shiftKey ? 'redo' : 'undo';
+    return letter === 'y' && !shiftKey ? 'redo' : null;
+  }
+
   /** Calls `changed` after every step, undo and redo. The returned function stops that. */
   listen(changed: () => void): () => void {
     this.#changed.add(changed);
@@ -120,24 +139,10 @@ export class History {
   }
 }
 
-/** What these keys mean: Ctrl or Cmd with Z, Shift + Z, and Y. */
-export function undoKey({
-  key,
-  ctrlKey,
-  metaKey,
-  shiftKey,
-  altKey,
-}: KeyboardEvent): 'undo' | 'redo' | null {
-  if (!(ctrlKey || metaKey) || altKey) return null;
-  const letter = key.toLowerCase();
-  if (letter === 'z') return shiftKey ? 'redo' : 'undo';
-  return letter === 'y' && !shiftKey ? 'redo' : null;
-}
-
 const histories = new WeakMap<PhongViewer, History>();
 
 export function historyOf(viewer: PhongViewer): History {
-  const history = histories.get(viewer) ?? new History();
+  const history = histories.get(viewer) ?? new History(viewer);
   histories.set(viewer, history);
   return history;
 }
@@ -162,13 +167,25 @@ export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoabl
   };
 }
 
-/** Where the camera is now, which its declared values do not say. */
-export function cameraOf(viewer: PhongViewer): Undoable<CameraPlacement> {
+interface CameraSubject extends Undoable<CameraPlacement> {
+  /** As a drag does: nothing fits the camera to the scene afterwards. */
+  move(to: Partial<Pose>): void;
+  /** To what is declared. */
+  reset(): void;
+}
+
+function cameraOf(viewer: PhongViewer): CameraSubject {
   const camera = viewerCameras.get(viewer)!;
   return {
     read: () => camera.placement(),
     same: (a, b) => JSON.stringify(a) === JSON.stringify(b), // keys are always written in the same order
     restore: (_, to) => camera.place(to, 'panel'),
+    move: (to) =>
+      camera.place(
+        { pose: writtenPose({ ...camera.placement().pose, ...to }), framing: null },
+        'panel',
+      ),
+    reset: () => camera.reset('panel'),
   };
 }
 
@@ -185,11 +202,8 @@ function holds(element: HTMLElement, node: Node | null): boolean {
   return false;
 }
 
-/**
- * Which children the viewer has, and where. A step back that would move one into itself does
- * nothing.
- */
-export function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
+/** A step back that would move one into itself does nothing. */
+function childrenOf(viewer: PhongViewer): Undoable<ReadonlyMap<HTMLElement, TreePlace>> {
   const stays = (a: TreePlace | undefined, b: TreePlace | undefined): boolean =>
     a?.parent === b?.parent && a?.next === b?.next;
   return {

@@ -1,7 +1,7 @@
 // The 2D canvases of pictures that share one context, in device pixels: each shows a copy of its
 // place in the atlas. Pictures out of sight keep theirs up to a common bound, so that scrolling
 // back shows them at once.
-import type { Region, Size } from './atlas.js';
+import type { Region, Size } from '../../../phong/math/region.js';
 
 /** Pixels that pictures out of sight may keep together, in screens. */
 const KEPT_SCREENS = 2;

@@ -1,18 +1,5 @@
-// Places the pictures of one frame on the canvas that they share, and divides one that is too
-// large. Pixels.
-
-export interface Size {
-  readonly width: number;
-  readonly height: number;
-}
-
-/**
- * A part of a picture, from its top left; or of the atlas, from its bottom left, as WebGL counts.
- */
-export interface Region extends Size {
-  readonly x: number;
-  readonly y: number;
-}
+// Places the pictures of one frame on the canvas that they share. Pixels.
+import type { Region, Size } from '../../../phong/math/region.js';
 
 export interface AtlasLayout extends Size {
   /** Places of the first pictures: as many as fit, at least one. */
@@ -67,22 +54,4 @@ function layOutRows(sizes: readonly Size[], rowWidth: number, limit: AtlasLimit)
     top = atlasHeight;
   }
   return { width: right, height: top, places };
-}
-
-/** Tiles of a picture of at most `area` pixels and `side` on each side, row by row from the top. */
-export function tilesOf({ width, height }: Size, area: number, side = Infinity): readonly Region[] {
-  const tileWidth = Math.min(width, side, area);
-  const tileHeight = Math.max(1, Math.min(height, side, Math.floor(area / tileWidth)));
-  const tiles: Region[] = [];
-  for (let y = 0; y < height; y += tileHeight) {
-    for (let x = 0; x < width; x += tileWidth) {
-      tiles.push({
-        x,
-        y,
-        width: Math.min(tileWidth, width - x),
-        height: Math.min(tileHeight, height - y),
-      });
-    }
-  }
-  return tiles;
 }

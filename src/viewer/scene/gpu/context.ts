@@ -3,7 +3,8 @@
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
 import { deviceOf } from '../../../phong/material/device.js';
 import { checkLinks } from '../../../phong/material/program/program-cache.js';
-import type { AtlasLimit, Size } from './atlas.js';
+import type { Size } from '../../../phong/math/region.js';
+import type { AtlasLimit } from './atlas.js';
 
 export class NoWebGL2Error extends Error {
   override readonly name = 'NoWebGL2Error';

@@ -3,7 +3,8 @@
 // (src/decisions/one-context.md).
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopiedPicture, screenPixels } from './atlas-copies.js';
-import { type AtlasLayout, layOutAtlas, type Region, type Size, tilesOf } from './atlas.js';
+import { type Region, type Size, tilesOf } from '../../../phong/math/region.js';
+import { type AtlasLayout, layOutAtlas } from './atlas.js';
 import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
 
 export { NoWebGL2Error } from './context.js';

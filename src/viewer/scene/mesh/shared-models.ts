@@ -7,6 +7,7 @@ import {
   type CrossOrigin,
   isDataUri,
   modelCode,
+  requestFile,
   requestModelFile,
 } from '../../model/request-model.js';
 import { Shared } from '../../model/shared.js';
@@ -61,11 +62,19 @@ class SharedModel {
       }
     };
     const { signal } = this.#loading;
-    const options = { signal, onProgress, onClaim: this.#claim, crossOrigin, type };
+    const options = { signal, crossOrigin };
+    const load = {
+      signal,
+      onProgress,
+      onClaim: this.#claim,
+      request: (file: URL, redirect: RequestRedirect) => requestFile(file, redirect, options),
+      anywhere: crossOrigin !== null,
+      type,
+    };
     // Requested at once, beside the code that reads models.
     const request =
       typeof src !== 'string' ? src : isDataUri(url.href) ? null : requestModelFile(url, options);
-    this.#content = modelCode().then((code) => code.modelContent(url, options, request));
+    this.#content = modelCode().then((code) => code.modelContent(url, load, request));
     this.#content.catch(() => {
       models.forget(this); // the next request tries again
     });
