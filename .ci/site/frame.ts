@@ -4,6 +4,7 @@
 
 import { guide, others, sections, type Entry } from './contents.js';
 import { escapeHtml, type Section } from './markdown.js';
+import { alternatesHtml, rootFrom, type Languages } from './translation.js';
 
 /**
  * Scripts, styles, models and pictures come from the site itself; nothing inline, nothing
@@ -31,6 +32,7 @@ export interface Page {
   readonly path: string;
   readonly title: string;
   readonly description: string;
+  readonly languages: Languages;
 }
 
 export interface Facts {
@@ -44,15 +46,12 @@ export interface Facts {
   readonly site: string;
 }
 
-/** The way from a page to the site's root. */
-const rootFrom = (path: string): string => '../'.repeat(path.split('/').length - 1) || './';
-
 /**
  * @param policy whether to add the Content-Security-Policy. The development server's own scripts
  * would break it.
  */
 export function headHtml(
-  { path, title, description }: Page,
+  { path, title, description, languages }: Page,
   { site }: Facts,
   policy: boolean,
 ): string {
@@ -77,7 +76,7 @@ export function headHtml(
     <meta property="og:image:height" content="630" />
     <meta property="og:image:alt" content="A knot, a sphere, a cone and a box under a sun, a lamp and a spot" />
     <meta name="twitter:card" content="summary_large_image" />
-    <link rel="icon" href="${root}assets/images/icon.svg" type="image/svg+xml" />
+    ${alternatesHtml(languages, site || root)}<link rel="icon" href="${root}assets/images/icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="${root}page.css" />`;
 }
 
@@ -91,8 +90,8 @@ export function headerHtml(path: string, inside: readonly Section[]): string {
     return link(section, root, section.path === path ? 'page' : part ? 'true' : '');
   });
   return `
-      <a class="skip" href="#main">Skip to the text</a>
-      <header class="head">
+      <a class="skip" href="#main" lang="en">Skip to the text</a>
+      <header class="head" lang="en">
         <a class="mark" href="${root}">&lt;phong-viewer&gt;</a>
         <nav aria-label="Pages"><ul>${items.join('')}</ul></nav>
         <div class="search" role="search">
@@ -124,7 +123,7 @@ function contentsHtml(path: string, root: string, inside: readonly Section[]): s
 export function footerHtml(path: string, { version, repository }: Facts): string {
   const root = rootFrom(path);
   return `${neighboursHtml(path, root)}
-      <footer class="foot">
+      <footer class="foot" lang="en">
         <p class="get">
           Get it: <a href="${root}guide/install/">one file for a page of your own</a>, or, once published,
           <code>npm install phong-viewer three</code>.

@@ -1,23 +1,50 @@
-// The pages of the site as HTML without what all pages share: those in demo/, and those that are
-// written from demo/guide/*.md. Also what is at addresses that pages have left.
+// The pages of the site as HTML without what all pages share: those in demo/, those that are written
+// from demo/guide/*.md, and those of other languages. Also what is at addresses that pages have left.
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { markdownPage, type MarkdownPage } from './markdown.js';
+import { translated, type Words } from './translation.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const demo = join(repository, 'demo');
 
-/** Paths such as `''` and `guide/light/`, of every index.html and guide/NAME.md under demo/. */
+/**
+ * Paths such as `''`, `guide/light/` and `lesson/de/`: of every index.html, guide/NAME.md and file of
+ * words under demo/.
+ */
 export const pagePaths = (): string[] =>
   readdirSync(demo, { recursive: true, encoding: 'utf8' })
     .map((path) => path.replaceAll('\\', '/'))
-    .filter((path) => path.endsWith('index.html') || isGuide(path))
-    .map((path) => path.replace(/index\.html$/, '').replace(/\.md$/, '/'))
+    .filter((path) => path.endsWith('index.html') || isGuide(path) || isWords(path))
+    .map((path) => path.replace(/index\.html$/, '').replace(/\.(md|json)$/, '/'))
     .sort();
 
 const isGuide = (path: string): boolean => /^guide\/[\w-]+\.md$/.test(path);
+
+/** A page's words in another language, such as lesson/de.json. */
+const isWords = (path: string): boolean => /\/[a-z]{2}(-[A-Z]{2})?\.json$/.test(path);
+
+/** The page that another is in another language, and that language; null for others. */
+export function originalOf(
+  path: string,
+): { readonly page: string; readonly language: string } | null {
+  const [, page = '', language = ''] = /^(.+\/)([\w-]+)\/$/.exec(path) ?? [];
+  return languagesOf(page).includes(language) && language !== 'en' ? { page, language } : null;
+}
+
+/** The languages that a page is in, English first. */
+export const languagesOf = (page: string): string[] => {
+  const folder = join(demo, page);
+  const files = page !== '' && existsSync(folder) ? readdirSync(folder) : [];
+  const words = files.filter((file) => isWords(`/${file}`));
+  return ['en', ...words.map((file) => file.replace('.json', '')).sort()];
+};
+
+/** Does a file of another name stand for the page? */
+export const isWritten = (path: string): boolean =>
+  markdownOf(path) !== null || originalOf(path) !== null;
 
 /** The Markdown file of a page, relative to the repository; null for others. */
 export function markdownOf(path: string): string | null {
@@ -45,6 +72,12 @@ export const guidePage = (file: string, repositoryAddress: string): MarkdownPage
 
 /** A page's HTML as it is written in demo/, or as if it were. */
 export function sourceOf(path: string, repositoryAddress: string): string {
+  const original = originalOf(path);
+  if (original !== null) {
+    const { page, language } = original;
+    const words = JSON.parse(readFileSync(join(demo, page, `${language}.json`), 'utf8')) as Words;
+    return translated(sourceOf(page, repositoryAddress), language, words);
+  }
   const file = markdownOf(path);
   if (file === null) return readFileSync(join(demo, path, 'index.html'), 'utf8');
   const { title, description, html } = guidePage(file, repositoryAddress);

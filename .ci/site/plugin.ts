@@ -16,9 +16,19 @@ import { readmePage } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
 import { pairsHtml, type ModelEntries } from './models.js';
-import { guidePage, markdownOf, movedHtml, pagePaths, sourceOf } from './pages.js';
+import {
+  guidePage,
+  isWritten,
+  languagesOf,
+  markdownOf,
+  movedHtml,
+  originalOf,
+  pagePaths,
+  sourceOf,
+} from './pages.js';
 import { picturesHtml } from './pictures.js';
 import { searchIndex } from './search.js';
+import { languagesHtml } from './translation.js';
 import { readResults } from '../../tests/bench/results.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -31,7 +41,7 @@ const BUILT: readonly (readonly [file: RegExp, parts: readonly string[]])[] = [
   [/^\/embed\.(html|js)$/, ['manifest', 'embed']],
 ];
 
-/** The pages as Vite's entries: those of the guide have no file of that name. */
+/** The pages as Vite's entries: some have no file of that name. */
 export const pageFiles = (): string[] => pagePaths().map((path) => join(demo, path, 'index.html'));
 
 /** A page's path, from its file or its address with a slash in front. */
@@ -68,11 +78,11 @@ export function sitePages(): Plugin {
     configResolved(config) {
       building = config.command === 'build';
     },
-    resolveId: (id) => (guideFile(id) === null ? null : id),
-    load: (id) =>
-      guideFile(id) === null
-        ? null
-        : sourceOf(pathOf(relative(demo, id)), packageFacts().repository),
+    resolveId: (id) => (writtenPage(id) === null ? null : id),
+    load(id) {
+      const page = writtenPage(id);
+      return page === null ? null : sourceOf(page, packageFacts().repository);
+    },
     configureServer(server) {
       const { middlewares } = server;
       middlewares.use((request, response, next) => {
@@ -87,7 +97,7 @@ export function sitePages(): Plugin {
           response.setHeader('content-type', 'text/html').end(movedHtml(page, to));
           return;
         }
-        if (markdownOf(page) !== null) {
+        if (isWritten(page)) {
           const source = sourceOf(page, packageFacts().repository);
           void server
             .transformIndexHtml(`/${page}index.html`, source)
@@ -141,9 +151,12 @@ export function sitePages(): Plugin {
   };
 }
 
-/** The Markdown of a page that Vite asks for; null for other modules. */
-const guideFile = (id: string): string | null =>
-  id.startsWith(demo) && id.endsWith('/index.html') ? markdownOf(pathOf(relative(demo, id))) : null;
+/** The page that Vite asks for, if no file of that name is there; null for other modules. */
+function writtenPage(id: string): string | null {
+  if (!id.startsWith(demo) || !id.endsWith('/index.html')) return null;
+  const page = pathOf(relative(demo, id));
+  return isWritten(page) ? page : null;
+}
 
 /** The index of all pages, as they are now. */
 function searchJson(): string {
@@ -192,12 +205,19 @@ function pageHtml(source: string, path: string, building: boolean): string {
   const facts = packageFacts();
   const markdown = markdownOf(path);
   const inside = markdown === null ? [] : guidePage(markdown, facts.repository).sections;
-  const head = headHtml({ path, title: title[1]!, description: description[1]! }, facts, building);
+  const { page: original, language } = originalOf(path) ?? { page: path, language: 'en' };
+  const languages = { original, all: languagesOf(original), own: language };
+  const head = headHtml(
+    { path, title: title[1]!, description: description[1]!, languages },
+    facts,
+    building,
+  );
   return source
     .replace(title[0], '')
     .replace(description[0], '')
     .replace('<head>', () => `<head>${head}`)
     .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path, inside))
+    .replace('<!-- languages -->', () => languagesHtml(languages, path))
     .replace('</main>', () => `</main>${footerHtml(path, facts)}`)
     .replace(/<a href="repository:([^"]+)"\s*>([^]*?)<\/a\s*>/g, (_, file: string, words: string) =>
       repositoryLink(file, words, facts.repository),

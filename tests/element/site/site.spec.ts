@@ -5,6 +5,7 @@
 import { axeOn } from '../../support/axe.js';
 import type { APIRequestContext, Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
+import type { PhongViewer } from '../support/viewer.js';
 import { firstOf } from '../../support/repeats.js';
 import { strictPolicy } from '../../support/site.js';
 import { moved } from '../../../.ci/site/contents.js';
@@ -235,6 +236,34 @@ test('the search finds names and words of all pages, and Enter leads there', asy
   await expect(found.first()).toHaveText('Linked cameras');
   await page.keyboard.press('Enter');
   await page.waitForURL('**/guide/see/#linked-cameras');
+});
+
+test('the lesson leads to the same lesson in other languages, with viewers in them', async ({
+  page,
+}) => {
+  await page.goto('/demo/lesson/');
+  const menu = page.getByRole('navigation', { name: 'Languages' });
+  await expect(menu.getByRole('link')).toHaveText(['English', 'Deutsch', 'Español', 'Português']);
+  await expect(menu.locator('[aria-current=page]')).toHaveText('English');
+  const alternates = page.locator('link[rel=alternate][hreflang]');
+  for (const { language, heading, sum } of [
+    { language: 'Deutsch', heading: 'Beleuchtung in zwanzig Minuten', sum: /Anteile/ },
+    { language: 'Español', heading: 'Iluminación en veinte minutos', sum: /términos/ },
+    { language: 'Português', heading: 'Iluminação em vinte minutos', sum: /termos/ },
+  ]) {
+    await menu.getByRole('link', { name: language }).click();
+    await expect(page.getByRole('heading', { level: 1 })).toHaveText(heading);
+    await expect(menu.locator('[aria-current=page]')).toHaveText(language);
+    const lang = await page.locator('html').getAttribute('lang');
+    await expect(menu.locator('[aria-current=page]')).toHaveAttribute('hreflang', lang!);
+    await expect(alternates).toHaveCount(4);
+    await expect(page.locator('#sum + phong-control')).toBeVisible();
+    expect(
+      await page.locator('#sum').evaluate((viewer: PhongViewer) => viewer.texts?.terms),
+    ).toMatch(sum);
+  }
+  await menu.getByRole('link', { name: 'English' }).click();
+  await expect(page).toHaveURL(/\/lesson\/$/);
 });
 
 test('pages at earlier addresses lead to the new ones', async ({ page, request }) => {
