@@ -130,7 +130,7 @@ describe('the custom elements manifest', () => {
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(
       /source: .*'pointer'/,
     );
-    expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
+    expect(slots!.map(({ name }) => name)).toEqual(['', 'poster', 'progress', 'error']);
     expect(cssStates!.map(({ name }) => name)).toEqual(['loading', 'error', 'empty']);
     expect(cssParts!.map(({ name }) => name)).toEqual(expect.arrayContaining(['surface', 'panel']));
     expect(declared('phong-mesh').events!.map(({ name }) => name)).toEqual(['load', 'error']);

@@ -59,6 +59,8 @@ interface ViewerElement extends ViewerProperties {
  *
  * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is
  * displayed
+ * @slot poster - an image that is shown until the first picture, and where no script runs, in place
+ * of that of `poster`
  * @slot progress - shown instead of the element's own progress bar, while something has been
  * loading for more than 300 ms
  * @slot error - shown instead of the element's own message and button when something fails

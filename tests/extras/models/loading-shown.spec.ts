@@ -83,11 +83,11 @@ const sendAll = async (page: Page, viewer: Locator): Promise<void> => {
 async function mountSlow(
   page: Page,
   mount: Mount,
-  { attributes = '', inner = '', sizeIsKnown = true, width = 300, height = 200 } = {},
+  { attributes = '', inner = '', sizeIsKnown = true, width = 300, height = 200, css = '' } = {},
 ): Promise<Locator> {
   await slowDown(page, sizeIsKnown);
   const markup = `<phong-viewer alt="A model" src="${slow}" ${attributes}>${inner}</phong-viewer>`;
-  return mount(markup, { width, height, waitForReady: false });
+  return mount(markup, { width, height, css, waitForReady: false });
 }
 const axeViolations = async (page: Page): Promise<string[]> => {
   const { violations } = await axeOn(page).include('phong-viewer').analyze();
@@ -249,6 +249,32 @@ test('the first picture has all shapes but those that fail; the poster goes', as
   await expect.poll(() => drawn.evaluate(([first]) => first)).toEqual([1, 4, 30]);
   await expect(viewer.locator('[part=poster]')).toHaveCount(0);
   await page.unroute(code);
+});
+
+test('an image in the slot "poster" is shown over the picture until the first one, also in print', async ({
+  page,
+  mount,
+}) => {
+  const image = `<img slot="poster" src="${POSTER}" width="20" height="10" alt="">`;
+  const viewer = await mountSlow(page, mount, {
+    attributes: `poster="${POSTER}"`,
+    inner: image,
+    css: 'img { height: auto; margin: 5px; max-width: 50% }',
+  });
+  const poster = viewer.locator('> img');
+  const place = { x: 0, y: 0, ...size };
+  await expect.poll(() => poster.boundingBox()).toEqual(place);
+  await expect(viewer.locator('[part=poster]')).toBeHidden();
+  await page.emulateMedia({ media: 'print' });
+  expect(await poster.boundingBox()).toEqual(place);
+  await page.emulateMedia({ media: null });
+  await poster.evaluate((element) => element.remove());
+  await expect(viewer.locator('[part=poster]')).toBeVisible();
+  await viewer.evaluate((element, text) => element.insertAdjacentHTML('beforeend', text), image);
+  await sendAll(page, viewer);
+  await expect(poster).toBeHidden();
+  await page.emulateMedia({ media: 'print' });
+  await expect(poster).toBeHidden();
 });
 
 test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({

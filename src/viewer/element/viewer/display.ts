@@ -66,7 +66,7 @@ export class ViewerDisplay {
     if (poster !== this.#badPoster) {
       this.#badPoster = '';
     }
-    const hasPoster = poster !== '' && !this.#revealed && this.#badPoster === '';
+    const hasPoster = poster !== '' && this.#badPoster === '';
     const name = surfaceName(viewer, texts);
     return html`
       <div
@@ -83,7 +83,7 @@ export class ViewerDisplay {
       >
         ${this.#context.viewport.holder}${CORNER_MARKS}
       </div>
-      ${hasPoster ? html`<img class="poster" part="poster" alt="" src=${poster} @error=${this.#dropPoster} />` : nothing}
+      ${this.#revealed ? nothing : html`<slot name="poster" class="poster">${hasPoster ? html`<img part="poster" alt="" src=${poster} @error=${this.#dropPoster} />` : nothing}</slot>`}
       <div class="reader" ?hidden=${name.hidden}>${this.#announcements.template()}</div>
       <div class="layer">
         <div class="room">
@@ -234,16 +234,14 @@ export class ViewerDisplay {
   }
 
   /**
-   * Removes the poster once everything requested has been drawn for the first time, or is known to
+   * Removes the poster and its slot once everything requested has been drawn for the first time, or is known to
    * fail.
    */
   #reveal(): void {
     if (this.#revealed || this.#loading.pending || !this.#context.viewport.upToDate) return;
     if (this.#failure.newest !== null && !this.#loading.shows) return;
     this.#revealed = true;
-    if (this.#viewer.poster !== '') {
-      this.#viewer.requestUpdate();
-    }
+    this.#viewer.requestUpdate();
   }
 
   /** Objects of the scene may have come or gone. Cheap: called for each frame. */
