@@ -25,6 +25,8 @@ const entries = [
   'playwright',
   'still',
   'still-worker',
+  'still-markup',
+  'cli',
 ];
 
 /** @type {Readonly<Record<string, () => void | Promise<void>>>} */

@@ -71,8 +71,8 @@ export const layers = {
   },
   // All that extras may import of the viewer.
   'viewer/extra.ts': { layers: viewer },
-  'extras/models': { layers: extra, packages: ['three'] },
-  'extras/samples': { layers: extra, packages: ['three'] },
+  'extras/models': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
+  'extras/samples': { layers: extra, lazy: ['extras/png'], packages: ['three'] },
   'extras/explain': { layers: extra, lazy: ['phong/reference'], packages: ['three'] },
   'extras/compare': { layers: extra, packages: ['lit'] },
   'extras/diagnosis': { layers: extra },
@@ -90,7 +90,7 @@ export const layers = {
   },
   // Runs in Node, and in pages without threads.
   'extras/still': {
-    layers: ['phong/reference', 'extras/models', ...extra],
+    layers: ['extras/png', 'phong/reference', 'extras/models', ...extra],
     packages: [
       'three',
       'parse5',
@@ -98,10 +98,16 @@ export const layers = {
       'pngjs',
       'jpeg-js',
       'node:worker_threads',
+      'node:crypto',
       'node:fs',
       'node:os',
+      'node:path',
+      'node:url',
+      'node:util',
     ],
   },
+  // In browsers and in Node.
+  'extras/png': { layers: extra },
   // Runs in Node and sends functions into pages: the elements are types to it.
   'extras/playwright': {
     layers: ['phong/reference', 'phong/light', 'phong/math'],

@@ -12,5 +12,6 @@ export const packageAliases = [
   { find: /^phong-viewer\/reference$/, replacement: source('phong/reference/index.ts') },
   { find: /^phong-viewer\/react$/, replacement: source('extras/frameworks/react.ts') },
   { find: /^phong-viewer\/still$/, replacement: source('extras/still/index.ts') },
+  { find: /^phong-viewer\/still\/markup$/, replacement: source('extras/png/index.ts') },
   { find: /^phong-viewer\/playwright$/, replacement: source('extras/playwright/index.ts') },
 ];

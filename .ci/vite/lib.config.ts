@@ -1,7 +1,7 @@
 // Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js,
-// react.js, react-standalone.js, playwright.js, still.js and still-worker.js. Packages stay
-// imports, for the user's bundler or Node. `npm run build` runs this first; the standalone and the
-// classic file have configs of their own.
+// react.js, react-standalone.js, playwright.js, still.js, still-worker.js, still-markup.js and
+// cli.js. Packages stay imports, for the user's bundler or Node. `npm run build` runs this first;
+// the standalone and the classic file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -91,6 +91,8 @@ const entries: Readonly<Record<string, string>> = {
   playwright: source('extras/playwright/index.ts'),
   still: source('extras/still/index.ts'),
   'still-worker': source('extras/still/worker.ts'),
+  'still-markup': source('extras/png/index.ts'),
+  cli: source('extras/still/command/cli.ts'),
 };
 
 const workerPlugins = (): Plugin[] => [
@@ -108,8 +110,16 @@ const withoutDecoders: Plugin = {
   load: (id) => (id === '\0none' ? 'export {};' : null),
 };
 
+/** dist/cli.js imports dist/still.js. */
+const besideStill: Plugin = {
+  name: 'beside-still',
+  enforce: 'pre',
+  resolveId: (specifier) =>
+    specifier === '../index.js' ? { id: './still.js', external: 'relative' } : null,
+};
+
 /** Those that Node runs as they are. */
-const isForNode = (mode: string): boolean => /^(playwright|still|still-worker)$/.test(mode);
+const isForNode = (mode: string): boolean => /^(playwright|still|still-worker|cli)$/.test(mode);
 
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
@@ -126,6 +136,7 @@ export default defineConfig(({ mode }) => ({
     beforeLit,
     reactEntries[mode],
     mode === 'still' ? withoutDecoders : null,
+    mode === 'cli' ? besideStill : null,
     licences({ listed: false }),
   ],
   build: {
@@ -151,7 +162,10 @@ export default defineConfig(({ mode }) => ({
         // A second entry's chunks import that entry: they are not the first one's.
         chunkFileNames: mode === 'still' ? 'still/[name].js' : 'shared/[name].js',
         minify: isForNode(mode) ? { mangle: { keepNames: true } } : true,
-        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
+        // The command is one file as it is.
+        ...(mode !== 'cli' && {
+          codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
+        }),
       },
     },
   },

@@ -45,7 +45,7 @@ test.describe('the packed package', () => {
     /^(demo\/guide\/[a-z]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js$/,
     /^dist\/react(-standalone)?-client\.js$/,
-    /^dist\/still(-worker)?\.js$/,
+    /^dist\/(still(-worker|-markup)?|cli)\.js$/,
     /^dist\/still\/[\w-]+\.js$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/embed\.(html|js)$/,
@@ -173,7 +173,7 @@ test.describe('dist/', () => {
       } else {
         for (const name of bare) {
           expect(name, path).toMatch(
-            path.startsWith('still')
+            /^(still|cli)/.test(path)
               ? FOR_STILLS
               : /^(three|lit$|lil-gui|react$|@playwright\/test$)/,
           );

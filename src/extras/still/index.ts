@@ -1,5 +1,6 @@
 // `phong-viewer/still`: the picture of a viewer's markup, without a browser and a GPU, and the same
 // bytes on every machine.
+import { withMarkup } from '../png/chunks.js';
 import { castSceneOf } from './build-scene.js';
 import { readMarkup } from './markup.js';
 import { encodePng } from './png.js';
@@ -11,6 +12,10 @@ export interface StillOptions {
   readonly height: number;
   /** What addresses in the markup are relative to: a `file:` or `http:` address. */
   readonly base?: URL | string;
+  /** r, g and b from 0 to 255, behind what is transparent. Default: nothing. */
+  readonly background?: readonly [number, number, number];
+  /** Hears of each file that is read: models and their images. */
+  readonly onFile?: (url: URL, bytes: Uint8Array) => void;
   /** Hears what a browser's console would say of the markup. Default: `console.warn`. */
   readonly warn?: (message: string) => void;
   /** Threads in Node. They change no pixel. Default: one for each core; 1: the caller's own. */
@@ -22,7 +27,7 @@ export interface Still {
   readonly height: number;
   /** r, g, b, a of each pixel, 0–255, straight alpha, rows from the top. */
   readonly pixels: Uint8Array;
-  /** The same as a file. */
+  /** The same as a file, which holds the markup too: dropped on a `droppable` viewer it opens. */
   readonly png: Uint8Array;
 }
 
@@ -41,18 +46,26 @@ const MOST_PIXELS = 33554432;
  * @throws TypeError, RangeError or ModelError for what cannot be drawn, and names it.
  */
 export async function still(markup: string, options: StillOptions): Promise<Still> {
-  const { width, height, base, warn = (message) => console.warn(message) } = options;
+  const { width, height, base, background, onFile } = options;
+  const { warn = (message) => console.warn(message) } = options;
   const isSize = (n: number): boolean => Number.isInteger(n) && n >= 1;
   if (!isSize(width) || !isSize(height) || width * height > MOST_PIXELS) {
     throw new RangeError(`a still has whole numbers of pixels, at most ${String(MOST_PIXELS)}`);
   }
+  if (background?.some((code) => !(code >= 0 && code <= 255)) === true) {
+    throw new RangeError('background: r, g and b must be from 0 to 255');
+  }
   const size = { width, height, samples: SAMPLES };
-  const scene = await castSceneOf(readMarkup(markup, warn), size, { base, warn });
+  const scene = await castSceneOf(readMarkup(markup, warn), size, { base, warn, onFile });
   const threads = options.threads ?? (await cores());
   const means =
     threads > 1 ? await castOnThreads(scene, size, threads, WORKER) : castHere(scene, size);
+  if (background !== undefined) {
+    putBehind(means, background);
+  }
   const pixels = straight(means);
-  return { width, height, pixels, png: encodePng(width, height, pixels) };
+  const png = withMarkup(encodePng(width, height, pixels), markup.trim());
+  return { width, height, pixels, png };
 }
 
 /** Beside this file once it is built. */
@@ -63,6 +76,16 @@ async function cores(): Promise<number> {
   if (!('process' in globalThis)) return 1;
   const { availableParallelism } = await import('node:os');
   return availableParallelism();
+}
+
+/** Puts a colour behind premultiplied means. */
+function putBehind(means: Float64Array, color: readonly [number, number, number]): void {
+  for (let i = 0; i < means.length; i += 4) {
+    for (let k = 0; k < 3; k++) {
+      means[i + k]! += (1 - means[i + 3]! / 255) * color[k as 0];
+    }
+    means[i + 3] = 255;
+  }
 }
 
 /** Premultiplied means as 8-bit codes with straight alpha. */

@@ -17,10 +17,11 @@ FORMAT_NAMES.ply.code.provide(() => import('../models/ply/read-ply.js'));
 FORMAT_NAMES.stl.code.provide(() => import('../models/stl/read-stl.js'));
 FORMAT_NAMES.obj.code.provide(() => import('../models/obj/read-obj.js'));
 
-/** Where a model's address is relative to, and who hears of what is left out. */
+/** Where a model's address is relative to, and who hears of what is left out and what is read. */
 export interface ModelPlace {
   readonly base: URL | string | undefined;
   readonly warn: Warn;
+  readonly onFile?: ((url: URL, bytes: Uint8Array) => void) | undefined;
 }
 
 type Named = Pick<ShapeValues, 'src' | 'type' | 'autoplay' | 'animationName'>;
@@ -29,7 +30,7 @@ type Named = Pick<ShapeValues, 'src' | 'type' | 'autoplay' | 'animationName'>;
 export async function modelOf(
   { src, type, autoplay, animationName }: Named,
   crossOrigin: ViewerValues['crossOrigin'],
-  { base, warn }: ModelPlace,
+  { base, warn, onFile }: ModelPlace,
 ): Promise<Content> {
   const address = src as string; // markup has no files
   if (!URL.canParse(address, base)) {
@@ -43,7 +44,7 @@ export async function modelOf(
     anywhere: crossOrigin !== null,
     type: type ?? '',
     request: (file, redirect) => ({
-      response: fetchOrRead(file, redirect),
+      response: fetchOrRead(file, redirect, onFile),
       refusal: new Promise(() => undefined),
       stop: () => undefined,
     }),
@@ -59,8 +60,18 @@ export async function modelOf(
   return content;
 }
 
-async function fetchOrRead(url: URL, redirect: RequestRedirect): Promise<Response> {
-  if (url.protocol !== 'file:') return fetch(url, { redirect });
+async function fetchOrRead(
+  url: URL,
+  redirect: RequestRedirect,
+  onFile: ModelPlace['onFile'],
+): Promise<Response> {
+  const response =
+    url.protocol === 'file:' ? await readAsResponse(url) : await fetch(url, { redirect });
+  onFile?.(url, new Uint8Array(await response.clone().arrayBuffer()));
+  return response;
+}
+
+async function readAsResponse(url: URL): Promise<Response> {
   const { readFile } = await import('node:fs/promises');
   const bytes = await readFile(url).catch((cause: unknown) => {
     throw new ModelError('load-failed', `The file ${nameOf(url)} cannot be read.`, { cause });

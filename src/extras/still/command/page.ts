@@ -1,0 +1,187 @@
+// The viewers of an HTML file as it is written: where they stand, how large they are, and which
+// poster they have. Edits the file by places in its text, so that nothing else changes.
+import { type DefaultTreeAdapterTypes, parse } from 'parse5';
+
+/** CSS pixels. */
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A part of the text and what stands there instead. */
+export interface Edit {
+  readonly start: number;
+  readonly end: number;
+  readonly text: string;
+}
+
+/** A viewer of the page. */
+export interface PageViewer {
+  /** In the file, from 1. */
+  readonly line: number;
+  /** Its `id`, or its number on the page. */
+  readonly name: string;
+  /** As it is written, without its poster. */
+  readonly markup: string;
+  /** Null unless the page says it in pixels. */
+  readonly size: Size | null;
+  /** The same of the image in its slot. */
+  readonly posterSize: Size | null;
+  /** What its style says; null for nothing. */
+  readonly background: string | null;
+  /** Why no poster of it is made; null for no reason. */
+  readonly skipped: string | null;
+  /** The address of the image in its slot; null for no image. */
+  readonly poster: string | null;
+  /** The edits that give the slot an image of this address and size. */
+  readonly withPoster: (src: string, size: Size) => readonly Edit[];
+}
+
+export interface Page {
+  readonly viewers: readonly PageViewer[];
+  /** What addresses are relative to, if the page says so. */
+  readonly base: string | null;
+}
+
+type Element = DefaultTreeAdapterTypes.Element;
+
+/** @throws Error with `line`s for viewers that have no end tag, or hold another one. */
+export function readPage(text: string): Page {
+  const all = elementsOf(parse(text, { sourceCodeLocationInfo: true }));
+  const viewers = all.filter(({ tagName }) => tagName === 'phong-viewer');
+  const base = all.find((one) => one.tagName === 'base' && attribute(one, 'href') !== null);
+  return {
+    viewers: viewers.map((element, i) => pageViewer(text, element, i + 1)),
+    base: base === undefined ? null : attribute(base, 'href'),
+  };
+}
+
+export const edited = (text: string, edits: readonly Edit[]): string =>
+  [...edits]
+    .sort((a, b) => b.start - a.start)
+    .reduce((all, { start, end, text: own }) => all.slice(0, start) + own + all.slice(end), text);
+
+function pageViewer(text: string, element: Element, number: number): PageViewer {
+  const place = element.sourceCodeLocation!;
+  const { startTag } = place;
+  const problem = (what: string): Error => new Error(`${String(place.startLine)}: ${what}`);
+  if (startTag === undefined || place.endTag === undefined) {
+    throw problem('<phong-viewer> needs its end tag, </phong-viewer>.');
+  }
+  if (elementsOf(element).some(({ tagName }) => tagName === 'phong-viewer')) {
+    throw problem('<phong-viewer> holds another <phong-viewer>.');
+  }
+  const image = element.childNodes.find(
+    (child): child is Element => 'tagName' in child && attribute(child, 'slot') === 'poster',
+  );
+  const imageAt = image?.sourceCodeLocation ?? null;
+  const style = attribute(element, 'style') ?? '';
+  const isOther = image !== undefined && image.tagName !== 'img';
+  return {
+    line: place.startLine,
+    name: attribute(element, 'id') ?? String(number),
+    markup: without(text.slice(place.startOffset, place.endOffset), imageAt, place.startOffset),
+    size: sizeOf(element, style),
+    posterSize: image === undefined ? null : sizeOf(image, ''),
+    background: declared(style, 'background-color') ?? declared(style, 'background'),
+    skipped: isOther
+      ? `has a poster of its own, <${image.tagName}>`
+      : attribute(element, 'poster') !== null
+        ? 'has a poster of its own, the attribute "poster"'
+        : isInComparison(element)
+          ? 'is in a comparison, which sets its size'
+          : null,
+    poster: image === undefined ? null : (attribute(image, 'src') ?? ''),
+    withPoster(src, { width, height }) {
+      const values = { src, width: String(width), height: String(height) };
+      if (image !== undefined) return valueEdits(image, values);
+      const at = startTag.endOffset;
+      const indent = /^\r?\n[ \t]*/.exec(text.slice(at))?.[0] ?? '';
+      const tag = `<img slot="poster" src="${escaped(src)}" width="${values.width}" height="${values.height}" alt="" decoding="async">`;
+      return [{ start: at, end: at, text: indent + tag }];
+    },
+  };
+}
+
+/** The markup without its poster and the white space before it. */
+function without(
+  markup: string,
+  part: { readonly startOffset: number; readonly endOffset: number } | null,
+  offset: number,
+): string {
+  if (part === null) return markup;
+  const before = markup.slice(0, part.startOffset - offset).trimEnd();
+  return before + markup.slice(part.endOffset - offset);
+}
+
+/** Those that differ from what is written. */
+function valueEdits(element: Element, values: Readonly<Record<string, string>>): Edit[] {
+  const place = element.sourceCodeLocation!;
+  const edits: Edit[] = [];
+  let missing = '';
+  for (const [name, value] of Object.entries(values)) {
+    const text = `${name}="${escaped(value)}"`;
+    const at = place.attrs?.[name];
+    if (at === undefined) {
+      missing += ` ${text}`;
+    } else if (attribute(element, name) !== value) {
+      edits.push({ start: at.startOffset, end: at.endOffset, text });
+    }
+  }
+  if (missing !== '') {
+    const start = place.startOffset + 1 + element.tagName.length;
+    edits.push({ start, end: start, text: missing });
+  }
+  return edits;
+}
+
+const escaped = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;');
+
+/** In document order, without what templates hold. */
+function elementsOf(node: DefaultTreeAdapterTypes.ParentNode): Element[] {
+  return node.childNodes.flatMap((child) =>
+    'tagName' in child ? [child, ...elementsOf(child)] : [],
+  );
+}
+
+const attribute = ({ attrs }: Element, name: string): string | null =>
+  attrs.find((one) => one.name === name)?.value ?? null;
+
+const isInComparison = ({ parentNode }: Element): boolean =>
+  parentNode !== null &&
+  'tagName' in parentNode &&
+  (parentNode.tagName === 'phong-compare' || isInComparison(parentNode));
+
+/** Of its style, else of its attributes. */
+function sizeOf(element: Element, style: string): Size | null {
+  const width = pixels(declared(style, 'width')) ?? whole(attribute(element, 'width'));
+  const [, across, down = '1'] =
+    /^([\d.]+)\s*(?:\/\s*([\d.]+))?$/.exec(declared(style, 'aspect-ratio') ?? '') ?? [];
+  const height =
+    pixels(declared(style, 'height')) ??
+    whole(attribute(element, 'height')) ??
+    (width !== null && across !== undefined ? (width * Number(down)) / Number(across) : null);
+  if (width === null || height === null) return null;
+  const size = { width: Math.round(width), height: Math.round(height) };
+  return size.width >= 1 && size.height >= 1 && Number.isFinite(size.height) ? size : null;
+}
+
+const pixels = (value: string | null): number | null =>
+  value !== null && /^[\d.]+px$/i.test(value) ? Number(value.slice(0, -2)) : null;
+
+const whole = (value: string | null): number | null =>
+  value !== null && /^\d+$/.test(value) ? Number(value) : null;
+
+/** The last value of a property in a style; null for none. */
+function declared(style: string, property: string): string | null {
+  const values = style
+    .split(';')
+    .map((part) => part.split(/:(.*)/s))
+    .filter(([name = '']) => name.trim().toLowerCase() === property);
+  return (
+    values
+      .at(-1)?.[1]
+      ?.replace(/!important\s*$/i, '')
+      .trim() ?? null
+  );
+}

@@ -1,0 +1,242 @@
+// `phong-viewer still`, as `npm run build` left it: what it writes into pages, and what it refuses.
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, test } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { outputFolder } from '../../../.ci/output-folder.mjs';
+
+const command = join(outputFolder('dist'), 'cli.js');
+const POSTER = (src: string, width: number, height: number): string =>
+  `<img slot="poster" src="${src}" width="${width}" height="${height}" alt="" decoding="async">`;
+
+/** A folder with these files. */
+function folderOf(files: Readonly<Record<string, string | Uint8Array>>) {
+  const folder = mkdtempSync(join(tmpdir(), 'stills-'));
+  const path = (name: string): string => join(folder, name);
+  for (const [name, content] of Object.entries(files)) {
+    writeFileSync(path(name), content);
+  }
+  return {
+    path,
+    text: (name: string): string => readFileSync(path(name), 'utf8'),
+    run(...args: string[]) {
+      const run = spawnSync(process.execPath, [command, ...args], {
+        cwd: folder,
+        encoding: 'utf8',
+      });
+      return { status: run.status, out: run.stdout, err: run.stderr };
+    },
+  };
+}
+
+test('a page gets its posters, and no other byte of it changes', () => {
+  const before = [
+    '\ufeff<!DOCTYPE html>\r\n<p>Ümlaut &amp; <b>unclosed\r\n',
+    '<phong-viewer style="width:40px;height:30px" geometry=box>',
+    '\r\n\t<!-- a comment --><phong-light  position="1 2 3"/></phong-light>\r\n</phong-viewer>',
+    '<Phong-Viewer id="the ring" width=24 height=12 geometry="torus">',
+    '</Phong-Viewer>\n<template><phong-viewer></phong-viewer></template>',
+    '<!-- <phong-viewer></phong-viewer> --><script>"<phong-viewer></phong-viewer>"</script>\n',
+  ];
+  const folder = folderOf({ 'a b.html': before.join('') });
+  const { status, out, err } = folder.run('still', 'a b.html');
+  expect({ status, err }).toEqual({ status: 0, err: '' });
+  expect(out).toMatch(/^a b\.html:3: a%20b\.1\.png, 40 × 30, drawn in .*\na b\.html:5: /);
+  const after = [...before];
+  after[1] += `\r\n\t${POSTER('a%20b.1.png', 40, 30)}`;
+  after[3] += POSTER('a%20b.the-ring.png', 24, 12);
+  expect(folder.text('a b.html')).toBe(after.join(''));
+  const { width, height } = PNG.sync.read(readFileSync(folder.path('a b.the-ring.png')));
+  expect([width, height]).toEqual([24, 12]);
+});
+
+test('what is up to date is left alone, and --check fails where something is not', () => {
+  const scene = (light: string): string =>
+    `<phong-viewer src="box.ply" style="width: 20px; aspect-ratio: 2">${light}</phong-viewer>`;
+  const light = '<phong-light></phong-light>';
+  const model = fileURLToPath(new URL('../../fixtures/models/coloured.ply', import.meta.url));
+  const folder = folderOf({ 'index.html': scene(light), 'box.ply': readFileSync(model) });
+  const check = (...args: string[]) => folder.run('still', '--check', 'index.html', ...args);
+  const fails = (reason: string, ...args: string[]): void => {
+    const { status, err } = check(...args);
+    expect({ status, err }).toEqual({ status: 1, err: `index.html:1: index.1.png ${reason}.\n` });
+  };
+  fails('is not there');
+  expect(existsSync(folder.path('index.1.png'))).toBe(false);
+  expect(folder.run('still', 'index.html').status).toBe(0);
+  const page = folder.text('index.html');
+  expect(page).toBe(scene(POSTER('index.1.png', 20, 10) + light));
+  expect(check()).toEqual({ status: 0, out: '', err: '' });
+  expect(folder.run('still', 'index.html').out).toBe('index.html:1: index.1.png is up to date.\n');
+
+  fails('has another size', '--scale', '2');
+  writeFileSync(folder.path('index.html'), page.replace('width="20" ', ''));
+  fails('is not the image in the page, or not in its size');
+  expect(folder.run('still', 'index.html').status).toBe(0);
+  expect(folder.text('index.html')).toContain('<img width="20" slot="poster"');
+  writeFileSync(
+    folder.path('index.html'),
+    page.replace('<phong-light>', '<phong-light diffuse="9">'),
+  );
+  fails('shows other markup');
+  writeFileSync(folder.path('index.html'), page.replace('aspect', 'background: red; aspect'));
+  fails('shows other markup');
+  writeFileSync(folder.path('index.html'), page);
+  writeFileSync(folder.path('box.ply'), folder.text('box.ply').replace('ply\n', 'ply\ncomment\n'));
+  fails('shows another box.ply');
+});
+
+test('a poster has the background of its viewer, and --scale gives it more pixels', () => {
+  const viewer = (background: string): string =>
+    `<phong-viewer style="width: 9px; height: 9px; ${background}" geometry="box"></phong-viewer>`;
+  const folder = folderOf({
+    'a.html': viewer('background: rgb(10 20 30)'),
+    'b.html': viewer('background: #1238; color: red'),
+  });
+  const { status, err } = folder.run('still', '--scale', '2', 'a.html', 'b.html');
+  expect(status).toBe(0);
+  expect(err).toBe(
+    'b.html:1: the background "#1238" is no opaque colour, so the poster is transparent.\n',
+  );
+  const corner = (name: string): readonly number[] => {
+    const { width, data } = PNG.sync.read(readFileSync(folder.path(name)));
+    return [width, ...data.subarray(0, 4)];
+  };
+  expect(corner('a.1.png')).toEqual([18, 10, 20, 30, 255]);
+  expect(corner('b.1.png')).toEqual([18, 0, 0, 0, 0]);
+  expect(folder.text('a.html')).toContain('width="9" height="9"');
+});
+
+test('images that the command has not made are neither written over nor replaced', () => {
+  const png = PNG.sync.write(new PNG({ width: 1, height: 1 }));
+  const viewer = (attributes: string, inner: string): string =>
+    `<phong-viewer geometry="box" width="8" height="8" ${attributes}>${inner}</phong-viewer>\n`;
+  const page = [
+    viewer('', '<img slot="poster" src="mine.png">'),
+    viewer('', '<img slot="poster" src="photo.jpg">'),
+    viewer('', '<img slot="poster" src="https://example.org/a.png">'),
+    viewer('', '<picture slot="poster"></picture>'),
+    viewer('poster="mine.png"', ''),
+    `<phong-compare>${viewer('', '')}</phong-compare>`,
+    viewer('', ''),
+  ].join('');
+  const folder = folderOf({ 'p.html': page, 'mine.png': png, 'p.7.png': png });
+  const { status, out, err } = folder.run('still', 'p.html');
+  expect({ status, err }).toEqual({ status: 0, err: '' });
+  expect(out.match(/left alone/g)).toHaveLength(6);
+  expect(readFileSync(folder.path('mine.png')).equals(png)).toBe(true);
+  expect(readFileSync(folder.path('p.7.png')).equals(png)).toBe(true);
+  expect(folder.text('p.html').match(/<img[^>]*src="p\.[^>]*>/g)).toEqual([
+    POSTER('p.7.2.png', 8, 8),
+  ]);
+});
+
+test('--out draws one picture and leaves the page as it is', () => {
+  const page = '<phong-viewer geometry="box"></phong-viewer>';
+  const folder = folderOf({ 'a.html': page });
+  expect(folder.run('still', 'a.html', '--out', 'scene.png', '--size', '12x8').status).toBe(0);
+  expect(folder.text('a.html')).toBe(page);
+  expect(PNG.sync.read(readFileSync(folder.path('scene.png')))).toMatchObject({ width: 12 });
+});
+
+const sized = (attributes: string, inner = ''): string =>
+  `<p>\n<phong-viewer style="width:8px;height:8px" ${attributes}>${inner}</phong-viewer>`;
+
+for (const [what, page, part] of [
+  [
+    'a viewer without a size',
+    '<phong-viewer geometry="box"></phong-viewer>',
+    '1: the viewer has no',
+  ],
+  [
+    'a viewer without an end tag',
+    '<p>\n<phong-viewer geometry="box"><p>',
+    '2: <phong-viewer> needs',
+  ],
+  ['a viewer that closes itself', '<phong-viewer geometry="box" />', '1: <phong-viewer> needs'],
+  [
+    'a viewer in a viewer',
+    sized('', '<b><phong-viewer></phong-viewer></b>'),
+    '2: <phong-viewer> holds another',
+  ],
+  ['a page without a viewer', '<p>', ' has no <phong-viewer>'],
+  ['a missing model', sized('src="none.glb"'), '2: The file none.glb cannot be read'],
+  ['a model of no format', sized('src="page.html"'), '2: '],
+  ['a host that does not answer', sized('src="http://127.0.0.1:9/a.glb"'), '2: '],
+  ['a view that stills lack', sized('geometry="box" view="triangles"'), '2: a still cannot show'],
+  [
+    'a colour that stills lack',
+    sized('geometry="box" kd="oklch(1 0 0)"'),
+    '2: a still cannot read',
+  ],
+  ['a base elsewhere', `<base href="https://a.example/">${sized('')}`, '2: <base href> leads to'],
+  [
+    'more triangles than fit',
+    sized('', '<phong-mesh geometry="teapot" segments="512"></phong-mesh>'.repeat(20)),
+    '2: The still has',
+  ],
+  [
+    'a viewer too large',
+    '<phong-viewer width="99999" height="99999"></phong-viewer>',
+    '1: a still has',
+  ],
+] as const) {
+  test(`${what} is an error with file and line, and the page stays as it is`, () => {
+    const folder = folderOf({ 'page.html': page });
+    const { status, out, err } = folder.run('still', 'page.html');
+    expect({ status, out }).toEqual({ status: 1, out: '' });
+    expect(err).toMatch(/^page\.html:.*\n$/);
+    expect(err).toContain(`page.html:${part}`);
+    expect(folder.text('page.html')).toBe(page);
+  });
+}
+
+test('a bad value warns with file and line, and has its default as in a browser', () => {
+  const folder = folderOf({ 'page.html': sized('geometry="box" shininess="NaN" fov="1e9"') });
+  const { status, err } = folder.run('still', 'page.html');
+  expect(status).toBe(0);
+  expect(err).toMatch(
+    /^page\.html:2: <phong-viewer> shininess="NaN": .*\npage\.html:2: .*fov.*\n$/,
+  );
+});
+
+test('the other pages are done where one fails', () => {
+  const folder = folderOf({ 'a.html': sized('src="none.glb"') + sized(''), 'b.html': sized('') });
+  mkdirSync(folder.path('folder'));
+  writeFileSync(folder.path('latin.html'), Uint8Array.of(0xe4));
+  const { status, out, err } = folder.run(
+    ...['still', 'folder', 'none.html', 'latin.html', 'a.html', 'b.html'],
+  );
+  expect(status).toBe(1);
+  expect(err).toMatch(
+    /^folder: is a folder.*\nnone\.html: there is no such file\.\nlatin\.html: is not UTF-8\.\na\.html:2: .*\n$/,
+  );
+  expect(out).toMatch(/^a\.html:3: .*\nb\.html:2: .*\n$/);
+});
+
+for (const [args, part] of [
+  [[], 'Say what to do'],
+  [['draw'], 'There is no command "draw"'],
+  [['still'], 'Name the pages'],
+  [['still', 'a.html', '--size', '760'], '--size takes'],
+  [['still', 'a.html', '--scale', '0'], '--scale takes'],
+  [['still', 'a.html', '--scale', 'NaN'], '--scale takes'],
+  [['still', 'a.html', '--zoom', '2'], "Unknown option '--zoom'"],
+  [['still', 'a.html', 'b.html', '--out', 'a.png'], '--out is for one'],
+] as const) {
+  test(`phong-viewer ${args.join(' ')} is one line and status 2`, () => {
+    const { status, out, err } = folderOf({}).run(...args);
+    expect({ status, out }).toEqual({ status: 2, out: '' });
+    expect(err).toMatch(/^.+ See phong-viewer --help\.\n$/);
+    expect(err).toContain(part);
+  });
+}
+
+test('--help says what the command does', () => {
+  const { status, out } = folderOf({}).run('--help');
+  expect(status).toBe(0);
+  expect(out).toMatch(/^Usage: phong-viewer still/);
+});
