@@ -14,6 +14,7 @@ import { posix } from 'node:path';
  */
 
 const phong = [
+  'phong/geometry',
   'phong/mistakes',
   'phong/material',
   'phong/camera',
@@ -27,7 +28,7 @@ const extra = ['viewer/extra.ts', ...phong];
 
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
-  'phong/math': { types: ['three'] },
+  'phong/math': {},
   'phong/fields': { layers: ['phong/math'] },
   'phong/light': { layers: ['phong/fields', 'phong/math'] },
   'phong/reference': { layers: ['phong/light', 'phong/fields', 'phong/math'] },
@@ -37,9 +38,13 @@ export const layers = {
     layers: ['phong/light', 'phong/fields', 'phong/math', 'shaders'],
     packages: ['three'],
   },
+  'phong/geometry': {
+    layers: ['phong/material', 'phong/camera', 'phong/math'],
+    packages: ['three'],
+  },
   phong: { layers: phong, packages: ['three'] },
   'viewer/model': {
-    layers: ['phong/material', 'phong/light', 'phong/fields', 'phong/math'],
+    layers: ['phong/geometry', 'phong/material', 'phong/light', 'phong/fields', 'phong/math'],
     packages: ['three'],
   },
   'viewer/scene': {

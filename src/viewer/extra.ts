@@ -3,7 +3,6 @@
 export { create, createSvg, set, write, zoomOf } from './element/dom.js';
 export type {
   AnswerDetail,
-  CameraSource,
   FragmentExplanation,
   LightExplanation,
   PhongCompare,
@@ -12,10 +11,8 @@ export type {
   PhongViewer,
   PictureOptions,
   ProbeDetail,
-  ShadeOptions,
 } from './element/elements.js';
 export type { CreatePanel } from './element/extra-code.js';
-export type { CompareValues } from './element/fields/compare-fields.js';
 export type { ControlValues } from './element/fields/control-properties.js';
 export { cssColor } from './element/fields/css-color.js';
 export {
@@ -27,54 +24,35 @@ export {
 export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
 export {
   GUI_FOLDERS,
-  type Helper,
   HELPERS,
   VIEWER_FIELDS,
   type ViewerValues,
 } from './element/fields/viewer-fields.js';
-export { inspect, type MistakeTests } from './element/inspect.js';
+export type { MistakeTests } from './element/inspect.js';
 export { fieldsOf, placed, sceneMeshes, viewerPins } from './element/internals.js';
 export { default as ownText } from './element/page/own-text.css?inline';
-export { leaveTexts, useTexts } from './element/page/page-texts.js';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles, removeStyles } from './element/page/style-sheets.js';
 export { PhongControl } from './element/phong-control.js';
 export { lightName, numberedName } from './element/phong-light.js';
-export type { ViewerCamera } from './element/viewer/camera.js';
 export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';
 export { historyOf, type Undoable, valuesOf } from './element/viewer/history.js';
-export { AWAITED, OPEN_PANEL, WIDE_PANEL } from './element/viewer/viewer-panel.js';
-export type { ViewerTree } from './element/viewer/viewer-tree.js';
+export { PANEL_PLACE } from './element/viewer/viewer-panel.js';
 export { requireAtMost } from './model/budget.js';
-export { FORMAT_NAMES, type FormatKey, type FormatNames } from './model/format-names.js';
-export {
-  type GeometrySize,
-  hasMovingVertices,
-  measureInSlices,
-  sizeOfVertices,
-} from './model/geometry-size.js';
+export { FORMAT_NAMES, type FormatNames } from './model/format-names.js';
 export { lazyCode, reportMissing } from './model/lazy-code.js';
 export { isOutOfMemory, LIMITS } from './model/limits.js';
 export { ModelBudget } from './model/model-budget.js';
 export { type Content, type ContentPart, ModelError, type Motion } from './model/model.js';
-export { fileName, isDataUri, type LoadOptions, modelCode, nameOf } from './model/request-model.js';
-export { type Fit, fitTo, type Framing, type SharedFit } from './scene/auto-fit.js';
-export { measure } from './scene/bounds.js';
-export { type Frustum, writeModelViewProjection } from './scene/frustum-clip.js';
+export { type LoadOptions, modelCode } from './model/request-model.js';
+export { fitTo } from './scene/auto-fit.js';
 export { SAFE_SIDE } from './scene/gpu/context.js';
 export { contextLost, NoWebGL2Error, stage } from './scene/gpu/stage.js';
-export { levelFor, SAMPLED_TOLERANCE, segmentsIn, type SharedLevels } from './scene/mesh/levels.js';
-export {
-  MESH_FIELDS,
-  type MeshState,
-  type MeshValues,
-  type ShapeValues,
-} from './scene/mesh/mesh-fields.js';
+export { sampledSegments } from './scene/mesh/levels.js';
+export { MESH_FIELDS, type MeshState, type MeshValues } from './scene/mesh/mesh-fields.js';
 export { appearanceOf } from './scene/mesh/parts.js';
-export { createGeometry, type GeometryName, roundOf } from './scene/mesh/shapes/shapes.js';
-export type { Picture } from './scene/picture.js';
-export type { DrawnLook, OwnDrawn, SceneSnapshot } from './scene/scene-snapshot.js';
+export { createGeometry } from './scene/mesh/shapes/shapes.js';
+export type { OwnDrawn, SceneSnapshot } from './scene/scene-snapshot.js';
 export type { SampledViewport } from './scene/still-picture.js';
-export type { Viewport } from './scene/viewport.js';

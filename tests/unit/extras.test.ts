@@ -1,7 +1,55 @@
 // Can an extra be taken out? Two of them, by types.
 
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { tableWithout, typeErrors, withDependents } from '../support/without-extra.js';
+import { repository, tableWithout, typeErrors, withDependents } from '../support/without-extra.js';
+
+/** What extras may import of the viewer. Fewer is better: a name that goes takes this number down. */
+const MOST_NAMES = 81;
+
+describe('the door of extras', () => {
+  const door = readFileSync(join(repository, 'src/viewer/extra.ts'), 'utf8');
+  const names = [...door.matchAll(/export (?:type )?\{([^}]*)\}/g)].flatMap(([, list = '']) =>
+    list
+      .split(',')
+      .map((name) => name.trim())
+      .filter((name) => name !== ''),
+  );
+
+  it(`has at most ${String(MOST_NAMES)} names, types too`, () => {
+    expect(door, 'no namespaces').not.toMatch(/export \*/);
+    expect(names.length).toBeLessThanOrEqual(MOST_NAMES);
+  });
+
+  it('has none that no extra imports', () => {
+    const files = readdirSync(join(repository, 'src/extras'), { recursive: true }) as string[];
+    const code = files
+      .filter((file) => file.endsWith('.ts'))
+      .map((file) => readFileSync(join(repository, 'src/extras', file), 'utf8'))
+      .join('\n');
+    const imported = [
+      ...code.matchAll(/import (?:type )?\{([^}]*)\} from '[^']*viewer\/extra\.js'/g),
+    ]
+      .flatMap(([, list = '']) => list.split(','))
+      .map(
+        (name) =>
+          name
+            .trim()
+            .replace(/^type /, '')
+            .split(' as ')[0],
+      );
+    const unused = names
+      .map((name) =>
+        name
+          .replace(/^type /, '')
+          .split(' as ')
+          .at(-1),
+      )
+      .filter((name) => !imported.includes(name));
+    expect(unused).toEqual([]);
+  });
+});
 
 describe('an extra', () => {
   it('goes with those that depend on it', () => {

@@ -1,18 +1,13 @@
 // Cameras that move together: of viewers with one `camera-group` in a document, and of one
 // <phong-compare>. All have the same angles, radius and target, are framed as one, and show round
 // shapes by the same rule. A chunk.
-import type {
-  CameraSource,
-  Extra,
-  ExtraHost,
-  Fit,
-  Framing,
-  SharedFit,
-  SharedLevels,
-  ViewerCamera,
-} from '../../viewer/extra.js';
+import type { Extra, ExtraHost } from '../../viewer/extra.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
+type Camera = ExtraHost['camera'];
+type AutoFit = Member['viewport']['picture']['fit'];
+type Framing = NonNullable<AutoFit['framing']>;
+type Fit = ReturnType<AutoFit['fitOf']>;
 
 /** Keeps a viewer in the group that its attributes and its parent name. */
 export function create(member: Member): Extra {
@@ -48,9 +43,10 @@ function groupOf({ viewer, values: { cameraGroup: name } }: Member): CameraGroup
   return group;
 }
 
-class CameraGroup implements SharedFit, SharedLevels {
+/** Frames the pictures of its members as one, and chooses the levels of their shapes together. */
+class CameraGroup {
   /** In the order in which they joined, which is document order for a page's markup. */
-  readonly #members = new Map<ViewerCamera, Member>();
+  readonly #members = new Map<Camera, Member>();
   /** For the framing that all members share; null after a change. */
   #fitted: { readonly framing: Framing; readonly fit: Fit; readonly from: Member } | null = null;
   #settling = false;
@@ -89,7 +85,7 @@ class CameraGroup implements SharedFit, SharedLevels {
   }
 
   /** A member's camera was moved or framed in another way, and not by the group. */
-  moved(camera: ViewerCamera, source: CameraSource): void {
+  moved(camera: Camera, source: Parameters<Camera['place']>[1]): void {
     const mover = this.#members.get(camera);
     if (mover === undefined) return;
     const placement = placementOf(mover);
@@ -101,7 +97,7 @@ class CameraGroup implements SharedFit, SharedLevels {
   }
 
   /** The first member with `auto-rotate` turns all. It pauses during a drag in any viewer. */
-  turns(camera: ViewerCamera): boolean {
+  turns(camera: Camera): boolean {
     const cameras = [...this.#members.keys()];
     return (
       cameras.find(({ turning }) => turning) === camera && !cameras.some(({ dragging }) => dragging)

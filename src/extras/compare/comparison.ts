@@ -5,41 +5,35 @@ import { sameValue } from '../../phong/fields/field-store.js';
 import type { PictureBox } from '../../phong/camera/gesture.js';
 import {
   addStyles,
-  AWAITED,
-  type CompareValues,
   CORNER_MARKS,
   fieldsOf,
-  inspect,
-  leaveTexts,
-  OPEN_PANEL,
+  PANEL_PLACE,
   panelColumn,
   type PhongCompare,
   type PhongViewer,
   phrase,
   pictureBox,
   placed,
-  useTexts,
-  WIDE_PANEL,
 } from '../../viewer/extra.js';
 import styles from './comparison.css?inline';
 import { Divider, placesOf, rangeOf, withMoved } from './divider.js';
+
+const valuesOf = (element: PhongCompare) => fieldsOf(element).store.values;
 
 /** Height of a label with the space above it; see comparison.css. */
 const LABEL = 'calc(1.6em + 8px)';
 
 export class Comparison implements ReactiveController {
   readonly #element: PhongCompare;
-  readonly #values: Readonly<CompareValues>;
+  readonly #values: ReturnType<typeof valuesOf>;
   readonly #observer = new MutationObserver(() => this.#element.requestUpdate());
-  readonly #textUser = { requestUpdate: () => this.#element.requestUpdate() };
   #listeners = new AbortController();
   #viewers: readonly PhongViewer[] = [];
   #dividers: readonly Divider[] = [];
 
   constructor(element: PhongCompare) {
     this.#element = element;
-    this.#values = fieldsOf(element).store.values;
-    inspect(element);
+    this.#values = valuesOf(element);
   }
 
   hostConnected(): void {
@@ -47,7 +41,6 @@ export class Comparison implements ReactiveController {
     addStyles(root, panelColumn);
     addStyles(root, styles);
     this.#observe();
-    useTexts(this.#textUser);
     const { signal } = (this.#listeners = new AbortController());
     // The direction of the text may have changed, which no event reports.
     for (const type of ['pointerover', 'focusin'] as const) {
@@ -58,7 +51,6 @@ export class Comparison implements ReactiveController {
 
   hostDisconnected(): void {
     this.#observer.disconnect();
-    leaveTexts(this.#textUser);
     this.#listeners.abort('disconnected');
   }
 
@@ -185,11 +177,11 @@ export class Comparison implements ReactiveController {
   /** Viewers whose panels are open; while none is, those whose panels are about to be. */
   #withPanels(viewers: readonly PhongViewer[]): readonly PhongViewer[] {
     const place = (viewer: PhongViewer): string | null =>
-      panelPlace(viewer)?.getAttribute(OPEN_PANEL) ?? null;
-    const awaited = viewers.filter((viewer) => place(viewer) === AWAITED);
+      panelPlace(viewer)?.getAttribute(PANEL_PLACE.open) ?? null;
+    const awaited = viewers.filter((viewer) => place(viewer) === PANEL_PLACE.awaited);
     const open = viewers.filter((viewer) => place(viewer) === '');
     const waits =
-      awaited.length > 0 && open.length === 0 && this.#element.clientWidth >= WIDE_PANEL;
+      awaited.length > 0 && open.length === 0 && this.#element.clientWidth >= PANEL_PLACE.wide;
     return waits ? awaited : open;
   }
 
@@ -206,7 +198,7 @@ export class Comparison implements ReactiveController {
       this.#observer.observe(surface, { attributeFilter: ['aria-label'] });
       const panel = panelPlace(viewer);
       if (panel !== null) {
-        this.#observer.observe(panel, { attributeFilter: [OPEN_PANEL] });
+        this.#observer.observe(panel, { attributeFilter: [PANEL_PLACE.open] });
       }
     }
   }

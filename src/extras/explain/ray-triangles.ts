@@ -14,8 +14,13 @@ import {
   subtract,
   type Vec3,
 } from '../../phong/math/vector.js';
-import { writeModelViewProjection } from '../../viewer/extra.js';
-import { type BoxList, type BvhQuery, bvhInSteps, walkBvh } from '../../phong/math/triangle-bvh.js';
+import {
+  type BoxList,
+  type BvhQuery,
+  bvhInSteps,
+  walkBvh,
+} from '../../phong/geometry/triangle-bvh.js';
+import { writeModelViewProjection } from '../../phong/geometry/frustum-clip.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {

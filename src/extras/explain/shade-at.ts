@@ -10,7 +10,6 @@ import {
   lazyCode,
   type PhongMesh,
   type PhongViewer,
-  type ShadeOptions,
   type ViewerSnapshot,
 } from '../../viewer/extra.js';
 import { cornersOf, type Hit, pick, pickNear } from './pick.js';
@@ -24,7 +23,7 @@ export async function shadeAt(
   { scene, width, height, lights }: ViewerSnapshot,
   x: number,
   y: number,
-  { exact = false }: ShadeOptions = {},
+  { exact = false }: Parameters<PhongViewer['shadeAt']>[2] = {},
 ): Promise<FragmentExplanation | null> {
   const column = pixel('x', x, width, scene?.width ?? 0, exact);
   const row = pixel('y', y, height, scene?.height ?? 0, exact);

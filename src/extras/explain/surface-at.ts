@@ -21,7 +21,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../../phong/math/vector.js';
-import type { DrawnLook } from '../../viewer/extra.js';
+import type { OwnDrawn } from '../../viewer/extra.js';
 import type { TriangleHit, TrianglePoint } from './ray-triangles.js';
 import { interpolated, isMinified, type PixelSlopes, sampleAt, decodedAt } from './sample.js';
 
@@ -36,7 +36,7 @@ export interface SurfaceHere extends Readonly<SurfaceValues> {
 
 /** The surface at a hit. Under Gouraud shading the exponent has no texture. */
 export function surfaceAt(
-  { look, style, linear, surface }: DrawnLook,
+  { look, style, linear, surface }: OwnDrawn['phong'],
   geometry: BufferGeometry,
   hit: TrianglePoint,
   base: BaseColor,
@@ -65,7 +65,7 @@ export function surfaceAt(
 
 /** Whether the GPU averages texels of a texture that the surface is read from at one point. */
 export function isFiltered(
-  { look, style }: DrawnLook,
+  { look, style }: OwnDrawn['phong'],
   geometry: BufferGeometry,
   hit: TriangleHit,
   pixel: PixelSlopes,
@@ -84,7 +84,7 @@ export function isFiltered(
  * N by the normal map, if any; `N` and `tangent` are those of the visible side, in shading space.
  */
 export function mappedNormalAt(
-  { look, style }: DrawnLook,
+  { look, style }: OwnDrawn['phong'],
   geometry: BufferGeometry,
   hit: TrianglePoint,
   N: Vec3,

@@ -1,8 +1,9 @@
 // Bytes out of base64, data: URIs and UTF-16. In slices and mostly in place: files of hundreds of
 // megabytes are never strings.
-import { isDataUri, type ModelBudget, ModelError } from '../../viewer/extra.js';
+import { type ModelBudget, ModelError } from '../../viewer/extra.js';
 import type { FileBytes } from './model-reader.js';
 import type { Slices } from './slices.js';
+import { isDataUri } from '../../phong/fields/file-names.js';
 
 /** Bytes or characters between two looks at the clock. */
 const SLICE = 2 ** 16;

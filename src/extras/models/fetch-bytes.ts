@@ -3,15 +3,14 @@
 import { decodeDataUri } from './encodings.js';
 import type { FileBytes } from './model-reader.js';
 import {
-  isDataUri,
   type LoadOptions,
   type ModelBudget,
   ModelError,
-  nameOf,
   requireAtMost,
 } from '../../viewer/extra.js';
 import { Slices } from './slices.js';
 import { FILE_LIMIT } from './limits.js';
+import { isDataUri, nameOf } from '../../phong/fields/file-names.js';
 
 /**
  * How long a server may send nothing, in milliseconds: before its answer, and between two parts of

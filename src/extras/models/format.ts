@@ -1,13 +1,13 @@
 // Finds the format of a file's bytes. The content decides, then the element's `type`, the file
 // extension and the media type. A new format is a row here and one in format-names.ts.
-import { FORMAT_NAMES, type FormatKey, type FormatNames, ModelError } from '../../viewer/extra.js';
+import { FORMAT_NAMES, type FormatNames, ModelError } from '../../viewer/extra.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
 /**
  * Whether the bytes are those of a format and no other. In the order in which they are tested: the
  * strictest first.
  */
-const CONTENT: Readonly<Record<FormatKey, (bytes: Uint8Array) => boolean>> = {
+const CONTENT: Readonly<Record<keyof typeof FORMAT_NAMES, (bytes: Uint8Array) => boolean>> = {
   gltf: (bytes) => /^(glTF|(ï»¿)?\s*\{)/.test(latin1(bytes, 256)),
   ply: (bytes) => /^ply[\r\n]/.test(latin1(bytes, 4)),
   stl: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
@@ -34,7 +34,9 @@ export function formatOf(
 ): FormatNames {
   if (bytes.byteLength === 0) throw new ModelError('bad-model', `The file ${name} is empty.`);
   const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(address)?.[1]?.toLowerCase() ?? '';
-  const byContent = (Object.keys(CONTENT) as FormatKey[]).find((key) => CONTENT[key](bytes));
+  const byContent = (Object.keys(CONTENT) as (keyof typeof CONTENT)[]).find((key) =>
+    CONTENT[key](bytes),
+  );
   if (byContent !== undefined) return FORMAT_NAMES[byContent];
   const byType = (written: string): FormatNames | undefined =>
     FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));

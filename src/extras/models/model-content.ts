@@ -7,10 +7,8 @@ import {
   type FormatNames,
   isOutOfMemory,
   type LoadOptions,
-  measureInSlices,
   ModelBudget,
   ModelError,
-  nameOf,
 } from '../../viewer/extra.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
@@ -25,6 +23,8 @@ import { asUtf8 } from './encodings.js';
 import { isMoving } from './moving-copy.js';
 import { Slices } from './slices.js';
 import { free } from './limits.js';
+import { nameOf } from '../../phong/fields/file-names.js';
+import { measureInSlices } from '../../phong/geometry/geometry-size.js';
 
 export { Slices };
 

@@ -4,7 +4,8 @@ import { listed } from '../../phong/fields/clip.js';
 import { requireContent } from './fetch-bytes.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import type { FileBytes } from './model-reader.js';
-import { fileName, type ModelBudget, ModelError } from '../../viewer/extra.js';
+import { type ModelBudget, ModelError } from '../../viewer/extra.js';
+import { fileName } from '../../phong/fields/file-names.js';
 
 /**
  * Most files of a dropped folder. Models come with hundreds at most; a whole disk should not be

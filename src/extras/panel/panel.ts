@@ -5,12 +5,11 @@ import {
   addStyles,
   type CreatePanel,
   GUI_FOLDERS,
-  OPEN_PANEL,
+  PANEL_PLACE,
   panelColumn,
   type PhongMesh,
   type PhongViewer,
   removeStyles,
-  WIDE_PANEL,
 } from '../../viewer/extra.js';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
@@ -30,7 +29,7 @@ import { VIEWER_ROWS } from './viewer-rows.js';
  * `text`: in font sizes; `column`: upper limit in CSS pixels, the width from which the panel stands
  * beside the picture.
  */
-const WIDE = { text: 40, column: WIDE_PANEL } as const;
+const WIDE = { text: 40, column: PANEL_PLACE.wide } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelColumn + panelStyles + controls;
@@ -193,7 +192,7 @@ function newRoot(place: HTMLElement): GUI {
 
 /** A comparison makes room for it. */
 const markOpen = (place: HTMLElement, gui: GUI): boolean =>
-  place.toggleAttribute(OPEN_PANEL, !gui._closed);
+  place.toggleAttribute(PANEL_PLACE.open, !gui._closed);
 
 /**
  * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed

@@ -1,7 +1,8 @@
 // The range that a slider covers, and how its positions map to values, in the unit of the control.
-import { measure, type PhongViewer } from '../../viewer/extra.js';
+import type { PhongViewer } from '../../viewer/extra.js';
 import { niceCeil, tidy } from '../../phong/math/round-number.js';
 import type { Vec3 } from '../../phong/math/vector.js';
+import { measure } from '../../phong/geometry/bounds.js';
 
 /** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
 export interface SliderScale {

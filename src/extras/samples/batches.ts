@@ -3,7 +3,7 @@
 // the next frame.
 import type { WebGLRenderer } from 'three';
 import { centredOffset } from '../../phong/math/pixel-offsets.js';
-import type { Picture } from '../../viewer/extra.js';
+import type { SampledViewport } from '../../viewer/extra.js';
 import type { SampleSum } from './sample-sum.js';
 import { type Region, type Size } from '../../phong/math/region.js';
 
@@ -159,7 +159,7 @@ export function sendBatch(
   size: Size,
   tile: Region,
   renderer: WebGLRenderer,
-  picture: Picture,
+  picture: SampledViewport['picture'],
 ): void {
   picture.make(size, samples); // another frame may have been drawn since
   batches.send(samples - sum.count, () => {

@@ -11,16 +11,10 @@ import {
   type ContentPart,
   createGeometry,
   fitTo,
-  type Frustum,
-  type GeometryName,
-  levelFor,
   LIMITS,
-  measure,
   type MeshState,
   requireAtMost,
-  roundOf,
-  SAMPLED_TOLERANCE,
-  segmentsIn,
+  sampledSegments,
   type ViewerValues,
 } from '../../viewer/extra.js';
 import type {
@@ -36,6 +30,10 @@ import type { Declared, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
 import { modelOf, type ModelPlace } from './models.js';
 import { columnsOf, isFlattened } from './triangles.js';
+import { measure } from '../../phong/geometry/bounds.js';
+import { type Frustum } from '../../phong/geometry/frustum-clip.js';
+
+type GeometryName = NonNullable<MeshState['values']['geometry']>;
 
 /** A part of a declared mesh. */
 interface PlacedPart {
@@ -139,22 +137,14 @@ async function objectOf(
   let shape: CastShape | null = null;
   if (name !== null) {
     const { segments } = state.values;
-    const round = segments === 'auto' && shading === 'phong' ? roundOf(name) : undefined;
-    if (round !== undefined && isTrue(name) && !isFlattened(columnsOf(matrix))) {
+    const fine =
+      segments === 'auto' && shading === 'phong'
+        ? sampledSegments(frustum, pixels, name, matrix)
+        : null;
+    if (fine !== null && isTrue(name) && !isFlattened(columnsOf(matrix))) {
       shape = { kind: name };
-    } else if (round !== undefined || segments !== 'auto') {
-      const fine =
-        round === undefined
-          ? Number(segments)
-          : // As finely as in the samples of a still picture, whatever pixels it covers.
-            levelFor(
-              Math.max(
-                segmentsIn(frustum, pixels / SAMPLED_TOLERANCE, round, matrix) ?? 0,
-                round.smooth,
-              ),
-              name,
-            );
-      geometry = await createGeometry(name, fine, round !== undefined);
+    } else if (fine !== null || segments !== 'auto') {
+      geometry = await createGeometry(name, fine ?? Number(segments), fine !== null);
     }
   }
   const mesh = meshShape(geometry, look);

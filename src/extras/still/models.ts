@@ -4,12 +4,12 @@ import { clip } from '../../phong/fields/clip.js';
 import {
   type Content,
   FORMAT_NAMES,
+  type MeshState,
   ModelError,
-  nameOf,
-  type ShapeValues,
   type ViewerValues,
 } from '../../viewer/extra.js';
 import type { Warn } from './markup.js';
+import { nameOf } from '../../phong/fields/file-names.js';
 
 // As the table of extras does for pages.
 FORMAT_NAMES.gltf.code.provide(() => import('../models/gltf/read-gltf.js'));
@@ -24,7 +24,7 @@ export interface ModelPlace {
   readonly onFile?: ((url: URL, bytes: Uint8Array) => void) | undefined;
 }
 
-type Named = Pick<ShapeValues, 'src' | 'type' | 'autoplay' | 'animationName'>;
+type Named = Pick<MeshState['values'], 'src' | 'type' | 'autoplay' | 'animationName'>;
 
 /** In its first pose. @throws ModelError, and TypeError for an address that is none. */
 export async function modelOf(

@@ -18,7 +18,9 @@ import {
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { renderWhereShown } from './dom.js';
 import { type Comparison, comparisonCode } from './extra-code.js';
+import { inspect } from './inspect.js';
 import { placed } from './internals.js';
+import { leaveTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
 import ownText from './page/own-text.css?inline';
 import styles from './phong-compare.css?inline';
@@ -81,11 +83,17 @@ class CompareElement extends LitElement implements PublicCompare {
     addStyles(this.renderRoot as ShadowRoot, ownText);
     addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
+    useTexts(this);
     if (this.#comparison === null) {
       void this.#load();
     } else {
       this.requestUpdate();
     }
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    leaveTexts(this);
   }
 
   override attributeChangedCallback(
@@ -114,6 +122,7 @@ class CompareElement extends LitElement implements PublicCompare {
       const { Comparison } = await comparisonCode();
       if (!this.isConnected || this.#comparison !== null) return;
       this.#comparison = new Comparison(this);
+      inspect(this);
       this.addController(this.#comparison);
     } catch (error) {
       reportMissing(error);

@@ -1,6 +1,7 @@
-// Requests a model's files, and the code that reads them; and what a file is called in messages.
+// Requests a model's files, and the code that reads them.
 // Imports nothing that takes long to run.
 import { FORMAT_NAMES, type FormatNames } from './format-names.js';
+import { isDataUri } from '../../phong/fields/file-names.js';
 import { extraCode } from './lazy-code.js';
 import type { Amounts } from './budget.js';
 import type { Content } from './model.js';
@@ -133,9 +134,6 @@ export interface FileRequest {
   stop(): void;
 }
 
-/** Not requested: a strict policy forbids fetching it, and what it holds is there already. */
-export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
-
 export function requestFile(
   url: URL,
   redirect: RequestRedirect,
@@ -166,23 +164,4 @@ function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
     };
     document.addEventListener('securitypolicyviolation', listener, { signal });
   });
-}
-
-/** The name of a `File`; `model` for a `Blob`, which has none. */
-export const fileName = (file: Blob): string =>
-  ('name' in file ? String(file.name) : '') || 'model';
-
-/**
- * The last part of an address, for messages: addresses can be long. Those that have none give their
- * host.
- */
-export function nameOf(url: URL): string {
-  if (url.protocol === 'data:') return 'the data: URI';
-  const last = url.pathname.slice(url.pathname.lastIndexOf('/') + 1);
-  if (last === '') return url.host === '' ? 'the file' : url.host;
-  try {
-    return decodeURIComponent(last);
-  } catch {
-    return last; // a percent sign that escapes nothing
-  }
 }

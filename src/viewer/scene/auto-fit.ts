@@ -4,7 +4,7 @@ import type { Mesh, Scene } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../../phong/camera/fit.js';
 import type { Orbit } from '../../phong/camera/orbit.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import { type Extent, measure, radiusOf } from './bounds.js';
+import { type Extent, measure, radiusOf } from '../../phong/geometry/bounds.js';
 import type { Size } from '../../phong/math/region.js';
 
 /** Target and radius as declared: `auto`, or a value. */

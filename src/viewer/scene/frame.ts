@@ -8,7 +8,7 @@ import { type ShadingFrame, writeCamera, writeView } from '../../phong/material/
 import { radians } from '../../phong/math/angle.js';
 import type { Region, Size } from '../../phong/math/region.js';
 import { nearestDepth } from './near-depth.js';
-import type { Frustum } from './frustum-clip.js';
+import type { Frustum } from '../../phong/geometry/frustum-clip.js';
 
 /** One object for all frames of a picture: {@link look} and then {@link aim} overwrite it. */
 export class Frame {

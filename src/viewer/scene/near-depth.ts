@@ -12,8 +12,8 @@ import {
   type Object3D,
 } from 'three';
 import { PhongMaterial } from '../../phong/material/phong-material.js';
-import { hasMovingVertices } from '../model/geometry-size.js';
-import { boundsOf, newBall, writeBall } from './bounds.js';
+import { hasMovingVertices } from '../../phong/geometry/geometry-size.js';
+import { boundsOf, newBall, writeBall } from '../../phong/geometry/bounds.js';
 import {
   boxIsInView,
   depthOf,
@@ -21,13 +21,13 @@ import {
   triangleDepth,
   type Frustum,
   writeModelViewProjection,
-} from './frustum-clip.js';
+} from '../../phong/geometry/frustum-clip.js';
 import {
   type BoxList,
   type BvhQuery,
   type Position,
   queryBvh,
-} from '../../phong/math/triangle-bvh.js';
+} from '../../phong/geometry/triangle-bvh.js';
 
 /**
  * Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond

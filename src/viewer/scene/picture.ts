@@ -17,7 +17,7 @@ import type { ShadingStyle } from '../../phong/material/material-values.js';
 import type { PictureView } from '../../phong/material/views.js';
 import { Budget } from '../model/budget.js';
 import { AutoFit } from './auto-fit.js';
-import { forgetBounds } from './bounds.js';
+import { forgetBounds } from '../../phong/geometry/bounds.js';
 import { Frame } from './frame.js';
 import type { Region, Size } from '../../phong/math/region.js';
 import { Animations } from './mesh/animation.js';

@@ -8,7 +8,7 @@ import { LIMITS } from '../../../src/viewer/model/limits.js';
 import { Animations } from '../../../src/viewer/scene/mesh/animation.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
 import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
-import { sizeOf } from '../../../src/viewer/model/geometry-size.js';
+import { sizeOf } from '../../../src/phong/geometry/geometry-size.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';
 import type { Content } from '../../../src/viewer/model/model.js';
 import { keysWithin } from '../../../src/extras/models/gltf/reach.js';

@@ -5,7 +5,7 @@ import { fitRadius } from '../../../src/phong/camera/fit.js';
 import { basisOf, type Pose } from '../../../src/phong/camera/orbit.js';
 import { dot, normalize, scale, type Vec3 } from '../../../src/phong/math/vector.js';
 import { LightState } from '../../../src/phong/reference/index.js';
-import type { Frustum } from '../../../src/viewer/scene/frustum-clip.js';
+import type { Frustum } from '../../../src/phong/geometry/frustum-clip.js';
 import { levelIn } from '../../../src/viewer/scene/mesh/levels.js';
 import {
   createGeometry,

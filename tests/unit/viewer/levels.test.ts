@@ -19,7 +19,7 @@ import {
   trianglesOf,
 } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
 import type { Cut } from '../../../src/viewer/scene/mesh/shapes/cut-faces.js';
-import type { Frustum } from '../../../src/viewer/scene/frustum-clip.js';
+import type { Frustum } from '../../../src/phong/geometry/frustum-clip.js';
 
 type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;
 const NAMES = GEOMETRIES.filter((name) => roundOf(name) !== undefined) as RoundName[];

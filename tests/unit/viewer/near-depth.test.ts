@@ -19,7 +19,7 @@ import {
 import { describe, expect, it } from 'vitest';
 import { Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
 import { radians } from '../../../src/phong/math/angle.js';
-import { radiusOf } from '../../../src/viewer/scene/bounds.js';
+import { radiusOf } from '../../../src/phong/geometry/bounds.js';
 import { Frame } from '../../../src/viewer/scene/frame.js';
 import { createGeometry } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
 import { repeats } from '../../support/repeats.js';

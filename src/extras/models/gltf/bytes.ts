@@ -1,11 +1,12 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once,
 // on first use.
-import { isDataUri, lazyCode, LIMITS, requireAtMost } from '../../../viewer/extra.js';
+import { lazyCode, LIMITS, requireAtMost } from '../../../viewer/extra.js';
 import { type FileBytes, type ModelSource, neededCode, requireDecoders } from '../model-reader.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
 import type { MeshoptView } from './accessors.js';
+import { isDataUri } from '../../../phong/fields/file-names.js';
 
 export type GltfBytes = ReturnType<typeof gltfBytes>;
 

@@ -1,10 +1,11 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of
 // the file.
-import { isDataUri, type ModelBudget, requireAtMost } from '../../../viewer/extra.js';
+import { type ModelBudget, requireAtMost } from '../../../viewer/extra.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
 import type { FileBytes } from '../model-reader.js';
 import type { Slices } from '../slices.js';
 import { JSON_TEXT_LIMIT } from '../limits.js';
+import { isDataUri } from '../../../phong/fields/file-names.js';
 
 export interface Container {
   readonly json: unknown;

@@ -3,13 +3,7 @@
 import { sinDegrees } from '../../../phong/math/angle.js';
 import { acos } from '../../../phong/math/elementary.js';
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
-import {
-  type ContentPart,
-  type GeometrySize,
-  LIMITS,
-  type Motion,
-  sizeOfVertices,
-} from '../../../viewer/extra.js';
+import { type ContentPart, LIMITS, type Motion } from '../../../viewer/extra.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
@@ -17,6 +11,7 @@ import type { ChannelPath, GltfAnimation, Interpolation } from './animations.js'
 import { type Attribute, gathered } from './attributes.js';
 import type { Deformation, JointPose } from './deformation.js';
 import { keysWithin, Reach } from './reach.js';
+import { type GeometrySize, sizeOfVertices } from '../../../phong/geometry/geometry-size.js';
 
 /** The parts of a model that can move. */
 export interface Movable {

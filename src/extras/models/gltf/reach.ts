@@ -1,8 +1,9 @@
 // Where the vertices of an animated model come to: a bounded number of them, the outermost, over
 // the poses at its keys.
 import { Box3, type BufferAttribute, type Matrix4, Vector3 } from 'three';
-import { type ContentPart, hasMovingVertices, LIMITS } from '../../../viewer/extra.js';
+import { type ContentPart, LIMITS } from '../../../viewer/extra.js';
 import type { Slices } from '../slices.js';
+import { hasMovingVertices } from '../../../phong/geometry/geometry-size.js';
 
 /** Steps of all poses that are read for one animation: 0.3 s. Of more keys some are left out. */
 const WORK_LIMIT = 8 * LIMITS.pose;

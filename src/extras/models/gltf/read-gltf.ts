@@ -15,7 +15,7 @@ import {
   type GLTFParser,
 } from 'three/addons/loaders/GLTFLoader.js';
 import { ImageTextures } from '../image.js';
-import { type ContentPart, nameOf } from '../../../viewer/extra.js';
+import type { ContentPart } from '../../../viewer/extra.js';
 import { mapsOfLook, type ModelReader, ownedModel, requireDecoders } from '../model-reader.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
@@ -35,6 +35,7 @@ import { type Instance, placeInstances } from './instances.js';
 import { lookOf } from './materials.js';
 import { type Movable, readMotion, type RigidPart } from './motion.js';
 import { gltfTexture } from './textures.js';
+import { nameOf } from '../../../phong/fields/file-names.js';
 
 export const read: ModelReader = async (source) => {
   const { budget } = source;

@@ -17,10 +17,10 @@ import {
 import { clip } from '../../../phong/fields/clip.js';
 import type { ModelSource } from '../model-reader.js';
 import type { ImageTextures, Sampler } from '../image.js';
-import { isDataUri } from '../../../viewer/extra.js';
 import type { GltfBytes } from './bytes.js';
 import type { GltfDocument } from './document.js';
 import { type JsonObject, textAt } from './json.js';
+import { isDataUri } from '../../../phong/fields/file-names.js';
 
 const MAG: Readonly<Record<number, MagnificationTextureFilter>> = {
   9728: NearestFilter,

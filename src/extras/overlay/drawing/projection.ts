@@ -1,7 +1,7 @@
 // Projects points of the scene to the layer over the picture, and back, in float64. World space to
 // CSS pixels.
 import { basisOf, type Basis, type Pose } from '../../../phong/camera/orbit.js';
-import type { Viewport } from '../../../viewer/extra.js';
+import type { ExtraHost } from '../../../viewer/extra.js';
 import { radians } from '../../../phong/math/angle.js';
 import {
   add,
@@ -49,7 +49,7 @@ export interface Ray {
 
 /** Onto a layer of this size, of what `viewport` shows now. A file has an aspect of its own. */
 export const projectionOf = (
-  { picture: { orbit, fit }, width, height }: Viewport,
+  { picture: { orbit, fit }, width, height }: ExtraHost['viewport'],
   size: Pick<Sight, 'width' | 'height'>,
   // None before the first layout.
   aspect = width > 0 && height > 0 ? width / height : size.width / size.height,

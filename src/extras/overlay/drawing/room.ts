@@ -1,7 +1,7 @@
 // The free rectangle of the layer over the picture, the boxes in it, and its text size. The style
 // sheets lay it out (phong-viewer.css, and panel.css for the panel). Observers follow them after
 // layout, so that no frame forces one.
-import { create, type ViewerTree } from '../../../viewer/extra.js';
+import { create, type ExtraHost } from '../../../viewer/extra.js';
 import type { Rect } from './label-layout.js';
 
 export class Room {
@@ -11,7 +11,7 @@ export class Room {
   boxes: readonly Rect[] = [];
   /** CSS pixels, above 0. */
   fontSize = 0;
-  readonly #tree: ViewerTree;
+  readonly #tree: ExtraHost['tree'];
   /** As wide as the text is high. */
   readonly #em: HTMLElement;
   readonly #observer: ResizeObserver;
@@ -22,7 +22,7 @@ export class Room {
    * `changed`: room, boxes or text have another size or place. `namePart`: of names outside {@link
    * boxes}, if any.
    */
-  constructor(tree: ViewerTree, changed: () => void, namePart: string | null = null) {
+  constructor(tree: ExtraHost['tree'], changed: () => void, namePart: string | null = null) {
     this.#tree = tree;
     this.#em = create('i', { class: 'corner', 'aria-hidden': 'true', part: namePart });
     this.#em.style.width = '1em';

@@ -2,7 +2,7 @@
 // meshes. World space to CSS pixels of the layer. Computed again only where the view, the ball, a
 // mesh, or what hides something has changed.
 import { Matrix3, type Mesh, type Object3D } from 'three';
-import type { ExtraHost, Helper } from '../../../viewer/extra.js';
+import type { ExtraHost } from '../../../viewer/extra.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { normalMatrix } from '../../../phong/material/normal-matrix.js';
 import { PhongMaterial } from '../../../phong/material/phong-material.js';
@@ -47,7 +47,7 @@ export class SceneHelpers {
     });
   }
 
-  show(view: Projection, scene: SceneBall, helpers: readonly Helper[]): Drawing {
+  show(view: Projection, scene: SceneBall, helpers: ExtraHost['values']['helpers']): Drawing {
     const seen = [view, scene, helpers, ...this.#meshes.flatMap(stateOf)];
     const isSame = sameValue(seen, this.#seen);
     if (isSame && this.#drawing !== null) return this.#drawing;
@@ -70,7 +70,7 @@ export class SceneHelpers {
   drawingAt(
     view: Projection,
     scene: SceneBall,
-    helpers: readonly Helper[],
+    helpers: ExtraHost['values']['helpers'],
     tests = new Map<string, RayTest<boolean>>(),
   ): Drawing {
     const hiding: Hiding = (key, place) => {

@@ -2,7 +2,7 @@
 // camera, lights and meshes in words, in degrees and scene units.
 import { kindOf } from '../../../phong/light/light-features.js';
 import type { LightValues } from '../../../phong/light/light-state.js';
-import { fileName } from '../../model/request-model.js';
+import { fileName } from '../../../phong/fields/file-names.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import { localNumber, phrase, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState, PhongViewer } from '../elements.js';

@@ -3,7 +3,7 @@
 import { clipMessage } from '../../../phong/fields/clip.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { ModelError } from '../../model/model.js';
-import { nameOf } from '../../model/request-model.js';
+import { nameOf } from '../../../phong/fields/file-names.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { ViewerErrorDetail } from '../elements.js';

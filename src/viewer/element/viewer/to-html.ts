@@ -2,7 +2,7 @@
 // upgrade them.
 import type { FieldStore } from '../../../phong/fields/field-store.js';
 import { eightDigits } from '../../../phong/camera/written-pose.js';
-import { fileName } from '../../model/request-model.js';
+import { fileName } from '../../../phong/fields/file-names.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../../../phong/fields/attribute-text.js';
 import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';

@@ -41,19 +41,19 @@ export class ViewerPanel {
     if (wanted !== this.#wanted) {
       this.#panel?.dispose();
       this.#panel = null;
-      place?.removeAttribute(OPEN_PANEL);
+      place?.removeAttribute(PANEL_PLACE.open);
     }
     this.#wanted = wanted;
     if (wanted === false || place === null) return;
     if (this.#panel === null) {
-      place.setAttribute(OPEN_PANEL, AWAITED);
+      place.setAttribute(PANEL_PLACE.open, PANEL_PLACE.awaited);
     }
     const waits = !this.#painted && this.#values.loading !== 'eager' && isInClosed(this.#viewer);
     this.#waiting = waits ? place : null;
     if (waits) return;
     const code = await panelCode().catch(reportMissing);
     if (this.#panel === null) {
-      place.removeAttribute(OPEN_PANEL);
+      place.removeAttribute(PANEL_PLACE.open);
     }
     if (code === undefined) return;
     const root = this.#viewer.shadowRoot;
@@ -81,17 +81,17 @@ export class ViewerPanel {
 
 type Wanted = boolean | readonly string[];
 
-/**
- * Attribute of the panel's place while the panel is open; {@link AWAITED} while its code is being
- * fetched.
- */
-export const OPEN_PANEL = 'data-open';
+/** How the panel's place says to style sheets and comparisons whether the panel is open. */
+export const PANEL_PLACE = {
+  /** Attribute while the panel is open; {@link awaited} while its code is being fetched. */
+  open: 'data-open',
 
-/**
- * The picture leaves room for a panel that will be open: from {@link WIDE_PANEL} pixels on, see
- * phong-viewer.css.
- */
-export const AWAITED = 'awaited';
+  /**
+   * The picture leaves room for a panel that will be open: from {@link wide} pixels on, see
+   * phong-viewer.css.
+   */
+  awaited: 'awaited',
 
-/** CSS pixels. From this width on the panel stands open beside the picture; see panel.css. */
-export const WIDE_PANEL = 640;
+  /** CSS pixels. From this width on the panel stands open beside the picture; see panel.css. */
+  wide: 640,
+} as const;

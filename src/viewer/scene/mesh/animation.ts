@@ -1,6 +1,6 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
 import { LIMITS } from '../../model/limits.js';
-import type { GeometrySize } from '../../model/geometry-size.js';
+import type { GeometrySize } from '../../../phong/geometry/geometry-size.js';
 import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 

@@ -1,6 +1,7 @@
 // Loads the shape or model that a mesh's values name. One load at a time: a newer one replaces it.
 import { sameValue } from '../../../phong/fields/field-store.js';
-import { type CrossOrigin, fileName } from '../../model/request-model.js';
+import type { CrossOrigin } from '../../model/request-model.js';
+import { fileName } from '../../../phong/fields/file-names.js';
 import { type Content, NO_CONTENT } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 import { acquireShape, shapeKey } from './shapes/shared-shapes.js';

@@ -3,10 +3,10 @@
 // has the same triangles.
 import type { Mesh } from 'three';
 import type { Shading } from '../../../phong/material/material-values.js';
-import { stretch } from '../bounds.js';
+import { stretch } from '../../../phong/geometry/bounds.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import type { Frame } from '../frame.js';
-import type { Frustum } from '../frustum-clip.js';
+import type { Frustum } from '../../../phong/geometry/frustum-clip.js';
 import { type Cut, type CutName, keyOfCut, MOST_CUT_TRIANGLES } from './shapes/cut-faces.js';
 import { FIXED, type Level } from './shapes/shared-shapes.js';
 import {
@@ -24,7 +24,7 @@ export const OUTLINE_TOLERANCE = 1 / 4;
  * The same in the samples of a still picture, whose mean shows an eighth of a plain picture's
  * error.
  */
-export const SAMPLED_TOLERANCE = 1 / 64;
+const SAMPLED_TOLERANCE = 1 / 64;
 
 /**
  * Fewest pixels of a plain picture that a triangle covers, on average over its shape. Smaller ones
@@ -253,6 +253,22 @@ export function levelIn(
   const most = Math.max(covered / PIXELS_PER_TRIANGLE, Math.min(free, FREE_PER_PIXEL * covered));
   const shown = within(most, levelFor(Math.max(outline, round.smooth), name), name);
   return sampled ? Math.max(shown, levelFor(outline, name)) : shown;
+}
+
+/**
+ * Segments of a shape as fine as in the samples of a still picture, whatever pixels it covers; null
+ * unless it is round. `pixels`: of a unit of length at depth 1.
+ */
+export function sampledSegments(
+  view: Frustum,
+  pixels: number,
+  name: GeometryName,
+  matrix: readonly number[],
+): number | null {
+  const round = roundOf(name);
+  if (round === undefined) return null;
+  const outline = segmentsIn(view, pixels / SAMPLED_TOLERANCE, round, matrix) ?? 0;
+  return levelFor(Math.max(outline, round.smooth), name);
 }
 
 /** The step from a level of about so many segments to the next. */

@@ -8,7 +8,7 @@ import {
 import type { SurfaceValues } from '../../../phong/material/material-values.js';
 import type { BaseLook } from '../../../phong/material/file-surface.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
-import { hasMovingVertices, shareSize, sizeOf } from '../../model/geometry-size.js';
+import { hasMovingVertices, shareSize, sizeOf } from '../../../phong/geometry/geometry-size.js';
 import type { MeshAnimation } from './animation.js';
 import type { Claim, Need } from '../../model/budget.js';
 import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';

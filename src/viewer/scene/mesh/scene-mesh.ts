@@ -9,7 +9,7 @@ import type { Budget, Claim, Need } from '../../model/budget.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { type Content, ModelError } from '../../model/model.js';
 import { modelCode } from '../../model/request-model.js';
-import { declareReach } from '../bounds.js';
+import { declareReach } from '../../../phong/geometry/bounds.js';
 import { type Animations, MeshAnimation, measureReach } from './animation.js';
 import { ContentLoad, type LoadHost } from './content-load.js';
 import type { MeshState, MeshValues, ShapeValues } from './mesh-fields.js';

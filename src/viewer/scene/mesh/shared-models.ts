@@ -5,11 +5,11 @@ import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/bu
 import type { Content } from '../../model/model.js';
 import {
   type CrossOrigin,
-  isDataUri,
   modelCode,
   requestFile,
   requestModelFile,
 } from '../../model/request-model.js';
+import { isDataUri } from '../../../phong/fields/file-names.js';
 import { Shared } from '../../model/shared.js';
 
 interface ModelName {

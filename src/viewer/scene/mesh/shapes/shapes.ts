@@ -10,7 +10,11 @@ import {
 } from 'three';
 import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
 import type { Vec3 } from '../../../../phong/math/vector.js';
-import { declareSize, type GeometrySize, type Vertices } from '../../../model/geometry-size.js';
+import {
+  declareSize,
+  type GeometrySize,
+  type Vertices,
+} from '../../../../phong/geometry/geometry-size.js';
 import { lazyCode } from '../../../model/lazy-code.js';
 import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
 import { circle, gridGeometry, put } from './grid-geometry.js';

@@ -15,7 +15,7 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { forgetBounds, measure, radiusOf } from '../../../src/viewer/scene/bounds.js';
+import { forgetBounds, measure, radiusOf } from '../../../src/phong/geometry/bounds.js';
 import {
   createGeometry,
   GEOMETRIES,

@@ -9,7 +9,7 @@ import {
   StaticDrawUsage,
   Vector3,
 } from 'three';
-import type { Vec3 } from '../../phong/math/vector.js';
+import type { Vec3 } from '../math/vector.js';
 
 /** x, y, z of each vertex, one after the other. */
 export type Vertices = Float32Array | Float64Array;

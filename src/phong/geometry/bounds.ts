@@ -1,14 +1,9 @@
 // The size of a scene: the centre of its box and its farthest vertex, in world space and float64.
 import { type BufferGeometry, type Mesh, type Object3D, type Sphere } from 'three';
-import type { Bounds } from '../../phong/camera/fit.js';
-import type { MutableVec3 } from '../../phong/camera/orbit.js';
-import { transformed, type Vec3 } from '../../phong/math/vector.js';
-import {
-  forgetSize,
-  type GeometrySize,
-  hasMovingVertices,
-  sizeOf,
-} from '../model/geometry-size.js';
+import type { Bounds } from '../camera/fit.js';
+import type { MutableVec3 } from '../camera/orbit.js';
+import { transformed, type Vec3 } from '../math/vector.js';
+import { forgetSize, type GeometrySize, hasMovingVertices, sizeOf } from './geometry-size.js';
 
 export interface Extent {
   /**
