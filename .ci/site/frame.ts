@@ -74,7 +74,7 @@ export function headHtml(
     <meta property="og:image" content="${site || root}assets/images/preview.png" />
     <meta property="og:image:width" content="1200" />
     <meta property="og:image:height" content="630" />
-    <meta property="og:image:alt" content="A knot, a sphere, a cone and a box under a sun, a lamp and a spot" />
+    <meta property="og:image:alt" content="A green teapot and a red ball on a round floor under a sun and a lamp" />
     <meta name="twitter:card" content="summary_large_image" />
     ${alternatesHtml(languages, site || root)}<link rel="icon" href="${root}assets/images/icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="${root}page.css" />`;

@@ -12,7 +12,7 @@ import { outputFolder } from '../output-folder.mjs';
 import { moved } from './contents.js';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
 import { examplesHtml, type Example, sizeOf, sizesHtml } from './generated.js';
-import { readmePage } from '../readme-picture.mjs';
+import { readmePage, readmeSnippet } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
 import { pairsHtml, type ModelEntries } from './models.js';
@@ -264,12 +264,18 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
         sceneHtml,
       ),
   ],
-  [
-    'panelled',
-    (name: string) =>
-      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
-  ],
+  ['front', (part) => (part === 'scene' ? frontScene() : escapeHtml(frontScene()))],
 ]);
+
+/**
+ * The README's scene, as the first screen shows it: in the page's size, its panel closed, and drawn
+ * once for each change.
+ */
+const frontScene = (): string =>
+  readmeSnippet()
+    .replace(/ style="[^"]*"/, '')
+    .replace(' antialias="full" gui', '')
+    .replaceAll('\n  ', '\n');
 
 /** The ready texts of a language, for a page in it. */
 function textsHtml(language: string): string {

@@ -9,13 +9,17 @@ import { fileURLToPath } from 'node:url';
 import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
 import { outputFolder } from '../output-folder.mjs';
+import { readmeSnippet } from '../readme-picture.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const picture = 'demo/assets/images/preview.png';
-const scene = readFileSync(join(repository, 'demo/scenes/room.html'), 'utf8');
+// The README's, which the start page shows too, as large as the picture.
+const scene = readmeSnippet()
+  .replace(/ style="[^"]*"/, '')
+  .replace(/ gui\b/, '');
 const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Preview</title>
-<style>body { margin: 0 } phong-viewer { display: block; width: 1200px; height: 630px; background: #101113 }
-h1 { position: absolute; left: 48px; top: 32px; margin: 0; color: #e3e4e6; font: 600 34px monospace }</style>
+<style>body { margin: 0 } phong-viewer { display: block; width: 1200px; height: 630px; background: linear-gradient(#f7f9fc, #dfe5ec) }
+h1 { position: absolute; left: 48px; top: 32px; margin: 0; color: #15171a; font: 600 34px monospace }</style>
 <script type="module" src="/phong-viewer.standalone.js"></script>
 <body>${scene}<h1>&lt;phong-viewer&gt;</h1></body>`;
 

@@ -111,7 +111,7 @@ function written(light: Node, name: string): string {
 }
 
 /** Opens the playground with this viewer's markup. */
-async function edit(viewer: Element): Promise<void> {
+export async function edit(viewer: Element): Promise<void> {
   const { fragmentOf } = await import('../playground/address.js');
   const root = document.querySelector<HTMLAnchorElement>('.mark')?.href ?? document.baseURI;
   const markup = markupOf(viewer, 76).map((piece) => piece.text);
@@ -154,7 +154,7 @@ function span({ kind, text }: { readonly kind: string; readonly text: string }):
 
 function copyButton(text: HTMLElement, title: string): HTMLButtonElement {
   const button = pressable('Copy', `Copy: ${title}`, () => {
-    void copy(text).then((done) => {
+    void copy(text.textContent, text).then((done) => {
       button.textContent = done ? 'Copied' : 'Selected';
       setTimeout(() => (button.textContent = 'Copy'), 1500);
     });
@@ -163,9 +163,9 @@ function copyButton(text: HTMLElement, title: string): HTMLButtonElement {
 }
 
 /** If there is no clipboard (a page without HTTPS), the text is selected instead. */
-async function copy(text: HTMLElement): Promise<boolean> {
+export async function copy(words: string, text: HTMLElement): Promise<boolean> {
   try {
-    await navigator.clipboard.writeText(text.textContent);
+    await navigator.clipboard.writeText(words);
     return true;
   } catch {
     getSelection()?.selectAllChildren(text);

@@ -202,7 +202,7 @@ test('start page and install page give the size of the standalone file, as in di
   const file = await (await request.get('/dist/phong-viewer.standalone.js')).body();
   const kilobytes = Math.round(brotliCompressSync(file).length / 1000);
   await page.goto('/demo/');
-  await expect(page.locator('.install')).toContainText(`${kilobytes} kB`);
+  await expect(page.locator('.facts')).toContainText(`${kilobytes} kB`);
   await page.goto('/demo/guide/install/');
   await expect(page.locator('#sizes tr').first()).toContainText(`${kilobytes} kB`);
 });

@@ -1,0 +1,112 @@
+// The first screen: a pixel of the picture as the sum of its lights, and the markup that runs with
+// the picture.
+import '../page.js';
+import { copy, edit } from '../parts/listings.js';
+import { markupOfNow, showCode } from './code.js';
+import { showSum } from './sum.js';
+
+const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
+const viewer = document.querySelector('phong-viewer')!;
+const line = part('sum');
+const ring = part('pixel');
+
+// -- The pixel
+// -------------------------------------------------------------------------------------------------
+
+/**
+ * Where it is in the picture, from 0 to 1. At first it is beside the highlight of the teapot, whose
+ * place is the same in heights of the picture.
+ */
+let at = {
+  x: 0.5 - (0.14 * viewer.clientHeight) / viewer.clientWidth,
+  y: 0.4525,
+};
+let busy = false;
+let again = false;
+
+/** Shows the sum at `at`. Where there is no surface, the pixel stays where it was. */
+async function update(): Promise<void> {
+  again = busy;
+  if (busy) return;
+  busy = true;
+  do {
+    again = false;
+    const { x, y } = at;
+    const fragment = await viewer.shadeAt(x * viewer.clientWidth, y * viewer.clientHeight);
+    ring.hidden = fragment === null;
+    if (fragment !== null) {
+      showSum(line, fragment);
+      ring.style.left = `${String(100 * x)}%`;
+      ring.style.top = `${String(100 * y)}%`;
+    }
+  } while (again);
+  busy = false;
+}
+
+async function moveTo(x: number, y: number): Promise<void> {
+  const { clientWidth, clientHeight } = viewer;
+  if (x < 0 || y < 0 || x >= clientWidth || y >= clientHeight) return;
+  const there = { x: x / clientWidth, y: y / clientHeight };
+  if ((await viewer.shadeAt(x, y)) === null) return;
+  at = there;
+  await update();
+}
+
+function pointed(event: PointerEvent): void {
+  // Not through the panel, and not while something is dragged.
+  const onPanel = event.composedPath().some((node) => (node as Partial<Element>).part?.contains('panel')); // oxfmt-ignore
+  if (onPanel || (event.type === 'pointermove' && event.buttons !== 0)) return;
+  const { left, top } = viewer.getBoundingClientRect();
+  void moveTo(event.clientX - left, event.clientY - top);
+}
+
+viewer.addEventListener('pointermove', pointed);
+viewer.addEventListener('pointerdown', pointed);
+viewer.addEventListener('render', () => void update());
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+ring.addEventListener('keydown', (event) => {
+  const [right, down] = ARROWS[event.key] ?? [0, 0];
+  if (right === 0 && down === 0) return;
+  event.preventDefault();
+  const pixels = event.shiftKey ? 10 : 1;
+  void moveTo(
+    at.x * viewer.clientWidth + pixels * right,
+    at.y * viewer.clientHeight + pixels * down,
+  );
+});
+// Read out where it is moved by keys, and not at every move of the mouse.
+ring.addEventListener('focus', () => line.setAttribute('aria-live', 'polite'));
+ring.addEventListener('blur', () => line.removeAttribute('aria-live'));
+
+// -- The markup
+// -------------------------------------------------------------------------------------------------
+
+const refresh = showCode(part('code'), viewer);
+viewer.addEventListener('render', refresh);
+addEventListener('resize', refresh);
+
+const copying = part('copy');
+copying.addEventListener('click', () => {
+  void copy(viewer.toHTML(), part('code')).then((done) => {
+    copying.textContent = done ? 'Copied' : 'Selected';
+    setTimeout(() => (copying.textContent = 'Copy'), 1500);
+  });
+});
+part('edit').addEventListener('click', () => void edit(markupOfNow(viewer)));
+
+const panel = part('panel');
+panel.addEventListener('click', () => {
+  viewer.gui = viewer.gui === false;
+  panel.setAttribute('aria-pressed', String(viewer.gui !== false));
+});
+
+await viewer.ready;
+refresh();
+await update();
