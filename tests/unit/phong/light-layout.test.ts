@@ -1,8 +1,15 @@
 // Do the GLSL's defines name the layout's numbers, and are its limits within what float32 holds?
 
 import { describe, expect, it } from 'vitest';
-import { layoutDefines, TEXTURE_ROWS_LOG2 } from '../../../src/phong/light/light-layout.js';
 import {
+  LIGHT_FEATURES,
+  layoutDefines,
+  TEXTURE_ROWS_LOG2,
+} from '../../../src/phong/light/light-layout.js';
+import {
+  isIntegerPower,
+  isMildPower,
+  isSteep,
   LARGEST_INTEGER_POWER,
   LARGEST_MILD_CUTOFF,
   LARGEST_MILD_POWER,
@@ -11,28 +18,56 @@ import {
   NEAREST,
 } from '../../../src/phong/light/precision.js';
 
-const defines = new Map(
-  layoutDefines()
-    .split('\n')
-    .map((line) => {
-      const match = /^#define ([A-Z][A-Z_0-9]*) (\S+)$/.exec(line);
-      if (match === null) throw new Error(`not a define: ${line}`);
-      return [match[1]!, match[2]!] as const;
-    }),
-);
+/** Names and texts. Read in each test: what a module does while it loads no test is charged with. */
+const readDefines = (): Map<string, string> =>
+  new Map(
+    layoutDefines()
+      .split('\n')
+      .map((line) => {
+        const match = /^#define ([A-Z][A-Z_0-9]*) (\S+)$/.exec(line);
+        if (match === null) throw new Error(`not a define: ${line}`);
+        return [match[1]!, match[2]!] as const;
+      }),
+  );
 
 it('the defines of the layout name each thing once, ints for whole numbers and floats for others', () => {
+  const defines = readDefines();
   expect(defines.size).toBe(layoutDefines().split('\n').length);
   expect(defines.get('TEXTURE_ROWS_LOG2')).toBe('10');
   expect(defines.get('LIMIT_OPEN')).toBe('4.0');
   for (const name of ['NEAREST_SQUARED', 'LEAST_EXPONENT', 'TINY']) {
     expect(defines.get(name)).toMatch(/[.e]/);
   }
+  expect(Number(defines.get('LEAST_EXPONENT'))).toBe(LEAST_EXPONENT);
+  expect(Number(defines.get('FEATURE_POWER_SHIFT'))).toBe(LIGHT_FEATURES.powerShift);
+  expect(defines.get('POINT_ROWS')).toMatch(/^[1-9]$/);
   expect(Number(defines.get('TINY'))).toBe(2 ** -120);
   expect(Number(defines.get('NEAREST_SQUARED'))).toBeCloseTo(1e-30, 44);
 });
 
 describe('the layout', () => {
+  it('multiplies out whole powers from 1, and says which powers need a series', () => {
+    const most = LARGEST_INTEGER_POWER;
+    expect([0, 0.5, 1, 2.5, most, most + 1].map(isIntegerPower)).toEqual([
+      false,
+      false,
+      true,
+      false,
+      true,
+      false,
+    ]);
+    const mild = LARGEST_MILD_POWER;
+    expect([0, 1, mild, mild + 1].map(isMildPower)).toEqual([true, true, true, false]);
+    const cutoffs = [0, 0.5, 1, LARGEST_MILD_CUTOFF, LARGEST_MILD_CUTOFF + 1];
+    expect(cutoffs.map((cutoff) => isSteep({ aperture: 180, cutoff }))).toEqual([
+      false,
+      true,
+      false,
+      false,
+      true,
+    ]);
+  });
+
   it('has no series only for powers whose errors stay invisible', () => {
     // 2^-25 for each multiplication, twice 2^-21 for a lawful log2.
     expect(LARGEST_INTEGER_POWER * 2 ** -25).toBeLessThan(2e-6);

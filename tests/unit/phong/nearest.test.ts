@@ -3,7 +3,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { clip, clipMessage } from '../../../src/phong/fields/clip.js';
+import { clip, clipMessage, listed } from '../../../src/phong/fields/clip.js';
 import { nearest } from '../../../src/phong/fields/nearest.js';
 
 it('a text is clipped after 100 characters, never in the middle of a surrogate pair', () => {
@@ -23,6 +23,13 @@ it('a clipped message keeps its sentence around a long word, and is bounded what
   expect(message).toMatch(/^https:\/\/example\.test\/a{79}\.\.\. is empty\. Check the address\.$/);
   expect(clipMessage('a b '.repeat(1e5))).toHaveLength(503);
   expect(clipMessage(`${'😀'.repeat(60)} `.repeat(1e3)).length).toBeLessThan(520);
+});
+
+it('a list names its first ten entries, each clipped, and counts the rest', () => {
+  const names = Array.from({ length: 12 }, (_, i) => `n${i}`);
+  expect(listed(['a', 'x'.repeat(101)])).toBe(`a, ${'x'.repeat(100)}...`);
+  expect(listed(names.slice(0, 10))).toBe('n0, n1, n2, n3, n4, n5, n6, n7, n8, n9');
+  expect(listed(names)).toBe('n0, n1, n2, n3, n4, n5, n6, n7, n8, n9 and 2 more');
 });
 
 /** The optimal string alignment distance, by the textbook's table. */

@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { wrapDegrees } from '../../../src/phong/math/angle.js';
 import { basisOf, LARGEST_LENGTH, Orbit } from '../../../src/phong/camera/orbit.js';
-import { writtenPose } from '../../../src/phong/camera/written-pose.js';
+import { eightDigits, samePose, writtenPose } from '../../../src/phong/camera/written-pose.js';
 import { cross, dot, length, subtract, type Vec3 } from '../../../src/phong/math/vector.js';
 import { Dice } from '../../visual/random-scene.js';
 import { repeats } from '../../support/repeats.js';
@@ -193,4 +193,22 @@ it(`writes a pose once: what is written is written the same again (seed ${String
   expect(writtenPose({ theta: 179.9999999999, phi: 90, radius: 1, target: [0, 0, 0] }).theta).toBe(
     -180,
   );
+});
+
+it("a written number has eight digits from its own first one or the radius's, whichever is smaller", () => {
+  const x = 1.23456789012;
+  expect(eightDigits(x, 4)).toBe(1.2345679);
+  expect(eightDigits(x * 1e3, 4)).toBe(1234.5678901);
+  expect(eightDigits(x, 4e6)).toBe(1.2345679);
+  expect(eightDigits(x * 1e-3, 4e-3)).toBe(0.0012345679);
+  expect([0, -0].map((zero) => eightDigits(zero, 1))).toEqual([0, 0]);
+});
+
+it('two poses are the same only where each of their numbers is', () => {
+  const pose = { theta: 1, phi: 2, radius: 3, target: [4, 5, 6] } as const;
+  expect(samePose(pose, { ...pose, target: [...pose.target] })).toBe(true);
+  expect(samePose(pose, { ...pose, theta: 0 })).toBe(false);
+  expect(samePose(pose, { ...pose, phi: 0 })).toBe(false);
+  expect(samePose(pose, { ...pose, radius: 1 })).toBe(false);
+  expect(samePose(pose, { ...pose, target: [4, 5, 0] })).toBe(false);
 });

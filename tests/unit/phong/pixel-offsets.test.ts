@@ -1,7 +1,5 @@
-import type { WebGLRenderer } from 'three';
 import { describe, expect, it } from 'vitest';
 import { centredOffset, pixelOffset } from '../../../src/phong/math/pixel-offsets.js';
-import { SampleSum } from '../../../src/extras/samples/sample-sum.js';
 
 describe('the offsets of samples', () => {
   it('lie in the pixel, and the first 2^k have one point in each box of area 2^-k', () => {
@@ -32,14 +30,4 @@ describe('the offsets of samples', () => {
     }
     expect(centredOffset(0, 1)).toEqual({ x: 0, y: 0 });
   });
-});
-
-it('a sum of samples that the GPU has no memory for is refused at every attempt', () => {
-  const gl = { FRAMEBUFFER: 1, FRAMEBUFFER_COMPLETE: 2, checkFramebufferStatus: () => 3 };
-  const sum = new SampleSum({
-    setRenderTarget: () => undefined,
-    getContext: () => gl,
-  } as unknown as WebGLRenderer);
-  const size = { width: 8, height: 8 };
-  expect([sum.begin(size), sum.begin(size)]).toEqual([false, false]);
 });
