@@ -80,6 +80,17 @@ const GIVEN_BACK = [
 ] as const;
 
 /** What a page holds now. */
+interface HeapSnapshot {
+  readonly snapshot: {
+    readonly meta: {
+      readonly node_fields: readonly string[];
+      readonly node_types: readonly [readonly string[]];
+    };
+  };
+  /** The fields of one node after those of another. */
+  readonly nodes: readonly number[];
+}
+
 export class Ledger {
   readonly #page: Page;
   readonly #session: CDPSession;
@@ -94,7 +105,7 @@ export class Ledger {
   }
 
   /**
-   * `objects`: of each class in the page's heap after a garbage collection. `heap`: bytes in use.
+   * `objects`: of each class in the page's heap after a garbage collection.
    */
   async read() {
     await nextFrame(this.#page);
@@ -108,8 +119,31 @@ export class Ledger {
     }
     const all = await countsOf(this.#page);
     const counts = Object.fromEntries(GIVEN_BACK.map((key) => [key, all[key]]));
-    const { usedSize } = await this.#session.send('Runtime.getHeapUsage');
-    return { counts, objects, heap: usedSize };
+    return { counts, objects };
+  }
+
+  /**
+   * Bytes of the page's heap after a garbage collection, without compiled code: with use the engine
+   * compiles more functions, and each better.
+   */
+  async heap(): Promise<number> {
+    let text = '';
+    const add = ({ chunk }: { readonly chunk: string }): void => {
+      text += chunk;
+    };
+    this.#session.on('HeapProfiler.addHeapSnapshotChunk', add);
+    await this.#session.send('HeapProfiler.takeHeapSnapshot', { reportProgress: false });
+    this.#session.off('HeapProfiler.addHeapSnapshotChunk', add);
+    const { snapshot, nodes } = JSON.parse(text) as HeapSnapshot;
+    const { node_fields: fields, node_types } = snapshot.meta;
+    const [type, size] = [fields.indexOf('type'), fields.indexOf('self_size')];
+    let bytes = 0;
+    for (let i = 0; i < nodes.length; i += fields.length) {
+      if (node_types[0][nodes[i + type]!] !== 'code') {
+        bytes += nodes[i + size]!;
+      }
+    }
+    return bytes;
   }
 
   async #instances(prototype: string): Promise<number> {
