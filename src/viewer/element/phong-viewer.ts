@@ -324,6 +324,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (changed.has('loading')) {
       this.#visibility.shown();
     }
+    viewport.isWhole = values.pixelRatio !== 'auto';
     this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
     if (changed.has('autoRotate') && this.#camera.turning) {
       viewport.animate();
@@ -350,7 +351,12 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.#loading.pending || this.#extras.pending !== null || isUnplaced(this)) return false;
     const { viewport } = this.#context;
     const converging = viewport.still.pending && !this.#camera.moving;
-    return !viewport.drawable || (viewport.upToDate && !converging);
+    if (!viewport.drawable) return true;
+    if (!viewport.upToDate || converging) return false;
+    if (viewport.reduced) {
+      viewport.finish();
+    }
+    return true;
   }
 }
 

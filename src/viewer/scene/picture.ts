@@ -294,6 +294,11 @@ const mapBiasOf = (samples: number): number => (-2 / 3) * Math.log2(samples);
 export interface ViewportStats {
   readonly frames: number;
   /**
+   * Frames of these that had fewer pixels, as something moved and drawing took too long. None where
+   * `pixel-ratio` is written.
+   */
+  readonly reducedFrames: number;
+  /**
    * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0
    * before its first ones are shown. Stays 0 where the GPU has no float targets: `full` is like
    * `edges` there.

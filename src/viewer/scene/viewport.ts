@@ -5,11 +5,19 @@ import { Signal } from '../../phong/fields/signal.js';
 import type { LightSet } from '../../phong/light/light-set.js';
 import { type FrameLoop, frameLoopOf } from './frame-loop.js';
 import type { Size } from '../../phong/math/region.js';
+import { pace } from './gpu/pace.js';
 import { stage } from './gpu/stage.js';
 import { Picture, type ViewportStats } from './picture.js';
 import { StillPicture } from './still-picture.js';
 
 const NONE = -1; // no version of a picture
+
+/**
+ * A picture with fewer pixels gets all of them so long after its last change, and so many animation
+ * frames: a slow drag has frames in which nothing moves, and slow frames are rare.
+ */
+const STILL_MS = 200;
+const STILL_FRAMES = 3;
 
 /** What a viewport reports to the parts around it, and what it asks them. */
 export class ViewportSignals {
@@ -69,7 +77,17 @@ export class Viewport {
   #reported = NONE;
   /** Something moves by itself, as of the last animation frame. */
   #moving = false;
+  /** Of the pixels a side, while something moves: see {@link pace}. */
+  #share = 1;
+  /** It always has all pixels. Default false. */
+  isWhole = false;
+  /** When something changed last, and its animation frames since then. */
+  #changed = -Infinity;
+  #unchanged = STILL_FRAMES;
+  /** Drawing is slow, so its animation frames have to tell whether a motion goes on. */
+  #settles = false;
   #frames = 0;
+  #reducedFrames = 0;
 
   constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
     this.holder = holder;
@@ -82,13 +100,29 @@ export class Viewport {
     this.picture = new Picture(lights, changed, () => signals.fitted.emit(this.#frames === 0));
   }
 
-  /** Device pixels, at most what the GPU can draw. */
+  /** Device pixels of the canvas: fewer than those of {@link whole} while it is reduced. */
   get width(): number {
-    return Math.floor(this.#wanted.width * stage.shareOf(this.#wanted));
+    return this.#pixels(this.#wanted.width, this.#share);
   }
 
   get height(): number {
-    return Math.floor(this.#wanted.height * stage.shareOf(this.#wanted));
+    return this.#pixels(this.#wanted.height, this.#share);
+  }
+
+  /** Device pixels of the picture with all of them, at most what the GPU can draw. */
+  get whole(): Size {
+    const { width, height } = this.#wanted;
+    return { width: this.#pixels(width, 1), height: this.#pixels(height, 1) };
+  }
+
+  /** It has fewer pixels than that, as it moves and drawing is slow. */
+  get reduced(): boolean {
+    return this.#share < 1;
+  }
+
+  #pixels(side: number, share: number): number {
+    const most = Math.floor(side * stage.shareOf(this.#wanted));
+    return Math.ceil(most * share);
   }
 
   /** Joins the page's stage, in the window that shows the holder. */
@@ -106,6 +140,7 @@ export class Viewport {
     this.#loop?.cancel(this);
     this.#loop = null;
     this.#near = undefined;
+    this.#share = 1;
     stage.remove(this);
     this.releaseUnlessAttached();
   }
@@ -133,8 +168,8 @@ export class Viewport {
 
   /** It has another size since it was drawn. */
   get resized(): boolean {
-    const { frame } = this.picture;
-    return frame.width !== this.width || frame.height !== this.height;
+    const [{ frame }, { width, height }] = [this.picture, this.whole];
+    return frame.width !== width || frame.height !== height;
   }
 
   /** Frames are drawn when something changes. */
@@ -181,7 +216,26 @@ export class Viewport {
    * the first one draws: only those share an atlas.
    */
   advance(now: number): boolean {
-    return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));
+    this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now);
+    this.#choosePixels(now);
+    return this.#moving;
+  }
+
+  /** Before any picture of the frame is drawn, as they share the atlas. */
+  #choosePixels(now: number): void {
+    this.#unchanged += 1;
+    const isLate = this.#unchanged > STILL_FRAMES && now - this.#changed > STILL_MS;
+    const isStill = isLate && !this.#moving;
+    const draws = !this.upToDate || (this.reduced && isStill);
+    if (draws) {
+      this.#share = isStill || this.isWhole ? 1 : pace.share;
+      this.#painted = NONE;
+    }
+    if (draws || this.#moving) {
+      this.#changed = now;
+      this.#unchanged = 0;
+    }
+    this.#settles = this.reduced || (pace.share < 1 && (draws || !isStill));
   }
 
   draw(): void {
@@ -190,10 +244,16 @@ export class Viewport {
       stage.draw(this); // opens the context meanwhile
     } else if (!this.upToDate) {
       this.redraw();
-    } else if (this.#moving || !this.still.step()) return;
-    if (this.#moving || this.still.converging?.pending === true) {
+    } else if (this.#moving || !(this.#settles || this.still.step())) return;
+    if (this.#moving || this.#settles || this.still.converging?.pending === true) {
       this.animate();
     }
+  }
+
+  /** Draws it now, with all pixels. */
+  finish(): void {
+    this.#share = 1;
+    this.redraw();
   }
 
   redraw(): void {
@@ -218,6 +278,7 @@ export class Viewport {
           throw new RangeError('the GPU has no memory for it');
         }
         this.#frames += 1;
+        this.#reducedFrames += Number(this.reduced);
         this.#signals.drawn.emit();
       } else {
         this.#painted = NONE; // drawn once there is a context
@@ -238,7 +299,8 @@ export class Viewport {
   readonly #paint = (): boolean => stage.draw(this, this.#render);
 
   readonly #render = (renderer: WebGLRenderer): void => {
-    this.picture.make(this, 1);
+    pace.draws(renderer, this.#share);
+    this.picture.make(this.whole, 1);
     this.picture.draw(renderer);
   };
 
@@ -266,7 +328,8 @@ export class Viewport {
    * hold it.
    */
   capture(size: Size): HTMLCanvasElement {
-    const { picture, still, width, height } = this;
+    const { picture, still } = this;
+    const { width, height } = this.whole;
     const isMean = still.samples > 0 && size.width === width && size.height === height;
     if (!isMean) {
       picture.make(size, 1);
@@ -283,7 +346,8 @@ export class Viewport {
 
   get stats(): ViewportStats {
     const [{ programs, viewersDrawn }, { samples }] = [stage, this.still];
-    return { ...this.picture.stats, frames: this.#frames, samples, programs, viewersDrawn };
+    const counts = { frames: this.#frames, reducedFrames: this.#reducedFrames, samples };
+    return { ...this.picture.stats, ...counts, programs, viewersDrawn };
   }
 
   /** What has been drawn is on the pictures' canvases. */
@@ -333,7 +397,7 @@ export class Viewport {
     if (!this.drawable) {
       this.#loop?.cancel(this);
       this.still.converging?.pause();
-    } else if (!this.upToDate || this.still.pending) {
+    } else if (!this.upToDate || this.reduced || this.still.pending) {
       this.#loop?.request(this);
     }
   }

@@ -126,7 +126,8 @@ export interface ViewerProperties extends ShapeProperties {
   set samples(value: Accepted['samples']);
   /**
    * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device
-   * has. Below 1 the picture is blurred. Default auto.
+   * has, and fewer while something moves and drawing is slow. Below 1 the picture is blurred.
+   * Default auto.
    */
   get pixelRatio(): number | 'auto';
   set pixelRatio(value: Accepted['pixelRatio']);

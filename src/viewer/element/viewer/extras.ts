@@ -68,7 +68,7 @@ export class ViewerExtras implements ReactiveController {
       scene:
         holder.getClientRects().length > 0
           ? picture.snapshot(
-              viewport,
+              viewport.whole,
               Math.max(still.samples, 1),
               (mesh) => elementOf(mesh) ?? viewer,
             )
@@ -90,8 +90,9 @@ export class ViewerExtras implements ReactiveController {
       await pending;
     }
     const { viewport } = this.#context;
-    const width = options.width ?? Math.max(viewport.width, 1);
-    const height = options.height ?? Math.max(viewport.height, 1);
+    const { whole } = viewport;
+    const width = options.width ?? Math.max(whole.width, 1);
+    const height = options.height ?? Math.max(whole.height, 1);
     requireCounts({ ...options, width, height });
     const picture = await this.#capture({ width, height }, options);
     const { pictureBlob } = await pictureCode();

@@ -61,7 +61,7 @@ export class ViewerContext {
     this.viewport.near = this.values.loading === 'eager' ? painted : near;
     if (printsAt === null) return;
     this.signals.orderNeeded.emit();
-    this.viewport.redraw();
+    this.viewport.finish();
     this.viewport.converge(printsAt);
   }
 }

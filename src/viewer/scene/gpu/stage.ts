@@ -6,14 +6,18 @@ import { AtlasCopies, type CopiedPicture, screenPixels } from './atlas-copies.js
 import { type Region, type Size, tilesOf } from '../../../phong/math/region.js';
 import { type AtlasLayout, layOutAtlas } from './atlas.js';
 import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
+import { pace } from './pace.js';
 
 export { NoWebGL2Error } from './context.js';
 
 /**
- * Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a
- * second of motion.
+ * Frames in a row that may use less than 1/spare of the canvas before it shrinks: half a second of
+ * motion with a GPU. Where drawing is slow, so is what each frame does with all of the canvas.
  */
-const FRAMES_BEFORE_SHRINKING = 30;
+const BEFORE_SHRINKING = {
+  quick: { spare: 4, frames: 30 },
+  slow: { spare: 1.5, frames: 2 },
+} as const;
 
 type Draw = (renderer: WebGLRenderer) => void;
 type DrawPart = (renderer: WebGLRenderer, part: Region) => void;
@@ -332,9 +336,10 @@ class Stage {
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
-    const wasteful = fits && 4 * width * height < canvas.width * canvas.height;
+    const { spare, frames } = BEFORE_SHRINKING[pace.share < 1 ? 'slow' : 'quick'];
+    const wasteful = fits && spare * width * height < canvas.width * canvas.height;
     this.#wastefulFrames = wasteful ? this.#wastefulFrames + 1 : 0;
-    if (fits && this.#wastefulFrames < FRAMES_BEFORE_SHRINKING) return true;
+    if (fits && this.#wastefulFrames < frames) return true;
     this.#wastefulFrames = 0;
     const both = { width: Math.max(width, canvas.width), height: Math.max(height, canvas.height) };
     const isSmall = both.width * both.height <= Math.min(this.#context.limit.area, screenPixels());

@@ -1,0 +1,99 @@
+// Fewer pixels a side while something moves and drawing takes too long, as where a processor stands
+// in for a GPU. By what drawing takes, never by the device's name. A late frame is only the
+// occasion to measure: the page's own work makes frames late too. Milliseconds.
+import type { WebGLRenderer } from 'three';
+
+/** Of the pixels a side. */
+const SHARES = [1, 2 / 3, 1 / 2, 1 / 3] as const;
+
+/** A frame that comes so long after the one before it is late. */
+const LATE = 50;
+/**
+ * Drawing that takes less is not why a frame is late. Less than {@link LATE}: the browser has to
+ * show the picture as well, which takes about half as long again (software).
+ */
+const SLOW = 33;
+/** What drawing may take with fewer pixels. */
+const WANTED = 20;
+/** The share is raised if the frames of so long would still not have been late with the larger one. */
+const BEFORE_RAISING = 500;
+/** Frames farther apart are no motion. */
+const FAR = 10_000;
+/** Once drawing was measured as quick, it counts as quick for so long. */
+const TRUSTED = 2000;
+
+class Pace {
+  #step = 0;
+  #begun = -Infinity;
+  /** In a row, since the last measurement. */
+  #frames = 0;
+  /** Frames since the share was lowered, or looked at. */
+  #since = { time: 0, frames: 0 };
+  #quickUntil = 0;
+  #inFrame = false;
+  #largest = 0;
+
+  /** Of the pixels a side, for a picture that moves. */
+  get share(): number {
+    return SHARES[this.#step]!;
+  }
+
+  /** Call before each drawing of a scene, with its share of the pixels a side. */
+  draws(renderer: WebGLRenderer, share: number): void {
+    this.#largest = Math.max(this.#largest, share);
+    if (this.#inFrame) return;
+    this.#inFrame = true;
+    const measures = this.#begin(performance.now());
+    if (measures) {
+      waitFor(renderer);
+    }
+    queueMicrotask(() => {
+      this.#inFrame = false;
+      if (measures) {
+        const sent = performance.now();
+        waitFor(renderer);
+        this.#end(performance.now(), sent);
+      }
+      this.#largest = 0;
+    });
+  }
+
+  /** True: its drawing is to be measured. */
+  #begin(now: number): boolean {
+    const interval = now - this.#begun;
+    this.#begun = now;
+    this.#frames = interval < FAR ? this.#frames + 1 : 0;
+    this.#since.frames += 1;
+    const passed = now - this.#since.time;
+    if (passed > BEFORE_RAISING) {
+      const growth = (SHARES[this.#step - 1] ?? Infinity) / this.share;
+      if ((passed / this.#since.frames) * growth ** 2 < LATE) {
+        this.#step -= 1;
+      }
+      this.#since = { time: now, frames: 0 };
+    }
+    const isLate = interval > LATE && now > this.#quickUntil;
+    return isLate && this.#frames > 1 && this.#step < SHARES.length - 1;
+  }
+
+  #end(now: number, sent: number): void {
+    this.#frames = 0;
+    if (now - sent < SLOW) {
+      this.#quickUntil = now + TRUSTED;
+      return;
+    }
+    const whole = (now - sent) / this.#largest ** 2; // with all pixels
+    const fitting = SHARES.findIndex((share) => whole * share ** 2 <= WANTED);
+    this.#step = Math.max(this.#step, fitting < 0 ? SHARES.length - 1 : fitting);
+    this.#since = { time: now, frames: 0 };
+  }
+}
+
+/** The page's: its pictures share one context. */
+export const pace = new Pace();
+
+/** Until it has drawn all that was sent: reading a pixel needs it. */
+function waitFor(renderer: WebGLRenderer): void {
+  const gl = renderer.getContext();
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+}
