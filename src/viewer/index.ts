@@ -44,6 +44,7 @@ export type {
   CameraState,
   FragmentExplanation,
   LightExplanation,
+  LightsByName,
   LoadDetail,
   PhongCompareEventMap,
   PhongMeshEventMap,

@@ -1,6 +1,7 @@
 // The declared values of one light, mesh or viewer: each has its default until it is set, is
 // checked when it is set, and notifies one listener when it changes.
-import type { Field } from './field.js';
+import { type Field, show } from './field.js';
+import { didYouMean } from './nearest.js';
 
 export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
 
@@ -42,6 +43,13 @@ export class FieldStore<V extends object> {
     return this.#values;
   }
 
+  /** Throws `TypeError` for a key that no value has, with the one that was probably meant. */
+  field<K extends keyof V>(key: K): Field<V[K]> {
+    if (Object.hasOwn(this.fields, key)) return this.fields[key];
+    const hint = didYouMean(String(key), Object.keys(this.fields));
+    throw new TypeError(`there is no value named ${show(key)}.${hint}`);
+  }
+
   /** Whether a value was set, rather than being the default. */
   given(key: keyof V): boolean {
     return this.#given.includes(key);
@@ -75,12 +83,10 @@ export class FieldStore<V extends object> {
     // Not for … in, here and elsewhere: pages may add to Object.prototype.
     const keys = Object.keys(values) as (keyof V)[];
     for (const key of keys) {
-      if (!Object.hasOwn(this.fields, key)) {
-        throw new TypeError(`there is no value named ${String(key)}`);
-      }
+      const field = this.field(key);
       const value = values[key];
       if (value !== undefined && value !== null) {
-        this.fields[key].check(value);
+        field.check(value);
       }
     }
     for (const key of keys) {

@@ -13,6 +13,12 @@ export const nearest = (word: string, words: readonly string[]): string | undefi
   words.find((known) => isWithin(1, word, known)) ??
   words.find((known) => known.length >= TWICE_FROM && isWithin(2, word, known));
 
+/** The end of a message about `word`: a question, or nothing. */
+export function didYouMean(word: string, words: readonly string[]): string {
+  const meant = nearest(word, words);
+  return meant === undefined ? '' : ` Did you mean "${meant}"?`;
+}
+
 /**
  * Whether at most `edits` make `a` to `b`: a letter inserted, left out or replaced, or two
  * neighbours swapped.

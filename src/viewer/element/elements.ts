@@ -1,11 +1,12 @@
 // The elements, their events and explanations, as their users and each other's parts see them. The
 // classes implement these types. Types only.
+import type { LightValues } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { LightShare } from '../../phong/reference/index.js';
 import type { ViewportStats } from '../scene/picture.js';
 import type { CompareProperties } from './fields/compare-fields.js';
 import type { ControlProperties } from './fields/control-properties.js';
-import type { LightProperties, MeshProperties } from './fields/properties.js';
+import type { Inputs, LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerErrorCode, ViewerTexts } from './fields/texts.js';
 import type { ViewerProperties } from './fields/viewer-fields.js';
 import type { LitElement } from 'lit';
@@ -46,6 +47,14 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    * when they change.
    */
   readonly lights: readonly PhongLight[];
+  /**
+   * Makes the viewer's lights those of `lights`, by name: `setLights({ sun: { position: [1, 2, 3, 0] },
+   * lamp: {} })`. A light that has the name is changed, one that is missing is appended, and all
+   * others are removed. Values that are left out have their defaults, so that the same call gives the same
+   * lights whatever was there. A bad value or an unknown one throws, and then nothing changes. Not a
+   * step of undo: that takes back what the user did.
+   */
+  setLights(lights: LightsByName): void;
   /**
    * The `<phong-mesh>` elements that belong to this viewer, in document order. Frozen; a new list
    * when they change.
@@ -131,6 +140,11 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /** Back to the last declared camera. */
   resetCamera(): void;
 }
+
+/** What {@link PhongViewer.setLights} takes: each light's values, as its properties accept them. */
+export type LightsByName = Readonly<
+  Record<string, Readonly<Partial<Omit<Inputs<LightValues>, 'name'>>>>
+>;
 
 /** What `toBlob` makes. */
 export interface PictureOptions {

@@ -6,6 +6,7 @@ import { FieldStore } from '../../phong/fields/field-store.js';
 import type {
   CameraState,
   FragmentExplanation,
+  LightsByName,
   Listen,
   PhongLight,
   PhongMesh,
@@ -42,6 +43,7 @@ import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/viewer-panel.js';
 import { NAMING } from './viewer/description.js';
 import { Readiness } from './viewer/readiness.js';
+import { setLights } from './viewer/set-lights.js';
 import { sceneMarkup } from './viewer/to-html.js';
 
 // The accessors come from the table of fields.
@@ -143,6 +145,10 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   get lights(): readonly PhongLight[] {
     return this.#children.lights;
+  }
+
+  setLights(lights: LightsByName): void {
+    setLights(this, lights);
   }
 
   get meshes(): readonly PhongMesh[] {

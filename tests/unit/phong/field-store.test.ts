@@ -98,6 +98,8 @@ describe('a store of declared values', () => {
 
   it('names a value that it does not have', () => {
     expect(() => lamp().assign({ colour: 5 } as unknown as Partial<Lamp>)).toThrow(/colour/);
+    const misspelled = { pwoer: 5 } as unknown as Partial<Lamp>;
+    expect(() => lamp().assign(misspelled)).toThrow('"pwoer". Did you mean "power"?');
   });
 });
 

@@ -77,7 +77,7 @@ export class FieldBinding<V extends object> {
    * nothing.
    */
   set(key: keyof V & string, value: unknown): void {
-    const field = this.store.fields[key];
+    const field = this.store.field(key);
     const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
     if (typed === undefined && typeof value === 'string') {
       throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));

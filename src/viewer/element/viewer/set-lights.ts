@@ -1,0 +1,40 @@
+// `viewer.setLights`: a viewer's lights by name, all or nothing.
+import { show } from '../../../phong/fields/field.js';
+import { create } from '../dom.js';
+import type { LightsByName, PhongViewer } from '../elements.js';
+import { fieldsOf } from '../internals.js';
+
+export function setLights(viewer: PhongViewer, lights: LightsByName): void {
+  // Elements of their own check every value before the viewer's are touched.
+  const wanted = entriesOf(lights).map(([name, values]) => {
+    const light = create('phong-light');
+    for (const [key, value] of [...entriesOf(values), ['name', name] as const]) {
+      fieldsOf(light).set(key as 'name', value);
+    }
+    return light;
+  });
+  const left = new Set(viewer.lights);
+  for (const light of wanted) {
+    const { store } = fieldsOf(light);
+    const { values } = store;
+    const known = [...left].find((other) => fieldsOf(other).store.values.name === values.name);
+    if (known === undefined) {
+      viewer.append(light);
+      continue;
+    }
+    left.delete(known);
+    for (const key of Object.keys(values) as (keyof typeof values)[]) {
+      fieldsOf(known).set(key, store.given(key) ? values[key] : null);
+    }
+  }
+  for (const light of left) {
+    light.remove();
+  }
+}
+
+function entriesOf(given: unknown): readonly (readonly [string, unknown])[] {
+  if (typeof given !== 'object' || given === null || Array.isArray(given)) {
+    throw new TypeError(`setLights: expected an object, got ${show(given)}`);
+  }
+  return Object.entries(given);
+}
