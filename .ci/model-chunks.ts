@@ -5,11 +5,11 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/extras\/models\/(slices|model-budget|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
+    test: /\/src\/extras\/models\/(slices|limits|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
   // What helpers and comparison have in common with the panel. Before its rows, which would take it
   // with them.
-  { name: 'followed-drag', test: /\/src\/viewer\/element\/page\/followed-drag\.ts$/ },
+  { name: 'followed-drag', test: /\/src\/phong\/camera\/followed-drag\.ts$/ },
   {
     name: 'round-number',
     test: /\/src\/(viewer\/element\/viewer\/history|phong\/math\/round-number)\.ts$/,
