@@ -70,6 +70,8 @@ export class Slider implements RowInput {
   readonly #bound: Bound<number>;
   readonly #travel: () => SliderScale;
   #dragging = false;
+  /** What was written last; empty once the user has moved it. */
+  #shown = '';
 
   /** `travel`: the scale while the value lies within it; read again at each update. */
   constructor(bound: Bound<number>, travel: () => SliderScale) {
@@ -92,6 +94,7 @@ export class Slider implements RowInput {
       });
     }
     input.addEventListener('input', () => {
+      this.#shown = '';
       const place = Number(input.value);
       accepted(() => (bound.value = this.scale.value(place)));
       this.#fill(place);
@@ -104,13 +107,18 @@ export class Slider implements RowInput {
     if (!this.#dragging) {
       const { start, end, step } = (this.scale = this.#travel().reaching(value));
       const place = this.scale.place(value);
-      Object.assign(input, {
-        min: String(start),
-        max: String(end),
-        step: String(step),
-        value: String(place),
-      });
-      this.#fill(place);
+      const shown = [start, end, step, place].join();
+      // Each write lays the row out again, even one of the same value.
+      if (this.#shown !== shown) {
+        this.#shown = shown;
+        Object.assign(input, {
+          min: String(start),
+          max: String(end),
+          step: String(step),
+          value: String(place),
+        });
+        this.#fill(place);
+      }
     }
     const text = numberText(value, this.scale.end - this.scale.start);
     if (input.getAttribute('aria-valuetext') !== text) {

@@ -2,6 +2,7 @@
 // moving, Escape restores; pointers drag. Places elements over what is drawn, and reports what the
 // user does.
 import { alongAxes } from '../../../phong/camera/gesture.js';
+import { sameValue } from '../../../phong/fields/field-store.js';
 import {
   create,
   type ExtraHost,
@@ -15,7 +16,6 @@ import {
   pictureBox,
   set,
   type ViewerText,
-  type ViewerTexts,
   write,
 } from '../../../viewer/extra.js';
 import { ARROWS, inside, type Projection } from '../drawing/projection.js';
@@ -36,8 +36,7 @@ interface HandleEntry {
   readonly part: HandlePart;
   /** What it was placed and named by. */
   handle: Handle | null;
-  index: number;
-  texts: ViewerTexts | null;
+  named: readonly unknown[];
 }
 
 /**
@@ -99,7 +98,7 @@ export class Handles {
       });
     const entries = lights.flatMap(handlesOf);
     const kept = new Set(entries.map(({ shown }) => shown));
-    const hadFocus = this.#list.matches(':focus-within');
+    const hadFocus = kept.size < this.#shown.size && this.#list.matches(':focus-within');
     // First: an element that moves in the tree loses focus and pointer.
     for (const shown of this.#shown.values()) {
       if (!kept.has(shown)) {
@@ -165,7 +164,7 @@ export class Handles {
       tabindex: '-1',
       'aria-selected': 'false',
     });
-    const shown: HandleEntry = { element, light, part, handle: null, index: 0, texts: null };
+    const shown: HandleEntry = { element, light, part, handle: null, named: [] };
     this.#shown.set(element, shown);
     this.#byLight[part].set(light, shown);
     return shown;
@@ -196,15 +195,19 @@ export class Handles {
 
   #place(shown: HandleEntry, handle: Handle, index: number, view: Projection): void {
     const { element, light, part } = shown;
+    if (shown.handle !== handle) {
+      shown.handle = handle;
+      const { at, outside } = handle;
+      const { x, y } = inside(at, view, EDGE);
+      element.style.transform = `translate(${x}px, ${y}px)`;
+      // At the edge, handles of parts outside would lie on each other. Keys still reach them.
+      element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
+    }
     const { texts } = this.#host.viewer;
-    if (shown.handle === handle && shown.index === index && shown.texts === texts) return;
-    Object.assign(shown, { handle, index, texts });
-    const { at, outside } = handle;
-    const { x, y } = inside(at, view, EDGE);
-    element.style.transform = `translate(${x}px, ${y}px)`;
-    // At the edge, handles of parts outside would lie on each other. Keys still reach them.
-    element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
     const { values } = fieldsOf(light).store;
+    const named = [index, texts, ...Object.values(values)];
+    if (sameValue(shown.named, named)) return;
+    shown.named = named;
     const name = values.name || numberedName(index, texts);
     const label =
       part === 'place'

@@ -33,6 +33,8 @@ class Helpers implements Extra {
   /** What the view and the scene's ball depend on. */
   #seen: readonly unknown[] = [];
   #scene: SceneBall;
+  /** The frame that shows what rays have found; 0 if none is requested. */
+  #later = 0;
 
   constructor(host: ExtraHost) {
     this.#host = host;
@@ -40,18 +42,25 @@ class Helpers implements Extra {
     this.#root = host.tree.layer.getRootNode() as ShadowRoot;
     addStyles(this.#root, styles);
     this.#element.append(this.#svg.element);
-    const changed = (): void => this.#show(false);
+    const changed = (): void => this.#showLater();
     this.#lights = new LightHelpers(host, this.#element, changed);
     this.#objects = new SceneHelpers(host, changed);
     host.tree.room.before(this.#element);
-    this.#room = new Room(host.tree, changed, LIGHT_NAME);
+    this.#room = new Room(host.tree, () => this.#show(false), LIGHT_NAME);
   }
 
   update(): void {
     this.#show(true);
   }
 
+  /** With the next frame: what a timer writes, the next reading of a size would lay out. */
+  #showLater(): void {
+    this.#later ||= requestAnimationFrame(() => this.#show(false));
+  }
+
   #show(isFrame: boolean): void {
+    cancelAnimationFrame(this.#later);
+    this.#later = 0;
     const view = this.#look();
     const helpers = view === null ? [] : this.#host.values.helpers;
     const hasLights = helpers.includes('lights');
@@ -91,6 +100,7 @@ class Helpers implements Extra {
   }
 
   dispose(): void {
+    cancelAnimationFrame(this.#later);
     this.#lights.hide();
     this.#objects.hide();
     this.#room.dispose();

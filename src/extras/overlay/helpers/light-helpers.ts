@@ -12,7 +12,7 @@ import { distanceAlong } from '../../explain/pick.js';
 import { boxAround, type Drawing } from '../drawing/label-layout.js';
 import type { Projection } from '../drawing/projection.js';
 import { Handles } from './handles.js';
-import { type LightMarks, lightMarks, type SceneBall } from './light-marks.js';
+import { type LightMarks, lightMarks, type PlacedLight, type SceneBall } from './light-marks.js';
 import { isBehind, type RayTest, RayTests } from './occlusion.js';
 
 /** Between a light's place and its name, CSS pixels. */
@@ -22,6 +22,18 @@ export const LIGHT_NAME = 'light-name';
 
 /** Opacity of the name of a light that is off. */
 const DIMMED = 0.75;
+
+function axesOf(
+  lights: readonly (readonly [PhongLight, PlacedLight])[],
+): Map<PhongLight, RayTest<number>> {
+  const axes = new Map<PhongLight, RayTest<number>>();
+  for (const [light, { spot, place }] of lights) {
+    if (spot !== null) {
+      axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
+    }
+  }
+  return axes;
+}
 
 export class LightHelpers {
   readonly #host: ExtraHost;
@@ -52,17 +64,11 @@ export class LightHelpers {
     const marks = this.#marksOf(lights, view, scene);
     this.#handles.show(lights, marks, view, scene);
     if (isFrame) {
-      const places = new Map<PhongLight, RayTest<boolean>>();
-      const axes = new Map<PhongLight, RayTest<number>>();
-      lights.forEach((light, i) => {
-        const { spot, place } = marks[i]!.placed;
-        places.set(light, isBehind(place, view));
-        if (spot !== null) {
-          axes.set(light, (shapes) => distanceAlong(shapes, place, spot.axis));
-        }
-      });
-      this.#hidden.follow(places);
-      this.#surfaces.follow(axes);
+      const tested = lights.map((light, i) => [light, marks[i]!.placed] as const);
+      this.#hidden.follow(
+        () => new Map(tested.map(([light, { place }]) => [light, isBehind(place, view)])),
+      );
+      this.#surfaces.follow(() => axesOf(tested));
     }
     return this.#drawing(lights, marks);
   }

@@ -12,6 +12,9 @@ import type { Projection } from '../drawing/projection.js';
  */
 const PAUSE = 100;
 
+/** While changes go on, a series takes at most one part of so many of the time. */
+const PARTS = 25;
+
 /** Milliseconds of rays in one task. */
 const SLICE = 4;
 
@@ -25,9 +28,15 @@ export class RayTests<Key, Answer> {
   readonly #host: ExtraHost;
   readonly #changed: () => void;
   readonly #answers = new Map<Key, Answer>();
-  /** What the next series of rays tests; null if nothing waits. */
-  #waiting: ReadonlyMap<Key, RayTest<Answer>> | null = null;
+  /** Gives what the next series of rays tests; null if nothing waits. */
+  #waiting: (() => ReadonlyMap<Key, RayTest<Answer>>) | null = null;
   #timer = 0;
+  /** Rays of a series are still to be tested. */
+  #slicing = false;
+  /** When the next series may begin although changes go on, and at the latest. */
+  #due = 0;
+  /** Milliseconds that the last series took. */
+  #took = 0;
 
   /** `changed` is called when an answer differs from the one before. */
   constructor(host: ExtraHost, changed: () => void) {
@@ -40,26 +49,32 @@ export class RayTests<Key, Answer> {
     return this.#answers.get(key);
   }
 
-  follow(tests: ReadonlyMap<Key, RayTest<Answer>>): void {
-    this.#waiting = tests;
-    if (this.#timer === 0) {
-      this.#timer = window.setTimeout(this.#start, PAUSE);
+  /** `tests` is called when the rays begin, for the last change alone. */
+  follow(tests: () => ReadonlyMap<Key, RayTest<Answer>>): void {
+    const now = performance.now();
+    if (this.#waiting === null) {
+      this.#due = now + Math.max(PAUSE, PARTS * this.#took);
     }
+    this.#waiting = tests;
+    if (this.#slicing) return;
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(this.#start, Math.min(PAUSE, this.#due - now));
   }
 
   stop(): void {
     clearTimeout(this.#timer);
-    this.#timer = 0;
+    this.#slicing = false;
     this.#waiting = null;
     this.#answers.clear();
   }
 
   readonly #start = (): void => {
-    this.#timer = 0;
-    const tests = this.#waiting;
+    const waiting = this.#waiting;
     this.#waiting = null;
     const { scene } = this.#host.snapshot();
-    if (tests === null || scene === null) return;
+    if (waiting === null || scene === null) return;
+    const tests = waiting();
+    this.#took = 0;
     for (const key of this.#answers.keys()) {
       if (!tests.has(key)) {
         this.#answers.delete(key);
@@ -84,18 +99,22 @@ export class RayTests<Key, Answer> {
   }
 
   #slice(series: RaySearch<boolean>): void {
-    this.#timer = 0;
-    const end = performance.now() + SLICE;
+    const begun = performance.now();
     let step = series.next();
-    while (step.done !== true && performance.now() < end) {
+    while (step.done !== true && performance.now() < begun + SLICE) {
       step = series.next();
     }
+    this.#took += performance.now() - begun;
     if (step.done !== true) {
+      this.#slicing = true;
       this.#timer = window.setTimeout(() => this.#slice(series));
       return;
     }
-    if (this.#waiting !== null) {
-      this.follow(this.#waiting);
+    this.#slicing = false;
+    const waiting = this.#waiting;
+    this.#waiting = null;
+    if (waiting !== null) {
+      this.follow(waiting);
     }
     if (step.value) {
       this.#changed();

@@ -28,7 +28,7 @@ import { isBehind, type RayTest, RayTests } from './occlusion.js';
  * Whether something is in front of a place; undefined while that is not known. `key`: the place's,
  * across frames.
  */
-type Hiding = (key: string, place: Vec3) => boolean | undefined;
+type Hiding = (key: string, place: () => Vec3) => boolean | undefined;
 
 export class SceneHelpers {
   readonly #host: ExtraHost;
@@ -52,10 +52,13 @@ export class SceneHelpers {
     const isSame = sameValue(seen, this.#seen);
     if (isSame && this.#drawing !== null) return this.#drawing;
     this.#seen = seen;
-    const tests = new Map<string, RayTest<boolean>>();
-    this.#drawing = this.drawingAt(view, scene, helpers, tests);
+    this.#drawing = this.drawingAt(view, scene, helpers);
     if (!isSame) {
-      this.#hidden.follow(tests);
+      this.#hidden.follow(() => {
+        const tests = new Map<string, RayTest<boolean>>();
+        this.drawingAt(view, scene, helpers, tests);
+        return tests;
+      });
     }
     return this.#drawing;
   }
@@ -71,10 +74,10 @@ export class SceneHelpers {
     view: Projection,
     scene: SceneBall,
     helpers: ExtraHost['values']['helpers'],
-    tests = new Map<string, RayTest<boolean>>(),
+    tests?: Map<string, RayTest<boolean>>,
   ): Drawing {
     const hiding: Hiding = (key, place) => {
-      tests.set(key, isBehind(place, view));
+      tests?.set(key, isBehind(place(), view));
       return this.#hidden.answer(key);
     };
     const list: DrawnItem[] = [];
@@ -222,10 +225,13 @@ function pieces(
   const at = (share: number): Vec3 => add(from, scale(subtract(to, from), share));
   const result: Record<'shown' | 'behind', (readonly Point[])[]> = { shown: [], behind: [] };
   const sideOf = (i: number): 'shown' | 'behind' =>
-    hiding(`${key} ${i}`, at((i + 0.5) / count)) === true ? 'behind' : 'shown';
-  for (let i = 0, first = 0; i < count; i++) {
-    const side = sideOf(i);
-    if (i + 1 < count && sideOf(i + 1) === side) continue;
+    hiding(`${key} ${i}`, () => at((i + 0.5) / count)) === true ? 'behind' : 'shown';
+  for (let i = 0, first = 0, next = sideOf(0); i < count; i++) {
+    const side = next;
+    if (i + 1 < count) {
+      next = sideOf(i + 1);
+      if (next === side) continue;
+    }
     const piece = view.segment(at(first / count), at((i + 1) / count));
     if (piece !== null) {
       result[side].push(piece);
@@ -339,7 +345,7 @@ function normalMarks(
       if (length(N) === 0) continue;
       const faces = dot(N, subtract(view.eye, p)) > 0;
       if (!faces && phong?.sides !== 'double') continue;
-      const isHidden = hiding(`normal ${index} ${i}`, p);
+      const isHidden = hiding(`normal ${index} ${i}`, () => p);
       if (faces ? isHidden === true : isHidden !== false) continue;
       const ends = view.segment(p, add(p, scale(N, (faces ? 1 : -1) * NORMAL * radius)));
       if (ends === null) continue;

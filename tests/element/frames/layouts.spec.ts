@@ -1,0 +1,55 @@
+// When does a move of the mouse lay the page out? What moves with the picture is written after all
+// sizes are read, so the layout at the end of the frame is enough: script never waits for one.
+
+import { expect, test } from '../../support/test.js';
+import { settled } from '../support/viewer.js';
+
+const MOVES = 30;
+const lights = `<phong-light position="1 2 1 0"></phong-light>
+  <phong-light position="2 2 0 1" attenuation="1 0.2 0.05"></phong-light>
+  <phong-light position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>`;
+
+interface TraceEvent {
+  readonly name: string;
+  readonly args: { readonly beginData?: { readonly stackTrace?: readonly unknown[] } };
+}
+
+for (const [what, attributes, layouts] of [
+  ['a picture alone', '', 'never'],
+  ['all helpers', 'helpers="lights axes grid normals bounds"', 'once a frame'],
+  ['the panel', 'gui', 'once a frame'],
+  ['a legend', 'view="normals"', 'never'],
+  ['all of these', 'helpers="lights axes grid normals bounds" gui view="n-dot-l"', 'once a frame'],
+] as const) {
+  test(`a drag with ${what} lays the page out ${layouts}`, async ({ browser, page, mount }) => {
+    const viewer = await mount(
+      `<phong-viewer geometry="box" ${attributes}>${lights}</phong-viewer>`,
+      { width: 800, height: 500 },
+    );
+    await settled(viewer);
+    const moveTo = async (step: number): Promise<void> => {
+      await page.mouse.move(200 + 3 * step, 200 + step);
+      await page.evaluate(() => new Promise(requestAnimationFrame));
+    };
+    await page.mouse.move(200, 200);
+    await page.mouse.down();
+    // The first moves show what a drag changes, such as the shape of the pointer.
+    for (let i = 0; i < 5; i++) {
+      await moveTo(i);
+    }
+    const categories = ['devtools.timeline', 'disabled-by-default-devtools.timeline.stack'];
+    await browser.startTracing(page, { categories });
+    for (let i = 0; i < MOVES; i++) {
+      await moveTo(5 + i);
+    }
+    const trace = JSON.parse((await browser.stopTracing()).toString()) as {
+      readonly traceEvents: readonly TraceEvent[];
+    };
+    await page.mouse.up();
+    const found = trace.traceEvents.filter(({ name }) => name === 'Layout');
+    const forced = found.flatMap(({ args }) => args.beginData?.stackTrace?.slice(0, 3) ?? []);
+    expect(forced).toEqual([]);
+    // Tracing itself is seen to work.
+    expect(found.length > MOVES / 2).toBe(layouts !== 'never');
+  });
+}
