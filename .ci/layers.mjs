@@ -70,6 +70,7 @@ export const layers = {
       'extras/explain',
       'extras/compare',
       'extras/panel',
+      'extras/probe',
       'extras/diagnosis',
       'extras/overlay',
     ],
@@ -87,6 +88,7 @@ export const layers = {
     packages: ['three', 'lit'],
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },
+  'extras/probe': { layers: ['extras/overlay', ...extra], packages: ['lit'], types: ['three'] },
   'extras/frameworks': {
     layers: ['viewer', 'viewer/element', 'phong/fields'],
     lazy: ['viewer/scene', 'phong/light'],

@@ -13,7 +13,14 @@ const [OPEN, CLOSE] = ['<!-- elements: written by npm run manifest -->', '<!-- /
  * The elements in the order in which they are written: a scene needs a light and a mesh before it
  * needs the rest.
  */
-const ORDER = ['phong-light', 'phong-mesh', 'phong-viewer', 'phong-compare', 'phong-control'];
+const ORDER = [
+  'phong-light',
+  'phong-mesh',
+  'phong-viewer',
+  'phong-compare',
+  'phong-control',
+  'phong-probe',
+];
 
 /**
  * The page with the part written anew. @param {string} page @param {Element[]} elements
@@ -110,6 +117,7 @@ function takesText({ kind, choices, expected }) {
   if (kind === 'color') return 'a colour';
   if (choices === undefined) {
     return expected
+      .replace(/;.*/, '') // advice to who writes something else
       .replace('a whole number', 'whole,')
       .replace(/,? ?(?:each )?a number (from|above)/, (_, word) => ` ${word}`)
       .trim();

@@ -4,6 +4,7 @@
 import type { Field } from '../../src/phong/fields/field.js';
 import { COMPARE_FIELDS } from '../../src/viewer/element/fields/compare-fields.js';
 import { CONTROL_FIELDS } from '../../src/extras/panel/control-fields.js';
+import { PROBE_FIELDS } from '../../src/extras/probe/probe-fields.js';
 import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
 import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
@@ -16,4 +17,5 @@ export const fields: Readonly<Record<string, Readonly<Record<string, Field<unkno
   'phong-mesh': MESH_FIELDS,
   'phong-compare': COMPARE_FIELDS,
   'phong-control': CONTROL_FIELDS,
+  'phong-probe': PROBE_FIELDS,
 };

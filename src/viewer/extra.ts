@@ -21,7 +21,14 @@ export {
   defineProperties,
   FieldBinding,
 } from './element/fields/field-binding.js';
-export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
+export type { ProbeValues } from './element/fields/probe-properties.js';
+export {
+  localNumber,
+  phrase,
+  textsAround,
+  type ViewerText,
+  type ViewerTexts,
+} from './element/fields/texts.js';
 export {
   GUI_FOLDERS,
   HELPERS,
@@ -35,6 +42,7 @@ export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles, removeStyles } from './element/page/style-sheets.js';
 export { PhongControl } from './element/phong-control.js';
+export { PhongProbe } from './element/phong-probe.js';
 export { lightName, numberedName } from './element/phong-light.js';
 export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';

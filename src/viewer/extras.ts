@@ -8,6 +8,7 @@ import {
   explanationCode,
   panelCode,
   pictureCode,
+  probeCode,
 } from './element/extra-code.js';
 import { extraKinds } from './element/viewer/extra-host.js';
 import { FORMAT_NAMES } from './model/format-names.js';
@@ -27,6 +28,7 @@ explanationCode.provide(() => import('../extras/explain/shade-at.js'));
 comparisonCode.provide(() => import('../extras/compare/comparison.js'));
 panelCode.provide(() => import('../extras/panel/panel.js'));
 controlCode.provide(() => import('../extras/panel/control.js'));
+probeCode.provide(() => import('../extras/probe/probe-element.js'));
 diagnosisCode.provide(() => import('../extras/diagnosis/diagnose.js'));
 
 // While a viewer's values ask for it. What lies over the picture is drawn in this order.
@@ -40,11 +42,11 @@ extraKinds.push(
     load: lazyCode(() => import('../extras/overlay/legend/legend.js'), 'views'),
   },
   {
-    wanted: ({ probe }) => probe !== false,
+    wanted: ({ probe }) => probe,
     load: lazyCode(() => import('../extras/overlay/probe/probe.js'), 'the probe'),
   },
   {
-    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
+    wanted: ({ probe, probeAt }) => !probe && probeAt !== null,
     load: lazyCode(() => import('../extras/overlay/probe/watch.js'), 'the probe'),
   },
   {

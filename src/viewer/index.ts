@@ -1,7 +1,7 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>`
- * and `<phong-control>`. Importing it without a DOM does nothing. A second copy on a page leaves
- * the first copy's elements alone.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>`,
+ * `<phong-control>` and `<phong-probe>`. Importing it without a DOM does nothing. A second copy on a
+ * page leaves the first copy's elements alone.
  */
 // First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
@@ -11,6 +11,7 @@ import { PhongCompare } from './element/phong-compare.js';
 import { PhongControl } from './element/phong-control.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
+import { PhongProbe } from './element/phong-probe.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { endEarly } from './model/request-model.js';
 
@@ -29,6 +30,7 @@ if (page !== undefined && page.contentType !== 'text/html') {
     ['phong-viewer', PhongViewer],
     ['phong-compare', PhongCompare],
     ['phong-control', PhongControl],
+    ['phong-probe', PhongProbe],
   ] as const) {
     if (customElements.get(name) === undefined) {
       customElements.define(name, element);
@@ -37,7 +39,7 @@ if (page !== undefined && page.contentType !== 'text/html') {
 }
 endEarly();
 
-export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer };
+export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongProbe, PhongViewer };
 export type { ViewerErrorCode, ViewerTexts } from './element/fields/texts.js';
 export type {
   CameraSource,
@@ -47,7 +49,10 @@ export type {
   LightsByName,
   LoadDetail,
   PhongCompareEventMap,
+  AnswerDetail,
+  AnswerMistake,
   PhongMeshEventMap,
+  PhongProbeEventMap,
   PhongViewerEventMap,
   PictureOptions,
   ShadeOptions,
@@ -60,6 +65,7 @@ export type {
   PhongControlProps,
   PhongLightProps,
   PhongMeshProps,
+  PhongProbeProps,
   PhongViewerProps,
 } from './element/template-types.js';
 export type { Vec3, Vec4 } from '../phong/math/vector.js';

@@ -53,7 +53,7 @@ describe('the door of extras', () => {
 
 describe('an extra', () => {
   it('goes with those that depend on it', () => {
-    expect([...withDependents('explain')].sort()).toEqual(['explain', 'overlay']);
+    expect([...withDependents('explain')].sort()).toEqual(['explain', 'overlay', 'probe']);
     expect([...withDependents('panel')]).toEqual(['panel']);
   });
 

@@ -17,6 +17,7 @@ import type {
   ControlProperties,
   ControlValues,
 } from '../../src/viewer/element/fields/control-properties.js';
+import type { ProbeProperties } from '../../src/viewer/element/fields/probe-properties.js';
 import type {
   LightProperties,
   MeshProperties,
@@ -125,7 +126,7 @@ describe('the custom elements manifest', () => {
 
   it('lists the events with their details, the slots, the parts and the states', () => {
     const { events, slots, cssParts, cssStates } = declared('phong-viewer');
-    const names = 'answer camera-change error light-change load probe-change progress render';
+    const names = 'camera-change error light-change load probe-change progress render';
     expect(events!.map(({ name }) => name).sort()).toEqual(names.split(' '));
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(
       /source: .*'pointer'/,
@@ -168,6 +169,7 @@ describe('the types of properties and JSX', () => {
       viewer: (viewer: ViewerProperties, key: keyof ViewerValues) => (viewer[key] = undefined),
       compare: (compare: CompareProperties, key: keyof CompareValues) => (compare[key] = undefined),
       control: (control: ControlProperties, key: keyof ControlValues) => (control[key] = undefined),
+      probe: (probe: ProbeProperties, key: keyof ProbeProperties) => (probe[key] = undefined),
     };
     const tags = Object.keys(resets).map((name) => `phong-${name}`);
     expect(tags.sort()).toEqual(Object.keys(tables.fields).sort());

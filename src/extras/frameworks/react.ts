@@ -12,7 +12,11 @@ import {
   useLayoutEffect,
   useRef,
 } from 'react';
-import type { PhongCompareEventMap, PhongViewerEventMap } from '../../viewer/element/elements.js';
+import type {
+  PhongCompareEventMap,
+  PhongProbeEventMap,
+  PhongViewerEventMap,
+} from '../../viewer/element/elements.js';
 import { attributeOf } from '../../phong/fields/attribute-text.js';
 import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
 import type {
@@ -20,6 +24,7 @@ import type {
   Handlers,
   ViewerOwnProps,
 } from '../../viewer/element/template-types.js';
+import type { ProbeProperties } from '../../viewer/element/fields/probe-properties.js';
 import * as elements from '../../viewer/index.js';
 
 export type PhongLightElement = elements.PhongLight;
@@ -27,12 +32,14 @@ export type PhongMeshElement = elements.PhongMesh;
 export type PhongViewerElement = elements.PhongViewer;
 export type PhongCompareElement = elements.PhongCompare;
 export type PhongControlElement = elements.PhongControl;
+export type PhongProbeElement = elements.PhongProbe;
 
 export type PhongLightProps = ComponentProps<'phong-light'>;
 export type PhongMeshProps = ComponentProps<'phong-mesh'>;
 export type PhongViewerProps = ComponentProps<'phong-viewer'>;
 export type PhongCompareProps = ComponentProps<'phong-compare'>;
 export type PhongControlProps = ComponentProps<'phong-control'>;
+export type PhongProbeProps = ComponentProps<'phong-probe'>;
 
 /**
  * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null`
@@ -51,7 +58,7 @@ export const PhongMesh: Component<PhongMeshProps> = component(
 
 /**
  * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`,
- * `onCameraChange`, `onLightChange`, `onProbeChange`, `onAnswer` and `onRender`. A model may load
+ * `onCameraChange`, `onLightChange`, `onProbeChange` and `onRender`. A model may load
  * before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
  */
 export const PhongViewer: Component<PhongViewerProps> = component(
@@ -84,6 +91,17 @@ export const PhongControl: Component<PhongControlProps> = component(
   ] satisfies (keyof ControlValues)[],
 );
 
+/** `<phong-probe>`, as {@link PhongLight}, with the event `onAnswer`. */
+export const PhongProbe: Component<PhongProbeProps> = component('phong-probe', [
+  'for',
+  'as',
+  'at',
+  'ask',
+  'seed',
+  'name',
+  'required',
+] satisfies (keyof ProbeProperties)[]);
+
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */
 const EVENTS: ReadonlyMap<string, string> = new Map(
   Object.entries({
@@ -105,7 +123,7 @@ const OWN_PROPS: readonly string[] = [
   'maxMemory',
 ] satisfies (keyof ViewerOwnProps)[];
 
-type AllEvents = PhongViewerEventMap & PhongCompareEventMap;
+type AllEvents = PhongViewerEventMap & PhongCompareEventMap & PhongProbeEventMap;
 
 /** Props that are neither a value nor an event of the element are left to React. */
 function component<P extends object>(tag: string, attributes: readonly string[]): Component<P> {

@@ -18,7 +18,6 @@ import {
   button,
   flag,
   flags,
-  mapped,
   inFolder,
   NO_ROW,
   number,
@@ -83,11 +82,7 @@ export const VIEWER_ROWS = {
     view: oneOf('view', VIEWS),
     viewLight: oneName('view light', lightNames, lightText),
     helpers: flags(HELPERS, (helper) => `show ${helper}`),
-    probe: mapped<boolean, ViewerValues['probe'], unknown>(
-      flag('probe'),
-      (probe) => probe !== false,
-      (wanted, before) => wanted && (before || true),
-    ),
+    probe: flag('probe'),
   }),
   ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.

@@ -76,7 +76,7 @@ function showItem(value: unknown): string {
 const wrong = (expected: string, value: unknown): TypeError =>
   new TypeError(`expected ${expected}, got ${show(value)}`);
 
-const outside = (expected: string, value: unknown): RangeError =>
+export const outside = (expected: string, value: unknown): RangeError =>
   new RangeError(`expected ${expected}, got ${show(value)}`);
 
 /** Checks a single number, or one of the numbers of `whole`, which the error shows. */

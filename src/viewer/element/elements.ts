@@ -2,10 +2,13 @@
 // classes implement these types. Types only.
 import type { LightValues } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
+import type { MistakeId } from '../../phong/mistakes/mistakes.js';
+import type { SlipId } from '../../phong/mistakes/slips.js';
 import type { LightShare } from '../../phong/reference/index.js';
 import type { ViewportStats } from '../scene/picture.js';
 import type { CompareProperties } from './fields/compare-fields.js';
 import type { ControlProperties } from './fields/control-properties.js';
+import type { ProbeProperties } from './fields/probe-properties.js';
 import type { Inputs, LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerErrorCode, ViewerTexts } from './fields/texts.js';
 import type { ViewerProperties } from './fields/viewer-fields.js';
@@ -203,6 +206,25 @@ export interface PhongControl extends HTMLElement, ControlProperties {
   readonly localName: 'phong-control';
 }
 
+/** What a <phong-probe> has as HTML's own controls of forms do. */
+export interface ProbeForm {
+  /** The answers as typed; several questions' are separated by `;`. */
+  value: string;
+  readonly form: HTMLFormElement | null;
+  readonly validity: ValidityState;
+  readonly validationMessage: string;
+  readonly willValidate: boolean;
+  checkValidity(): boolean;
+  reportValidity(): boolean;
+}
+
+/** Explains one point of a viewer's picture, anywhere on the page. */
+export interface PhongProbe extends HTMLElement, ProbeProperties, ProbeForm {
+  readonly localName: 'phong-probe';
+  addEventListener: Listen<this, PhongProbeEventMap>;
+  removeEventListener: Listen<this, PhongProbeEventMap>;
+}
+
 /**
  * A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise.
  */
@@ -234,6 +256,7 @@ declare global {
     'phong-viewer': PhongViewer;
     'phong-compare': PhongCompare;
     'phong-control': PhongControl;
+    'phong-probe': PhongProbe;
   }
 }
 
@@ -277,7 +300,13 @@ export interface ProbeDetail {
   readonly pinned: boolean;
 }
 
-/** An answer to a question of `probe="ask"`. */
+/**
+ * A usual mistake: of the table that also checks a learner's function, or of answers alone.
+ * `left-out`: a term of a sum. `digits`: too few.
+ */
+export type AnswerMistake = MistakeId | SlipId | 'left-out' | 'digits' | 'above-full';
+
+/** An answer to a question of a `<phong-probe>`. */
 export interface AnswerDetail {
   readonly term: 'ambient' | 'diffuse' | 'specular' | 'sum';
   /** Null for the sum and the head-light. */
@@ -290,22 +319,7 @@ export interface AnswerDetail {
   readonly expected: number;
   readonly correct: boolean;
   /** The likeliest one that gives this value. Null for right answers and unusual ones. */
-  readonly mistake:
-    | 'digits'
-    | 'left-out'
-    | 'unclamped'
-    | 'angle'
-    | 'radians'
-    | 'sine'
-    | 'exponent'
-    | 'times-exponent'
-    | 'other-value'
-    | 'attenuation'
-    | 'aperture'
-    | 'cone'
-    | 'behind'
-    | 'scale'
-    | null;
+  readonly mistake: AnswerMistake | null;
 }
 
 /**
@@ -340,10 +354,14 @@ export interface PhongViewerEventMap {
    * `detail.y`.
    */
   'probe-change': CustomEvent<ProbeDetail>;
-  /** The user answered a question of `probe="ask"`. */
-  answer: CustomEvent<AnswerDetail>;
   /** A changed picture is on the canvas. Its pixels can be read in the listener, but not later. */
   render: CustomEvent<null>;
+}
+
+/** Events of `<phong-probe>`. None bubbles. */
+export interface PhongProbeEventMap {
+  /** The user answered a question: what was typed, and whether it was right. */
+  answer: CustomEvent<AnswerDetail>;
 }
 
 /** Events of `<phong-compare>`. None bubbles. */

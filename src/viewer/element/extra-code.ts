@@ -6,6 +6,7 @@ import type {
   FragmentExplanation,
   PhongCompare,
   PhongControl,
+  PhongProbe,
   PhongViewer,
   PictureOptions,
   ShadeOptions,
@@ -33,6 +34,11 @@ export const panelCode = /* @__PURE__ */ extraCode<{ readonly createPanel: Creat
 export const controlCode = /* @__PURE__ */ extraCode<{
   readonly follow: (control: PhongControl) => void;
 }>('<phong-control>');
+
+export const probeCode = /* @__PURE__ */ extraCode<{
+  readonly follow: (probe: PhongProbe) => void;
+  readonly reset: (probe: PhongProbe) => void;
+}>('<phong-probe>');
 
 /** Lays out the viewers of a comparison. */
 export interface Comparison extends ReactiveController {

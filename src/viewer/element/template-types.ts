@@ -23,12 +23,15 @@ import type {
   PhongLight,
   PhongMesh,
   PhongMeshEventMap,
+  PhongProbe,
+  PhongProbeEventMap,
   PhongViewer,
   PhongViewerEventMap,
 } from './elements.js';
 import type { CompareValues } from './fields/compare-fields.js';
 import type { ControlValues } from './fields/control-properties.js';
-import type { Inputs } from './fields/properties.js';
+import type { ProbeProperties } from './fields/probe-properties.js';
+import type { Inputs, ValuesOf } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 
@@ -58,6 +61,12 @@ interface Elements {
     values: ControlValues;
     properties: object;
     events: object;
+  };
+  'phong-probe': {
+    element: PhongProbe;
+    values: ValuesOf<ProbeProperties>;
+    properties: object;
+    events: PhongProbeEventMap;
   };
 }
 
@@ -126,6 +135,7 @@ export type PhongMeshProps = ReactElements['phong-mesh'];
 export type PhongViewerProps = ReactElements['phong-viewer'];
 export type PhongCompareProps = ReactElements['phong-compare'];
 export type PhongControlProps = ReactElements['phong-control'];
+export type PhongProbeProps = ReactElements['phong-probe'];
 
 /** Props of a component of `phong-viewer/react` for an element with these props and events. */
 export type ComponentProps<Tag extends keyof Elements> = Omit<

@@ -48,7 +48,6 @@ for (const [what, markup] of Object.entries(scenes)) {
 const extras = [
   'probe',
   'probe probe-at="0.5 0.5 0.5"',
-  'probe="formula"',
   'probe-at="0.5 0.5 0.5"',
   'helpers="lights"',
   'view="n-dot-l"',

@@ -1,47 +1,23 @@
 // The probe's box: the colour, the table of its sum, and the steps of one light. A column in wide
-// pictures, else a strip, away from the point. The style sheet gives its size; what does not fit is
-// left out in a fixed order, by trying.
+// pictures, else a strip, away from the point. The style sheet hides columns and lines that have no
+// room; lights that have none share a row.
+import { create, localNumber, phrase, type ViewerTexts } from '../../../viewer/extra.js';
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
-import {
-  type AnswerDetail,
-  create,
-  type FragmentExplanation,
-  phrase,
-  type ViewerTexts,
-} from '../../../viewer/extra.js';
 import type { Rect } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
-import type { Equation } from './equations.js';
-import { type Sum, type SumRow, tripleText, FILTERED, GOURAUD, stepsText, UNLIT } from './sum.js';
 import {
   type Chosen,
-  columnsOf,
-  MOST_LEFT,
-  NO_AMBIENT,
-  STEPS,
+  colorTemplate,
+  noteOf,
+  stepsTemplate,
+  type SumContent,
   SumTable,
-  type TableShape,
 } from './sum-table.js';
-import { Tutor } from './tutor.js';
-
-/** A fragment with its sum. */
-export interface BoxContent {
-  readonly fragment: FragmentExplanation;
-  readonly sum: Sum;
-  /** The row that the figure is about. */
-  readonly row: SumRow | null;
-  readonly halfway: boolean;
-  readonly gouraud: boolean;
-  /** They replace the table. */
-  readonly equations: readonly Equation[] | null;
-  /** Their results are questions. */
-  readonly asks: boolean;
-}
 
 export interface BoxState {
   /** A message stands in place of a sum. Null: nothing is shown. */
-  readonly content: BoxContent | string | null;
+  readonly content: SumContent | string | null;
   /** The point on the layer. */
   readonly at: Point;
   /**
@@ -53,27 +29,6 @@ export interface BoxState {
   readonly releasable: boolean;
   readonly texts: ViewerTexts | null;
 }
-
-/** One way to show it. */
-interface Form {
-  /** Null: there is only room for the colour. */
-  readonly shape: TableShape | null;
-  /** Lights with a row of their own; without a table, those that are named as a number. */
-  readonly lights: number;
-  readonly note: boolean;
-  readonly steps: boolean;
-}
-
-/**
- * What is left out, in this order, where room lacks. `least`: lights with a row of their own; the
- * others share one.
- */
-const LEVELS = [
-  { note: true, steps: true, least: Infinity },
-  { note: false, steps: true, least: Infinity },
-  { note: false, steps: true, least: 3 },
-  { note: false, steps: false, least: 0 },
-] as const;
 
 /** Width of the picture's free part from which on the box is a column, CSS pixels. */
 const WIDE = 560;
@@ -88,7 +43,6 @@ export class ProbeBox {
   /** Holds the box, in the free part of the picture. */
   readonly place = create('div', { class: 'probe-place' });
   readonly #table: SumTable;
-  readonly #tutor: Tutor;
   readonly #room: Room;
   readonly #release: () => void;
   #isColumn = false;
@@ -99,13 +53,7 @@ export class ProbeBox {
   /**
    * `changed`: another light was chosen. `release`: the button that takes the pin away was pressed.
    */
-  constructor(
-    room: Room,
-    changed: () => void,
-    release: () => void,
-    report: (detail: AnswerDetail) => void,
-  ) {
-    this.#tutor = new Tutor(changed, report);
+  constructor(room: Room, changed: () => void, release: () => void) {
     this.#room = room;
     this.#release = release;
     this.#table = new SumTable(changed);
@@ -128,9 +76,13 @@ export class ProbeBox {
     }
     this.#isColumn = right - left >= WIDE;
     const { content } = state;
-    const hasSum = content !== null && typeof content !== 'string' && content.equations === null;
-    if (!hasSum || !this.#fits(state, content)) {
-      this.#render(state, { shape: null, lights: 0, note: true, steps: true });
+    const all = content === null || typeof content === 'string' ? 0 : content.sum.rows.length;
+    this.#render(state, all);
+    if (all > 1) {
+      const fewer = this.#lightsThatFit(all);
+      if (fewer < all) {
+        this.#render(state, fewer);
+      }
     }
     return this.#room.rectOf(this.#element);
   }
@@ -139,76 +91,24 @@ export class ProbeBox {
     return this.place.firstElementChild as HTMLElement;
   }
 
-  /** Shows the first form that fits. False if none does. */
-  #fits(state: BoxState, { sum, gouraud }: BoxContent): boolean {
-    const all = sum.rows.length;
-    const shape = (left: number, digits: number, stacked = false): TableShape => ({
-      columns: columnsOf(sum, left, !gouraud),
-      digits,
-      stacked,
-    });
-    const fits = (form: Form, isAcross = false): boolean => {
-      this.#render(state, form);
-      const { scrollWidth, clientWidth, scrollHeight, clientHeight } = this.#element;
-      return scrollWidth <= clientWidth && (isAcross || scrollHeight <= clientHeight);
-    };
-    /** With as many lights as fit, never all but one: its row is as high as that of the others. */
-    const fitsWithFewer = (form: Form, least: number): boolean => {
-      let [low, high] = [least, all - 2];
-      if (low > high || !fits({ ...form, lights: low })) return false;
-      while (low < high) {
-        const middle = Math.ceil((low + high) / 2);
-        if (fits({ ...form, lights: middle })) {
-          low = middle;
-        } else {
-          high = middle - 1;
-        }
-      }
-      return fits({ ...form, lights: low });
-    };
-    const rows = [
-      shape(0, 1),
-      ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0)),
-    ];
-    const full = { ...LEVELS[0], lights: all };
-    const widest = this.#isColumn
-      ? shape(NO_AMBIENT, 0)
-      : rows.find((each) => fits({ ...full, shape: each }, true));
-    const fewest = [...(widest === undefined ? [] : [widest]), shape(NO_AMBIENT, 0, true)];
-    const most = this.#isColumn
-      ? [...rows.slice(0, 2), shape(0, 1, true), shape(0, 0, true)]
-      : fewest.slice(0, -1);
-    const fitsAt = ({ least, ...level }: (typeof LEVELS)[number]): boolean =>
-      (least === Infinity ? most : fewest).some((each) => {
-        const form = { ...level, lights: all, shape: each };
-        return fits(form) || fitsWithFewer(form, least);
-      });
-    return LEVELS.some(fitsAt) || fits({ ...full, shape: null });
+  /** Rows of their own, by the height of what is shown. Never all but one: its row is as high. */
+  #lightsThatFit(all: number): number {
+    const { scrollHeight, clientHeight } = this.#element;
+    if (scrollHeight <= clientHeight) return all;
+    const rows = this.place.querySelector('tbody')!.offsetHeight;
+    const free = clientHeight - (scrollHeight - rows);
+    return Math.max(0, Math.min(Math.floor((free * all) / rows) - 1, all - 2));
   }
 
-  #render(state: BoxState, form: Form): void {
-    render(this.#template(state, form), this.place);
-  }
-
-  #template({ content, pinned, releasable, texts }: BoxState, form: Form): TemplateResult {
+  #render({ content, pinned, releasable, texts }: BoxState, lights: number): void {
     const isEmpty = content === null || typeof content === 'string';
-    const { shape, lights, note, steps } = form;
-    const kinds = {
-      pinned,
-      ...(this.#isColumn
-        ? { column: true, end: this.#isAtStart }
-        : { strip: true, low: this.#isAbove, high: !this.#isAbove }),
-      tutor: !isEmpty && content.equations !== null,
-      asks: !isEmpty && content.asks,
-      alone: !isEmpty && content.equations === null && shape === null,
-      stacked: shape?.stacked === true,
-      fine: shape?.digits === 1,
-      'no-note': !note,
-      'no-steps': !steps,
-    };
+    const more = isEmpty ? 0 : content.sum.rows.length;
+    const side = this.#isColumn
+      ? `column ${this.#isAtStart ? 'end' : ''}`
+      : `strip ${this.#isAbove ? 'low' : 'high'}`;
     // What is hidden keeps its elements.
-    return html`<div
-      class=${`box ${classMap(kinds)}`}
+    const box: TemplateResult = html`<div
+      class=${`box ${side} ${pinned ? 'pinned' : ''}`}
       part="probe"
       role="group"
       ?hidden=${content === null}
@@ -216,8 +116,10 @@ export class ProbeBox {
       aria-label=${phrase(texts, 'Probe')}
     >
       <p class="head">
-        ${isEmpty ? noChange : colorTemplate(content, texts, shape?.digits ?? 0)}
-        ${shape === null && lights > 0 ? phrase(texts, '+ {number} lights', { number: String(lights) }) : nothing}
+        ${isEmpty ? noChange : colorTemplate(content, texts)}
+        <span class="count" ?hidden=${more === 0}
+          >${phrase(texts, '+ {number} lights', { number: localNumber(String(more), texts) })}</span
+        >
         <button
           class="release"
           type="button"
@@ -232,75 +134,8 @@ export class ProbeBox {
         dir="auto"
         .textContent=${isEmpty ? (content ?? '') : noteOf(content, texts)}
       ></p>
-      ${
-        !isEmpty && content.equations !== null
-          ? this.#tutor.template(content.equations, content.asks, texts)
-          : isEmpty || shape === null
-            ? noChange
-            : this.#sumTemplate(content, texts, shape, lights)
-      }
+      ${isEmpty ? noChange : html`${this.#table.template(content, texts, lights)}${stepsTemplate(content, texts)}`}
     </div>`;
-  }
-
-  #sumTemplate(
-    content: BoxContent,
-    texts: ViewerTexts | null,
-    shape: TableShape,
-    lights: number,
-  ): TemplateResult {
-    const { sum, row } = content;
-    return html`
-      ${this.#table.template(sum, row, texts, shape, lights)}
-      <p
-        class="steps"
-        id=${STEPS}
-        dir="auto"
-        .textContent=${row === null ? '' : stepsOf(content, row, texts)}
-      ></p>
-    `;
+    render(box, this.place);
   }
 }
-
-const classMap = (kinds: Readonly<Record<string, boolean>>): string =>
-  Object.keys(kinds)
-    .filter((kind) => kinds[kind])
-    .join(' ');
-
-function noteOf({ fragment, gouraud }: BoxContent, texts: ViewerTexts | null): string {
-  const notes: string[] = [];
-  if (fragment.unlit) {
-    notes.push(phrase(texts, UNLIT));
-  } else if (gouraud) {
-    notes.push(phrase(texts, GOURAUD));
-  }
-  if (fragment.filtered) {
-    notes.push(phrase(texts, FILTERED));
-  }
-  return notes.join(' ');
-}
-
-/** Under Gouraud shading the row has the corners' terms, so the steps say whose they are. */
-function stepsOf(
-  { fragment, halfway, gouraud }: BoxContent,
-  row: SumRow,
-  texts: ViewerTexts | null,
-): string {
-  const steps = stepsText(texts, row, fragment, halfway);
-  return gouraud ? phrase(texts, 'At the point itself, {steps}', { steps }) : steps;
-}
-
-// The colour as a property: a strict CSP refuses style attributes.
-const colorTemplate = (
-  { fragment, sum: { color } }: BoxContent,
-  texts: ViewerTexts | null,
-  digits: number,
-): TemplateResult => html`
-  <span
-    class="swatch"
-    .style=${`background-color: rgb(${color.map((x) => x.toFixed(2)).join(' ')})`}
-  ></span>
-  <span class="codes" dir="ltr"
-    >${fragment.filtered ? '≈ ' : ''}${tripleText(color, digits, texts)}</span
-  >
-  <span class="scale" aria-hidden="true">${phrase(texts, 'of 255')}</span>
-`;

@@ -1,6 +1,5 @@
 // Shows a probed point: arrows over the picture, a cross-hair for the keyboard, a box with the sum,
 // and announcements.
-import { html, render } from 'lit';
 import {
   addStyles,
   create,
@@ -11,17 +10,19 @@ import {
   type ViewerTexts,
   write,
 } from '../../../viewer/extra.js';
+import { html, render } from 'lit';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { DrawnItem } from '../drawing/display-list.js';
 import { whole } from '../drawing/label-layout.js';
 import { type Point, type Projection, projectionOf } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
-import { equationsOf } from './equations.js';
 import { drawingOf, figureOf, markOf, type Surroundings, trianglePlaces } from './figure.js';
-import { type BoxContent, ProbeBox } from './probe-box.js';
+import { ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
-import { byShare, type Sum, type SumRow, probeSum, fragmentText } from './sum.js';
+import { type Sum, probeSum, fragmentText } from './sum.js';
+import { isGouraud, isHalfway, rowOf, type SumContent } from './sum-table.js';
+import tableStyles from './sum-table.css?inline';
 
 export interface ProbedPoint {
   /** Null: outside the picture. */
@@ -59,12 +60,8 @@ export class ProbeView {
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
     this.#room = new Room(host.tree, () => this.#show());
-    this.#box = new ProbeBox(
-      this.#room,
-      () => this.#show(),
-      release,
-      (detail) => host.viewer.dispatchEvent(new CustomEvent('answer', { detail })),
-    );
+    this.#box = new ProbeBox(this.#room, () => this.#show(), release);
+    addStyles(host.viewer.shadowRoot!, tableStyles);
     addStyles(host.viewer.shadowRoot!, styles);
     host.tree.room.before(this.root);
     host.tree.free.append(this.place);
@@ -142,6 +139,7 @@ export class ProbeView {
     this.root.remove();
     this.place.remove();
     removeStyles(this.#host.viewer.shadowRoot!, styles);
+    removeStyles(this.#host.viewer.shadowRoot!, tableStyles);
   }
 
   get #texts(): ViewerTexts | null {
@@ -162,8 +160,6 @@ export class ProbeView {
     this.#unsaid = false;
     this.#pause = window.setTimeout(this.#say, PAUSE);
     const { fragment = null, message = '' } = this.shown ?? {};
-    // It would tell the answers.
-    if (fragment !== null && this.#host.values.probe === 'ask') return;
     write(
       this.#region,
       fragment === null ? message : fragmentText(this.#texts, fragment, this.#sumOf(fragment)),
@@ -206,23 +202,12 @@ export class ProbeView {
     render(probe, this.root);
   }
 
-  #contentOf(fragment: FragmentExplanation): BoxContent {
-    const { probe, colorInterpolation, terms } = this.#host.values;
+  #contentOf(fragment: FragmentExplanation): SumContent {
+    const { viewer } = this.#host;
     const sum = this.#sumOf(fragment);
-    const halfway = this.#isHalfway(fragment);
-    const gouraud = this.#isGouraud(fragment);
-    const content = { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
-    // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
-    if (typeof probe === 'boolean' || fragment.unlit || gouraud) {
-      return { ...content, equations: null, asks: false };
-    }
-    const lights = this.#host.snapshot().lights.map(({ values }) => values);
-    const options = { lights, linear: colorInterpolation === 'linear', halfway, terms };
-    return {
-      ...content,
-      equations: equationsOf(fragment, options, this.#texts),
-      asks: probe === 'ask',
-    };
+    const row = rowOf(sum, this.#box.chosen);
+    const halfway = isHalfway(fragment, viewer);
+    return { fragment, sum, row, halfway, gouraud: isGouraud(fragment, viewer) };
   }
 
   /** The arrows at `at`, with labels in the space. */
@@ -232,27 +217,11 @@ export class ProbeView {
     projection: Projection,
     space: Pick<Surroundings, 'room' | 'boxes'>,
   ): readonly DrawnItem[] {
-    const sum = this.#sumOf(fragment);
-    const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
-    const figure = figureOf(fragment, sum, this.#rowOf(sum), look, this.#texts);
-    const outline = this.#isGouraud(fragment) ? trianglePlaces(fragment) : [];
+    const { sum, row, halfway, gouraud } = this.#contentOf(fragment);
+    const alone = this.#box.chosen !== undefined;
+    const figure = figureOf(fragment, sum, row, { alone, halfway }, this.#texts);
+    const outline = gouraud ? trianglePlaces(fragment) : [];
     const { fontSize } = this.#room;
     return drawingOf(projection, fragment.p, at, figure, { outline, ...space, fontSize });
-  }
-
-  /** The row that the figure shows. */
-  #rowOf({ rows }: Sum): SumRow | null {
-    const { chosen } = this.#box;
-    return (
-      (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null
-    );
-  }
-
-  #isHalfway({ mesh }: FragmentExplanation): boolean {
-    return (mesh.reflection ?? this.#host.viewer.reflection) === 'blinn-phong';
-  }
-
-  #isGouraud({ mesh }: FragmentExplanation): boolean {
-    return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
   }
 }

@@ -1,7 +1,6 @@
 // The probe: the point that a viewer explains, under the mouse or the cross-hair, or pinned in the
 // scene. The camera takes the same events. Explains at most once a frame, and never while nothing
 // changes.
-import { SLOP } from '../../../phong/camera/kept-drag.js';
 import {
   type Extra,
   type ExtraHost,
@@ -12,6 +11,7 @@ import {
   type ViewerTexts,
   zoomOf,
 } from '../../../viewer/extra.js';
+import { SLOP } from '../../../phong/camera/kept-drag.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { ARROWS, inside, type Point } from '../drawing/projection.js';
@@ -79,7 +79,7 @@ class Probe implements Extra {
   dispose(): void {
     this.#listening.abort('disposed');
     // Like the camera, the pin stays with a viewer that leaves the page.
-    if (this.#host.values.probe === false) {
+    if (!this.#host.values.probe) {
       viewerPins.delete(this.#host.viewer);
     }
     this.#view.dispose();
@@ -317,9 +317,7 @@ class Probe implements Extra {
     if (projection.depthOf(fragment.p) < depth - IN_FRONT / projection.pixelsPerUnit(depth)) {
       return without(HIDDEN);
     }
-    // Who asks for numbers gets those of the very point: the pixel's centre is beside it.
-    const exact = this.#host.values.probe === true ? null : await viewer.explain(point);
-    return exact === null ? shown : { ...shown, fragment: exact };
+    return shown;
   }
 
   #notify(shown: ProbedPoint | null): void {

@@ -1,33 +1,39 @@
 // Shows a sum as a table. A light is chosen by the pointer on its row or by its button's focus, and
 // kept by a press.
+import {
+  localNumber,
+  phrase,
+  type ViewerTexts,
+  type PhongLight,
+  type PhongViewer,
+  type FragmentExplanation,
+} from '../../../viewer/extra.js';
 import { html, nothing, type TemplateResult } from 'lit';
-import { localNumber, type PhongLight, phrase, type ViewerTexts } from '../../../viewer/extra.js';
 import { type Term, TERMS } from '../../../phong/light/light-state.js';
 import { isBlack } from '../../../phong/math/color.js';
 import { add } from '../../../phong/math/vector.js';
 import {
   byShare,
+  FILTERED,
+  GOURAUD,
   shortNumber,
   shownAbsence,
+  stepsText,
   type Sum,
   type SumRow,
   termText,
   tripleText,
+  UNLIT,
 } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
 
-/** A column after the light's name. "…" stands for terms that are in the sum but have no column. */
-export type Column = Term | 'att' | 'decay' | 'sum' | '…';
-
-export interface TableShape {
-  readonly columns: readonly Column[];
-  /** Decimals of its codes. */
-  readonly digits: number;
-  /** Each light's numbers stand below its name. */
-  readonly stacked: boolean;
-}
+/**
+ * A column after the light's name. The style sheet hides columns where they have no room. "…" then
+ * stands for terms that are in the sum but have no column.
+ */
+type Column = Term | 'att' | 'decay' | 'sum' | '…';
 
 /** Id of the element with the steps to the chosen light's terms. */
 export const STEPS = 'probe-steps';
@@ -55,15 +61,11 @@ export class SumTable {
     );
   }
 
-  /** `shown`: the light that the figure is about. `most`: lights with a row of their own. */
-  template(
-    sum: Sum,
-    shown: SumRow | null,
-    texts: ViewerTexts | null,
-    shape: TableShape,
-    most: number,
-  ): TemplateResult {
-    const { columns, digits } = shape;
+  /** Lights that have no row of their own stand in one together: `most` have one. */
+  template({ sum, row: shown, gouraud }: SumContent, texts: ViewerTexts | null, most: number) {
+    const columns = COLUMNS.filter(
+      (column) => !gouraud || (column !== 'att' && column !== 'decay'),
+    );
     const own = this.#own(sum.rows, most);
     const others = sum.rows.filter((row) => !own.has(row));
     this.#lights = sum.rows.map(({ light }) => light);
@@ -75,15 +77,13 @@ export class SumTable {
           html`<td
             role="cell"
             dir="ltr"
-            class=${isIdle(row, column) ? 'idle' : nothing}
+            class=${column === '…' ? termsOf(row) : nothing}
             data-column=${column}
-            data-title=${columnTitle(column, texts)}
-            .textContent=${cellText(row, column, shape, texts)}
+            .textContent=${cellText(row, column, texts)}
           ></td>`,
       );
     return html`<table
       role="table"
-      class=${shape.stacked ? 'stacked' : nothing}
       @pointerover=${this.#point}
       @pointerleave=${this.#leave}
       @focusin=${this.#point}
@@ -94,10 +94,10 @@ export class SumTable {
       <caption class="reader">
         ${phrase(texts, 'Red, green and blue of each term; 255 is full')}
       </caption>
-      <thead class=${shape.stacked ? 'reader' : nothing} role="rowgroup">
+      <thead role="rowgroup">
         <tr role="row">
           <th role="columnheader" scope="col">${phrase(texts, 'light')}</th>
-          ${columns.map((column) => html`<th role="columnheader" scope="col">${columnTitle(column, texts)}</th>`)}
+          ${columns.map((column) => html`<th role="columnheader" scope="col" data-column=${column}>${columnTitle(column, texts)}</th>`)}
         </tr>
       </thead>
       <tbody role="rowgroup">
@@ -130,10 +130,10 @@ export class SumTable {
         ${sum.totals.map(
           ({ label, color }) =>
             html`<tr role="row">
-              <th role="rowheader" scope="row" colspan=${columns.length}>
-                ${phrase(texts, label)}
-              </th>
-              <td role="cell" dir="ltr">${tripleText(color, digits, texts)}</td>
+              <th role="rowheader" scope="row">${phrase(texts, label)}</th>
+              <td role="cell" dir="ltr" colspan=${columns.length}>
+                ${tripleText(color, 0, texts)}
+              </td>
             </tr>`,
         )}
       </tfoot>
@@ -221,49 +221,90 @@ const addedRow = ([first, ...rest]: readonly SumRow[]): SumRow =>
 /**
  * What is in a cell: numbers, which keep their order in languages that are written from the right.
  */
-export function cellText(
-  row: SumRow,
-  column: Column,
-  { columns, digits }: TableShape,
-  texts: ViewerTexts | null,
-): string {
-  if (column === '…') {
-    return TERMS.some((term) => !columns.includes(term) && !isBlack(row[term])) ? column : '';
-  }
-  if (column === 'sum') return termText(row.total, digits, texts);
-  if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
+export function cellText(row: SumRow, column: Column, texts: ViewerTexts | null): string {
+  if (column === '…')
+    return isBlack(add(add(row.ambient, row.diffuse), row.specular)) ? '' : column;
+  if (column === 'sum') return termText(row.total, 0, texts);
+  if (column !== 'att' && column !== 'decay') return termText(row[column], 0, texts);
   // 1 for most lights.
   return Number.isNaN(row[column])
     ? ''
     : shortNumber(row[column], row[column] === 1 ? 0 : 2, texts);
 }
 
-/** A number that a stacked table leaves out. */
-const isIdle = (row: SumRow, column: Column): boolean =>
-  column === 'ambient'
-    ? isBlack(row.ambient)
-    : (column === 'att' || column === 'decay') && row[column] === 1;
+const termsOf = (row: SumRow): string => TERMS.filter((term) => !isBlack(row[term])).join(' ');
 
 const columnTitle = (column: Column, texts: ViewerTexts | null): string =>
   column === '…' ? column : phrase(texts, column);
 
-/** The first one is left out first. */
-const DISPENSABLE: readonly Column[] = ['decay', 'att', 'ambient', 'specular', 'diffuse'];
+const COLUMNS: readonly Column[] = ['…', ...TERMS, 'att', 'decay', 'sum'];
 
-/**
- * All columns but the first `left` of the dispensable ones. `factors`: att and decay belong to the
- * terms.
- */
-export function columnsOf({ rows }: Sum, left: number, factors: boolean): readonly Column[] {
-  const all: readonly Column[] = [...TERMS, ...(factors ? (['att', 'decay'] as const) : []), 'sum'];
-  const columns = all.filter((column) => !DISPENSABLE.slice(0, left).includes(column));
-  const hasMore = TERMS.some(
-    (term) => !columns.includes(term) && rows.some((row) => !isBlack(row[term])),
-  );
-  return hasMore ? ['…', ...columns] : columns;
+/** A fragment with its sum. */
+export interface SumContent {
+  readonly fragment: FragmentExplanation;
+  readonly sum: Sum;
+  /** The row that the steps are about. */
+  readonly row: SumRow | null;
+  readonly halfway: boolean;
+  readonly gouraud: boolean;
 }
 
-/** The number of columns left out with ambient. */
-export const NO_AMBIENT = DISPENSABLE.indexOf('ambient') + 1;
+/** The steps from the vectors of the row's light to its terms. */
+export const stepsTemplate = (content: SumContent, texts: ViewerTexts | null): TemplateResult =>
+  html`<p
+    class="steps"
+    id=${STEPS}
+    dir="auto"
+    .textContent=${content.row === null ? '' : stepsOf(content, content.row, texts)}
+  ></p>`;
 
-export const MOST_LEFT = DISPENSABLE.length;
+export function noteOf(
+  { fragment, gouraud }: Pick<SumContent, 'fragment' | 'gouraud'>,
+  texts: ViewerTexts | null,
+): string {
+  const notes: string[] = [];
+  if (fragment.unlit) {
+    notes.push(phrase(texts, UNLIT));
+  } else if (gouraud) {
+    notes.push(phrase(texts, GOURAUD));
+  }
+  if (fragment.filtered) {
+    notes.push(phrase(texts, FILTERED));
+  }
+  return notes.join(' ');
+}
+
+/** Under Gouraud shading the row has the corners' terms, so the steps say whose they are. */
+function stepsOf(
+  { fragment, halfway, gouraud }: SumContent,
+  row: SumRow,
+  texts: ViewerTexts | null,
+): string {
+  const steps = stepsText(texts, row, fragment, halfway);
+  return gouraud ? phrase(texts, 'At the point itself, {steps}', { steps }) : steps;
+}
+
+// The colour as a property: a strict CSP refuses style attributes.
+export const colorTemplate = (
+  { fragment, sum: { color } }: SumContent,
+  texts: ViewerTexts | null,
+): TemplateResult => html`
+  <span
+    class="swatch"
+    .style=${`background-color: rgb(${color.map((x) => x.toFixed(2)).join(' ')})`}
+  ></span>
+  <span class="codes" dir="ltr"
+    >${fragment.filtered ? '≈ ' : ''}${tripleText(color, 0, texts)}</span
+  >
+  <span class="scale" aria-hidden="true">${phrase(texts, 'of 255')}</span>
+`;
+
+/** The row that the steps and the figure are about: the chosen light, or the one that adds most. */
+export const rowOf = ({ rows }: Sum, chosen: Chosen): SumRow | null =>
+  (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null;
+
+export const isHalfway = ({ mesh }: FragmentExplanation, viewer: PhongViewer): boolean =>
+  (mesh.reflection ?? viewer.reflection) === 'blinn-phong';
+
+export const isGouraud = ({ mesh }: FragmentExplanation, viewer: PhongViewer): boolean =>
+  (mesh.shading ?? viewer.shading) === 'gouraud';

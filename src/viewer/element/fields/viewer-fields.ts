@@ -17,7 +17,6 @@ import {
   optional,
   orWord,
   presenceField,
-  show,
   subsetField,
   textField,
   vectorField,
@@ -152,10 +151,9 @@ export interface ViewerProperties extends ShapeProperties {
   set viewLight(value: Accepted['viewLight']);
   /**
    * The user can point at the picture to see N, L, R and V there, and the sum light by light.
-   * `formula`: the equation with the numbers of the point in place of the table. `ask`: the same as
-   * questions. Default false.
+   * Default false.
    */
-  get probe(): boolean | 'formula' | 'ask';
+  get probe(): boolean;
   set probe(value: Accepted['probe']);
   /**
    * World-space point. The probe explains the fragment at its pixel until the user points
@@ -190,8 +188,6 @@ export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as 
  * one without a row.
  */
 const GUI_ROWS: string[] = [];
-
-const PROBE_VALUES = 'true, false, formula or ask';
 
 /** Samples per pixel, of `samples` and of picture files. */
 export const MOST_SAMPLES = 1024;
@@ -232,18 +228,12 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   view: choiceField<View>('shaded', VIEWS),
   viewLight: textField(),
   probe: {
+    ...presenceField(),
     kind: 'flag-or-words',
-    fallback: false,
-    expected: PROBE_VALUES,
+    expected: 'true or false; <phong-probe for="…" as="formula"> and as="ask" show more',
     check(value) {
-      if (typeof value === 'boolean') return value;
-      const word = String(value); // of one word, or of a list of them
-      if (word === 'formula' || word === 'ask') return word;
-      if (word === 'probe') return true;
-      const message = `expected ${PROBE_VALUES}, got ${show(value)}`;
-      throw typeof value === 'string' || Array.isArray(value)
-        ? new RangeError(message)
-        : new TypeError(message);
+      // Of one word, or of a list of them.
+      return String(value) === 'probe' ? true : presenceField().check(value);
     },
   },
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),

@@ -1,0 +1,402 @@
+// The equation at a fragment with its numbers put in: one line for each term of each light, for all
+// three channels, and one for the sum. 1 is full. The digits shown give the digits shown.
+import {
+  type PhongLight,
+  type FragmentExplanation,
+  type LightExplanation,
+  localNumber,
+  phrase,
+  type ViewerTexts,
+} from '../../viewer/extra.js';
+import type { LightValues, Term } from '../../phong/light/light-state.js';
+import { cosDegrees } from '../../phong/math/angle.js';
+import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
+import { add, clamp, map, multiply, scale, type Vec3 } from '../../phong/math/vector.js';
+import { decimals, degreesOf, exponentOf, rounded } from '../overlay/probe/sum.js';
+
+export interface EquationOptions {
+  /** By the index of their shares. */
+  readonly lights: readonly Readonly<LightValues>[];
+  readonly linear: boolean;
+  readonly halfway: boolean;
+  readonly terms: readonly Term[];
+}
+
+/** A term of a light, or the sum. */
+export interface Equation {
+  readonly term: Term | 'sum';
+  readonly light: PhongLight | null;
+  readonly name: string;
+  readonly symbols: string;
+  readonly numbers: string;
+  readonly result: string;
+  /** `≈` where four digits of the numbers do not give the result. */
+  readonly sign: '=' | '≈';
+  readonly value: Vec3;
+  /** Null for the sum. */
+  readonly at: TermAt | null;
+  readonly factors: readonly Factor[];
+}
+
+/** One term of a light at a fragment. */
+export interface TermAt {
+  readonly fragment: FragmentExplanation;
+  readonly share: LightExplanation;
+  readonly light: Readonly<LightValues>;
+  readonly term: Term;
+  readonly linear: boolean;
+  readonly halfway: boolean;
+  readonly texts: ViewerTexts | null;
+}
+
+/** Why a question can be answered: a number of the scene, from which the factor follows. */
+interface Fact {
+  text(digits: number): string;
+  /** The factor that follows from the rounded number. */
+  value(digits: number): number;
+}
+
+export interface Factor {
+  readonly symbol: string;
+  readonly value: Vec3;
+  /** Of what is shown as a power. */
+  readonly exponent?: number;
+  /** A negative number is shown as max(…, 0). */
+  readonly clamped?: boolean;
+  /** A question gives the number itself. */
+  readonly given?: boolean;
+  readonly fact?: Fact;
+}
+
+/** The most digits of a number that a reader computes with. */
+const MOST = 4;
+
+const NAMES = { ambient: 'a', diffuse: 'd', specular: 's' } as const;
+
+export const coefficientOf = (fragment: FragmentExplanation, term: Term): Vec3 =>
+  fragment[`k${NAMES[term]}`];
+
+/** 1 is full; decoded if shading is linear. */
+export const intensityOf = (light: Readonly<LightValues>, term: Term, linear: boolean): Vec3 =>
+  map(light[term], (x) => (linear ? srgbDecode(x / 255) : x / 255));
+
+export function equationsOf(
+  fragment: FragmentExplanation,
+  options: EquationOptions,
+  texts: ViewerTexts | null,
+): Equation[] {
+  const { lights, linear, halfway, terms } = options;
+  const lines = fragment.shares.flatMap((share, i) => {
+    const light = lights[i];
+    if (share === null || light === undefined) return [];
+    return terms
+      .filter((term) => multiply(light[term], coefficientOf(fragment, term)).some((x) => x > 0))
+      .map((term) => product({ fragment, share, light, term, linear, halfway, texts }));
+  });
+  return [...lines, sumLine(lines, fragment, linear, texts)];
+}
+
+function factorsOf({ fragment, share, light, term, linear, halfway, texts }: TermAt): Factor[] {
+  const factors: Factor[] = [
+    { symbol: `K${NAMES[term]}`, value: coefficientOf(fragment, term), given: true },
+    { symbol: `I${NAMES[term]}`, value: intensityOf(light, term, linear), given: true },
+  ];
+  const { att, decay, c, d, insideCone, NoL, RoV } = share;
+  const [kc, kl, kq] = light.attenuation;
+  const isFading = light.position[3] === 1 && (kl > 0 || kq > 0);
+  if (term !== 'ambient' && (att !== 1 || isFading)) {
+    const parts = [kc, kl, kq].flatMap((k, i) =>
+      k === 0 ? [] : `${exact(k)}${['', ' d', ' d²'][i]!}`,
+    );
+    factors.push({
+      symbol: 'att',
+      value: grey(att),
+      fact: {
+        text: (digits) => `d = ${plain(d, digits)}, att = 1 / max(${parts.join(' + ')}, 1)`,
+        value: (digits) => {
+          const x = rounded(d, digits);
+          return 1 / Math.max(kc + kl * x + kq * x * x, 1);
+        },
+      },
+    });
+  }
+  if (!insideCone || decay !== 1 || light.aperture < 180) {
+    const angle = degreesOf(c);
+    const axis = phrase(texts, 'axis');
+    const aperture = phrase(texts, 'aperture °').replace(/\s*°$/, '');
+    const cutoff = phrase(texts, 'cutoff');
+    factors.push({
+      symbol: 'decay',
+      value: grey(insideCone ? decay : 0),
+      fact: {
+        text: (digits) =>
+          `${axis} ∠L ${plain(angle, digits)}°, ${aperture} ${exact(light.aperture)}°, ${cutoff} ${exact(light.cutoff)}`,
+        value: (digits) => {
+          const x = rounded(angle, digits);
+          if (light.aperture < 180 && x > light.aperture) return 0;
+          return ((1 + cosDegrees(x)) / 2) ** exponentOf(light.cutoff);
+        },
+      },
+    });
+  }
+  const cosine = (name: string, x: number, n: number): Fact => ({
+    text: (digits) => `${name} ${plain(degreesOf(x), digits)}°`,
+    value: (digits) => power(cosDegrees(rounded(degreesOf(x), digits)), n),
+  });
+  if (term === 'diffuse') {
+    factors.push({
+      symbol: 'max(N · L, 0)',
+      value: grey(NoL),
+      clamped: true,
+      fact: cosine('N ∠L', NoL, 1),
+    });
+  }
+  if (term === 'specular') {
+    const exponent = exponentOf(fragment.shininess);
+    const symbol = `max(${halfway ? 'N · H' : 'R · V'}, 0)^n`;
+    factors.push(
+      NoL > 0
+        ? {
+            symbol,
+            value: grey(RoV),
+            clamped: true,
+            exponent,
+            fact: cosine(halfway ? 'N ∠H' : 'R ∠V', RoV, exponent),
+          }
+        : { symbol, value: grey(0), fact: { ...cosine('N ∠L', NoL, 1), value: () => 0 } },
+    );
+  }
+  return factors;
+}
+
+const grey = (x: number): Vec3 => [x, x, x];
+
+/** max(x, 0)^n, with x^0 = 1 for every x. */
+const power = (x: number, n: number): number => (n === 0 ? 1 : Math.max(x, 0) ** n);
+
+export const valueOf = ({ value, exponent, clamped }: Factor, channel: number): number => {
+  const x = value[channel]!;
+  if (exponent !== undefined) return power(x, exponent);
+  return clamped === true ? Math.max(x, 0) : x;
+};
+
+/** Digits and a point; a number of the author in full. */
+const exact = (x: number): string => String(Number(x.toPrecision(6)));
+
+/** 0 and 1 are exact. Extreme numbers are powers of ten. */
+function plain(x: number, digits: number): string {
+  if (x === 0 || x === 1) return String(x);
+  return Math.abs(x) < 1e6 ? x.toFixed(digits) : x.toExponential(digits);
+}
+
+/** The three channels' numbers, once where they are the same. */
+function textsOf(color: Vec3, digits: number): readonly string[] {
+  const texts = [...color].map((x) => plain(x, digits).replace(/^-(0(\.0*)?)$/, '$1'));
+  return new Set(texts).size === 1 ? texts.slice(0, 1) : texts;
+}
+
+const joined = (texts: readonly string[]): string =>
+  texts.length === 1 ? texts[0]! : `(${texts.join(' ')})`;
+
+function factorText({ value, exponent, clamped }: Factor, digits: number): string {
+  const text = joined(textsOf(value, digits));
+  const base = clamped === true && value[0] < 0 ? `max(${text}, 0)` : text;
+  return exponent === undefined ? base : `${base}^${exact(exponent)}`;
+}
+
+/** What a reader computes with. */
+const shownValue = (factor: Factor, digits: number, channel: number): number => {
+  const texts = textsOf(factor.value, digits);
+  const x = Number(texts[channel] ?? texts[0]);
+  const { exponent } = factor;
+  const value = grey(x);
+  return valueOf(
+    exponent === undefined
+      ? { ...factor, value }
+      : { ...factor, value, exponent: Number(exact(exponent)) },
+    0,
+  );
+};
+
+/** Typographic minus, and the digits of the language. */
+export const local = (text: string, texts: ViewerTexts | null): string =>
+  localNumber(text.replace(/-(?=\d)/g, '−'), texts);
+
+/** Two digits that are not zeros, of the least channel that is not black: two to four decimals. */
+const resultDigits = (value: Vec3): number =>
+  decimals(
+    2,
+    (n) => n === MOST || value.every((x) => x === 0 || Math.abs(x) >= 0.95 * 10 ** (1 - n)),
+  );
+
+/**
+ * The least digits whose numbers give the result, up to {@link MOST}. `computed`: what a reader gets
+ * with so many.
+ */
+function fitted(
+  value: Vec3,
+  computed: (digits: number, channel: number) => number,
+): Pick<Equation, 'result' | 'sign'> & { readonly digits: number } {
+  const places = resultDigits(value);
+  const results = textsOf(value, places);
+  const isTrue = (digits: number): boolean =>
+    value.every((_, channel) => {
+      const result = Number(results[channel] ?? results[0]);
+      const size = Math.floor(Math.log10(Math.max(Math.abs(result), 1)));
+      const unit = 10 ** ((size < 6 ? 0 : size) - places);
+      // Half a digit of the result, and what float64 rounds in a product.
+      return Math.abs(computed(digits, channel) - result) <= (0.5 + 1e-9) * unit;
+    });
+  let digits = 2;
+  while (digits < MOST && !isTrue(digits)) {
+    digits += 1;
+  }
+  return { digits, result: joined(results), sign: isTrue(digits) ? '=' : '≈' };
+}
+
+function product(at: TermAt): Equation {
+  const { share, term, texts } = at;
+  const factors = factorsOf(at);
+  const value = map([0, 1, 2], (channel) =>
+    factors.reduce((all, factor) => all * valueOf(factor, channel), 1),
+  );
+  const { digits, result, sign } = fitted(value, (n, channel) =>
+    factors.reduce((all, factor) => all * shownValue(factor, n, channel), 1),
+  );
+  return {
+    term,
+    light: share.light,
+    name: share.name,
+    symbols: factors.map(({ symbol }) => symbol).join(' · '),
+    numbers: local(factors.map((factor) => factorText(factor, digits)).join(' · '), texts),
+    result: local(result, texts),
+    sign,
+    value,
+    at,
+    factors,
+  };
+}
+
+/** The sum as it is drawn: encoded, then clamped. */
+export const drawn = (sum: Vec3, linear: boolean): Vec3 =>
+  map(sum, (x) => clamp(linear ? srgbEncode(Math.max(x, 0)) : x, 0, 1));
+
+export const ownOf = ({ emissive }: FragmentExplanation, linear: boolean): Vec3 =>
+  map(emissive, (x) => (linear ? srgbDecode(x) : x));
+
+function sumLine(
+  lines: readonly Equation[],
+  fragment: FragmentExplanation,
+  linear: boolean,
+  texts: ViewerTexts | null,
+): Equation {
+  const own = ownOf(fragment, linear);
+  const parts = lines.map((line) => line.value);
+  const isGlowing = own.some((x) => x > 0);
+  if (isGlowing) {
+    parts.push(own);
+  }
+  const total = parts.reduce(add, grey(0));
+  const value = drawn(total, linear);
+  const { digits, result, sign } = fitted(value, (n, channel) => {
+    const sum = parts.reduce((all, part) => {
+      const shown = textsOf(part, n);
+      return all + Number(shown[channel] ?? shown[0]);
+    }, 0);
+    return drawn(grey(sum), linear)[0];
+  });
+  const list = parts.map((part) => joined(textsOf(part, digits)));
+  const inner = list.length === 0 ? '0' : list.join(' + ');
+  const encoded = linear ? `sRGB(${inner})` : inner;
+  const isClamped = total.some((x) => x > 1);
+  return {
+    term: 'sum',
+    light: null,
+    name: '',
+    symbols: isGlowing ? 'Σ + E' : 'Σ',
+    numbers: local(isClamped ? `min(${encoded}, 1)` : encoded, texts),
+    result: local(result, texts),
+    sign,
+    value,
+    at: null,
+    factors: [],
+  };
+}
+
+export const CHANNELS = ['red', 'green', 'blue'] as const;
+
+export const isGrey = ({ value: [r, g, b] }: Equation): boolean =>
+  Math.abs(r - g) < 1e-9 && Math.abs(g - b) < 1e-9;
+
+/** The light, the term, and the channel where channels differ. */
+export const titleOf = (
+  equation: Equation,
+  channel: number | null,
+  texts: ViewerTexts | null,
+): string => {
+  const { name, term } = equation;
+  const color = channel === null || isGrey(equation) ? '' : phrase(texts, CHANNELS[channel]!);
+  return [name, phrase(texts, term), color].filter((part) => part !== '').join(' · ');
+};
+
+/** Share of a factor by which the number that a question gives may change it. */
+const EXACT = 0.00025;
+
+/** What a question gives of a term: numbers, and facts from which the other factors follow. */
+export function givenOf(
+  { factors, at }: Equation,
+  channel: number,
+): { readonly given: string; readonly facts: string; readonly values: readonly number[] } {
+  const texts = at?.texts ?? null;
+  const facts: string[] = [];
+  const values: number[] = [];
+  const given = factors.map((factor) => {
+    const value = valueOf(factor, channel);
+    const isClose = (x: number): boolean => Math.abs(x - value) <= EXACT * Math.abs(value);
+    if (factor.given === true) {
+      const digits = decimals(2, (n) => isClose(rounded(value, n)));
+      values.push(Number(plain(value, digits)));
+      return plain(value, digits);
+    }
+    const { fact, symbol, exponent } = factor;
+    if (fact !== undefined) {
+      const digits = decimals(symbol === 'att' ? 0 : 1, (n) => isClose(fact.value(n)));
+      facts.push(fact.text(digits));
+      values.push(fact.value(digits));
+    }
+    return exponent === undefined ? symbol : symbol.replace(/n$/, exact(exponent));
+  });
+  return {
+    given: local(given.join(' · '), texts),
+    facts: local(facts.join(', '), texts),
+    values,
+  };
+}
+
+/** The same fragment with other coefficients, and all terms as these make them. */
+export function withCoefficients(
+  fragment: FragmentExplanation,
+  linear: boolean,
+  change: (k: Vec3) => Vec3,
+): FragmentExplanation {
+  const { ka, kd, ks } = fragment;
+  const next = { ka: change(ka), kd: change(kd), ks: change(ks) };
+  const again = (term: Vec3, k: Vec3, now: Vec3): Vec3 =>
+    multiply(term, [0, 1, 2].map((i) => (k[i] === 0 ? 0 : now[i]! / k[i]!)) as unknown as Vec3);
+  const shares = fragment.shares.map(
+    (share) =>
+      share && {
+        ...share,
+        ambient: again(share.ambient, ka, next.ka),
+        diffuse: again(share.diffuse, kd, next.kd),
+        specular: again(share.specular, ks, next.ks),
+      },
+  );
+  const total = shares.reduce(
+    (all, share) =>
+      share === null ? all : add(all, add(share.ambient, add(share.diffuse, share.specular))),
+    scale(ownOf(fragment, linear), 1),
+  );
+  const sum = linear ? map(total, (x) => srgbEncode(Math.max(x, 0))) : total;
+  return { ...fragment, ...next, shares, sum, color: map(sum, (x) => clamp(x, 0, 1)) };
+}

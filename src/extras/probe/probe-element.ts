@@ -1,0 +1,462 @@
+// What a <phong-probe> does: it finds its viewer, shows the sum at a point of the picture as a
+// table, as equations or as questions, and is a control of forms. Loaded with the first one on a
+// page.
+import {
+  create,
+  type PhongViewer,
+  type AnswerDetail,
+  type FragmentExplanation,
+  defineProperties,
+  FieldBinding,
+  phrase,
+  textsAround,
+  type ViewerTexts,
+  fieldsOf,
+  addStyles,
+  PhongProbe,
+  type ProbeValues,
+  ownText,
+} from '../../viewer/extra.js';
+import { html, nothing, render, type TemplateResult } from 'lit';
+import { clip } from '../../phong/fields/clip.js';
+import { FieldStore } from '../../phong/fields/field-store.js';
+import { nearest } from '../../phong/fields/nearest.js';
+import { LightState } from '../../phong/light/light-state.js';
+import { NO_SURFACE, probeSum } from '../overlay/probe/sum.js';
+import {
+  colorTemplate,
+  isGouraud,
+  isHalfway,
+  noteOf,
+  rowOf,
+  stepsTemplate,
+  SumTable,
+} from '../overlay/probe/sum-table.js';
+import tableStyles from '../overlay/probe/sum-table.css?inline';
+import { judge, type Question, questionOf, sumQuestion, type Verdict } from './answers.js';
+import { CopyButtons } from './copy-buttons.js';
+import { CHANNELS, type Equation, equationsOf, givenOf, isGrey, titleOf } from './equations.js';
+import { FollowedPoint } from './followed-point.js';
+import { mathOf } from './math.js';
+import styles from './probe-element.css?inline';
+import { askedOf, isAsked, PROBE_FIELDS } from './probe-fields.js';
+
+/** Milliseconds in which a missing viewer may come with a later script. */
+const PATIENCE = 2000;
+
+const SEPARATOR = '; ';
+
+const probes = new WeakMap<PhongProbe, Probe>();
+const warned = new Set<string>();
+
+defineProperties(PhongProbe.prototype, PROBE_FIELDS);
+
+const own = (element: PhongProbe): Probe => {
+  const probe = probes.get(element) ?? new Probe(element);
+  probes.set(element, probe);
+  return probe;
+};
+
+const internalsOf = (element: PhongProbe): ElementInternals => own(element).internals;
+
+const formKeys = ['form', 'validity', 'validationMessage', 'willValidate'] as const;
+for (const key of formKeys) {
+  Object.defineProperty(PhongProbe.prototype, key, {
+    configurable: true,
+    get(this: PhongProbe) {
+      return internalsOf(this)[key];
+    },
+  });
+}
+for (const key of ['checkValidity', 'reportValidity'] as const) {
+  Object.defineProperty(PhongProbe.prototype, key, {
+    configurable: true,
+    value(this: PhongProbe) {
+      return internalsOf(this)[key]();
+    },
+  });
+}
+Object.defineProperty(PhongProbe.prototype, 'value', {
+  configurable: true,
+  get(this: PhongProbe) {
+    return own(this).value;
+  },
+  set(this: PhongProbe, value: unknown) {
+    own(this).value = String(value);
+  },
+});
+
+/** The probe has come to the page, or is disabled. It sees by itself when it leaves. */
+export const follow = (element: PhongProbe): void => own(element).start();
+
+export const reset = (element: PhongProbe): void => {
+  own(element).value = '';
+};
+
+interface Attempt {
+  typed: string;
+  /** The right answer that the verdict is about. */
+  expected: number;
+  verdict: Verdict | null;
+  shown: boolean;
+}
+
+class Probe {
+  readonly internals: ElementInternals;
+  readonly #element: PhongProbe;
+  readonly #binding: FieldBinding<ProbeValues>;
+  readonly #root: ShadowRoot;
+  readonly #place = create('div', { class: 'place' });
+  readonly #table = new SumTable(() => this.#render());
+  readonly #attributes = new MutationObserver((records) => this.#changed(records));
+  readonly #page = new MutationObserver(() => this.#find());
+  readonly #attempts = new Map<string, Attempt>();
+  /** Typed, or assigned before there was a question. */
+  #initial: string[] = [];
+  #shownKeys: readonly string[] = [];
+  #viewer: PhongViewer | null = null;
+  #point: FollowedPoint | null = null;
+  #texts: ViewerTexts | null = null;
+  #patience = 0;
+  readonly #copy = new CopyButtons();
+
+  constructor(element: PhongProbe) {
+    this.#element = element;
+    this.internals = element.attachInternals();
+    this.#binding = new FieldBinding(element, new FieldStore(PROBE_FIELDS));
+    this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
+    this.#root.append(this.#place);
+    this.internals.role = 'group';
+    this.#attributes.observe(element, { attributes: true }); // also while it is not on the page
+    for (const name of element.getAttributeNames()) {
+      this.#binding.attributeChanged(name, element.getAttribute(name));
+    }
+    if (Object.hasOwn(element, 'value')) {
+      this.#initial = String(Reflect.get(element, 'value') as unknown).split(SEPARATOR);
+      Reflect.deleteProperty(element, 'value');
+    }
+    this.#binding.upgrade();
+    this.#binding.store.listen(() => this.#declared());
+  }
+
+  start(): void {
+    const element = this.#element;
+    if (!element.isConnected) return;
+    for (const text of [ownText, tableStyles, styles]) {
+      addStyles(this.#root, text);
+    }
+    for (const root of new Set([element.getRootNode(), element.ownerDocument])) {
+      this.#page.observe(root, { childList: true, subtree: true, attributeFilter: ['id', 'lang'] });
+    }
+    this.#declared();
+  }
+
+  get value(): string {
+    return this.#typed().join(SEPARATOR);
+  }
+
+  set value(value: string) {
+    this.#initial = value === '' ? [] : value.split(SEPARATOR);
+    this.#attempts.clear();
+    this.#render();
+  }
+
+  #typed(): readonly string[] {
+    return this.#shownKeys.length === 0
+      ? this.#initial
+      : this.#shownKeys.map((key) => this.#attempts.get(key)!.typed.trim());
+  }
+
+  #changed(records: readonly MutationRecord[]): void {
+    for (const { attributeName } of records) {
+      if (attributeName !== null) {
+        this.#binding.attributeChanged(attributeName, this.#element.getAttribute(attributeName));
+      }
+    }
+  }
+
+  #declared(): void {
+    this.#find();
+    this.#render();
+    this.#point?.update();
+    clearTimeout(this.#patience);
+    if (this.#element.isConnected && this.#viewer === null) {
+      this.#patience = window.setTimeout(() => this.#complain(), PATIENCE);
+    }
+  }
+
+  /** After any change of the page's tree, ids and languages. */
+  #find(): void {
+    const element = this.#element;
+    const root = element.getRootNode() as Document | ShadowRoot;
+    const id = element.for.trim();
+    const one = !element.isConnected
+      ? null
+      : (root.getElementById(id) ?? element.ownerDocument.getElementById(id));
+    const viewer = one?.matches('phong-viewer:defined') === true ? (one as PhongViewer) : null;
+    if (!element.isConnected) {
+      this.#page.disconnect();
+      clearTimeout(this.#patience);
+    }
+    if (viewer !== this.#viewer) {
+      this.#point?.stop();
+      this.#viewer = viewer;
+      this.#point = viewer && new FollowedPoint(viewer, element, (error) => this.#explained(error));
+      this.#render();
+    } else if (textsAround(element, viewer?.texts ?? null)?.en !== this.#texts?.en) {
+      this.#render();
+    }
+  }
+
+  #explained(error?: Error): void {
+    if (error !== undefined) {
+      warn(error.message);
+    }
+    this.#render();
+  }
+
+  #complain(): void {
+    const { for: id } = this.#element;
+    const tag = `<phong-probe for="${clip(id)}">`;
+    if (this.#viewer !== null) return;
+    if (id.trim() === '') {
+      warn('<phong-probe>: write for="…", the id of a viewer.');
+      return;
+    }
+    const viewers = this.#element.ownerDocument.querySelectorAll('phong-viewer');
+    const meant = nearest(
+      id,
+      Array.from(viewers, (viewer) => viewer.id),
+    );
+    const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
+    warn(`${tag}: no viewer has the id "${clip(id)}".${hint}`);
+  }
+
+  get #as(): NonNullable<ProbeValues['as']> {
+    return this.#element.as ?? (this.#element.ask.trim() === '' ? 'table' : 'ask');
+  }
+
+  #render(): void {
+    this.#texts = textsAround(this.#element, this.#viewer?.texts ?? null);
+    this.internals.ariaLabel = phrase(this.#texts, 'Probe');
+    this.#shownKeys = [];
+    render(this.#template(), this.#place);
+    this.#writeForm();
+  }
+
+  #template(): TemplateResult | typeof nothing {
+    const viewer = this.#viewer;
+    const fragment = this.#point?.fragment;
+    const texts = this.#texts;
+    if (viewer === null || fragment === undefined) return nothing;
+    if (fragment === null) return html`<p class="note">${phrase(texts, NO_SURFACE)}</p>`;
+    const linear = viewer.colorInterpolation === 'linear';
+    const halfway = isHalfway(fragment, viewer);
+    const gouraud = isGouraud(fragment, viewer);
+    // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
+    if (this.#as === 'table' || fragment.unlit || gouraud) {
+      const sum = probeSum(fragment, linear);
+      const row = rowOf(sum, this.#table.chosen);
+      const content = { fragment, sum, row, halfway, gouraud };
+      return html`<p class="head">${colorTemplate(content, texts)}</p>
+        <p class="note" dir="auto">${noteOf(content, texts)}</p>
+        ${this.#table.template(content, texts, Infinity)} ${stepsTemplate(content, texts)}`;
+    }
+    const lights = fragment.shares.map((share) =>
+      share === null || share.light === null
+        ? new LightState({ position: [0, 0, 1, 0] }).values
+        : fieldsOf(share.light).store.values,
+    );
+    const { terms } = viewer;
+    const equations = equationsOf(fragment, { lights, linear, halfway, terms }, texts);
+    return this.#as === 'formula'
+      ? this.#formula(equations, texts)
+      : this.#questions(equations, fragment, linear, texts);
+  }
+
+  #formula(equations: readonly Equation[], texts: ViewerTexts | null): TemplateResult {
+    const written = equations
+      .map(({ symbols, numbers, sign, result }) => `${symbols} = ${numbers} ${sign} ${result}`)
+      .join('\n');
+    const lines = equations.map(
+      (equation) =>
+        html`<li>
+          <span class="title" part="title" dir="auto">${titleOf(equation, null, texts)}</span>
+          <span class="math" dir="ltr"
+            >${mathOf(equation.symbols)} ${mathOf(`= ${equation.numbers}`)}
+            ${mathOf(`${equation.sign} ${equation.result}`)}</span
+          >
+        </li>`,
+    );
+    return html`<ul class="equations">
+        ${lines}
+      </ul>
+      ${this.#copy.template(written, texts)}`;
+  }
+
+  /** The lines that `ask` names, and what they are computed from. */
+  #questions(
+    equations: readonly Equation[],
+    fragment: FragmentExplanation,
+    linear: boolean,
+    texts: ViewerTexts | null,
+  ): TemplateResult {
+    const lines = equations.filter(({ term }) => term !== 'sum');
+    const sum = equations[equations.length - 1]!;
+    const asked = askedOf(this.#element.ask);
+    const named = lines.filter(
+      (line) => asked !== null && line.term === asked.term && isAsked(asked, line),
+    );
+    const isSum = asked?.term === 'sum';
+    const isAll = asked === null || (!isSum && named.length === 0);
+    if (isAll && asked !== null) {
+      warn(
+        `<phong-probe ask="${clip(this.#element.ask)}">: no light of the viewer adds such a term here; everything is asked.`,
+      );
+    }
+    // One channel, in which most is to be seen.
+    const channel = sum.value.indexOf(Math.max(...sum.value));
+    const shown = isSum || isAll ? equations : named;
+    return html`<ul class="equations">
+      ${shown.map((equation) => {
+        const isOpen = isAll || (equation === sum) === isSum;
+        const question =
+          equation === sum
+            ? sumQuestion(sum, lines, { fragment, linear, texts }, channel)
+            : questionOf(equation, channel);
+        return this.#question(question, isOpen, texts);
+      })}
+    </ul>`;
+  }
+
+  #question(question: Question, isOpen: boolean, texts: ViewerTexts | null): TemplateResult {
+    const { equation, channel } = question;
+    const { given, facts } =
+      equation.term === 'sum' ? { given: equation.symbols, facts: '' } : givenOf(equation, channel);
+    const title = titleOf(equation, channel, texts);
+    return html`<li>
+      <span class="title" part="title" dir="auto">${title}</span>
+      ${facts === '' ? nothing : html`<span class="facts" dir="ltr">${facts}</span>`}
+      <span class="math" dir="ltr">${mathOf(isOpen ? `${given} =` : given)}</span>
+      ${isOpen ? this.#field(question, title, texts) : nothing}
+    </li>`;
+  }
+
+  #field(question: Question, title: string, texts: ViewerTexts | null): TemplateResult {
+    const { equation, channel, expected } = question;
+    const key = `${equation.term} ${equation.name} ${this.#shownKeys.length}`;
+    const attempt = this.#attempts.get(key) ?? {
+      typed: this.#initial[this.#shownKeys.length] ?? '',
+      expected,
+      verdict: null,
+      shown: false,
+    };
+    this.#attempts.set(key, attempt);
+    this.#shownKeys = [...this.#shownKeys, key];
+    if (Math.abs(attempt.expected - expected) > 1e-6) {
+      // Another point, or another light, begins anew.
+      Object.assign(attempt, { expected, verdict: null, shown: false });
+    }
+    const { verdict, shown } = attempt;
+    const disabled = this.#element.matches(':disabled');
+    const submit = (event: Event): void => {
+      event.preventDefault();
+      attempt.verdict = judge(attempt.typed, question, texts);
+      const { value, correct, mistake } = attempt.verdict;
+      const detail: AnswerDetail = {
+        term: equation.term,
+        light: equation.light,
+        channel: isGrey(equation) ? null : CHANNELS[channel]!,
+        text: attempt.typed,
+        expected,
+        value,
+        correct,
+        mistake,
+      };
+      this.#render();
+      this.#element.dispatchEvent(new CustomEvent('answer', { detail }));
+    };
+    const show = (): void => {
+      attempt.shown = !attempt.shown;
+      this.#render();
+    };
+    const input = (event: Event): void => {
+      attempt.typed = (event.target as HTMLInputElement).value;
+      this.#writeForm();
+    };
+    return html`<form @submit=${submit}>
+        <input
+          part="input"
+          inputmode="decimal"
+          autocomplete="off"
+          size="7"
+          aria-label=${title}
+          aria-invalid=${verdict === null ? nothing : String(!verdict.correct)}
+          ?required=${this.#element.required}
+          ?disabled=${disabled}
+          .value=${attempt.typed}
+          @input=${input}
+        />
+        <button part="button" type="submit" ?disabled=${disabled}>${phrase(texts, 'Check')}</button>
+        ${
+          verdict === null && !shown
+            ? nothing
+            : html`<button
+                part="button"
+                type="button"
+                aria-expanded=${String(shown)}
+                @click=${show}
+              >
+                ${phrase(texts, 'Show')}
+              </button>`
+        }
+        <output
+          part="verdict"
+          dir="auto"
+          class=${verdict === null ? nothing : verdict.correct ? 'right' : 'wrong'}
+          >${verdict?.text}</output
+        >
+      </form>
+      ${
+        shown
+          ? html`<span class="math" dir="ltr"
+              >${mathOf(`= ${equation.numbers}`)}
+              ${mathOf(`${equation.sign} ${equation.result}`)}</span
+            >`
+          : nothing
+      }`;
+  }
+
+  /** The form's entries, one for each answer, and whether one is missing. */
+  #writeForm(): void {
+    const { name, required } = this.#element;
+    const typed = this.#typed();
+    const data = new FormData();
+    for (const text of typed) {
+      data.append(name, text);
+    }
+    this.internals.setFormValue(name === '' ? null : data);
+    const missing = required && typed.some((text) => text === '');
+    const empty = Array.from(this.#root.querySelectorAll<HTMLInputElement>('form input')).find(
+      (input) => input.value.trim() === '',
+    );
+    if (missing && empty !== undefined) {
+      this.internals.setValidity({ valueMissing: true }, valueMissing(), empty);
+    } else {
+      this.internals.setValidity({});
+    }
+  }
+}
+
+/** What the browser says of an empty field, in its user's language. */
+const valueMissing = (): string => {
+  const input = create('input', { required: '' });
+  return input.validationMessage || 'required';
+};
+
+function warn(message: string): void {
+  if (!warned.has(message)) {
+    console.warn(message);
+  }
+  warned.add(message);
+}

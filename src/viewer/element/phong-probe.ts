@@ -1,0 +1,44 @@
+// <phong-probe>: one point of a viewer as a table, an equation or questions, anywhere on the page.
+// Its code, an extra, also gives it properties.
+import { reportMissing } from '../model/lazy-code.js';
+import { Base } from './child-element.js';
+import { probeCode } from './extra-code.js';
+import type { PhongProbe as PublicProbe, ProbeForm } from './elements.js';
+import type { Listen, PhongProbeEventMap } from './elements.js';
+import type { ProbeProperties } from './fields/probe-properties.js';
+
+// The accessors come from the table of fields.
+interface ProbeElement extends ProbeProperties, ProbeForm {
+  readonly localName: 'phong-probe';
+  addEventListener: Listen<this, PhongProbeEventMap>;
+  removeEventListener: Listen<this, PhongProbeEventMap>;
+}
+
+/**
+ * Explains one point of a viewer's picture, anywhere on the page: the sum light by light, the
+ * equation with its numbers, or questions with fields for answers. Ordinary HTML in the flow of the
+ * page: as wide as its place, in its font and colours. In a form it is a control.
+ *
+ * @csspart title - the light and the term of a line
+ * @csspart input - each field for an answer
+ * @csspart button - each button
+ * @csspart verdict - what is said of an answer
+ */
+class ProbeElement extends Base implements PublicProbe {
+  static readonly formAssociated = true;
+
+  connectedCallback(): void {
+    probeCode().then(({ follow }) => follow(this), reportMissing);
+  }
+
+  formDisabledCallback(): void {
+    this.connectedCallback();
+  }
+
+  formResetCallback(): void {
+    probeCode().then(({ reset }) => reset(this), reportMissing);
+  }
+}
+
+export type PhongProbe = PublicProbe;
+export const PhongProbe: { new (): PhongProbe; readonly prototype: PhongProbe } = ProbeElement;

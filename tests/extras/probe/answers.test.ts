@@ -1,0 +1,127 @@
+// Do the digits of a line give its result, and does a question say only what is true?
+
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { type Equation, equationsOf, givenOf } from '../../../src/extras/probe/equations.js';
+import { judge, questionOf, typedNumber } from '../../../src/extras/probe/answers.js';
+import { TERMS } from '../../../src/phong/light/light-state.js';
+import { srgbEncode } from '../../../src/phong/math/color.js';
+import type { LightValues, Surface } from '../../../src/phong/reference/index.js';
+import { repeats } from '../../support/repeats.js';
+import { light } from '../../unit/arbitraries.js';
+import { explained } from '../../unit/explained.js';
+
+interface Given {
+  readonly lights: readonly Partial<LightValues>[];
+  readonly surface?: Partial<Surface>;
+  readonly linear?: boolean;
+  readonly halfway?: boolean;
+}
+
+/** The equations at the origin of a floor. */
+function asked({ lights, surface, linear = false, halfway = false }: Given): Equation[] {
+  const reflection = halfway ? 'blinn-phong' : 'phong';
+  const fragment = explained({
+    lights,
+    surface: { kd: grey(200), ks: grey(100), ...surface },
+    eye: [0, 3, 4],
+    linear,
+    reflection,
+  });
+  const values = lights.map((one) => light(one));
+  return equationsOf(fragment, { lights: values, linear, halfway, terms: TERMS }, null);
+}
+
+const grey = (x: number): [number, number, number] => [x, x, x];
+
+const unit = fc.integer({ min: 1, max: 255 });
+const coordinate = fc.double({ min: -3, max: 3, noNaN: true });
+const LIGHT = fc.record({
+  position: fc.tuple(coordinate, coordinate, coordinate, fc.constantFrom(0, 1)),
+  ambient: fc.tuple(unit, unit, unit),
+  diffuse: fc.tuple(unit, unit, unit),
+  specular: fc.tuple(unit, unit, unit),
+  axis: fc.tuple(coordinate, coordinate, coordinate),
+  aperture: fc.constantFrom(180, 20, 60),
+  cutoff: fc.constantFrom(0, 2, 8),
+  attenuation: fc.constantFrom([1, 0, 0] as const, [1, 0.2, 0.5] as const),
+});
+const GIVEN: fc.Arbitrary<Given> = fc.record({
+  lights: fc.array(LIGHT, { minLength: 1, maxLength: 3 }),
+  surface: fc.record({
+    shininess: fc.constantFrom(0, 1, 8, 32.5),
+    emissive: fc.constantFrom(grey(0), grey(0.1)),
+  }),
+  linear: fc.boolean(),
+  halfway: fc.boolean(),
+});
+
+/** A line's numbers as a reader computes them, in one channel. */
+function computed(text: string, channel: number): number {
+  const js = text
+    .replace(/−/g, '-')
+    .replace(
+      /\(([-\d.e+]+) ([-\d.e+]+) ([-\d.e+]+)\)/g,
+      (_, ...xs: string[]) => `(${xs[channel]!})`,
+    )
+    .replace(/·/g, '*')
+    .replace(/\^/g, '**');
+  return Function('max', 'min', 'sRGB', `return ${js}`)(Math.max, Math.min, srgbEncode) as number;
+}
+
+it('has digits that give the digits of the result, or says ≈ (seed 53)', () => {
+  let [exact, near] = [0, 0];
+  fc.assert(
+    fc.property(GIVEN, (given) => {
+      for (const { numbers, sign, result } of asked(given)) {
+        if (sign === '≈') {
+          near += 1;
+          continue;
+        }
+        exact += 1;
+        for (const channel of [0, 1, 2]) {
+          const shown = result.replace(/[()]/g, '').split(' ');
+          const digits = shown.map((x) => x.split('.')[1]?.length ?? 0);
+          const unit = 10 ** -Math.max(...digits);
+          const right = Number(shown[channel] ?? shown[0]);
+          const most = Math.max(...digits) === 0 ? 0.005 : 0.5 * unit;
+          const value = computed(numbers, channel);
+          expect(Math.abs(value - right), `${numbers} = ${result}`).toBeLessThanOrEqual(
+            most + 1e-9,
+          );
+        }
+      }
+    }),
+    { seed: 53, numRuns: repeats(2400) },
+  );
+  expect(near / (exact + near), `${near} of ${exact + near}`).toBeLessThan(0.1);
+});
+
+it('can be answered from what it shows, and takes that answer (seed 54)', () => {
+  fc.assert(
+    fc.property(GIVEN, fc.integer({ min: 0, max: 2 }), (given, channel) => {
+      for (const equation of asked(given)) {
+        if (equation.term === 'sum') continue;
+        const { values, facts } = givenOf(equation, channel);
+        const answer = values.reduce((all, x) => all * x, 1);
+        const question = questionOf(equation, channel);
+        const typed = answer === 0 ? '0' : answer.toFixed(9);
+        if (answer > 0 && answer < 1e-6) continue;
+        expect(judge(typed, question, null).correct, `${typed} of ${facts}`).toBe(true);
+      }
+    }),
+    { seed: 54, numRuns: repeats(2400) },
+  );
+});
+
+it('explains no 0, and takes digits of any script, commas, percent and fractions', () => {
+  const lamp = { position: [0, 1, -1, 0], ambient: grey(51), diffuse: grey(204) } as const;
+  for (const equation of asked({ lights: [lamp] }).slice(0, -1)) {
+    const verdict = judge('0', questionOf(equation, 0), null);
+    expect(verdict.correct || ['digits', null].includes(verdict.mistake)).toBe(true);
+  }
+  for (const typed of ['0.75', '0,75', '75 %', '3/4', '۰٫۷۵', '০.৭৫']) {
+    expect(typedNumber(typed)?.value, typed).toBeCloseTo(0.75, 12);
+  }
+  expect(typedNumber('1/0')).toBeNull();
+});
