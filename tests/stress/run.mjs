@@ -69,6 +69,9 @@ const CASES_A_PAGE = 2e6;
 /** @typedef {import('./measure.js').Measured} Measured */
 /** @typedef {import('../glsl/chunk-checks.js').Checked} Checked */
 
+/** Of the columns that are printed. */
+const WIDTHS = [20, 13, 10, 10, 11, 10];
+
 const site = await serveFolder(options.harness || (await builtHarness()));
 const browser = await launch();
 console.log(`seed ${seed}`);
@@ -208,14 +211,26 @@ function print(driver, seconds, { broken, measured }) {
   console.log(
     `\n${driver}: ${count('cases')} cases and ${count('searched')} found by climbing in ${timeText(seconds)}, ${renderer}`,
   );
-  for (const { id, max, rms, notFinite, exact, channels, wrongCodes, excluded } of measured) {
+  console.log(
+    'Errors: of the sum before clamping, in codes (1/255 of full), over max(1, the brightness).',
+  );
+  const line = (/** @type {readonly string[]} */ cells, last = '') =>
     console.log(
-      id.padEnd(20) +
-        `${max.toPrecision(3).padStart(10)} ${rms.toPrecision(3).padStart(10)}  ` +
-        `${notFinite} not finite  ${((100 * exact) / channels).toFixed(4)} % exact  ${wrongCodes} wrong  ` +
-        Object.entries(excluded)
-          .map(([name, count]) => `${name} ${count}`)
-          .join(', '),
+      cells
+        .map((cell, i) => (i === 0 ? cell.padEnd(WIDTHS[0] ?? 0) : cell.padStart(WIDTHS[i] ?? 0)))
+        .join('  ') + `  ${last}`.trimEnd(),
+    );
+  line(
+    ['category', 'largest error', 'RMS error', 'NaN or Inf', 'exact codes', 'off by > 1'],
+    'left out',
+  );
+  line(['', 'codes', 'codes', 'channels', '% of codes', 'codes'], 'cases');
+  for (const { id, max, rms, notFinite, exact, channels, wrongCodes, excluded } of measured) {
+    const share = channels === 0 ? '–' : ((100 * exact) / channels).toFixed(4);
+    const out = Object.entries(excluded).map(([name, count]) => `${name} ${count}`);
+    line(
+      [id, max.toPrecision(3), rms.toPrecision(3), String(notFinite), share, String(wrongCodes)],
+      out.join(', '),
     );
   }
   console.log(broken.length === 0 ? 'The contract holds.' : `BROKEN\n${broken.join('\n')}`);
