@@ -1,8 +1,24 @@
-// The page of the bench: measures the fronts of time against error in the visitor's browser, and
-// shows them as tables. ?seconds=20 measures each front for longer or shorter.
+// The page of the bench: measures in the visitor's browser what accuracy costs, and shows it as a
+// sentence, a plot and a table; below, the same of named machines. ?seconds=20 measures each
+// exponent for longer or shorter.
 import '../page.js';
-import { FRONTS } from '../../tests/bench/front/front.js';
-import { type FrontTable, measureFront, rendererHere, type TableRow } from './measure.js';
+import {
+  type Accuracy,
+  ACCURACY_HEAD,
+  accuracyRows,
+  accuracySentence,
+  accuracySvg,
+  placeOf,
+} from '../../tests/bench/accuracy-chart.mjs';
+import { measureAccuracy, rendererHere } from './measure.js';
+
+/** What was measured on named machines, by the names of the files. */
+const recorded = Object.entries(
+  import.meta.glob<Accuracy>('../../tests/bench/accuracy/*.json', {
+    eager: true,
+    import: 'default',
+  }),
+).map(([file, accuracy]) => ({ place: placeOf(/([\w-]+)\.json$/.exec(file)![1]!), accuracy }));
 
 const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const start = part<HTMLButtonElement>('start');
@@ -10,14 +26,24 @@ const copy = part<HTMLButtonElement>('copy');
 const bar = part<HTMLProgressElement>('bar');
 const state = part('state');
 const easel = part('easel');
-const fronts = part('fronts');
+const here = part('here');
+const machines = part('machines');
+const box = part<HTMLTextAreaElement>('json');
 
-/** For each front. A slow machine takes longer. */
+/** For each exponent. A slow machine takes longer. */
 const SECONDS = Number(new URLSearchParams(location.search).get('seconds') ?? 8);
 
-let running: AbortController | null = null;
-let tables: FrontTable[] = [];
+/** Plots are drawn anew for the width that there is: their letters keep their size. */
+const plots = new Map<Element, Accuracy>();
+const sizes = new ResizeObserver((entries) => {
+  for (const { target } of entries) {
+    draw(target);
+  }
+});
 
+/** Until then the place of this machine's plot has that of another one. */
+let hasMeasured = false;
+let running: AbortController | null = null;
 try {
   part('renderer').textContent = rendererHere();
 } catch (error) {
@@ -34,6 +60,19 @@ start.addEventListener('click', () => {
 });
 copy.addEventListener('click', () => void copyResult());
 
+const [example, ...others] = recorded;
+if (example !== undefined) {
+  show(here, example.accuracy, example.place);
+}
+others.forEach(showBelow);
+
+/** Adds the plot of another machine. */
+function showBelow({ accuracy, place }: (typeof recorded)[number]): void {
+  const section = element('section', '', 'front');
+  machines.append(section);
+  show(section, accuracy, place);
+}
+
 async function run(): Promise<void> {
   running = new AbortController();
   const { signal } = running;
@@ -41,23 +80,19 @@ async function run(): Promise<void> {
   copy.disabled = true;
   bar.hidden = easel.hidden = false;
   bar.value = 0;
-  fronts.replaceChildren();
-  tables = [];
   const begun = performance.now();
+  const holder = easel.querySelector<HTMLElement>('.canvas')!;
   try {
-    for (const [i, name] of FRONTS.entries()) {
-      const section = document.createElement('section');
-      section.className = 'front';
-      const holder = easel.querySelector<HTMLElement>('.canvas')!;
-      tables[i] = await measureFront(holder, name, 1000 * SECONDS, signal, (table, done) => {
-        bar.value = (i + done) / FRONTS.length;
-        say(`Measuring ${table.title}`);
-        section.replaceChildren(element('h2', table.title), tableOf(table.rows));
-        if (!section.isConnected) {
-          fronts.append(section);
-        }
-      });
+    const accuracy = await measureAccuracy(holder, 1000 * SECONDS, signal, (_, done) => {
+      bar.value = done;
+      say(`Measuring: ${(100 * done).toFixed(0)} %`);
+    });
+    show(here, accuracy);
+    if (example !== undefined && !hasMeasured) {
+      showBelow(example);
     }
+    hasMeasured = true;
+    box.value = JSON.stringify(accuracy, null, 1);
     say(`Done in ${((performance.now() - begun) / 1000).toFixed(0)} seconds.`);
     copy.disabled = false;
   } catch (error) {
@@ -74,20 +109,42 @@ async function run(): Promise<void> {
   }
 }
 
-function tableOf(rows: readonly TableRow[]): HTMLElement {
+/** Fills a place with what was measured on one machine. */
+function show(place: HTMLElement, accuracy: Accuracy, where?: string): void {
+  const plot = element('div', '', 'plot');
+  place.replaceChildren(element('p', accuracySentence(accuracy, where)), plot, tableOf(accuracy));
+  plots.set(plot, accuracy);
+  sizes.observe(plot);
+}
+
+function draw(plot: Element): void {
+  const accuracy = plots.get(plot);
+  if (accuracy === undefined) return;
+  if (!plot.isConnected) {
+    plots.delete(plot);
+    sizes.unobserve(plot);
+    return;
+  }
+  const svg = accuracySvg(accuracy, Math.min(760, Math.floor(plot.clientWidth)));
+  plot.replaceChildren(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement);
+}
+
+function tableOf(accuracy: Accuracy): HTMLElement {
   const scroll = element('div', '', 'scroll');
   const table = element('table', '', 'numbers');
   const head = document.createElement('thead');
-  head.append(rowOf(['variant', 'time', 'ms', 'RMSE', '99.9 %', 'largest error'], 'th'));
+  head.append(rowOf(['way to write it', ...ACCURACY_HEAD], 'th'));
   const body = document.createElement('tbody');
-  for (const { label, ratio, ms, error } of rows) {
-    const figures = [error.rmse, error.p999, error.max].map((x) =>
-      x === 0 ? '0' : x.toPrecision(2),
-    );
-    body.append(rowOf([label, ratio.toFixed(2), ms.toPrecision(3), ...figures], 'td'));
+  for (const { label, about, cells } of accuracyRows(accuracy)) {
+    const row = rowOf([label, ...cells], 'td');
+    row.firstElementChild!.append(element('small', about));
+    body.append(row);
   }
   table.append(head, body);
   scroll.append(table);
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', `Time and error: ${accuracy.renderer}`);
   return scroll;
 }
 
@@ -117,18 +174,11 @@ function messageOf(error: unknown): string {
 }
 
 async function copyResult(): Promise<void> {
-  const text = JSON.stringify(
-    { renderer: part('renderer').textContent, browser: navigator.userAgent, tables },
-    null,
-    1,
-  );
   try {
-    await navigator.clipboard.writeText(text);
+    await navigator.clipboard.writeText(box.value);
     say('Copied.');
   } catch {
-    const box = part<HTMLTextAreaElement>('json');
     box.hidden = false;
-    box.value = text;
     box.select();
     say('This browser does not let pages copy: the result is below, selected.');
   }

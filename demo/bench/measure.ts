@@ -1,23 +1,20 @@
-// Measures one front of time against error in this browser, variant by variant in turns, in tasks
-// so short that the page stays responsive. Knows nothing of how results are shown.
-import type { ErrorFigures } from '../../tests/bench/front/errors.js';
-import { type Front, openFront } from '../../tests/bench/front/front.js';
+// Measures all ways to write the light loop in this browser, in turns, in tasks so short that the
+// page stays responsive. Knows nothing of how results are shown.
+import { largest } from '../../tests/bench/front/errors.js';
+import { ERROR_SIDE, type Front, openFront } from '../../tests/bench/front/front.js';
 import { rendererName } from '../../tests/bench/pages/timing.js';
+import {
+  type Accuracy,
+  type AccuracyPoint,
+  EXPONENTS,
+  type ErrorPicture,
+  MAGNIFIED,
+  PICTURED,
+  PLAIN_WAY,
+  WAYS,
+  type WayName,
+} from '../../tests/bench/accuracy-chart.mjs';
 import { median, pairedRatios } from '../../tests/bench/statistics.mjs';
-
-export interface TableRow {
-  readonly label: string;
-  /** Median time of a frame in milliseconds, and relative to the equation as specified. */
-  readonly ms: number;
-  readonly ratio: number;
-  /** In 1/255. */
-  readonly error: ErrorFigures;
-}
-
-export interface FrontTable {
-  readonly title: string;
-  readonly rows: readonly TableRow[];
-}
 
 /** Duration of a sample: long beside the timer's own cost, short enough not to be noticed. */
 const SAMPLE_MS = 25;
@@ -42,48 +39,76 @@ export function rendererHere(): string {
 }
 
 /**
- * `holder` has to be on screen. `progress` gets the table so far and the share that is done, 0 to
- * 1, after each round.
+ * `holder` has to be on screen. `progress` gets what has been measured so far and the share that is
+ * done, 0 to 1, after each round. @param ms for each exponent
  */
-export async function measureFront(
+export async function measureAccuracy(
   holder: HTMLElement,
-  name: string,
   ms: number,
   signal: AbortSignal,
-  progress: (table: FrontTable, done: number) => void,
-): Promise<FrontTable> {
-  const size = SIZES[isSoftware(rendererHere()) ? 'software' : 'gpu'];
-  const front = openFront(holder, name, size);
-  try {
-    const until = performance.now() + ms;
-    const { title, variants, base } = front.facts;
-    const errors = await front.errors();
-    const counts: number[] = [];
-    for (const i of variants.keys()) {
-      counts.push(await framesFor((frames) => sample(front, i, frames, signal)));
-    }
-    const times: number[][] = variants.map(() => []);
-    let table: FrontTable = { title, rows: [] };
-    for (let round = 0; round < LEAST_ROUNDS || performance.now() < until; round++) {
-      const order = [...variants.keys()];
-      if (round % 2 === 1) {
-        order.reverse(); // no variant always follows the same one
+  progress: (accuracy: Accuracy, done: number) => void,
+): Promise<Accuracy> {
+  const renderer = rendererHere();
+  const software = isSoftware(renderer);
+  const size = SIZES[software ? 'software' : 'gpu'];
+  const points: AccuracyPoint[] = [];
+  const pictures: ErrorPicture[] = [];
+  const date = new Date().toISOString().slice(0, 10);
+  const so = (more: readonly AccuracyPoint[] = []): Accuracy => {
+    const about = { renderer, browser: navigator.userAgent, date, size: [...size] };
+    return { ...about, points: [...points, ...more], pictures };
+  };
+  for (const [i, exponent] of EXPONENTS.entries()) {
+    const front = openFront(holder, exponent, size, software);
+    try {
+      const errors = await front.errors();
+      if (exponent === PICTURED.exponent) {
+        pictures.push(...PICTURED.ways.map((way) => ({ way, png: pngOf(errors[way]) })));
       }
-      for (const i of order) {
-        times[i]!.push((await sample(front, i, counts[i]!, signal)) / counts[i]!);
-      }
-      const rows = variants.map((label, i) => ({
-        label,
-        ms: median(times[i]!),
-        ratio: median(pairedRatios(times[i]!, times[base]!)),
-        error: errors[i]!,
-      }));
-      table = { title, rows };
-      progress(table, Math.min(1, 1 - (until - performance.now()) / ms));
+      const time = (way: WayName, frames: number): Promise<number> =>
+        sample(front, way, frames, software, signal);
+      let last: AccuracyPoint[] = [];
+      await inTurns(ms, time, (times, done) => {
+        last = WAYS.map(({ way }) => ({
+          way,
+          exponent,
+          ms: rounded(median(times[way])),
+          time: rounded(median(pairedRatios(times[way], times[PLAIN_WAY]))),
+          error: rounded(largest(errors[way])),
+        }));
+        progress(so(last), (i + done) / EXPONENTS.length);
+      });
+      points.push(...last);
+    } finally {
+      front.close();
     }
-    return table;
-  } finally {
-    front.close();
+  }
+  return so();
+}
+
+const rounded = (x: number): number => Number(x.toPrecision(4));
+
+type Times = Record<WayName, number[]>;
+
+/** Samples of one frame of each way, round by round until the time is over. */
+async function inTurns(
+  ms: number,
+  time: (way: WayName, frames: number) => Promise<number>,
+  progress: (times: Times, done: number) => void,
+): Promise<void> {
+  const until = performance.now() + ms;
+  const counts = new Map<WayName, number>();
+  for (const { way } of WAYS) {
+    counts.set(way, await framesFor((frames) => time(way, frames)));
+  }
+  const times = Object.fromEntries(WAYS.map(({ way }) => [way, []])) as unknown as Times;
+  for (let round = 0; round < LEAST_ROUNDS || performance.now() < until; round++) {
+    // Every other round backwards: no way always follows the same one.
+    for (const { way } of round % 2 === 0 ? WAYS : WAYS.toReversed()) {
+      const frames = counts.get(way)!;
+      times[way].push((await time(way, frames)) / frames);
+    }
+    progress(times, Math.min(1, 1 - (until - performance.now()) / ms));
   }
 }
 
@@ -107,8 +132,9 @@ async function framesFor(time: (frames: number) => Promise<number>): Promise<num
  */
 async function sample(
   front: Front,
-  variant: number,
+  way: WayName,
   frames: number,
+  software: boolean,
   signal: AbortSignal,
 ): Promise<number> {
   signal.throwIfAborted();
@@ -118,8 +144,23 @@ async function sample(
     });
   }
   await new Promise((resolve) => setTimeout(resolve)); // the page's turn
-  const { hasTimer, renderer } = front.facts;
-  return hasTimer && !isSoftware(renderer)
-    ? front.time(variant, frames)
-    : front.draw(variant, frames);
+  return front.hasTimer && !software ? front.time(way, frames) : front.draw(way, frames);
+}
+
+/** Errors magnified as a picture: black is exact. A data address. */
+function pngOf(errors: Float64Array): string {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = ERROR_SIDE;
+  const context = canvas.getContext('2d')!;
+  const picture = context.createImageData(ERROR_SIDE, ERROR_SIDE);
+  for (let i = 0; i < ERROR_SIDE * ERROR_SIDE; i++) {
+    const [column, row] = [i % ERROR_SIDE, Math.floor(i / ERROR_SIDE)];
+    const at = 4 * (column + ERROR_SIDE * (ERROR_SIDE - 1 - row));
+    for (let channel = 0; channel < 3; channel++) {
+      picture.data[at + channel] = MAGNIFIED * errors[3 * i + channel]!; // clamps and rounds
+    }
+    picture.data[at + 3] = 255;
+  }
+  context.putImageData(picture, 0, 0);
+  return canvas.toDataURL('image/png');
 }

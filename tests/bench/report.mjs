@@ -2,11 +2,18 @@
 // `npm run bench:report`: writes REPORT.md, charts/ and the README's sentence from all results.
 // Nothing in them is typed by hand.
 
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { readCommandLine } from '../support/command-line.mjs';
+import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
 import { escaped, table, writePart } from '../support/markdown.mjs';
+import {
+  ACCURACY_HEAD,
+  accuracyFile,
+  accuracyRows,
+  accuracySentence,
+  placeOf,
+} from './accuracy-chart.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
 import { MODELS } from './models.mjs';
 import { picturesChart } from './picture-chart.mjs';
@@ -46,16 +53,47 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 
 const USAGE = `
 npm run bench:report -- [options]: writes REPORT.md, its charts and the README's sentence from the results
-  --folder DIR   holds results/ and gets REPORT.md and charts/; default tests/bench. Another one leaves the README alone
+  --folder DIR   holds results/ and accuracy/, and gets REPORT.md and charts/; default tests/bench. Another one leaves the README alone
   --help`;
 
+/** @typedef {{ stack: string, accuracy: import('./accuracy-chart.mjs').Accuracy }} MeasuredAccuracy */
+
+/** What node tests/bench/accuracy.mjs has measured. @param {string} folder @returns {MeasuredAccuracy[]} */
+export const readAccuracies = (folder) =>
+  existsSync(folder)
+    ? readResultFiles(folder, 'node tests/bench/accuracy.mjs').map(({ name, content }) => ({
+        stack: name,
+        accuracy: content,
+      }))
+    : [];
+
+/** The checks that the report begins with, by their labels. */
+export const TEN = [
+  'sphere, 8 lights, first frames',
+  'sphere, 8 lights, settled',
+  'sphere, 32 lights, settled',
+  'sphere, 128 lights, settled',
+  'sphere, 8 lights, longest frame over usual',
+  '64 samples of a sphere, 760 × 420, ms from the change',
+  'start, standalone',
+  'heap, standalone',
+  "first picture of models against three's page, GLB of 1 MB",
+  'bytes, standalone',
+];
+
 /**
- * @param {readonly BenchResult[]} results @returns {{ report: string, charts: Map<string, string>
- * }}
+ * @param {readonly BenchResult[]} results @param {readonly MeasuredAccuracy[]} accuracies
+ * @returns {{ report: string, charts: Map<string, string> }}
  */
-export function reportOf(results) {
+export function reportOf(results, accuracies) {
   /** @type {Map<string, string>} */
   const charts = new Map();
+  const plots = accuracies.map(({ stack, accuracy }) => {
+    const file = `${stack}-accuracy.svg`;
+    charts.set(file, accuracyFile(accuracy, PLOT_WIDTH));
+    const sentence = accuracySentence(accuracy, placeOf(stack));
+    return `${sentence}\n\n![${stack}: time of a frame against the largest error](charts/${file})`;
+  });
   const pictures = results.flatMap((result) => {
     const svg = picturesChart(result);
     if (svg === undefined) return [];
@@ -63,17 +101,29 @@ export function reportOf(results) {
     charts.set(file, svg);
     return [`![${result.stack}: pictures](charts/${file})`];
   });
+  const all = aimsTable(results);
   const report = `# What the bench measured
 
-For people who ask what a picture costs. Written by \`npm run bench:report\` from \`results/\`. Ratios are to plain three.js with MeshPhongMaterial on a canvas with the same
+For people who ask what a picture costs. Written by \`npm run bench:report\` from \`results/\` and \`accuracy/\`.
+
+## What does accuracy cost?
+
+${plots.join('\n\n') || 'Not measured yet.'}
+
+One scene of three lights by six programs, drawn in turns. Left is fast, low is exact. A code is one of a colour's 256 steps; the grey band is below half of one. Larger
+dots are higher exponents *n* of the highlight: 32, 1,000, 100,000. The error is the largest of a picture against the equation in float64, before rounding to codes.
+The page of the bench measures the same on your machine; \`node tests/bench/accuracy.mjs --help\` does on a named one.
+
+## In ten rows
+
+Ratios are to plain three.js with MeshPhongMaterial on a canvas with the same
 attributes, measured in turns in the same browser: the median of the rounds' ratios, with quartiles in brackets. Frame times are the
 GPU's own, in software the CPU time of the GPU process. The longest frame is wall time, and so is the start. Script is the CPU time
-of the page's main thread; its ratios are to three's frame of one unlit mesh.
+of the page's main thread; its ratios are to three's frame of one unlit mesh. *Settled*: once the lights have kept their kinds for 20 frames.
 
-## Limits and aims
+${aimsTable(results, TEN).table}
 
-The nightly bench fails if a limit is missed. An aim is not reached yet.
-${aimsTable(results)}
+All checks are [at the end](#appendix-limits-and-aims).
 
 ## Frames
 
@@ -112,18 +162,51 @@ ${pictures.join('\n\n')}
 ${machinesTable(results)}
 ${additions(results)}${failures(results)}
 \`npm run bench -- --help\` explains how to measure again.
+
+## Appendix: accuracy in numbers
+
+Each pair: the time of a frame, the plain loop = 1, and the largest error in codes.
+
+${accuracyTables(accuracies)}
+
+## Appendix: limits and aims
+
+The nightly bench fails if a limit is missed. An aim is not reached yet.
+${all.met} of ${all.count} are met.
+
+${all.table}
 `;
   return { report, charts };
 }
 
-/** @param {readonly BenchResult[]} results */
-function aimsTable(results) {
-  let [met, all] = [0, 0];
-  const rows = AIMS.map((aim) => {
+/** Of a plot in the report, in pixels. */
+const PLOT_WIDTH = 680;
+
+/** @param {readonly MeasuredAccuracy[]} accuracies */
+const accuracyTables = (accuracies) =>
+  accuracies
+    .map(({ stack, accuracy }) => {
+      const { renderer, date, size } = accuracy;
+      const rows = accuracyRows(accuracy).map(({ label, about, cells }) => [
+        `${label}: ${about}`,
+        ...cells,
+      ]);
+      return `**${stack}**, ${size.join(' × ')} pixels, ${renderer}, ${date}\n\n${table(['', ...ACCURACY_HEAD], rows)}`;
+    })
+    .join('\n\n') || 'Not measured yet.';
+
+/**
+ * @param {readonly BenchResult[]} results @param {readonly string[]} [labels] in their order;
+ * default: all checks
+ */
+function aimsTable(results, labels) {
+  let [met, count] = [0, 0];
+  const chosen = labels?.flatMap((label) => AIMS.filter((aim) => aim.label === label)) ?? AIMS;
+  const rows = chosen.map((aim) => {
     const cells = results.map((result) => {
       const found = judge(aim, result);
       if (found === undefined) return '–';
-      all += 1;
+      count += 1;
       if (found.met) {
         met += 1;
       }
@@ -133,7 +216,7 @@ function aimsTable(results) {
     });
     return [aim.label, ...cells];
   });
-  return `${met} of ${all} are met.\n\n${table(['', ...stacks(results)], rows)}`;
+  return { met, count, table: table(['', ...stacks(results)], rows) };
 }
 
 /** @param {readonly BenchResult[]} results */
@@ -320,7 +403,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
   const { folder } = values;
   const results = readResults(join(folder, 'results'));
-  const { report, charts } = reportOf(results);
+  const { report, charts } = reportOf(results, readAccuracies(join(folder, 'accuracy')));
   rmSync(join(folder, 'charts'), { recursive: true, force: true });
   mkdirSync(join(folder, 'charts'));
   for (const [file, svg] of charts) {

@@ -5,18 +5,20 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';
 import { AIMS, missedLimits } from '../bench/aims.mjs';
-import { errorOf } from '../bench/front/errors.js';
+import { accuracySentence, accuracySvg, type Accuracy, WAYS } from '../bench/accuracy-chart.mjs';
+import { errorsOf, largest } from '../bench/front/errors.js';
 import { readTrace } from '../bench/measure/model.mjs';
 import { mixedLights } from '../bench/pages/scenes.js';
 import { PICTURE_SCENES } from '../bench/pages/picture-scenes.js';
-import { readmeSentence, reportOf } from '../bench/report.mjs';
+import { readAccuracies, readmeSentence, reportOf, TEN } from '../bench/report.mjs';
 import { addSamples, type BenchResult, readResults } from '../bench/results.mjs';
 import { interleaved } from '../bench/statistics.mjs';
 import { PICTURES, SUBJECTS } from '../bench/subjects.mjs';
 
 const bench = fileURLToPath(new URL('../bench/', import.meta.url));
 const results = readResults(join(bench, 'results'));
-const { report, charts } = reportOf(results);
+const accuracies = readAccuracies(join(bench, 'accuracy'));
+const { report, charts } = reportOf(results, accuracies);
 
 test('REPORT.md and the README say what the results say: otherwise run npm run bench:report', () => {
   expect(readFileSync(join(bench, 'REPORT.md'), 'utf8')).toBe(report);
@@ -30,7 +32,10 @@ test('every chart is an SVG that the report shows, with its series and pictures 
     expect(/^<svg [^]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"[^]*<\/svg>$/.test(svg), file).toBe(
       true,
     );
-    for (const text of ['TAARenderPass', 'sphere']) {
+    const named = file.endsWith('-accuracy.svg')
+      ? ['time of a frame, the plain loop = 1', 'Schlick’s formula', 'n = 1,000']
+      : ['TAARenderPass', 'sphere'];
+    for (const text of named) {
       expect(svg.includes(`>${text}</text>`), file).toBe(true);
     }
     expect([svg.includes('NaN'), report.includes(`](charts/${file})`)], file).toEqual([
@@ -112,11 +117,78 @@ test('lights alternate between directional, point and spot, and every cone conta
   }
 });
 
-test('errors are the root mean square, the 99.9th percentile and the maximum over all channels', () => {
+test('the report begins with the plot and with ten rows, and ends with all checks', () => {
+  const found = Array.from(report.matchAll(/^## (.*)$/gm), ([, title]) => title);
+  expect(found.slice(0, 2)).toEqual(['What does accuracy cost?', 'In ten rows']);
+  expect(found.at(-1)).toBe('Appendix: limits and aims');
+  expect(report.indexOf('-accuracy.svg)')).toBeLessThan(report.indexOf('\n|'));
+  const labels = AIMS.map(({ label }) => label);
+  expect(TEN).toHaveLength(10);
+  expect(TEN.filter((label) => !labels.includes(label))).toEqual([]);
+  const rows = report
+    .split('## In ten rows')[1]!
+    .split('\n## ')[0]!
+    .match(/^\| [^- |].*$/gm);
+  expect(rows).toHaveLength(TEN.length);
+});
+
+/** Made up: every way is 1.5 times as wrong as the one before. */
+const made: Accuracy = {
+  renderer: 'none',
+  browser: 'none',
+  date: '2000-01-01',
+  size: [4, 4],
+  points: WAYS.flatMap(({ way }, i) =>
+    [32, 1000, 100_000].map((exponent, k) => ({
+      way,
+      exponent,
+      ms: 1,
+      time: way === 'plain' ? 1 : 0.8 + 0.1 * i + 0.01 * k,
+      error: 0.01 * 1.5 ** i * 10 ** k,
+    })),
+  ),
+  pictures: [{ way: 'plain', png: 'data:image/png;base64,' }],
+};
+
+test('the sentence about accuracy has the least and the most time, and the largest errors', () => {
+  expect(accuracySentence(made)).toBe(
+    'On this machine exactness costs 0.90 to 1.02 of the plain loop’s time: phong-viewer is wrong by up to 2.3 codes, the plain loop by 1, a usual approximation (Schlick’s) by 3.4.',
+  );
+});
+
+test.each([320, 358, 680])(
+  'at %d pixels the plot has all dots, and no label on another',
+  (width) => {
+    for (const accuracy of [made, ...accuracies.map((one) => one.accuracy)]) {
+      const svg = accuracySvg(accuracy, width);
+      expect(svg).not.toMatch(/NaN|Infinity|undefined|style=/);
+      expect(svg.match(/<circle/g)).toHaveLength(18);
+      const texts = Array.from(
+        svg.matchAll(/<text x="([\d.]+)" y="([\d.]+)" text-anchor="(start|end)"[^>]*>([^<]*)</g),
+        ([, x, y, anchor, text = '']) => {
+          const length = 5.5 * text.length;
+          const left = Number(x) - (anchor === 'end' ? length : 0);
+          return { left, y: Number(y), right: left + length };
+        },
+      );
+      for (const [i, one] of texts.entries()) {
+        expect(one.right).toBeLessThan(width + 12);
+        for (const other of texts.slice(i + 1)) {
+          const apart = Math.abs(one.y - other.y) >= 10;
+          expect(apart || one.right <= other.left || other.right <= one.left).toBe(true);
+        }
+      }
+    }
+  },
+);
+
+test('an error is that of a channel, and what is no number is as wrong as can be', () => {
   const truth = Float64Array.from([10, 20, 30]);
-  expect(errorOf(truth, truth)).toEqual({ rmse: 0, p999: 0, max: 0 });
-  const found = errorOf(Float64Array.from([13, 20, 26]), truth);
-  expect(found).toMatchObject({ rmse: Math.sqrt(25 / 3), max: 4 });
+  expect(largest(errorsOf(truth, truth))).toBe(0);
+  const errors = errorsOf(Float64Array.from([13, NaN, 26]), truth);
+  expect([...errors]).toEqual([3, 255, 4]);
+  expect(largest(errors)).toBe(255);
+  expect(() => errorsOf(truth, truth.subarray(1))).toThrow(RangeError);
 });
 
 test('every whole picture has markup for each of its cells', () => {

@@ -1,25 +1,17 @@
-// How far a picture is from the truth, in 1/255 of a channel, over all channels of all pixels.
+// How far a picture is from the truth, in 1/255 of a channel.
 
-export interface ErrorFigures {
-  readonly rmse: number;
-  /** The error that 99.9 % of the channels do not exceed. */
-  readonly p999: number;
-  readonly max: number;
-}
-
-/** Both of one length, without NaN. Throws a RangeError otherwise. */
-export function errorOf(picture: Float64Array, truth: Float64Array): ErrorFigures {
+/**
+ * Of every channel. What is not a number is as wrong as a channel can be. Throws a RangeError for
+ * pictures of different sizes.
+ */
+export function errorsOf(picture: Float64Array, truth: Float64Array): Float64Array {
   if (picture.length !== truth.length || picture.length === 0) {
     throw new RangeError(
       `a picture of ${picture.length} channels has no error against ${truth.length}`,
     );
   }
-  const errors = picture.map((channel, i) => Math.abs(channel - truth[i]!)).sort();
-  const max = errors[errors.length - 1]!; // NaN sorts last
-  if (Number.isNaN(max)) throw new RangeError('a channel is not a number');
-  return {
-    rmse: Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length),
-    p999: errors[Math.floor(0.999 * (errors.length - 1))]!,
-    max,
-  };
+  return picture.map((channel, i) => (Number.isNaN(channel) ? 255 : Math.abs(channel - truth[i]!)));
 }
+
+export const largest = (errors: Float64Array): number =>
+  errors.reduce((most, error) => Math.max(most, error), 0);

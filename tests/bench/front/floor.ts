@@ -1,10 +1,9 @@
-// The scenes of the fronts: a bent floor that fills the picture. Points and normals are exact in
+// The scene that all ways to write the light loop draw: a bent floor that fills the picture. Points and normals are exact in
 // float32, so a difference from float64 comes from the arithmetic of the light loop alone.
 import { LightState, type LightValues, shade } from 'phong-viewer/reference';
-import { mixedLights, type Vec3 } from '../pages/scenes.js';
+import type { Vec3 } from '../pages/scenes.js';
 
 export interface Floor {
-  readonly title: string;
   readonly lights: readonly LightValues[];
   readonly shininess: number;
   readonly eye: Vec3;
@@ -18,7 +17,7 @@ export const BEND = 2 ** -6;
 export const SURFACE = { ka: 1, kd: 1, ks: 0.5 } as const;
 
 /** A light of each kind; their highlights coincide and fill a sixth of the picture. */
-function oneHighlight(shininess: number): Floor {
+export function floorOf(shininess: number): Floor {
   const width = 1 / Math.sqrt(shininess);
   const reach = Math.min(width, 0.3);
   const mirrored = (dx: number, dy: number): Vec3 => [-1 + dx * reach, dy * reach, 3];
@@ -26,7 +25,6 @@ function oneHighlight(shininess: number): Floor {
   const [a, b, c] = [mirrored(0.3, -0.2), mirrored(-0.4, 0.1), mirrored(0.1, 0.4)];
   const cone = { axis: [-c[0], -c[1], -c[2]] as const, aperture: 40, cutoff: 12 };
   return {
-    title: `Three lights, shininess ${shininess.toLocaleString('en')}`,
     lights: [
       { ...colors, position: [...a, 0] as const },
       { ...colors, position: [...b, 1] as const, attenuation: [1, 0.05, 0.01] as const },
@@ -37,18 +35,6 @@ function oneHighlight(shininess: number): Floor {
     half: Math.min(2 ** Math.round(Math.log2(6 * width)), 1),
   };
 }
-
-export const FLOORS: Readonly<Record<string, () => Floor>> = {
-  '8 lights': () => ({
-    title: '8 lights of mixed kinds, shininess 32',
-    lights: mixedLights(8).map((light) => new LightState(light).values),
-    shininess: 32,
-    eye: [0, 0, 3],
-    half: 1,
-  }),
-  'shininess 1000': () => oneHighlight(1000),
-  'shininess 100000': () => oneHighlight(1e5),
-};
 
 /**
  * A square picture in float64, three channels of 255 a pixel, rows from the bottom. `pace` lets the

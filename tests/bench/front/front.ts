@@ -1,47 +1,36 @@
-// A front: variants of the light loop as points of run time against error. Draws them on a canvas
-// of its own, and compares each with float64. Knows nothing of how results are shown.
+// Draws one scene by all ways to write the light loop, on a canvas of its own, times them and
+// compares each with float64. Knows nothing of how results are shown.
 import { fullScreenProgram } from '../../glsl/float-pass.js';
-import { clockFrames, hasTimer, rendererName, timeFrames } from '../pages/timing.js';
-import { errorOf, type ErrorFigures } from './errors.js';
-import { BEND, type Floor, FLOORS, floorTruth, SURFACE } from './floor.js';
-import { BASE, type Variant, variantsOf } from './variants.js';
-
-interface FrontFacts {
-  readonly title: string;
-  readonly renderer: string;
-  readonly hasTimer: boolean;
-  /** Labels, in the order of the indices that `draw` and `time` take. */
-  readonly variants: readonly string[];
-  /** Index of the variant that times are compared with. */
-  readonly base: number;
-}
+import { clockFrames, hasTimer, timeFrames } from '../pages/timing.js';
+import type { WayName } from '../accuracy-chart.mjs';
+import { errorsOf } from './errors.js';
+import { BEND, type Floor, floorOf, floorTruth, SURFACE } from './floor.js';
+import { type Variant, variantsOf } from './variants.js';
 
 export interface Front {
-  readonly facts: FrontFacts;
-  /** Of each variant, against float64. */
-  errors(): Promise<ErrorFigures[]>;
-  /** Draws frames of a variant; milliseconds by the clock. */
-  draw(variant: number, frames: number): Promise<number>;
+  readonly hasTimer: boolean;
+  /** Of every channel of a square picture of ERROR_SIDE, rows from the bottom, against float64. */
+  errors(): Promise<Record<WayName, Float64Array>>;
+  /** Draws frames; milliseconds by the clock. */
+  draw(way: WayName, frames: number): Promise<number>;
   /** Milliseconds by the GPU's timer. */
-  time(variant: number, frames: number): Promise<number>;
+  time(way: WayName, frames: number): Promise<number>;
   close(): void;
 }
 
-export const FRONTS = Object.keys(FLOORS);
-
-/** Of the square picture that errors are taken of, in pixels. */
-const ERROR_SIDE = 128;
+/** Of the picture that errors are taken of, in pixels. */
+export const ERROR_SIDE = 128;
 /** A task may last so long before the page gets a turn. Milliseconds. */
 const TASK_MS = 12;
 
-/** `holder` shows the canvas. */
+/** @param holder shows the canvas @param software see {@link variantsOf} */
 export function openFront(
   holder: HTMLElement,
-  name: string,
+  shininess: number,
   [width, height]: readonly [number, number],
+  software: boolean,
 ): Front {
-  const floor = FLOORS[name]?.();
-  if (floor === undefined) throw new RangeError(`no front is called ${name}`);
+  const floor = floorOf(shininess);
   const canvas = document.createElement('canvas');
   Object.assign(canvas, { width, height });
   holder.append(canvas);
@@ -50,32 +39,33 @@ export function openFront(
   if (gl.getExtension('EXT_color_buffer_float') === null) {
     throw new Error('this device cannot draw floats, which errors are taken from');
   }
-  const variants = variantsOf(floor.lights);
-  const drawers = variants.map((variant) => drawerOf(gl, floor, variant));
-  const frameOf = (variant: number) => () => {
-    drawers[variant]!(width, height);
+  const drawers = eachWay(variantsOf(floor.lights, shininess, software), (variant) =>
+    drawerOf(gl, floor, variant),
+  );
+  const frameOf = (way: WayName) => () => {
+    drawers[way](width, height);
     return Promise.resolve();
   };
   return {
-    facts: {
-      title: floor.title,
-      renderer: rendererName(gl),
-      hasTimer: hasTimer(gl),
-      variants: variants.map(({ label }) => label),
-      base: variants.findIndex(({ label }) => label === BASE),
-    },
+    hasTimer: hasTimer(gl),
     async errors() {
       const truth = await floorTruth(floor, ERROR_SIDE, pace());
-      return drawers.map((draw) => errorOf(floatsOf(gl, draw), truth));
+      return eachWay(drawers, (draw) => errorsOf(floatsOf(gl, draw), truth));
     },
-    draw: (variant, frames) => clockFrames(gl, frameOf(variant), frames),
-    time: (variant, frames) => timeFrames(gl, frameOf(variant), frames),
+    draw: (way, frames) => clockFrames(gl, frameOf(way), frames),
+    time: (way, frames) => timeFrames(gl, frameOf(way), frames),
     close() {
       gl.getExtension('WEBGL_lose_context')?.loseContext();
       canvas.remove();
     },
   };
 }
+
+const eachWay = <T, U>(of: Readonly<Record<WayName, T>>, make: (one: T) => U) =>
+  Object.fromEntries(Object.entries(of).map(([way, one]) => [way, make(one)])) as Record<
+    WayName,
+    U
+  >;
 
 type Drawer = (width: number, height: number) => void;
 

@@ -1,6 +1,5 @@
-// Ways to write the light loop: as in the specification, with constants hoisted, with approximate
-// lobes, and the shipped one as `phong-viewer/core` documents it for any program. Text and data;
-// nothing is drawn here.
+// Ways to write the light loop, each as GLSL with the rows that it reads: a plain one, what others
+// do to make it fast, and the shipped ones. Text and data; nothing is drawn here.
 import {
   declaredFeatures,
   emptyPack,
@@ -8,39 +7,52 @@ import {
   type LightValues,
   packLights,
 } from 'phong-viewer/core';
+import { isIntegerPower, isMildPower } from '../../../src/phong/light/precision.js';
+import { TERMS } from '../../../src/phong/light/light-state.js';
+import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
+import { DEFAULT_STYLE } from '../../../src/phong/material/material-values.js';
+import { generalVariant, specialisedVariant } from '../../../src/phong/material/program/variant.js';
+import type { WayName } from '../accuracy-chart.mjs';
 import hoistedGlsl from './hoisted.glsl?raw';
-import literalGlsl from './literal.glsl?raw';
 
 /**
  * A loop and the rows of four floats that it reads through `vec4 row(int)`. It provides `vec3
  * shadeHere(vec3 p, vec3 normal)`.
  */
 export interface Variant {
-  readonly label: string;
   readonly glsl: string;
   readonly rows: Float32Array;
 }
 
-/** The variant that the others' times are compared with. */
-export const BASE = 'as specified';
+/** The power of a cosine t. */
+const POW = 'pow(t, uShininess)';
 
-const LOBES = {
-  'constants hoisted': 'pow(t, uShininess)',
-  // Christophe Schlick, "A fast alternative to Phong's specular model", Graphics Gems IV, 1994.
-  'Schlick’s lobe': '((t) / (uShininess - uShininess * (t) + (t)))',
-  // What cos^n is near its centre.
-  'Gaussian lobe': '((t) > 0.0 ? exp(uShininess * ((t) - 1.0)) : 0.0)',
-} as const;
+/** From the least bit of the exponent to the highest; a whole exponent is all that it can do. */
+const SQUARING = `float squared(float t, int n) {
+  float power = 1.0;
+  for (; n > 0; n >>= 1, t *= t) if ((n & 1) == 1) power *= t;
+  return power;
+}
+`;
 
-export function variantsOf(lights: readonly LightValues[]): Variant[] {
-  return [
-    literal(lights),
-    ...Object.entries(LOBES).map(([label, lobe]) => hoisted(label, lobe, lights)),
-    shipped(lights),
-  ];
+/** @param software a CPU draws: the viewer then writes the lights' numbers into the program */
+export function variantsOf(
+  lights: readonly LightValues[],
+  shininess: number,
+  software: boolean,
+): Readonly<Record<WayName, Variant>> {
+  return {
+    plain: plain(lights, POW),
+    first: shipped(lights, shininess, null),
+    settled: shipped(lights, shininess, software ? 'inlined' : 'counted'),
+    // Christophe Schlick, "A fast alternative to Phong's specular model", Graphics Gems IV, 1994.
+    schlick: plain(lights, '((t) / (uShininess - uShininess * (t) + (t)))'),
+    squaring: plain(lights, 'squared(t, int(uShininess))', SQUARING),
+    mediump: plain(lights, POW, 'precision mediump float;\n', 'precision highp float;\n'),
+  };
 }
 
-const defines = (values: Readonly<Record<string, string | number>>): string =>
+const definesText = (values: Readonly<Record<string, string | number>>): string =>
   Object.entries(values)
     .map(([name, value]) => `#define ${name} ${value}\n`)
     .join('');
@@ -48,30 +60,8 @@ const defines = (values: Readonly<Record<string, string | number>>): string =>
 type Triple = readonly [number, number, number];
 const full = ([r, g, b]: Triple): Triple => [r / 255, g / 255, b / 255];
 
-function literal(lights: readonly LightValues[]): Variant {
-  const rows = lights.flatMap(
-    ({ position, axis, aperture, ambient, diffuse, cutoff, specular, attenuation }) => [
-      ...position,
-      ...axis,
-      aperture,
-      ...full(ambient),
-      0,
-      ...full(diffuse),
-      cutoff,
-      ...full(specular),
-      0,
-      ...attenuation,
-      0,
-    ],
-  );
-  return {
-    label: BASE,
-    glsl: defines({ COUNT: lights.length }) + literalGlsl,
-    rows: Float32Array.from(rows),
-  };
-}
-
-function hoisted(label: string, lobe: string, lights: readonly LightValues[]): Variant {
+/** @param lobe the highlight as an expression of `t` @param before text in front @param after behind */
+function plain(lights: readonly LightValues[], lobe: string, before = '', after = ''): Variant {
   const unit = (v: Triple): Triple => {
     const length = Math.hypot(...v);
     return [v[0] / length, v[1] / length, v[2] / length];
@@ -104,31 +94,51 @@ function hoisted(label: string, lobe: string, lights: readonly LightValues[]): V
     ]),
   ];
   return {
-    label,
     glsl:
-      defines({
+      before +
+      definesText({
         DIRECTIONALS: directional.length,
         POINTS: points.length,
         SPOTS: spots.length,
         AMBIENT: `vec3(${ambient.map((channel) => channel.toExponential()).join()})`,
         'LOBE(t)': lobe,
-      }) + hoistedGlsl,
+      }) +
+      hoistedGlsl +
+      after,
     rows: Float32Array.from(rows),
   };
 }
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-function shipped(lights: readonly LightValues[]): Variant {
+/** The viewer's own: of its first frames for any number of lights, or the one that takes over. */
+function shipped(
+  lights: readonly LightValues[],
+  shininess: number,
+  form: 'counted' | 'inlined' | null,
+): Variant {
   const packed = emptyPack();
   packLights(
     lights,
     { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false },
     packed,
   );
+  const material = {
+    look: PLAIN_LOOK,
+    style: DEFAULT_STYLE,
+    linear: false,
+    mildShininess: isMildPower(shininess),
+  };
+  const general = generalVariant(material, declaredFeatures(lights), 0);
+  const integerShininess = isIntegerPower(shininess) ? shininess : null;
+  const variant =
+    form === null
+      ? general
+      : specialisedVariant(general, { terms: TERMS, integerShininess }, form, packed);
+  // Rows that are no literals come from where the other loops have theirs.
+  const storage = form === 'inlined' ? {} : { LIGHT_STORAGE: 'STORAGE_OWN' };
   return {
-    label: 'shipped',
-    glsl: `${defines({ LIGHT_STORAGE: 'STORAGE_OWN', DECLARED_FEATURES: String(declaredFeatures(lights)) })}
+    glsl: `${definesText({ ...variant.defines, ...storage })}
 vec4 lightRow(int i) { return row(i); }
 ${LIGHT_LOOP_GLSL}
 vec3 shadeHere(vec3 p, vec3 normal) {

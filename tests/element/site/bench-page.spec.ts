@@ -1,15 +1,9 @@
 // The demo's bench page: it shows the recorded figures of whole pictures, measures in the visitor's
 // browser, shows its progress, and copies the result.
+import { type Accuracy, EXPONENTS, WAYS } from '../../bench/accuracy-chart.mjs';
 import { expect, test } from '../../support/test.js';
 
-interface Copied {
-  readonly renderer: string;
-  readonly tables: readonly {
-    readonly rows: readonly { readonly label: string; readonly ms: number }[];
-  }[];
-}
-
-test('measures every front, shows a table for each and copies the result as JSON', async ({
+test('measures every way to write the loop, plots it and copies the result as JSON', async ({
   page,
   context,
 }) => {
@@ -26,6 +20,8 @@ test('measures every front, shows a table for each and copies the result as JSON
     await expect(cells).toHaveCount(await section.getByRole('img').count());
     await expect(section).not.toContainText(/–|NaN/);
   }
+  const example = (await page.locator('#here p').textContent())!;
+  expect(example).toMatch(/^(On an NVIDIA|In software).* exactness costs/);
   await page.getByRole('button', { name: 'Measure' }).click();
   await expect(page.getByRole('progressbar')).toBeVisible();
   await expect(page.locator('#state')).toContainText('Done in', { timeout: 50_000 });
@@ -33,15 +29,34 @@ test('measures every front, shows a table for each and copies the result as JSON
   await copy.click();
   await expect(page.locator('#state')).toHaveText('Copied.');
 
-  const result = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as Copied;
+  const result = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as Accuracy;
   expect(result.renderer).toBe(await page.locator('#renderer').textContent());
-  await expect(page.locator('#fronts .front')).toHaveCount(result.tables.length);
-  for (const { rows } of result.tables) {
-    for (const { label, ms } of rows) {
-      expect(ms, label).toBeGreaterThan(0);
+  expect(result.points).toHaveLength(WAYS.length * EXPONENTS.length);
+  for (const { way, exponent, ms, time, error } of result.points) {
+    expect(ms, way).toBeGreaterThan(0);
+    expect(time, way).toBeGreaterThan(0);
+    // Exactness is what this is about.
+    if (way === 'first' || way === 'settled') {
+      expect(error, `${way}, ${exponent}`).toBeLessThan(0.5);
     }
-    expect(new Set(rows.map(({ label }) => label)).size).toBe(rows.length);
   }
+  const here = page.locator('#here');
+  await expect(here).toContainText('On this machine exactness costs');
+  const plot = here.getByRole('img', { name: /exactness costs/ });
+  await expect(plot.locator('circle')).toHaveCount(result.points.length);
+  await expect(plot.locator('image')).toHaveCount(3);
+  await expect(here.getByRole('row')).toHaveCount(1 + WAYS.length);
+  // Drawn anew for a phone: its letters stay as large.
+  await page.setViewportSize({ width: 390, height: 844 });
+  const widthOf = () => plot.evaluate((svg) => svg.getBoundingClientRect().width);
+  await expect.poll(widthOf).toBeLessThan(391);
+  const letters = await plot
+    .locator('text')
+    .first()
+    .evaluate((text) => text.getBoundingClientRect().height);
+  expect(letters).toBeGreaterThan(11);
+  // What stood there was measured elsewhere, and is below now.
+  await expect(page.locator('#machines')).toContainText(example);
 });
 
 test('keeps its canvas on screen while the reader scrolls, and stops on request', async ({
@@ -49,7 +64,7 @@ test('keeps its canvas on screen while the reader scrolls, and stops on request'
 }) => {
   await page.goto('/demo/bench/?seconds=100');
   await page.getByRole('button', { name: 'Measure' }).click();
-  await expect(page.locator('#fronts').getByRole('table')).toBeVisible({ timeout: 50_000 });
+  await expect(page.locator('#state')).toContainText('Measuring', { timeout: 50_000 });
   await page.evaluate(() => {
     scrollTo(0, document.body.scrollHeight);
   });
