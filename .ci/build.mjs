@@ -7,6 +7,7 @@ import { spawnSync } from 'node:child_process';
 import { copyFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { entries } from './entries.mjs';
 import { outputFolder } from './output-folder.mjs';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
@@ -14,26 +15,13 @@ process.chdir(repository);
 await import('./install.mjs');
 const { build } = await import('vite');
 
-/** The first of them empties dist/. */
-const entries = [
-  'index',
-  'trusted-types',
-  'core',
-  'reference',
-  'react',
-  'react-standalone',
-  'playwright',
-  'still',
-  'still-worker',
-  'still-markup',
-  'cli',
-];
-
 /** @type {Readonly<Record<string, () => void | Promise<void>>>} */
 const parts = {
   modules: async () => {
-    for (const mode of entries) {
-      await bundle('lib', mode);
+    for (const { name, config } of entries) {
+      if (config === undefined) {
+        await bundle('lib', name);
+      }
     }
   },
   standalone: () => bundle('standalone'),

@@ -7,6 +7,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { posix } from 'node:path';
 import { parseSync, Visitor } from 'vite';
+import { entries } from './entries.mjs';
 import { forbidden } from './layers.mjs';
 
 /**
@@ -145,7 +146,8 @@ const pathFrom = (file, specifier) =>
  * @returns {string[]}
  */
 export function filesOfStills() {
-  const found = new Set(['src/extras/still/index.ts', 'src/extras/still/worker.ts']);
+  const stills = entries.filter(({ name }) => name === 'still' || name === 'still-worker');
+  const found = new Set(stills.map(({ source }) => `src/${source}`));
   const facade = facadeNames();
   for (const file of found) {
     const { program } = parseSync(file, readFileSync(file, 'utf8'));

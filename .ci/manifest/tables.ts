@@ -3,19 +3,28 @@
 
 import type { Field } from '../../src/phong/fields/field.js';
 import { COMPARE_FIELDS } from '../../src/viewer/element/fields/compare-fields.js';
-import { CONTROL_FIELDS } from '../../src/extras/panel/control-fields.js';
-import { PROBE_FIELDS } from '../../src/extras/probe/probe-fields.js';
 import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
 import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
 
 export { attributeOf, formatValue } from '../../src/phong/fields/attribute-text.js';
 
-export const fields: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
+type Table = Readonly<Record<string, Field<unknown>>>;
+
+/** The fields of an element whose code is an extra, in a file of its name: control-fields.ts. */
+const ofExtras = Object.entries(
+  import.meta.glob<Readonly<Record<string, Table>>>('../../src/extras/*/*-fields.ts', {
+    eager: true,
+  }),
+).map(([path, module]): [string, Table] => [
+  `phong-${/([a-z]+)-fields/.exec(path)![1]!}`,
+  Object.values(module)[0]!,
+]);
+
+export const fields: Readonly<Record<string, Table>> = {
   'phong-viewer': VIEWER_FIELDS,
   'phong-light': LIGHT_FIELDS,
   'phong-mesh': MESH_FIELDS,
   'phong-compare': COMPARE_FIELDS,
-  'phong-control': CONTROL_FIELDS,
-  'phong-probe': PROBE_FIELDS,
+  ...Object.fromEntries(ofExtras),
 };

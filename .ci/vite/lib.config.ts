@@ -1,14 +1,13 @@
-// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js,
-// react.js, react-standalone.js, playwright.js, still.js, still-worker.js, still-markup.js and
-// cli.js. Packages stay imports, for the user's bundler or Node. `npm run build` runs this first;
-// the standalone and the classic file have configs of their own.
+// Builds the package's ES modules, one entry at a time (.ci/entries.mjs): each is a single file, which
+// compresses better than several files with shared parts. Packages stay imports, for the user's
+// bundler or Node. `npm run build` runs this first; the standalone and the classic file have configs of their own.
 
-import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from '../licences/plugin.js';
 import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from '../draco-decoder.js';
+import { entries, sourcePath } from '../entries.mjs';
 import { inPage } from '../in-page.js';
 import { modelChunks } from '../model-chunks.js';
 import { nativeMath } from '../native-math.js';
@@ -16,9 +15,6 @@ import { outputFolder } from '../output-folder.mjs';
 import { strippedGlsl } from '../strip-glsl.js';
 import { textKeys } from '../text-keys.js';
 import { wasmFiles } from '../wasm-files.js';
-
-const source = (path: string): string =>
-  fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
 
 // Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a
 // user's bundler would find no export.
@@ -77,24 +73,6 @@ const beforeLit: Plugin = {
       : null,
 };
 
-/**
- * Built one by one: each is a single file, which compresses better than several files with shared
- * parts.
- */
-const entries: Readonly<Record<string, string>> = {
-  index: source('viewer/index.ts'),
-  'trusted-types': source('viewer/element/page/trusted-types.ts'),
-  core: source('phong/core.ts'),
-  reference: source('phong/reference/index.ts'),
-  react: source('extras/frameworks/react.ts'),
-  'react-standalone': source('extras/frameworks/react.ts'),
-  playwright: source('extras/playwright/index.ts'),
-  still: source('extras/still/index.ts'),
-  'still-worker': source('extras/still/worker.ts'),
-  'still-markup': source('extras/png/index.ts'),
-  cli: source('extras/still/command/cli.ts'),
-};
-
 const workerPlugins = (): Plugin[] => [
   dracoDecoder(),
   basisTranscoder(),
@@ -118,8 +96,7 @@ const besideStill: Plugin = {
     specifier === '../index.js' ? { id: './still.js', external: 'relative' } : null,
 };
 
-/** Those that Node runs as they are. */
-const isForNode = (mode: string): boolean => /^(playwright|still|still-worker|cli)$/.test(mode);
+const isForNode = (mode: string): boolean => entryOf(mode).node === true;
 
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
@@ -148,7 +125,7 @@ export default defineConfig(({ mode }) => ({
     // Node's entries run as they are: their stack traces keep the names of functions.
     minify: !isForNode(mode),
     lib: {
-      entry: { [mode]: entries[mode] ?? missing(mode) },
+      entry: { [mode]: sourcePath(entryOf(mode).source) },
       formats: ['es'],
       fileName: (_format, name) => `${name}.js`,
     },
@@ -171,6 +148,8 @@ export default defineConfig(({ mode }) => ({
   },
 }));
 
-function missing(mode: string): never {
-  throw new Error(`--mode ${mode} names no entry: ${Object.keys(entries).join(', ')}`);
+function entryOf(mode: string): (typeof entries)[number] {
+  const entry = entries.find(({ name }) => name === mode);
+  if (entry !== undefined) return entry;
+  throw new Error(`--mode ${mode} names no entry: ${entries.map(({ name }) => name).join(', ')}`);
 }

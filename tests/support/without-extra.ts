@@ -2,7 +2,7 @@
 // that depend on it.
 
 import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 import { layers } from '../../.ci/layers.mjs';
@@ -59,8 +59,37 @@ export function tableWithout(gone: ReadonlySet<string>): string {
 
 const parsed = new Map<string, ts.SourceFile | undefined>();
 
-/** What the compiler says of src/ without these extras. */
-export function typeErrors(gone: ReadonlySet<string>): readonly string[] {
+const inFolders =
+  (gone: ReadonlySet<string>) =>
+  (path: string): boolean =>
+    [...gone].some((name) => path.includes(`src/extras/${name}/`));
+
+/**
+ * What in src/ without these extras imports a file that is not there. Such an import is the only way
+ * in which a file can need another, but for what a file declares for all.
+ */
+export function brokenImports(gone: ReadonlySet<string>): readonly string[] {
+  const isGone = inFolders(gone);
+  const files = (readdirSync(join(repository, 'src'), { recursive: true }) as string[])
+    .map((name) => posix.join('src', name))
+    .filter((path) => path.endsWith('.ts') && !isGone(path));
+  return files.flatMap((path) => {
+    const code = path === TABLE ? tableWithout(gone) : readFileSync(join(repository, path), 'utf8');
+    return ts
+      .preProcessFile(code)
+      .importedFiles.map(({ fileName }) => fileName)
+      .filter((specifier) => specifier.startsWith('.'))
+      .map((specifier) => posix.join(posix.dirname(path), specifier.replace(/\?.*$/, '')))
+      .filter((target) => isGone(target))
+      .map((target) => `${path} imports ${target}`);
+  });
+}
+
+/**
+ * What the compiler says of src/ without these extras; `only`: of this file, the types that it uses
+ * included.
+ */
+export function typeErrors(gone: ReadonlySet<string>, only?: string): readonly string[] {
   const config = ts.readConfigFile(join(repository, 'tsconfig.json'), (path) =>
     readFileSync(path, 'utf8'),
   ).config as object;
@@ -69,8 +98,7 @@ export function typeErrors(gone: ReadonlySet<string>): readonly string[] {
     ts.sys,
     repository,
   );
-  const folders = [...gone].map((name) => `/src/extras/${name}/`);
-  const isGone = (path: string): boolean => folders.some((folder) => path.includes(folder));
+  const isGone = inFolders(gone);
   const host = ts.createCompilerHost(options);
   const { fileExists, getSourceFile } = host;
   host.fileExists = (path) => !isGone(path) && fileExists(path);
@@ -83,8 +111,9 @@ export function typeErrors(gone: ReadonlySet<string>): readonly string[] {
   };
   const roots = fileNames.filter((path) => !isGone(path));
   const program = ts.createProgram(roots, options, host);
+  const file = only === undefined ? undefined : program.getSourceFile(join(repository, only));
   return ts
-    .getPreEmitDiagnostics(program)
+    .getPreEmitDiagnostics(program, file)
     .map(({ file, messageText }) =>
       [file?.fileName.slice(repository.length), ts.flattenDiagnosticMessageText(messageText, '\n')]
         .filter((part) => part !== undefined)

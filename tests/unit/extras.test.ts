@@ -1,12 +1,20 @@
-// Can an extra be taken out? Two of them, by types.
+// What do extras take of the viewer, and can they be taken out?
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { repository, tableWithout, typeErrors, withDependents } from '../support/without-extra.js';
+import {
+  brokenImports,
+  EXTRAS,
+  repository,
+  TABLE,
+  tableWithout,
+  typeErrors,
+  withDependents,
+} from '../support/without-extra.js';
 
 /** What extras may import of the viewer. Fewer is better: a name that goes takes this number down. */
-const MOST_NAMES = 81;
+const MOST_NAMES = 84;
 
 describe('the door of extras', () => {
   const door = readFileSync(join(repository, 'src/viewer/extra.ts'), 'utf8');
@@ -63,11 +71,16 @@ describe('an extra', () => {
     expect(left).toContain("'../extras/compare/camera-group.js'");
   });
 
+  it.each(EXTRAS)('%s is imported by nothing that is left without it', (name) => {
+    expect(brokenImports(withDependents(name))).toEqual([]);
+  });
+
+  // Of all files, and of all extras: tests/release/extras.test.ts.
   it.each(['panel', 'explain'])(
-    '%s is not needed by what is left',
+    'the table of extras compiles without %s',
     { timeout: 120_000 },
     (name) => {
-      expect(typeErrors(withDependents(name))).toEqual([]);
+      expect(typeErrors(withDependents(name), TABLE)).toEqual([]);
     },
   );
 });

@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { Ajv } from 'ajv';
 import type { CustomElementDeclaration } from 'custom-elements-manifest';
 import { describe, expect, it } from 'vitest';
+import { packageExports } from '../../.ci/entries.mjs';
 import { referencePage } from '../../.ci/manifest/reference-page.mjs';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
@@ -50,6 +51,13 @@ const data = vsCodeHtmlData(elements).tags;
 it('the tables of the reference are written from the source (`npm run manifest` writes them again)', () => {
   const page = readFileSync(new URL('../../demo/guide/reference.md', import.meta.url), 'utf8');
   expect(page).toBe(referencePage(page, elements));
+});
+
+it('the exports of the package follow from its entries (`npm run manifest` writes them again)', () => {
+  const text = readFileSync(new URL('../../package.json', import.meta.url), 'utf8');
+  expect(JSON.parse(text)).toMatchObject(packageExports());
+  const { exports } = JSON.parse(text) as { readonly exports: object };
+  expect(Object.keys(exports)).toEqual(Object.keys(packageExports().exports));
 });
 
 describe('the custom elements manifest', () => {

@@ -1,0 +1,119 @@
+// Without each extra, in a copy: does what is left compile, build, and pass its tests? A copy has no
+// folder, no row and no entry of the extra, nor those that depend on it.
+
+import { spawnSync } from 'node:child_process';
+import {
+  cpSync,
+  existsSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import {
+  EXTRAS,
+  repository,
+  TABLE,
+  tableWithout,
+  typeErrors,
+  withDependents,
+} from '../support/without-extra.js';
+
+/** What the build and the tests read. */
+const COPIED = [
+  '.ci',
+  'src',
+  'shaders',
+  'tests',
+  'demo/guide',
+  'package.json',
+  'tsconfig.json',
+  'vitest.config.ts',
+];
+
+function copyWithout(gone: ReadonlySet<string>): string {
+  const copy = mkdtempSync(join(tmpdir(), 'without-'));
+  for (const name of COPIED) {
+    cpSync(join(repository, name), join(copy, name), { recursive: true });
+  }
+  symlinkSync(join(repository, 'node_modules'), join(copy, 'node_modules'));
+  for (const name of gone) {
+    rmSync(join(copy, 'src/extras', name), { recursive: true });
+    rmSync(join(copy, 'tests/extras', name), { recursive: true, force: true });
+  }
+  writeFileSync(join(copy, TABLE), tableWithout(gone));
+  return copy;
+}
+
+/** Whether all that a file imports is there, in turn. */
+function isWhole(file: string, seen = new Set<string>()): boolean {
+  if (seen.has(file)) return true;
+  seen.add(file);
+  if (!file.endsWith('.ts')) return true;
+  const code = readFileSync(file, 'utf8');
+  return [...code.matchAll(/(?:from|import\() ?'(\.[^'?]*)/g)].every(([, specifier = '']) => {
+    const path = resolve(dirname(file), specifier);
+    const found = [path.replace(/\.js$/, '.ts'), path].find((one) => existsSync(one));
+    return found !== undefined && isWhole(found, seen);
+  });
+}
+
+/**
+ * Tests of the viewer and of the extras that are left. What lies below cannot differ, and others are
+ * of the project as a whole, such as its documents.
+ */
+function testsIn(copy: string): readonly string[] {
+  const folders = ['tests/unit/viewer', 'tests/extras'];
+  return folders.flatMap((folder) =>
+    (readdirSync(join(copy, folder), { recursive: true }) as string[])
+      .map((name) => join(folder, name))
+      .filter((name) => name.endsWith('.test.ts') && isWhole(join(copy, name))),
+  );
+}
+
+/** Runs a script of Node; empty, or what it said where it failed. */
+function run(copy: string, ...args: readonly string[]): string {
+  const { status, stdout, stderr } = spawnSync(process.execPath, args, {
+    cwd: copy,
+    encoding: 'utf8',
+    env: { ...process.env, PHONG_VIEWER_OUT: copy },
+  });
+  return status === 0 ? '' : stdout + stderr;
+}
+
+describe.each(EXTRAS)('without %s', (name) => {
+  const gone = withDependents(name);
+
+  it('the rest compiles, builds and passes its tests', { timeout: 900_000 }, () => {
+    expect(typeErrors(gone)).toEqual([]);
+    const copy = copyWithout(gone);
+    try {
+      for (const [config, mode] of [
+        ['lib', 'index'],
+        ['standalone', 'production'],
+      ] as const) {
+        const file = `.ci/vite/${config}.config.ts`;
+        expect(
+          run(copy, 'node_modules/vite/bin/vite.js', 'build', '--config', file, '--mode', mode),
+        ).toBe('');
+      }
+      expect(run(copy, '.ci/manifest.mjs')).toBe('');
+      const { exports } = JSON.parse(readFileSync(join(copy, 'package.json'), 'utf8')) as {
+        readonly exports: object;
+      };
+      for (const each of gone) {
+        expect(JSON.stringify(exports)).not.toContain(`extras/${each}/`);
+      }
+      const tests = testsIn(copy);
+      expect(tests.length).toBeGreaterThan(15);
+      expect(run(copy, 'node_modules/vitest/vitest.mjs', 'run', ...tests)).toBe('');
+    } finally {
+      rmSync(copy, { recursive: true });
+    }
+  });
+});
