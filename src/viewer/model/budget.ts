@@ -253,11 +253,18 @@ export class Budget {
 
   #change(key: Need['key'], edit: (holders: Set<Claim>) => void, claims?: Claims): void {
     const use = this.#uses.get(key) ?? { claims: claims ?? NO_CLAIMS, holders: new Set() };
-    this.#count(use, -1);
-    edit(use.holders);
-    use.claims = claims ?? use.claims;
-    this.#count(use, 1);
-    if (use.holders.size > 0) {
+    const { claims: before, holders } = use;
+    const { size } = holders;
+    edit(holders);
+    use.claims = claims ?? before;
+    if (use.claims === before && size > 0 && holders.size > 0) {
+      // One holder more or less of many: everything but its draws is counted already.
+      this.#total.parts += (holders.size - size) * (before.parts ?? 0);
+      return;
+    }
+    this.#count(before, size, -1);
+    this.#count(use.claims, holders.size, 1);
+    if (holders.size > 0) {
       this.#uses.set(key, use);
     } else {
       this.#uses.delete(key);
@@ -265,7 +272,7 @@ export class Budget {
   }
 
   /** Draws count for each holder, everything else once. */
-  #count({ claims, holders: { size } }: Use, sign: 1 | -1): void {
+  #count(claims: Claims, size: number, sign: 1 | -1): void {
     for (const key of KEYS) {
       this.#total[key] += sign * (claims[key] ?? 0) * (key === 'parts' ? size : Math.min(size, 1));
     }

@@ -344,6 +344,11 @@ export class Viewport {
     });
   }
 
+  /** Pictures drawn. The same in {@link stats}, which counts lights mesh by mesh. */
+  get frames(): number {
+    return this.#frames;
+  }
+
   get stats(): ViewportStats {
     const [{ programs, viewersDrawn }, { samples }] = [stage, this.still];
     const counts = { frames: this.#frames, reducedFrames: this.#reducedFrames, samples };

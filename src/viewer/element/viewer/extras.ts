@@ -52,7 +52,7 @@ export class ViewerExtras implements ReactiveController {
   /** One that belongs to the first picture is being fetched. */
   get awaited(): boolean {
     return (
-      this.#context.viewport.stats.frames === 0 &&
+      this.#context.viewport.frames === 0 &&
       [...this.#extras].some(([{ first }, extra]) => first === true && extra === null)
     );
   }

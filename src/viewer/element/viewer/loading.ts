@@ -212,10 +212,14 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */
   get loaded(): boolean {
-    const wanted = this.#meshes().filter((mesh) => mesh.wanted);
-    const there = (mesh: SceneMesh): boolean =>
-      mesh.complete === 'model' || (mesh.complete === 'shape' && !this.#undrawn.has(mesh));
-    return wanted.length > 0 && wanted.every(there);
+    let some = false;
+    for (const mesh of this.picture.meshes) {
+      if (!mesh.wanted) continue;
+      const { complete } = mesh;
+      if (complete === null || (complete === 'shape' && this.#undrawn.has(mesh))) return false;
+      some = true;
+    }
+    return some;
   }
 
   hostConnected(): void {

@@ -251,12 +251,3 @@ function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
  * Looks without their roughness: the same object each time, because materials are compared by it.
  */
 const smooth = new WeakMap<BaseLook, BaseLook>();
-
-/** Two appearances of one part, by identity: defaults are the same objects in all meshes. */
-export const looksAlike = (a: Appearance, b: Appearance): boolean =>
-  a.look === b.look &&
-  a.shading === b.shading &&
-  a.reflection === b.reflection &&
-  SURFACE_KEYS.every((key) => a.surface[key] === b.surface[key]);
-
-const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const;

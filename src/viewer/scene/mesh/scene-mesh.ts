@@ -19,7 +19,6 @@ import {
   followPose,
   freeShown,
   geometriesOf,
-  looksAlike,
   type Part,
   partsOf,
   rootOf,
@@ -27,7 +26,7 @@ import {
   showLevel,
   type ShownContent,
 } from './parts.js';
-import type { SharedMaterials } from './shared-materials.js';
+import { looksAlike, type SharedMaterials } from './shared-materials.js';
 import { FIXED, type Level, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName } from './shapes/shapes.js';
 

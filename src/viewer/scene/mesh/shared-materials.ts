@@ -36,6 +36,8 @@ export class SharedMaterials {
   readonly #byMaterial = new Map<PhongMaterial, SharedMaterial>();
   readonly #unused = new Set<SharedMaterial>();
   #style: ShadingStyle = DEFAULT_STYLE;
+  /** That a key was made for last. */
+  #last: { readonly appearance: Appearance; readonly key: string } | null = null;
 
   constructor(lighting: PhongLighting) {
     this.#lighting = lighting;
@@ -65,7 +67,7 @@ export class SharedMaterials {
 
   /** A material for one more user, who gives it back by {@link release}. */
   acquire(appearance: Appearance): PhongMaterial {
-    const shared = this.#byKey.acquire(keyOf(appearance), () => this.#create(appearance));
+    const shared = this.#byKey.acquire(this.#keyOf(appearance), () => this.#create(appearance));
     this.#unused.delete(shared);
     return shared.material;
   }
@@ -75,7 +77,7 @@ export class SharedMaterials {
    * place.
    */
   exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
-    const key = keyOf(appearance);
+    const key = this.#keyOf(appearance);
     const shared = this.#byMaterial.get(material);
     if (shared !== undefined && this.#byKey.get(key) === shared) return material;
     if (
@@ -109,6 +111,14 @@ export class SharedMaterials {
     this.#unused.clear();
   }
 
+  /** Thousands of meshes in a row look alike. */
+  #keyOf(appearance: Appearance): string {
+    if (this.#last === null || !looksAlike(appearance, this.#last.appearance)) {
+      this.#last = { appearance, key: keyOf(appearance) };
+    }
+    return this.#last.key;
+  }
+
   #create(appearance: Appearance): SharedMaterial {
     const material = new PhongMaterial(this.#lighting, appearance.look);
     material.sides = appearance.sides;
@@ -133,6 +143,16 @@ export class SharedMaterials {
     };
   }
 }
+
+/** By identity: defaults are the same objects in all meshes. */
+export const looksAlike = (a: Appearance, b: Appearance): boolean =>
+  a.look === b.look &&
+  a.sides === b.sides &&
+  a.shading === b.shading &&
+  a.reflection === b.reflection &&
+  SURFACE_KEYS.every((key) => a.surface[key] === b.surface[key]);
+
+const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const;
 
 function keyOf({ look, sides, surface, shading, reflection }: Appearance): string {
   const { ka, kd, ks, shininess } = surface;

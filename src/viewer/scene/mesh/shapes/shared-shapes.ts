@@ -68,8 +68,20 @@ const keyOf = ({ name, segments, isLevel, cut }: ShapeKey): string =>
   `${isLevel ? 'auto ' : ''}${name} ${cut === undefined ? String(effectiveSegments(name, segments)) : keyOfCut(cut)}`;
 
 /** What a shape holds, and its flat copy, before they are built. */
-export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
+export function shapeNeeds(key: ShapeKey, flat: boolean): readonly Need[] {
   const text = keyOf(key);
+  const known = `${text} ${String(flat)}`;
+  let needs = needsByKey.get(known);
+  if (needs === undefined) {
+    needsByKey.set(known, (needs = newNeeds(key, text, flat)));
+  }
+  return needs;
+}
+
+/** The same objects for thousands of equal shapes. A page has few different ones. */
+const needsByKey = new Map<string, readonly Need[]>();
+
+function newNeeds(key: ShapeKey, text: string, flat: boolean): readonly Need[] {
   const triangles = trianglesOf(key.name, key.segments);
   const smooth = { key: text, claims: claimsOf(triangles, 1), flat: false };
   return flat
