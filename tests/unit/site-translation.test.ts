@@ -63,6 +63,17 @@ describe.each(languagesOf(LESSON).slice(1))('the lesson in %s', (language) => {
   });
 });
 
+it('no picture that is asked about shows the answer in its table', () => {
+  const asked = Array.from(english.matchAll(/<phong-probe for="([^"]+)" ask=/g), ([, id]) => id!);
+  expect(asked).toHaveLength(5);
+  const viewers = Array.from(english.matchAll(/<phong-viewer\s[^>]*>/g), ([tag]) => tag);
+  for (const id of asked) {
+    const viewer = viewers.find((tag) => tag.includes(`id="${id}"`));
+    expect(viewer, id).toMatch(/\sprobe-at="/);
+    expect(viewer, id).not.toMatch(/\sprobe[\s>]/);
+  }
+});
+
 it('a text without a translation stays English', () => {
   const page = '<html lang="en"><head></head><p>One <i>n</i>, two.</p><h2>Two</h2></html>';
   const html = translated(page, 'pt', { 'One {1}, two.': 'Dois, um {1}.' });
