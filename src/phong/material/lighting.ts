@@ -57,6 +57,7 @@ export class PhongLighting {
   view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
   #declared = 0;
+  #restyles = 0;
   /** Versions of the light set, and what else the lights were last packed for. */
   #packedFor = { lights: -1, kinds: -1, view: null as PictureView | null, linear: false };
   /** This frame changed the packed lights. */
@@ -93,6 +94,22 @@ export class PhongLighting {
 
   set linear(linear: boolean) {
     this.#space.linear = linear;
+    this.restyled();
+  }
+
+  /** Other programs may be needed. */
+  restyled(): void {
+    this.#restyles += 1;
+  }
+
+  /** Goes up with what decides which general programs are needed. */
+  get needs(): number {
+    return this.#restyles + this.lights.kindVersion;
+  }
+
+  /** Adds the features of all lights to {@link declared}. */
+  declare(): void {
+    this.#declared |= declaredFeatures(this.lights.values);
   }
 
   /** World position that fragments are shaded relative to. */
@@ -154,7 +171,7 @@ export class PhongLighting {
     const isOther = view !== this.view || linear !== this.linear;
     const { values, version, kindVersion } = this.lights;
     if (kinds !== kindVersion) {
-      this.#declared |= declaredFeatures(values);
+      this.declare();
       this.#followsCamera = values.some(({ space }) => space === 'camera');
     }
     if (isOther || moved || this.#followsCamera || lights !== version) {

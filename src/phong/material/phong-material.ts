@@ -149,6 +149,13 @@ export class PhongMaterial extends RawShaderMaterial {
     return other as this;
   }
 
+  /**
+   * Whether the program of its next draw is being compiled in the background; drawing waits for it.
+   */
+  compiles(renderer: BeforeRender[0], camera: BeforeRender[2]): boolean {
+    return this.#programs.compiles({ renderer, camera });
+  }
+
   /** three.js calls this before each draw: chooses sides, program and lights for this mesh. */
   override onBeforeRender(...[renderer, , camera, geometry, object]: BeforeRender): void {
     const mesh = object as Mesh;

@@ -45,6 +45,8 @@ export class Picture {
   /** The version whose lights were sent last. */
   #lit = -1;
   #drawCalls = 0;
+  /** Those of the lighting whose programs are there. */
+  #needs = -1;
 
   /** `changed`: another version is to be drawn. `fitted`: `auto` has moved the camera. */
   constructor(lights: LightSet, changed: () => void, fitted: () => void) {
@@ -196,6 +198,26 @@ export class Picture {
     frame.aim(scene, this.fit.depthBounds());
   }
 
+  /**
+   * Whether programs of the next drawing are being compiled in the background. Lights that no
+   * uniform array holds any more are found out later.
+   */
+  compiles(renderer: WebGLRenderer): boolean {
+    const { lighting, materials, frame } = this;
+    lighting.declare();
+    const { needs } = lighting;
+    const compiling = [...materials.all].filter((one) => one.compiles(renderer, frame.camera));
+    if (compiling.length === 0) {
+      this.#needs = needs;
+    }
+    return compiling.length > 0;
+  }
+
+  /** {@link compiles} may be true. */
+  get needsPrograms(): boolean {
+    return this.#needs !== this.lighting.needs;
+  }
+
   /** Draws {@link frame}, or the part of it that `part` is, which need not lie on whole pixels. */
   draw(renderer: WebGLRenderer, part?: Region): void {
     const { frame, lighting, scene } = this;
@@ -209,6 +231,7 @@ export class Picture {
     this.#lit = this.#version;
     lighting.mapBias.value = mapBiasOf(frame.samples);
     renderer.render(scene, frame.camera);
+    lighting.programs.drawn();
     this.#drawCalls = renderer.info.render.calls;
   }
 

@@ -19,6 +19,9 @@ const NONE = -1; // no version of a picture
 const STILL_MS = 200;
 const STILL_FRAMES = 3;
 
+/** Frames that wait for a program at most: then drawing waits, whatever the browser says. */
+const MOST_HELD = 120;
+
 /** What a viewport reports to the parts around it, and what it asks them. */
 export class ViewportSignals {
   /**
@@ -86,6 +89,8 @@ export class Viewport {
   #unchanged = STILL_FRAMES;
   /** Drawing is slow, so its animation frames have to tell whether a motion goes on. */
   #settles = false;
+  /** Frames in a row without a picture, as programs are compiled. */
+  #held = 0;
   #frames = 0;
   #reducedFrames = 0;
 
@@ -243,11 +248,29 @@ export class Viewport {
     if (this.#signals.awaited()) {
       stage.draw(this); // opens the context meanwhile
     } else if (!this.upToDate) {
+      if (this.#compiles()) {
+        this.animate();
+        return;
+      }
       this.redraw();
     } else if (this.#moving || !(this.#settles || this.still.step())) return;
     if (this.#moving || this.#settles || this.still.converging?.pending === true) {
       this.animate();
     }
+  }
+
+  /** The canvas keeps the picture before while another program is compiled, so no frame waits. */
+  #compiles(): boolean {
+    const { picture } = this;
+    const before = this.#held;
+    if (this.#frames > 0 && picture.needsPrograms && before < MOST_HELD) {
+      stage.drawAside((renderer) => {
+        this.#held += Number(picture.compiles(renderer));
+      });
+    }
+    if (this.#held > before) return true;
+    this.#held = 0;
+    return false;
   }
 
   /** Draws it now, with all pixels. */

@@ -27,6 +27,8 @@ export class MaterialPrograms {
   #mildShininess = true;
   /** The general variant and what it was made for; null after a change of style or surface. */
   #general: { variant: Variant; declared: number; capacity: number; linear: boolean } | null = null;
+  /** The keys of those that were there before a drawing. */
+  readonly #known = new Set<string>();
   /** What a specialised program depends on besides its lights. */
   #materialKey = '';
   /** The last key, so that draws build no text. */
@@ -49,6 +51,23 @@ export class MaterialPrograms {
       this.#mildShininess = false;
     }
     this.#general = null;
+    this.#lighting.restyled();
+  }
+
+  /** The program of the next draw is being compiled in the background. */
+  compiles(draw: Omit<Draw, 'mesh'>): boolean {
+    const variant = this.#needed();
+    if (this.#known.has(variant.key)) return false;
+    if (this.#lighting.programs.compiles(variant, draw)) return true;
+    this.#known.add(variant.key);
+    return false;
+  }
+
+  /** Whatever the lights are. */
+  #needed(): Variant {
+    const { view, capacity } = this.#lighting;
+    const shown = view?.program ?? null;
+    return shown === null ? this.#generalFor(capacity) : shown.variant(this.#generalFor(0));
   }
 
   /** The program for this draw, and the lights it reads. */
@@ -56,10 +75,9 @@ export class MaterialPrograms {
     const lighting = this.#lighting;
     lighting.drawWith(draw.renderer);
     const lights = lighting.lightsOf(draw.mesh);
-    const shown = lighting.view?.program ?? null;
-    if (shown !== null) return { variant: shown.variant(this.#generalFor(0)), lights };
-    const general = this.#generalFor(lighting.capacity);
-    if (this.#look.unlit) return { variant: general, lights };
+    const general = this.#needed();
+    const hasOne = this.#look.unlit || (lighting.view?.program ?? null) !== null;
+    if (hasOne) return { variant: general, lights };
     const grid = lighting.gridOf(draw.mesh);
     const form = lighting.formFor(lights, grid);
     const special =

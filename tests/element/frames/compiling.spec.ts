@@ -1,0 +1,102 @@
+// Does no frame wait for a compiler where another program is needed? The browser's answer whether a
+// program has linked is held back.
+
+import type { Locator, Page } from '@playwright/test';
+import { compare, expect, pixels, test } from '../../support/test.js';
+import { type PhongViewer, settled, statsOf } from '../support/viewer.js';
+
+const size = { width: 90, height: 60 };
+const LIGHT = '<phong-light position="1 2 3 0"></phong-light>';
+
+test.beforeEach(async ({ page }) => {
+  await page.addInitScript(() => {
+    type Ask = (this: WebGL2RenderingContext, name: string) => unknown;
+    const COMPLETION_STATUS_KHR = 0x91b1;
+    const held = Object.assign(window, { linking: false });
+    const real = { ...Object.getOwnPropertyDescriptors(WebGL2RenderingContext.prototype) };
+    const late = new WeakSet<WebGLProgram>();
+    Object.assign(WebGL2RenderingContext.prototype, {
+      getExtension(this: WebGL2RenderingContext, name: string): unknown {
+        const isOurs = name === 'KHR_parallel_shader_compile'; // software GL does not have it
+        return isOurs
+          ? { COMPLETION_STATUS_KHR }
+          : (real.getExtension.value as Ask).call(this, name);
+      },
+      linkProgram(this: WebGL2RenderingContext, program: WebGLProgram) {
+        if (held.linking) {
+          late.add(program);
+        }
+        real.linkProgram.value!.call(this, program);
+      },
+      getProgramParameter(this: WebGL2RenderingContext, program: WebGLProgram, name: number) {
+        if (name === COMPLETION_STATUS_KHR) return !held.linking || !late.has(program);
+        return real.getProgramParameter.value!.call(this, program, name) as unknown;
+      },
+    });
+  });
+});
+
+const setLinking = (page: Page, linking: boolean): Promise<void> =>
+  page.evaluate((on) => void Object.assign(window, { linking: on }), linking);
+
+/** Frames that the viewer draws in six of the page's, and whether it is ready after them. */
+const watch = (viewer: Locator): Promise<{ drawn: number; ready: boolean }> =>
+  viewer.evaluate(async (element: PhongViewer) => {
+    const before = element.stats.frames;
+    let ready = false;
+    void element.ready.then(() => (ready = true));
+    for (let frame = 0; frame < 6; frame++) {
+      await new Promise(requestAnimationFrame);
+    }
+    return { drawn: element.stats.frames - before, ready };
+  });
+
+const CHANGES: Readonly<Record<string, (viewer: PhongViewer) => void>> = {
+  'another reflection': (viewer) => (viewer.reflection = 'blinn-phong'),
+  'another shading': (viewer) => (viewer.shading = 'gouraud'),
+  'linear light': (viewer) => (viewer.colorInterpolation = 'linear'),
+  'a lamp that becomes a spot': (viewer) => (viewer.lights[0]!.aperture = 30),
+};
+
+for (const [change, make] of Object.entries(CHANGES)) {
+  test(`${change} is shown once its program is there, and the picture before until then`, async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(
+      `<phong-viewer geometry="torus">${LIGHT}<phong-light position="1 1 2 1"></phong-light></phong-viewer>`,
+      size,
+    );
+    const before = await pixels(viewer);
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await settled(viewer);
+    const lit = await pixels(viewer);
+    expect(compare(before, lit).max).toBeGreaterThan(8);
+    await setLinking(page, true);
+    await viewer.evaluate(make);
+    expect(await watch(viewer)).toEqual({ drawn: 0, ready: false });
+    await setLinking(page, false);
+    await settled(viewer);
+    expect(compare(lit, await pixels(viewer)).max).toBeGreaterThan(0);
+    await setLinking(page, true);
+    const { frames } = await statsOf(viewer);
+    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.diffuse = [9, 99, 9]));
+    await settled(viewer);
+    expect((await statsOf(viewer)).frames).toBe(frames + 1);
+  });
+}
+
+test('a file is drawn at once, and a program that never answers holds no picture for ever', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(`<phong-viewer geometry="torus">${LIGHT}</phong-viewer>`, size);
+  const before = await pixels(viewer);
+  await setLinking(page, true);
+  await viewer.evaluate((element: PhongViewer) => (element.reflection = 'blinn-phong'));
+  expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
+  await viewer.evaluate((element: PhongViewer) => (element.shading = 'gouraud'));
+  const { frames } = await statsOf(viewer);
+  await settled(viewer);
+  expect((await statsOf(viewer)).frames).toBe(frames + 1);
+});
