@@ -73,6 +73,7 @@ export const layers = {
       'extras/probe',
       'extras/diagnosis',
       'extras/overlay',
+      'extras/exercise',
     ],
   },
   // All that extras may import of the viewer.
@@ -86,6 +87,11 @@ export const layers = {
     layers: ['extras/explain', ...extra],
     lazy: ['phong/reference'],
     packages: ['three', 'lit'],
+  },
+  // The equation in steps, and the points of a picture.
+  'extras/exercise': {
+    layers: ['extras/explain', 'phong/reference', ...extra],
+    packages: ['lit'],
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },
   'extras/probe': { layers: ['extras/overlay', ...extra], packages: ['lit'], types: ['three'] },

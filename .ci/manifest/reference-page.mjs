@@ -20,6 +20,7 @@ const ORDER = [
   'phong-compare',
   'phong-control',
   'phong-probe',
+  'phong-exercise',
 ];
 
 /**

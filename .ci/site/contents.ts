@@ -21,6 +21,7 @@ export const guide: readonly Entry[] = [
   { path: 'guide/light/', label: 'Light' },
   { path: 'guide/see/', label: 'See light' },
   { path: 'guide/lessons/', label: 'Write a lesson' },
+  { path: 'guide/exercises/', label: 'Write it yourself' },
   { path: 'guide/camera/', label: 'Camera and panel' },
   { path: 'guide/models/', label: 'Shapes and models' },
   { path: 'guide/install/', label: 'Install' },

@@ -15,6 +15,7 @@ export type {
 export type { CreatePanel } from './element/extra-code.js';
 export type { ControlValues } from './element/fields/control-properties.js';
 export { cssColor } from './element/fields/css-color.js';
+export type { ExerciseValues } from './element/fields/exercise-properties.js';
 export {
   attributesOf,
   bindingOf,
@@ -36,13 +37,14 @@ export {
   type ViewerValues,
 } from './element/fields/viewer-fields.js';
 export type { MistakeTests } from './element/inspect.js';
-export { fieldsOf, placed, sceneMeshes, viewerPins } from './element/internals.js';
+export { fieldsOf, placed, sceneMeshes, viewerPins, viewerSnapshots } from './element/internals.js';
 export { default as ownText } from './element/page/own-text.css?inline';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles, removeStyles } from './element/page/style-sheets.js';
 export { PhongControl } from './element/phong-control.js';
 export { PhongProbe } from './element/phong-probe.js';
+export { PhongExercise } from './element/phong-exercise.js';
 export { lightName, numberedName } from './element/phong-light.js';
 export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';

@@ -5,6 +5,7 @@ import {
   comparisonCode,
   controlCode,
   diagnosisCode,
+  exerciseCode,
   explanationCode,
   panelCode,
   pictureCode,
@@ -29,6 +30,7 @@ comparisonCode.provide(() => import('../extras/compare/comparison.js'));
 panelCode.provide(() => import('../extras/panel/panel.js'));
 controlCode.provide(() => import('../extras/panel/control.js'));
 probeCode.provide(() => import('../extras/probe/probe-element.js'));
+exerciseCode.provide(() => import('../extras/exercise/exercise.js'));
 diagnosisCode.provide(() => import('../extras/diagnosis/diagnose.js'));
 
 // While a viewer's values ask for it. What lies over the picture is drawn in this order.

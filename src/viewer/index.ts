@@ -1,7 +1,7 @@
 /**
  * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>`, `<phong-compare>`,
- * `<phong-control>` and `<phong-probe>`. Importing it without a DOM does nothing. A second copy on a
- * page leaves the first copy's elements alone.
+ * `<phong-control>`, `<phong-probe>` and `<phong-exercise>`. Importing it without a DOM does nothing.
+ * A second copy on a page leaves the first copy's elements alone.
  */
 // First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
@@ -9,6 +9,7 @@ import './extras.js';
 import './element/page/early-requests.js';
 import { PhongCompare } from './element/phong-compare.js';
 import { PhongControl } from './element/phong-control.js';
+import { PhongExercise } from './element/phong-exercise.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongProbe } from './element/phong-probe.js';
@@ -31,6 +32,7 @@ if (page !== undefined && page.contentType !== 'text/html') {
     ['phong-compare', PhongCompare],
     ['phong-control', PhongControl],
     ['phong-probe', PhongProbe],
+    ['phong-exercise', PhongExercise],
   ] as const) {
     if (customElements.get(name) === undefined) {
       customElements.define(name, element);
@@ -39,7 +41,15 @@ if (page !== undefined && page.contentType !== 'text/html') {
 }
 endEarly();
 
-export { PhongCompare, PhongControl, PhongLight, PhongMesh, PhongProbe, PhongViewer };
+export {
+  PhongCompare,
+  PhongControl,
+  PhongExercise,
+  PhongLight,
+  PhongMesh,
+  PhongProbe,
+  PhongViewer,
+};
 export type { ViewerErrorCode, ViewerTexts } from './element/fields/texts.js';
 export type {
   CameraSource,
@@ -51,6 +61,7 @@ export type {
   PhongCompareEventMap,
   AnswerDetail,
   AnswerMistake,
+  PhongExerciseEventMap,
   PhongMeshEventMap,
   PhongProbeEventMap,
   PhongViewerEventMap,
@@ -63,6 +74,7 @@ export type { NumberList } from './element/fields/properties.js';
 export type {
   PhongCompareProps,
   PhongControlProps,
+  PhongExerciseProps,
   PhongLightProps,
   PhongMeshProps,
   PhongProbeProps,

@@ -18,6 +18,7 @@ import type {
   ControlProperties,
   ControlValues,
 } from '../../src/viewer/element/fields/control-properties.js';
+import type { ExerciseProperties } from '../../src/viewer/element/fields/exercise-properties.js';
 import type { ProbeProperties } from '../../src/viewer/element/fields/probe-properties.js';
 import type {
   LightProperties,
@@ -178,6 +179,8 @@ describe('the types of properties and JSX', () => {
       compare: (compare: CompareProperties, key: keyof CompareValues) => (compare[key] = undefined),
       control: (control: ControlProperties, key: keyof ControlValues) => (control[key] = undefined),
       probe: (probe: ProbeProperties, key: keyof ProbeProperties) => (probe[key] = undefined),
+      exercise: (exercise: ExerciseProperties, key: keyof ExerciseProperties) =>
+        (exercise[key] = undefined),
     };
     const tags = Object.keys(resets).map((name) => `phong-${name}`);
     expect(tags.sort()).toEqual(Object.keys(tables.fields).sort());

@@ -191,7 +191,8 @@ function relative(values: LightValues, origin: Vec3): LightValues {
   return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
 
-function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
+/** The tangent at a hit; null without one. */
+export function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
   const [a, b, c] = corners.map(({ tangent }) => tangent);
   if (!a || !b || !c) return null;
   const mix = (i: 0 | 1 | 2 | 3): number =>

@@ -15,12 +15,15 @@ import {
 import type {
   PhongCompareEventMap,
   PhongProbeEventMap,
+  PhongExerciseEventMap,
   PhongViewerEventMap,
 } from '../../viewer/element/elements.js';
 import { attributeOf } from '../../phong/fields/attribute-text.js';
 import type { ControlValues } from '../../viewer/element/fields/control-properties.js';
+import type { ExerciseValues } from '../../viewer/element/fields/exercise-properties.js';
 import type {
   ComponentProps,
+  ExerciseOwnProps,
   Handlers,
   ViewerOwnProps,
 } from '../../viewer/element/template-types.js';
@@ -33,6 +36,7 @@ export type PhongViewerElement = elements.PhongViewer;
 export type PhongCompareElement = elements.PhongCompare;
 export type PhongControlElement = elements.PhongControl;
 export type PhongProbeElement = elements.PhongProbe;
+export type PhongExerciseElement = elements.PhongExercise;
 
 export type PhongLightProps = ComponentProps<'phong-light'>;
 export type PhongMeshProps = ComponentProps<'phong-mesh'>;
@@ -40,6 +44,7 @@ export type PhongViewerProps = ComponentProps<'phong-viewer'>;
 export type PhongCompareProps = ComponentProps<'phong-compare'>;
 export type PhongControlProps = ComponentProps<'phong-control'>;
 export type PhongProbeProps = ComponentProps<'phong-probe'>;
+export type PhongExerciseProps = ComponentProps<'phong-exercise'>;
 
 /**
  * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null`
@@ -102,6 +107,17 @@ export const PhongProbe: Component<PhongProbeProps> = component('phong-probe', [
   'required',
 ] satisfies (keyof ProbeProperties)[]);
 
+/** `<phong-exercise>`, as {@link PhongLight}, with the event `onCheck`. */
+export const PhongExercise: Component<PhongExerciseProps> = component('phong-exercise', [
+  'for',
+  'name',
+  'terms',
+  'kinds',
+  'hint',
+  'solution',
+  'required',
+] satisfies (keyof ExerciseValues)[]);
+
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */
 const EVENTS: ReadonlyMap<string, string> = new Map(
   Object.entries({
@@ -114,16 +130,19 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onAnswer: 'answer',
     onRender: 'render',
     onDividerChange: 'divider-change',
+    onCheck: 'check',
   } satisfies Record<keyof Handlers<AllEvents, unknown>, keyof AllEvents>),
 );
 
-const OWN_PROPS: readonly string[] = [
-  'texts',
-  'maxTriangles',
-  'maxMemory',
-] satisfies (keyof ViewerOwnProps)[];
+const OWN_PROPS: readonly string[] = ['texts', 'maxTriangles', 'maxMemory', 'value'] satisfies (
+  | keyof ViewerOwnProps
+  | keyof ExerciseOwnProps
+)[];
 
-type AllEvents = PhongViewerEventMap & PhongCompareEventMap & PhongProbeEventMap;
+type AllEvents = PhongViewerEventMap &
+  PhongCompareEventMap &
+  PhongProbeEventMap &
+  PhongExerciseEventMap;
 
 /** Props that are neither a value nor an event of the element are left to React. */
 function component<P extends object>(tag: string, attributes: readonly string[]): Component<P> {

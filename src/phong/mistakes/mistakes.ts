@@ -4,6 +4,7 @@
 import { radians } from '../math/angle.js';
 import {
   add,
+  clamp,
   dot,
   multiply,
   negate,
@@ -49,6 +50,32 @@ const coned = (
   isInside: (so, { light }) =>
     light.aperture >= 180 || dot(so.A, so.A) === 0 || isInside(angleOf(so), light.aperture),
 });
+
+/** The cone by the cosine of two vectors, which their lengths change. */
+const byCosine = (
+  vectors: (so: Readonly<Values>, given: Given) => readonly [toLight: Vec3, axis: Vec3],
+): Pick<Steps, 'isInside'> => ({
+  isInside: (so, given) => {
+    const { aperture } = given.light;
+    const [toLight, axis] = vectors(so, given);
+    return (
+      aperture >= 180 ||
+      dot(so.A, so.A) === 0 ||
+      dot(toLight, negate(axis)) >= Math.cos(radians(aperture))
+    );
+  },
+});
+
+/** Cosines may be kept below 1: of long vectors some are not. */
+const capped: readonly Form[] = [
+  {},
+  { lambert: ({ NoL }) => clamp(NoL, 0, 1) },
+  { lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess) },
+  {
+    lambert: ({ NoL }) => clamp(NoL, 0, 1),
+    lobe: ({ cosine }, { material }) => power(clamp(cosine, 0, 1), material.shininess),
+  },
+];
 
 const plus = (k: Vec3, i: Vec3): Vec3 => add(k, i);
 
@@ -98,6 +125,7 @@ export const MISTAKES = {
     forms: [
       { lambert: ({ NoL }) => 0.5 * NoL + 0.5 },
       { lambert: ({ NoL }) => (0.5 * NoL + 0.5) ** 2 },
+      { lambert: ({ NoL }) => 0.5 * NoL + 0.5, spec: ({ lobe }) => lobe },
     ],
   },
   'normal-not-unit': {
@@ -116,7 +144,20 @@ export const MISTAKES = {
   'light-not-unit': {
     sentence: 'L is not normalized: its length counts in the cosine.',
     forms: [
-      { L: ({ toLight }) => toLight },
+      ...capped.flatMap((cap) => [
+        { L: ({ toLight }: Readonly<Values>) => toLight, ...cap },
+        {
+          L: ({ toLight }: Readonly<Values>) => toLight,
+          ...byCosine(({ toLight, A }) => [toLight, A]),
+          ...cap,
+        },
+        // All but the cosine of the spot.
+        {
+          L: ({ toLight }: Readonly<Values>) => toLight,
+          c: ({ toLight, A }: Readonly<Values>) => dot(normalize(toLight), negate(A)),
+          ...cap,
+        },
+      ]),
       { lambert: ({ N, toLight }) => Math.max(dot(N, toLight), 0) },
       {
         cosine: ({ N, V, toLight }, { reflection }) =>
@@ -125,11 +166,19 @@ export const MISTAKES = {
             : dot(N, normalize(add(toLight, V))),
       },
       { c: ({ toLight, A }) => dot(toLight, negate(A)) },
+      {
+        c: ({ toLight, A }) => dot(toLight, negate(A)),
+        ...byCosine(({ toLight, A }) => [toLight, A]),
+      },
+      byCosine(({ toLight, A }) => [toLight, A]),
     ],
   },
   'view-not-unit': {
     sentence: 'V is not normalized: the distance of the eye counts in the highlight.',
-    forms: [{ V: (_, { eye, p }) => subtract(eye, p) }],
+    forms: capped.map((cap) => ({
+      V: (_: Readonly<Values>, { eye, p }: Given) => subtract(eye, p),
+      ...cap,
+    })),
   },
   'axis-not-unit': {
     sentence: "The spot's axis is not normalized: its length counts in the cosine.",
@@ -137,17 +186,9 @@ export const MISTAKES = {
       { c: ({ L }, { light }) => dot(L, negate(light.axis)) },
       {
         c: ({ L }, { light }) => dot(L, negate(light.axis)),
-        isInside: (so, { light }) =>
-          light.aperture >= 180 ||
-          dot(so.A, so.A) === 0 ||
-          dot(so.L, negate(light.axis)) >= Math.cos(radians(light.aperture)),
+        ...byCosine(({ L }, { light }) => [L, light.axis]),
       },
-      {
-        isInside: (so, { light }) =>
-          light.aperture >= 180 ||
-          dot(so.A, so.A) === 0 ||
-          dot(so.L, negate(light.axis)) >= Math.cos(radians(light.aperture)),
-      },
+      byCosine(({ L }, { light }) => [L, light.axis]),
     ],
   },
   'light-reversed': {
@@ -157,6 +198,12 @@ export const MISTAKES = {
       { lambert: ({ NoL }) => Math.max(-NoL, 0) },
       { lambert: ({ NoL }) => Math.max(-NoL, 0), spec: ({ NoL, lobe }) => (NoL < 0 ? lobe : 0) },
       { A: (so, given) => negate(RIGHT.A(so, given)) },
+      // Places only, or directions only.
+      { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? -1 : 1) },
+      { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? 1 : -1) },
+      // The cone or the decay only.
+      byCosine(({ L, A }) => [L, negate(A)]),
+      { c: ({ L, A }) => dot(L, A) },
     ],
   },
   'view-reversed': {
@@ -246,7 +293,12 @@ export const MISTAKES = {
       {
         att: (so, given) => 1 / Math.max(falloff({ ...so, d: lengthTo(given) }, given), 1),
       },
+      { att: (so, given) => 1 / Math.max(falloff(so, given), 1) },
     ],
+  },
+  'no-cone': {
+    sentence: 'The cone is missing: outside of it the light adds nothing.',
+    forms: [{ isInside: () => true }],
   },
   'aperture-in-radians': {
     sentence: 'The aperture is used as radians: it is in degrees.',
@@ -262,10 +314,6 @@ export const MISTAKES = {
       coned((angle, aperture) => angle <= radians(aperture) / 2),
       coned((angle, aperture) => angle <= 2 * radians(aperture)),
     ],
-  },
-  'no-cone': {
-    sentence: 'The cone is missing: outside of it the light adds nothing.',
-    forms: [{ isInside: () => true }],
   },
   'ambient-outside-cone': {
     sentence: 'The ambient term is added outside the cone: there the light adds nothing at all.',

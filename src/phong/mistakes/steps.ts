@@ -155,13 +155,18 @@ const ORDER = Object.keys(RIGHT) as (keyof Values)[];
 /** The terms of one light at a point, not clamped. */
 export type LightTerms = Readonly<Record<Term, Vec3>>;
 
-/** The equation with some of its steps replaced; without `wrong`, as it is right. */
-export function evaluate(given: Given, wrong: Partial<Steps> = {}): LightTerms {
+/** What the steps give, with some of them replaced; without `wrong`, as it is right. */
+export function valuesAt(given: Given, wrong: Partial<Steps> = {}): Values {
   const so: Partial<Record<keyof Values, unknown>> = {};
   for (const key of ORDER) {
     so[key] = (wrong[key] ?? RIGHT[key])(so as Values, given);
   }
-  const { ambient, diffuse, specular, shares, full } = so as Values;
+  return so as Values;
+}
+
+/** The equation of {@link valuesAt}. */
+export function evaluate(given: Given, wrong?: Partial<Steps>): LightTerms {
+  const { ambient, diffuse, specular, shares, full } = valuesAt(given, wrong);
   const term = (name: Term, value: Vec3): Vec3 =>
     given.terms.includes(name) ? scale(value, shares[name] * full) : BLACK;
   return {

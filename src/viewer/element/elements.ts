@@ -8,6 +8,7 @@ import type { LightShare } from '../../phong/reference/index.js';
 import type { ViewportStats } from '../scene/picture.js';
 import type { CompareProperties } from './fields/compare-fields.js';
 import type { ControlProperties } from './fields/control-properties.js';
+import type { ExerciseProperties } from './fields/exercise-properties.js';
 import type { ProbeProperties } from './fields/probe-properties.js';
 import type { Inputs, LightProperties, MeshProperties } from './fields/properties.js';
 import type { ViewerErrorCode, ViewerTexts } from './fields/texts.js';
@@ -206,9 +207,12 @@ export interface PhongControl extends HTMLElement, ControlProperties {
   readonly localName: 'phong-control';
 }
 
-/** What a <phong-probe> has as HTML's own controls of forms do. */
-export interface ProbeForm {
-  /** The answers as typed; several questions' are separated by `;`. */
+/** What <phong-probe> and <phong-exercise> have as HTML's own controls of forms do. */
+export interface FormControl {
+  /**
+   * What was written: a probe's answers as typed, those of several questions separated by `;`; an
+   * exercise's function.
+   */
   value: string;
   readonly form: HTMLFormElement | null;
   readonly validity: ValidityState;
@@ -219,10 +223,17 @@ export interface ProbeForm {
 }
 
 /** Explains one point of a viewer's picture, anywhere on the page. */
-export interface PhongProbe extends HTMLElement, ProbeProperties, ProbeForm {
+export interface PhongProbe extends HTMLElement, ProbeProperties, FormControl {
   readonly localName: 'phong-probe';
   addEventListener: Listen<this, PhongProbeEventMap>;
   removeEventListener: Listen<this, PhongProbeEventMap>;
+}
+
+/** A lighting function to write, and a verdict on it. */
+export interface PhongExercise extends HTMLElement, ExerciseProperties, FormControl {
+  readonly localName: 'phong-exercise';
+  addEventListener: Listen<this, PhongExerciseEventMap>;
+  removeEventListener: Listen<this, PhongExerciseEventMap>;
 }
 
 /**
@@ -257,6 +268,7 @@ declare global {
     'phong-compare': PhongCompare;
     'phong-control': PhongControl;
     'phong-probe': PhongProbe;
+    'phong-exercise': PhongExercise;
   }
 }
 
@@ -368,6 +380,22 @@ export interface PhongProbeEventMap {
 export interface PhongCompareEventMap {
   /** The user moved a divider; `detail.at` are the places of all, in percent. */
   'divider-change': CustomEvent<{ readonly at: readonly number[] }>;
+}
+
+/** What a run of a learner's function gave. */
+export interface CheckDetail {
+  readonly right: boolean;
+  /** Ids of the mistakes that together explain the colours, one or two; empty where none do. */
+  readonly mistakes: readonly string[];
+  /** Of the judged pixels, those that are right: 0–1. */
+  readonly share: number;
+  readonly source: string;
+}
+
+/** Events of `<phong-exercise>`. None bubbles. */
+export interface PhongExerciseEventMap {
+  /** Somebody has run the function: `detail.right`, `mistakes`, `share` and `source`. */
+  check: CustomEvent<CheckDetail>;
 }
 
 /** All events by name, including those of every element. */

@@ -7,6 +7,7 @@ import type {
   PhongCompare,
   PhongControl,
   PhongProbe,
+  PhongExercise,
   PhongViewer,
   PictureOptions,
   ShadeOptions,
@@ -39,6 +40,10 @@ export const probeCode = /* @__PURE__ */ extraCode<{
   readonly follow: (probe: PhongProbe) => void;
   readonly reset: (probe: PhongProbe) => void;
 }>('<phong-probe>');
+export const exerciseCode = /* @__PURE__ */ extraCode<{
+  readonly follow: (exercise: PhongExercise) => void;
+  readonly reset: (exercise: PhongExercise) => void;
+}>('<phong-exercise>');
 
 /** Lays out the viewers of a comparison. */
 export interface Comparison extends ReactiveController {

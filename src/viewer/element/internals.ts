@@ -8,6 +8,7 @@ import type { SceneMesh } from '../scene/mesh/scene-mesh.js';
 import type { PhongMesh, PhongViewer } from './elements.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import type { ViewerCamera } from './viewer/camera.js';
+import type { ViewerSnapshot } from './viewer/extra-host.js';
 
 interface ValuesByTag {
   'phong-light': LightValues;
@@ -32,3 +33,6 @@ export const viewerPins = new WeakMap<PhongViewer, Vec3>();
 /** A viewer has got its place in a comparison, which observers report only after a frame. */
 export const placed = (viewer: PhongViewer & { connectedMoveCallback?(): void }): void =>
   viewer.connectedMoveCallback?.();
+
+/** What a viewer's picture shows, copied at the call. */
+export const viewerSnapshots = new WeakMap<PhongViewer, () => ViewerSnapshot>();

@@ -3,12 +3,12 @@
 import { reportMissing } from '../model/lazy-code.js';
 import { Base } from './child-element.js';
 import { probeCode } from './extra-code.js';
-import type { PhongProbe as PublicProbe, ProbeForm } from './elements.js';
+import type { PhongProbe as PublicProbe, FormControl } from './elements.js';
 import type { Listen, PhongProbeEventMap } from './elements.js';
 import type { ProbeProperties } from './fields/probe-properties.js';
 
 // The accessors come from the table of fields.
-interface ProbeElement extends ProbeProperties, ProbeForm {
+interface ProbeElement extends ProbeProperties, FormControl {
   readonly localName: 'phong-probe';
   addEventListener: Listen<this, PhongProbeEventMap>;
   removeEventListener: Listen<this, PhongProbeEventMap>;

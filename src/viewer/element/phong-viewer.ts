@@ -26,7 +26,7 @@ import {
   type ViewerProperties,
   type ViewerValues,
 } from './fields/viewer-fields.js';
-import { viewerCameras } from './internals.js';
+import { viewerCameras, viewerSnapshots } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
@@ -140,6 +140,7 @@ class ViewerElement extends LitElement implements PublicViewer {
       this.addController(part);
     }
     viewerCameras.set(this, this.#camera);
+    viewerSnapshots.set(this, () => this.#extras.snapshot());
     renderWhereShown(this);
   }
 

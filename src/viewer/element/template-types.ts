@@ -20,6 +20,8 @@ import type {
   PhongCompare,
   PhongCompareEventMap,
   PhongControl,
+  PhongExercise,
+  PhongExerciseEventMap,
   PhongLight,
   PhongMesh,
   PhongMeshEventMap,
@@ -30,6 +32,7 @@ import type {
 } from './elements.js';
 import type { CompareValues } from './fields/compare-fields.js';
 import type { ControlValues } from './fields/control-properties.js';
+import type { ExerciseValues } from './fields/exercise-properties.js';
 import type { ProbeProperties } from './fields/probe-properties.js';
 import type { Inputs, ValuesOf } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
@@ -68,6 +71,17 @@ interface Elements {
     properties: object;
     events: PhongProbeEventMap;
   };
+  'phong-exercise': {
+    element: PhongExercise;
+    values: ExerciseValues;
+    properties: ExerciseOwnProps;
+    events: PhongExerciseEventMap;
+  };
+}
+
+/** Properties of `<phong-exercise>` without an attribute. */
+export interface ExerciseOwnProps {
+  readonly value?: string | undefined;
 }
 
 type AnyElement = Elements[keyof Elements];
@@ -136,6 +150,7 @@ export type PhongViewerProps = ReactElements['phong-viewer'];
 export type PhongCompareProps = ReactElements['phong-compare'];
 export type PhongControlProps = ReactElements['phong-control'];
 export type PhongProbeProps = ReactElements['phong-probe'];
+export type PhongExerciseProps = ReactElements['phong-exercise'];
 
 /** Props of a component of `phong-viewer/react` for an element with these props and events. */
 export type ComponentProps<Tag extends keyof Elements> = Omit<

@@ -1,0 +1,458 @@
+// What a <phong-exercise> does: it shows an editor, runs the function when somebody presses *run*,
+// and says what the judge found. Loaded with the first one on a page.
+import { html, nothing, render, type TemplateResult } from 'lit';
+import { FieldStore } from '../../phong/fields/field-store.js';
+import { srgbEncode } from '../../phong/math/color.js';
+import { KINDS, type LightKind } from '../../phong/light/light-state.js';
+import {
+  addStyles,
+  defineProperties,
+  type ExerciseValues,
+  FieldBinding,
+  localNumber,
+  ownText,
+  PhongExercise,
+  type PhongViewer,
+  phrase,
+  textsAround,
+  viewerSnapshots,
+  type ViewerText,
+  type ViewerTexts,
+} from '../../viewer/extra.js';
+import { check, type Failure, type Verdict } from './check.js';
+import { EXERCISE_FIELDS } from './exercise-fields.js';
+import styles from './exercise.css?inline';
+import { type Case, exactAt, kindOf } from '../../phong/mistakes/judge.js';
+import { type PicturePoints, pointsOf, underScene } from './picture.js';
+import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js';
+import { GIVEN_GLSL, solutionFor, STARTING_GLSL } from './solution.js';
+import { sentencesFor } from './words.js';
+
+const exercises = new WeakMap<PhongExercise, Exercise>();
+
+defineProperties(PhongExercise.prototype, EXERCISE_FIELDS);
+Object.defineProperty(PhongExercise.prototype, 'value', {
+  configurable: true,
+  get(this: PhongExercise) {
+    return own(this).value;
+  },
+  set(this: PhongExercise, value: unknown) {
+    own(this).value = String(value);
+  },
+});
+for (const key of ['form', 'validity', 'validationMessage', 'willValidate'] as const) {
+  Object.defineProperty(PhongExercise.prototype, key, {
+    configurable: true,
+    get(this: PhongExercise) {
+      return own(this).internals[key];
+    },
+  });
+}
+for (const key of ['checkValidity', 'reportValidity'] as const) {
+  Object.defineProperty(PhongExercise.prototype, key, {
+    configurable: true,
+    value(this: PhongExercise) {
+      return own(this).internals[key]();
+    },
+  });
+}
+
+function own(element: PhongExercise): Exercise {
+  const exercise = exercises.get(element) ?? new Exercise(element);
+  exercises.set(element, exercise);
+  return exercise;
+}
+
+/** The exercise has come to the page, or is disabled. */
+export const follow = (element: PhongExercise): void => own(element).connect();
+
+/** The form around it is reset. */
+export const reset = (element: PhongExercise): void => own(element).startAgain();
+
+/** What a run has shown. */
+interface Shown {
+  readonly verdict: Verdict;
+  readonly picture: PicturePoints | null;
+}
+
+class Exercise {
+  readonly #element: PhongExercise;
+  readonly #root: ShadowRoot;
+  readonly internals: ElementInternals;
+  readonly #values: Readonly<ExerciseValues>;
+  /** What was written; null while it is the text to begin with. */
+  #written: string | null = null;
+  #running = false;
+  /** Why there is no verdict. */
+  #failure: Failure | null = null;
+  /** Beside a failure of the run: of the page. */
+  #problem = '';
+  #shown: Shown | null = null;
+  #wasRight = false;
+
+  constructor(element: PhongExercise) {
+    this.#element = element;
+    this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
+    this.internals = element.attachInternals();
+    const binding = new FieldBinding(element, new FieldStore<ExerciseValues>(EXERCISE_FIELDS));
+    this.#values = binding.store.values;
+    for (const name of element.getAttributeNames()) {
+      binding.attributeChanged(name, element.getAttribute(name));
+    }
+    binding.upgrade();
+    if (Object.hasOwn(element, 'value')) {
+      this.#written = element.value;
+      Reflect.deleteProperty(element, 'value');
+    }
+    binding.store.listen(() => this.#render());
+    new MutationObserver((records) => {
+      for (const { target, attributeName } of records) {
+        if (target === element && attributeName !== null) {
+          binding.attributeChanged(attributeName, element.getAttribute(attributeName));
+        }
+      }
+      this.#render();
+    }).observe(element, { childList: true, subtree: true, characterData: true, attributes: true });
+  }
+
+  connect(): void {
+    addStyles(this.#root, ownText);
+    addStyles(this.#root, styles);
+    this.#render();
+    // The viewer and its texts may come later.
+    void customElements
+      .whenDefined('phong-viewer')
+      .then(() => this.#viewer?.ready)
+      .then(() => this.#render());
+  }
+
+  get value(): string {
+    return this.#written ?? this.#given;
+  }
+
+  set value(text: string) {
+    this.#written = text;
+    this.#render();
+  }
+
+  /** The text to begin with. */
+  get #given(): string {
+    const script = this.#element.querySelector<HTMLScriptElement>('script[type="text/plain"]');
+    return script?.text.replace(/^\s*\n|\s+$/g, '') ?? STARTING_GLSL;
+  }
+
+  get #viewer(): PhongViewer | null {
+    const tree = this.#element.getRootNode() as Document | ShadowRoot;
+    const found = this.#values.for === '' ? null : tree.getElementById(this.#values.for.trim());
+    return found?.matches('phong-viewer:defined') === true ? (found as PhongViewer) : null;
+  }
+
+  get #texts(): ViewerTexts | null {
+    return textsAround(this.#element, this.#viewer?.texts ?? null);
+  }
+
+  #say(text: string, values: Readonly<Record<string, string | number>> = {}): string {
+    const texts = this.#texts;
+    const words = Object.entries(values).map(([key, value]) => [
+      key,
+      typeof value === 'number' ? localNumber(String(value), texts) : value,
+    ]);
+    return phrase(texts, text as ViewerText, Object.fromEntries(words) as Record<string, string>);
+  }
+
+  #task(lights: readonly LightKind[]): Task {
+    const { terms, kinds } = this.#values;
+    const reflection = this.#viewer?.reflection ?? 'phong';
+    return { terms, kinds: kinds ?? KINDS.filter((kind) => lights.includes(kind)), reflection };
+  }
+
+  startAgain(): void {
+    this.#written = null;
+    this.#failure = null;
+    this.#root.querySelector('textarea')!.value = this.#given;
+    this.#render();
+  }
+
+  /** With `scene`: the picture under a lamp of the sheet. */
+  async #run(scene: SceneName | null = null): Promise<void> {
+    if (this.#running) return;
+    this.#running = true;
+    this.#failure = null;
+    this.#problem = '';
+    this.#render();
+    try {
+      await this.#judge(this.value, scene);
+    } finally {
+      this.#running = false;
+      this.#render();
+    }
+  }
+
+  async #judge(source: string, scene: SceneName | null): Promise<void> {
+    const viewer = this.#viewer;
+    if (viewer === null) {
+      this.#problem = this.#say('There is no <phong-viewer> with the id {id}.', {
+        id: JSON.stringify(this.#values.for),
+      });
+      return;
+    }
+    await viewer.ready;
+    const snapshot = viewerSnapshots.get(viewer)!();
+    const task = this.#task(kindsOf(snapshot.lights.map(({ values }) => values)));
+    const own = await pointsOf(snapshot, task);
+    const [exponent] = own?.exponents ?? [];
+    if (exponent !== undefined) {
+      this.#problem = this.#say(
+        'The exponent is {n} in this picture: an exercise needs 1 to 256.',
+        {
+          n: exponent,
+        },
+      );
+      return;
+    }
+    const picture =
+      own === null || scene === null ? own : underScene(own, SCENES[scene], task.terms);
+    const result = await check(source, task, picture);
+    const isVerdict = 'right' in result;
+    if (isVerdict) {
+      this.#shown = { verdict: result, picture };
+      this.#wasRight ||= result.right;
+    } else {
+      this.#failure = result;
+    }
+    const { right, mistakes, share } = isVerdict ? result : NO_VERDICT;
+    if (scene === null) {
+      this.#element.dispatchEvent(
+        new CustomEvent('check', { detail: { right, mistakes, share, source } }),
+      );
+    }
+  }
+
+  #render(): void {
+    const { value } = this;
+    const isMissing =
+      this.#values.required && (this.#written === null || this.#written.trim() === '');
+    render(this.#template(value), this.#root);
+    const area = this.#root.querySelector('textarea')!;
+    this.internals.setFormValue(value);
+    this.internals.setValidity(
+      { valueMissing: isMissing },
+      isMissing ? this.#say('Write the function first.') : '',
+      area,
+    );
+    if (this.#shown !== null) {
+      this.#paint(this.#shown);
+    }
+  }
+
+  #template(value: string): TemplateResult {
+    const lines = value.split('\n').length;
+    const faults = this.#faults();
+    const bad = new Set(faults.map(({ line }) => line));
+    const help = this.#say(
+      'The function returns the light of one lamp at one point. It is not clamped: the sum over the lamps is. Colours are from 0 to 1; angles are in degrees; p, normal and eye are in world space. normal and axis have any length but zero; position.w is 0 for a direction and 1 for a place; aperture is the angle from the axis to the edge of the cone, 180 without one; the exponent is from 1 to 256.',
+    );
+    return html`<div class="editor" part="editor">
+        <label for="code">${this.#say('Your function')}</label>
+        <div class="code">
+          <div class="numbers" aria-hidden="true">
+            ${Array.from({ length: lines }, (_, i) =>
+              bad.has(i + 1) ? html`<b>${i + 1}</b>` : html`<span>${i + 1}</span>`,
+            )}
+          </div>
+          <textarea
+            id="code"
+            rows=${lines + 1}
+            wrap="off"
+            spellcheck="false"
+            autocapitalize="off"
+            autocomplete="off"
+            aria-describedby="faults"
+            ?disabled=${this.#element.matches(':disabled')}
+            aria-invalid=${faults.length > 0}
+            .value=${value}
+            @input=${this.#input}
+            @keydown=${this.#key}
+          ></textarea>
+        </div>
+        <pre class="printed">${value}</pre>
+        <div id="faults" role="alert">
+          ${faults.map(
+            ({ line, text }) =>
+              html`<p>
+                ${line === null ? text : this.#say('Line {line}: {message}', { line, message: text })}
+              </p>`,
+          )}
+        </div>
+        <p class="buttons">
+          <button part="button" aria-disabled=${this.#running} @click=${() => this.#run()}>
+            ${this.#say('Run')}
+          </button>
+          <button part="button" @click=${() => this.startAgain()}>
+            ${this.#say('Start again')}
+          </button>
+        </p>
+        <details>
+          <summary>${this.#say('What the function gets')}</summary>
+          <pre tabindex="0">${GIVEN_GLSL}</pre>
+          <p>${help}</p>
+        </details>
+      </div>
+      <div class="verdict" part="verdict" role="status">${this.#verdict()}</div>
+      ${this.#pictures()} ${this.#solution()}`;
+  }
+
+  readonly #input = ({ target }: Event): void => {
+    this.value = (target as HTMLTextAreaElement).value;
+  };
+
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+      event.preventDefault();
+      void this.#run();
+    }
+  };
+
+  #faults(): readonly { readonly line: number | null; readonly text: string }[] {
+    const { fault, messages = [] } = this.#failure ?? {};
+    return fault === undefined
+      ? messages
+      : [{ line: fault.line, text: this.#say(fault.text, fault.values) }];
+  }
+
+  #verdict(): TemplateResult | typeof nothing {
+    if (this.#running) return html`<p>${this.#say('Running …')}</p>`;
+    const { stop } = this.#failure ?? {};
+    const failed = stop === undefined ? this.#problem : this.#say(STOPS[stop]);
+    if (failed !== '') return html`<p>${failed}</p>`;
+    const { hint } = this.#values;
+    if (this.#shown === null || this.#failure !== null || hint === 'none') return nothing;
+    const { verdict } = this.#shown;
+    const say = (text: string, values?: Readonly<Record<string, string | number>>): string =>
+      this.#say(text, values);
+    const [first, ...rest] = sentencesFor(verdict, hint, say);
+    const { scene } = verdict;
+    return html`<p class=${verdict.right ? 'right' : 'wrong'}><strong>${first}</strong></p>
+      ${rest.map((text) => html`<p>${text}</p>`)}
+      ${
+        scene === null || hint === 'verdict'
+          ? nothing
+          : html`<p class="buttons">
+              <button part="button" @click=${() => this.#run(scene)}>
+                ${this.#say(DEMONSTRATIONS[scene] ?? 'Use another light')}
+              </button>
+            </p>`
+      }`;
+  }
+
+  #pictures(): TemplateResult | typeof nothing {
+    const { picture } = this.#shown ?? {};
+    if (picture === undefined || picture === null) return nothing;
+    const { hint } = this.#values;
+    const { width, height } = picture;
+    const canvas = (id: string, label: string): TemplateResult =>
+      html`<canvas
+        id=${id}
+        width=${width}
+        height=${height}
+        role="img"
+        aria-label=${this.#say(label)}
+      ></canvas>`;
+    const isCompared = hint !== 'none';
+    return html`<div class="pictures" part="pictures">
+      <figure>
+        <div class="split">
+          ${canvas('own', 'Your picture')}
+          ${isCompared ? canvas('exact', 'The exact picture') : nothing}
+        </div>
+        ${
+          isCompared
+            ? html`<input
+                type="range"
+                min="0"
+                max="100"
+                value="50"
+                aria-label=${this.#say('Divider')}
+                @input=${this.#divide}
+              />`
+            : nothing
+        }
+        <figcaption>
+          ${this.#say(isCompared ? 'Left of the line your picture, right of it the exact one' : 'Your picture')}
+        </figcaption>
+      </figure>
+      ${
+        hint === 'what' || hint === 'where'
+          ? html`<figure>
+              ${canvas('difference', 'The difference')}
+              <figcaption>${this.#say('The difference')}</figcaption>
+            </figure>`
+          : nothing
+      }
+    </div>`;
+  }
+
+  readonly #divide = ({ target }: Event): void => {
+    const exact = this.#root.querySelector<HTMLElement>('.split')!;
+    exact.style.setProperty('--at', `${(target as HTMLInputElement).value}%`);
+  };
+
+  #solution(): TemplateResult | typeof nothing {
+    const { solution, kinds } = this.#values;
+    if (!solution || !this.#wasRight) return nothing;
+    const lights = this.#viewer?.lights ?? [];
+    const task = this.#task(kinds ?? kindsOf(lights));
+    return html`<details open>
+      <summary>${this.#say('The exact function')}</summary>
+      <pre tabindex="0">${solutionFor(task)}</pre>
+    </details>`;
+  }
+
+  #paint({ verdict: { colors }, picture }: Shown): void {
+    if (picture === null) return;
+    const { width, height, cases, pixels } = picture;
+    const draw = (id: string, colorOf: (i: number, at: Case) => readonly number[]): void => {
+      const canvas = this.#root.querySelector<HTMLCanvasElement>(`#${id}`);
+      const context = canvas?.getContext('2d') ?? null;
+      if (context === null) return;
+      const image = context.createImageData(width, height);
+      for (const [i, at] of cases.entries()) {
+        image.data.set([...colorOf(i, at).map((x) => 255 * x), 255], 4 * pixels[i]!);
+      }
+      context.putImageData(image, 0, 0);
+    };
+    const shown = picture.linear ? srgbEncode : (x: number) => x;
+    const own = (i: number): readonly number[] =>
+      [0, 1, 2].map((k) => shown(Math.min(Math.max(colors[3 * i + k]!, 0), 1)));
+    const exact = (at: Case): readonly number[] =>
+      exactAt(at).map((x) => shown(Math.min(Math.max(x, 0), 1)));
+    draw('own', own);
+    draw('exact', (_, at) => exact(at));
+    draw('difference', (i, at) => {
+      const right = exact(at);
+      // Four steps can be seen, and full is a quarter off.
+      return own(i).map((x, k) => (Number.isNaN(x) ? 1 : Math.min(4 * Math.abs(x - right[k]!), 1)));
+    });
+  }
+}
+
+const NO_VERDICT = { right: false, mistakes: [], share: 0 } as const;
+
+const STOPS = {
+  slow: 'The function takes too long: drawing stopped after two seconds.',
+  lost: 'The graphics driver has stopped. The next run starts anew.',
+  'no-webgl2': 'An exercise needs WebGL 2.',
+} as const satisfies Record<NonNullable<Failure['stop']>, ViewerText>;
+
+const DEMONSTRATIONS: Partial<Record<SceneName, ViewerText>> = {
+  behind: 'Turn the light behind the object',
+  dull: 'Turn the light behind the object',
+  near: 'Bring the lamp close',
+  cone: 'Use a narrow spot',
+  narrow: 'Use a narrow spot',
+  spot: 'Use a narrow spot',
+};
+
+const kindsOf = (
+  lights: readonly (Parameters<typeof kindOf>[0] & { readonly active: boolean })[],
+): LightKind[] => lights.filter(({ active }) => active).map(kindOf);

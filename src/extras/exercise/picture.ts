@@ -1,0 +1,176 @@
+// The points of a viewer's picture, as a learner's function is given them: one for each pixel that
+// shows a surface, with each lamp in world space.
+import { srgbDecode } from '../../phong/math/color.js';
+import { add, dot, length, map, scale, type Vec3, type Vec4 } from '../../phong/math/vector.js';
+import type { Given } from '../../phong/mistakes/steps.js';
+import { coefficientsOf } from '../../phong/reference/equation.js';
+import type { ViewerSnapshot } from '../../viewer/extra.js';
+import { cornersOf, pick, type SeenHit } from '../explain/pick.js';
+import { weighted } from '../explain/ray-triangles.js';
+import { tangentAt } from '../explain/shade-at.js';
+import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
+import { type Case, kindOf } from '../../phong/mistakes/judge.js';
+import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';
+
+export interface PicturePoints {
+  readonly width: number;
+  readonly height: number;
+  readonly cases: readonly Case[];
+  /** The pixel of each case, counted in rows from the top. */
+  readonly pixels: readonly number[];
+  /** Exponents that an exercise cannot have; empty where all are from 1 to 256. */
+  readonly exponents: readonly number[];
+  /** The eye's axes: right, up, back. */
+  readonly axes: readonly [Vec3, Vec3, Vec3];
+  /** Colours are summed in linear light, and encoded when they are shown. */
+  readonly linear: boolean;
+}
+
+/** Enough for a picture of 300 × 200. */
+const MOST_PIXELS = 60_000;
+
+/** Milliseconds in which the page does nothing else. */
+const SLICE = 30;
+
+export async function pointsOf(
+  { scene, lights }: ViewerSnapshot,
+  task: Task,
+): Promise<PicturePoints | null> {
+  if (scene === null) return null;
+  const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (scene.width * scene.height)));
+  const width = Math.max(Math.round(scene.width * shrink), 1);
+  const height = Math.max(Math.round(scene.height * shrink), 1);
+  const { origin, eye, right, up, back } = scene.frame;
+  const world = add(origin, eye);
+  const axes = [right, up, back] as const;
+  const cases: Case[] = [];
+  const pixels: number[] = [];
+  const exponents = new Set<number>();
+  // All surfaces of a viewer are shaded in one space.
+  const linear = scene.objects.some(({ phong }) => phong?.linear === true);
+  const lamps = lights
+    .filter(({ values }) => values.active)
+    .map(({ values }) => lampOf(values, world, axes, linear))
+    .filter((lamp) => task.kinds.includes(kindOf(lamp)))
+    .map((lamp) => only(task.terms, lamp));
+  let end = performance.now() + SLICE;
+  for (let row = 0; row < height; row++) {
+    for (let column = 0; column < width; column++) {
+      const hit = hitAt({ ...scene, width, height }, column, row);
+      if (hit === null || hit.drawn.phong.look.unlit) continue;
+      const { surface, normal } = shadedPoint(hit);
+      const { shininess } = surface;
+      if (shininess < 1 || shininess > 256) {
+        exponents.add(shininess);
+      }
+      if (length(normal) < 1e-6) continue;
+      const given = {
+        material: { ...coefficientsOf(surface, linear), shininess: Math.fround(shininess) },
+        p: map(add(origin, hit.p), Math.fround),
+        normal: map(normal, Math.fround),
+        eye: map(world, Math.fround),
+        reflection: task.reflection,
+        terms: task.terms,
+      };
+      cases.push(lamps.map((light) => ({ ...given, light })));
+      pixels.push(row * width + column);
+    }
+    if (performance.now() > end) {
+      await new Promise((resolve) => setTimeout(resolve));
+      end = performance.now() + SLICE;
+    }
+  }
+  return { width, height, cases, pixels, exponents: [...exponents], axes, linear };
+}
+
+function hitAt(scene: Parameters<typeof pick>[0], column: number, row: number): SeenHit | null {
+  const search = pick(scene, column, row);
+  for (;;) {
+    const step = search.next();
+    if (step.done === true) return step.value;
+  }
+}
+
+function shadedPoint(hit: SeenHit) {
+  const { phong, geometry } = hit.drawn;
+  const corners = cornersOf(hit);
+  const [a, b, c] = corners;
+  const N = weighted(hit.weights, [a.N, b.N, c.N]);
+  return {
+    surface: surfaceAt(phong, geometry, hit, hit.base),
+    normal: mappedNormalAt(phong, geometry, hit, N, tangentAt(hit.weights, corners)),
+  };
+}
+
+/** A light in world space, with 1 as full; one without a cone or decay has some axis. */
+function lampOf(
+  light: ViewerSnapshot['lights'][number]['values'],
+  eye: Vec3,
+  axes: readonly [Vec3, Vec3, Vec3],
+  linear: boolean,
+): Lamp {
+  const isCamera = light.space === 'camera';
+  const [x, y, z, w] = light.position;
+  const axis = isCamera ? along(axes, light.axis) : light.axis;
+  const place: Vec3 = isCamera ? add(w === 1 ? eye : [0, 0, 0], along(axes, [x, y, z])) : [x, y, z];
+  const isAxis = dot(axis, axis) > 0;
+  const color = (c: Vec3): Vec3 =>
+    map(c, (k) => Math.fround(linear ? srgbDecode(k / 255) : k / 255));
+  return {
+    ambient: color(light.ambient),
+    diffuse: color(light.diffuse),
+    specular: color(light.specular),
+    position: [...map(place, Math.fround), w],
+    axis: isAxis ? map(axis, Math.fround) : [0, 0, -1],
+    aperture: isAxis ? Math.fround(light.aperture) : 180,
+    cutoff: isAxis ? Math.fround(light.cutoff) : 0,
+    attenuation: map(light.attenuation, Math.fround),
+  };
+}
+
+const along = ([right, up, back]: readonly [Vec3, Vec3, Vec3], [x, y, z]: Vec3): Vec3 =>
+  add(add(scale(right, x), scale(up, y)), scale(back, z));
+
+/** The same picture with the lamp of a test scene, its exponent and the length of its normals. */
+export function underScene(
+  picture: PicturePoints,
+  scene: Scene,
+  terms: Task['terms'],
+): PicturePoints {
+  const givens = picture.cases.flatMap((at) => at.slice(0, 1));
+  const extent = ([0, 1, 2] as const).map((k) => {
+    const all = givens.map(({ p }) => p[k]);
+    return [Math.min(...sparse(all)), Math.max(...sparse(all))] as const;
+  });
+  const center = extent.map(([low, high]) => (low + high) / 2) as unknown as Vec3;
+  const size = Math.max(...extent.map(([low, high]) => (high - low) / 2), 1e-6);
+  const [x, y, z, w] = scene.position;
+  const place = along(picture.axes, [x, y, z]);
+  const position: Vec4 = [...(w === 1 ? add(center, scale(place, size)) : place), w];
+  const [kc, kl, kq] = scene.attenuation;
+  const light = only(terms, {
+    ambient: [0.25, 0.25, 0.25],
+    diffuse: [0.9, 0.9, 0.9],
+    specular: [0.9, 0.9, 0.9],
+    position: map4(position),
+    axis: map(along(picture.axes, scene.axis), Math.fround),
+    aperture: scene.aperture,
+    cutoff: scene.cutoff,
+    attenuation: map([kc, kl / size, kq / size ** 2], Math.fround),
+  });
+  const turned = (given: Given): Given => ({
+    ...given,
+    light,
+    normal: map(scale(given.normal, scene.normal), Math.fround),
+    material: { ...given.material, shininess: scene.shininess },
+  });
+  return { ...picture, cases: picture.cases.map((at) => at.slice(0, 1).map(turned)) };
+}
+
+const map4 = ([x, y, z, w]: Vec4): Vec4 => [...map([x, y, z], Math.fround), w];
+
+/** A few thousand of them: calls take only so many arguments. */
+const sparse = (all: readonly number[]): number[] => {
+  const stride = Math.ceil(all.length / 4000);
+  return all.filter((_, i) => i % stride === 0);
+};

@@ -1,0 +1,251 @@
+// Runs a learner's function on points, in a WebGL 2 context of its own: whatever it does, it can
+// only take its own away. The learner's text comes last in the program, so nothing in it reaches
+// ours. Floats come back as bits in whole numbers, which every WebGL 2 can draw.
+import type { Lamp } from '../../phong/mistakes/sheet.js';
+import type { Case } from '../../phong/mistakes/judge.js';
+
+const VERTEX = `#version 300 es
+void main() {
+  gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
+}`;
+
+/**
+ * What a learner's text stands behind. The power of a negative number is undefined in GLSL, and some
+ * drivers give that of its amount: here it is not a number.
+ */
+const PRELUDE = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+struct Light {
+  vec3 ambient, diffuse, specular;
+  vec4 position;
+  vec3 axis;
+  float aperture;
+  float cutoff;
+  vec3 attenuation;
+};
+struct Material {
+  vec3 ka, kd, ks;
+  float shininess;
+};
+vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye);
+float exercisePow(float x, float y) {
+  return x < 0.0 ? uintBitsToFloat(0x7fc00000u) : pow(x, y);
+}
+vec2 exercisePow(vec2 x, vec2 y) {
+  return vec2(exercisePow(x.x, y.x), exercisePow(x.y, y.y));
+}
+vec3 exercisePow(vec3 x, vec3 y) {
+  return vec3(exercisePow(x.xy, y.xy), exercisePow(x.z, y.z));
+}
+vec4 exercisePow(vec4 x, vec4 y) {
+  return vec4(exercisePow(x.xy, y.xy), exercisePow(x.zw, y.zw));
+}
+uniform sampler2D exercisePoints;
+uniform sampler2D exerciseLights;
+out uvec4 exerciseResult;
+vec4 exerciseLight(int i, int k) {
+  return texelFetch(exerciseLights, ivec2(6 * (i % 256) + k, i / 256), 0);
+}
+vec4 exercisePoint(int k) {
+  return texelFetch(exercisePoints, ivec2(gl_FragCoord.xy) * ivec2(6, 1) + ivec2(k, 0), 0);
+}
+void main() {
+  vec4 p = exercisePoint(0), normal = exercisePoint(1), eye = exercisePoint(2);
+  Material m = Material(
+    exercisePoint(3).xyz, exercisePoint(4).xyz, exercisePoint(5).xyz, eye.w
+  );
+  vec3 sum = vec3(0.0);
+  for (int i = int(p.w); i < int(p.w + normal.w); i++) {
+    vec4 ambient = exerciseLight(i, 0), diffuse = exerciseLight(i, 1);
+    sum += shade(
+      Light(
+        ambient.xyz, diffuse.xyz, exerciseLight(i, 2).xyz, exerciseLight(i, 3),
+        exerciseLight(i, 4).xyz, ambient.w, diffuse.w, exerciseLight(i, 5).xyz
+      ),
+      m, p.xyz, normal.xyz, eye.xyz
+    );
+  }
+  exerciseResult = uvec4(floatBitsToUint(sum), 1u);
+}
+#define pow exercisePow
+`;
+
+const LINES = PRELUDE.split('\n').length - 1;
+
+/** What the compiler says, by the learner's lines. */
+export interface Message {
+  /** Counted from 1; null where it is no one line's. */
+  readonly line: number | null;
+  readonly text: string;
+}
+
+/** Side of a tile: a frame that runs cannot be stopped, so frames are small. */
+const TILE = 64;
+
+/** Milliseconds of drawing, after which no further tile is drawn. */
+const PATIENCE = 2000;
+
+export class NoContextError extends Error {}
+
+/** The context is lost: a driver has given up, or the page has taken it away. */
+export class LostError extends Error {}
+
+export class Program {
+  readonly #gl: WebGL2RenderingContext;
+  readonly messages: readonly Message[];
+  #drawn = 0;
+
+  /** Throws NoContextError where there is no WebGL 2. */
+  constructor(glsl: string) {
+    const gl = document
+      .createElement('canvas')
+      .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
+    if (gl === null) throw new NoContextError();
+    this.#gl = gl;
+    this.messages = this.#build(glsl);
+  }
+
+  /**
+   * The sums at the cases, three numbers each, laid out in rows of `width`, at most 256. Those
+   * that were not reached in time are NaN; `done` is how many were. Throws LostError.
+   */
+  async run(cases: readonly Case[], width: number) {
+    const gl = this.#gl;
+    const height = Math.ceil(cases.length / width);
+    const [points, lamps] = packed(cases, width * height);
+    this.#upload(0, 6 * width, points);
+    this.#upload(1, 6 * 256, lamps);
+    const target = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_2D, target);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+    gl.viewport(0, 0, width, height);
+    gl.enable(gl.SCISSOR_TEST);
+    const colors = new Float32Array(3 * cases.length).fill(NaN);
+    let done = 0;
+    // Drivers finish a program in its first frame: one pixel, which does not count.
+    this.#draw(0, 0, 1, 1);
+    for (let y = 0; y < height; y += TILE) {
+      for (let x = 0; x < width; x += TILE) {
+        if (this.#drawn > PATIENCE) return { colors, done };
+        const start = performance.now();
+        const w = Math.min(TILE, width - x);
+        const bits = this.#draw(x, y, w, Math.min(TILE, height - y));
+        this.#drawn += performance.now() - start;
+        const floats = new Float32Array(bits.buffer);
+        for (let i = 0; i < bits.length / 4; i++) {
+          const at = (y + Math.floor(i / w)) * width + x + (i % w);
+          // Where the function has discarded the pixel nothing is written.
+          if (at < cases.length) {
+            done++;
+            if (bits[4 * i + 3] === 1) {
+              colors.set(floats.subarray(4 * i, 4 * i + 3), 3 * at);
+            }
+          }
+        }
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+    }
+    return { colors, done };
+  }
+
+  /** Browsers keep few contexts, so none waits for the next run. */
+  dispose(): void {
+    this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  #draw(x: number, y: number, width: number, height: number): Uint32Array {
+    const gl = this.#gl;
+    gl.scissor(x, y, width, height);
+    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    const bits = new Uint32Array(4 * width * height);
+    gl.readPixels(x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, bits);
+    if (gl.isContextLost()) throw new LostError();
+    return bits;
+  }
+
+  #upload(unit: number, width: number, texels: Float32Array): void {
+    const gl = this.#gl;
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    const height = texels.length / 4 / width;
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, texels);
+  }
+
+  #build(glsl: string): Message[] {
+    const gl = this.#gl;
+    const program = gl.createProgram();
+    // A function's parameters have the qualifiers of its prototype.
+    const own = glsl.replace(/\bvec3\s+shade\s*\([^)]*\)/g, (head) =>
+      head.replace(/\bconst\b/g, ''),
+    );
+    for (const [type, source] of [
+      [gl.VERTEX_SHADER, VERTEX],
+      [gl.FRAGMENT_SHADER, PRELUDE + own],
+    ] as const) {
+      const shader = gl.createShader(type)!;
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) === false) {
+        return messagesIn(gl.getShaderInfoLog(shader) ?? '');
+      }
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (gl.isContextLost()) throw new LostError();
+    if (gl.getProgramParameter(program, gl.LINK_STATUS) === false) {
+      return messagesIn(gl.getProgramInfoLog(program) ?? '');
+    }
+    gl.useProgram(program);
+    gl.uniform1i(gl.getUniformLocation(program, 'exercisePoints'), 0);
+    gl.uniform1i(gl.getUniformLocation(program, 'exerciseLights'), 1);
+    return [];
+  }
+}
+
+function messagesIn(log: string): Message[] {
+  const lines = log
+    .replace(/\0/g, '')
+    .split('\n')
+    .map((line) => line.trim());
+  const messages = lines
+    .filter((line) => line !== '' && !line.startsWith('WARNING'))
+    .map((line) => {
+      const [, number, text] = /^ERROR: \d+:(\d+): (.*)$/.exec(line) ?? [];
+      const own = Number(number) - LINES;
+      return { line: own > 0 ? own : null, text: (text ?? line).replace(/exercisePow/g, 'pow') };
+    });
+  return messages.length > 0 ? messages : [{ line: null, text: log }];
+}
+
+/** Six texels a case, and six a lamp; each list of lamps once. */
+function packed(cases: readonly Case[], count: number): readonly [Float32Array, Float32Array] {
+  const points = new Float32Array(24 * count);
+  const lamps: Lamp[] = [];
+  const firsts = new Map<Lamp, number>();
+  for (const [i, at] of cases.entries()) {
+    const [given] = at;
+    if (given === undefined) continue;
+    const { material: m, p, normal, eye, light } = given;
+    let first = firsts.get(light);
+    if (first === undefined) {
+      firsts.set(light, (first = lamps.length));
+      lamps.push(...at.map((one) => one.light));
+    }
+    points.set([...p, first, ...normal, at.length, ...eye, m.shininess], 24 * i);
+    points.set([...m.ka, 0, ...m.kd, 0, ...m.ks, 0], 24 * i + 12);
+  }
+  const rows = new Float32Array(24 * 256 * Math.max(Math.ceil(lamps.length / 256), 1));
+  for (const [i, { ambient, diffuse, specular, position, axis, ...rest }] of lamps.entries()) {
+    rows.set([...ambient, rest.aperture, ...diffuse, rest.cutoff, ...specular, 0], 24 * i);
+    rows.set([...position, ...axis, 0, ...rest.attenuation, 0], 24 * i + 12);
+  }
+  return [points, rows];
+}

@@ -1,0 +1,93 @@
+// A verdict in sentences, as much of it as the exercise's `hint` allows.
+import type { Term } from '../../phong/light/light-state.js';
+import type { Vec3 } from '../../phong/math/vector.js';
+import { MISTAKES } from '../../phong/mistakes/mistakes.js';
+import type { ExerciseValues, ViewerText } from '../../viewer/extra.js';
+import type { Verdict } from './check.js';
+import type { Region } from '../../phong/mistakes/judge.js';
+
+type Say = (text: ViewerText, values?: Readonly<Record<string, string | number>>) => string;
+
+const TERM_NAMES = {
+  ambient: 'Ambient term',
+  diffuse: 'Diffuse term',
+  specular: 'Specular term',
+} as const satisfies Record<Term, ViewerText>;
+
+const REGION_TEXTS = {
+  away: 'Only on the side away from the light.',
+  outside: 'Only outside the cone.',
+  highlight: 'Only in the highlight.',
+  near: 'Only closer to the light than 1.',
+  lit: 'Only on the side toward the light.',
+} as const satisfies Record<Region, ViewerText>;
+
+export function sentencesFor(
+  verdict: Verdict,
+  hint: Exclude<ExerciseValues['hint'], 'none'>,
+  say: Say,
+): string[] {
+  const { right, rightPixels, pixels, mistakes, worst, scene } = verdict;
+  const count = { right: rightPixels, count: pixels };
+  if (hint === 'verdict') return [say(right ? 'Right.' : 'Not right yet.')];
+  if (right) {
+    return [
+      rightPixels === pixels
+        ? say('Right: within one 8-bit step at all {count} pixels, and at the test scenes.', count)
+        : say(
+            'Right: within one 8-bit step at {right} of {count} pixels, and at the test scenes.',
+            count,
+          ),
+    ];
+  }
+  const first =
+    scene === null
+      ? say('Not right yet: {right} of {count} pixels are within one 8-bit step.', count)
+      : say('Right in this picture, but not under other lights.');
+  const named = hint === 'what' ? mistakes.map((id) => say(MISTAKES[id].sentence)) : [];
+  return [
+    first,
+    ...named,
+    ...(named.length > 0 ? [] : whereIn(verdict, say)),
+    ...(worst === null
+      ? []
+      : [
+          say('Pixel {x}, {y}: yours {found}, exact {exact}; 255 is full.', {
+            x: worst.x,
+            y: worst.y,
+            found: codes(worst.found),
+            exact: codes(worst.exact),
+          }),
+        ]),
+  ];
+}
+
+function whereIn({ difference, undefinedPixels }: Verdict, say: Say): string[] {
+  const { terms, kinds, regions } = difference;
+  const names = (texts: readonly ViewerText[]): string => texts.map((text) => say(text)).join(', ');
+  return [
+    ...(terms.length === 0
+      ? []
+      : [say('It differs in: {terms}.', { terms: names(terms.map((term) => TERM_NAMES[term])) })]),
+    ...(kinds.length === 0
+      ? []
+      : [
+          say('Under these lights: {lights}.', {
+            lights: names(kinds),
+          }),
+        ]),
+    ...(undefinedPixels === 0
+      ? []
+      : [
+          say(
+            'At {count} pixels the result is not a number: a power of a negative number, a root of one, or a division by 0.',
+            { count: undefinedPixels },
+          ),
+        ]),
+    ...regions.map((region) => say(REGION_TEXTS[region])),
+  ];
+}
+
+/** As a screen has them, but not clamped: negative light is seen here. */
+const codes = (color: Vec3): string =>
+  color.map((x) => (Number.isNaN(x) ? 'NaN' : String(Math.round(255 * x)))).join(' ');

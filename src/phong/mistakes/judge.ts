@@ -1,0 +1,253 @@
+// Says what is wrong with a lighting function, from its colours alone: nothing, one or two usual
+// mistakes that explain the colours, or where they differ. Pure; runs in Node as in pages.
+import { KINDS, type LightKind, type Term, TERMS } from '../light/light-state.js';
+import { add, dot, normalize, subtract, type Vec3 } from '../math/vector.js';
+import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
+import { evaluate, type Given, sumOfTerms, type Values, valuesAt } from './steps.js';
+
+/** A point with each lamp that lights it; its colour is the sum over them. */
+export type Case = readonly Given[];
+
+/** What a function gave, in the order of the cases; three numbers each. */
+export type Colors = ArrayLike<number>;
+
+/** An 8-bit step. */
+export const STEP = 1 / 255;
+
+/** Points of a hundred that may differ. */
+const STRAY = 0.01;
+
+/** Of the points at which a function is wrong, a mistake that explains it has to meet so many. */
+const EXPLAINED = 0.97;
+
+/** Below it colours are equal: a hundredth of what a function that divides by 255² gives. */
+const LEAST = 1e-7;
+
+/** From here on float32 may have no number. */
+const LARGEST = 1e37;
+
+export const sumAt = (at: Case, form?: Form): Vec3 =>
+  at.reduce<Vec3>((sum, given) => add(sum, sumOfTerms(evaluate(given, form))), [0, 0, 0]);
+
+const exact = new WeakMap<Case, Vec3>();
+
+/** The right colour; each run of a function asks for the same ones again. */
+export function exactAt(at: Case): Vec3 {
+  const known = exact.get(at) ?? sumAt(at);
+  exact.set(at, known);
+  return known;
+}
+
+export const colorAt = (colors: Colors, i: number): Vec3 => [
+  colors[3 * i]!,
+  colors[3 * i + 1]!,
+  colors[3 * i + 2]!,
+];
+
+/** Within a step; above 1 in proportion. NaN is not. */
+export const isWithinStep = (found: Vec3, exact: Vec3): boolean =>
+  exact.every((x, k) => Math.abs(found[k]! - x) <= STEP * Math.max(1, Math.abs(x)));
+
+/** The same of small colours in proportion: black is not a colour divided by 255. */
+function isSame(found: Vec3, expected: Vec3): boolean {
+  const size = Math.max(...expected.map(Math.abs));
+  if (size > LARGEST) return !found.every((x) => Math.abs(x) < LARGEST);
+  return expected.every((x, k) => Math.abs(found[k]! - x) <= STEP * size + LEAST);
+}
+
+/**
+ * Whether the equation changes by more than two steps where point and normal move by as much as
+ * float32 and a driver's cos() may be off: at a cone's edge, or where N·L is 0.
+ */
+export function jumps(at: Case, form?: Form): boolean {
+  const here = sumAt(at, form);
+  return [-1, 1].some((sign) =>
+    isMoved(
+      here,
+      sumAt(
+        at.map((given) => shifted(given, sign * SHIFT)),
+        form,
+      ),
+    ),
+  );
+}
+
+const SHIFT = 2e-5;
+
+const isMoved = (a: Vec3, b: Vec3): boolean =>
+  a.some((x, k) => !(Math.abs(x - b[k]!) < 2 * STEP * Math.max(1, Math.abs(x))));
+
+function shifted(given: Given, by: number): Given {
+  const { p, normal, eye, light } = given;
+  const reach = Math.hypot(...subtract(eye, p));
+  const [x, y, z] = light.position;
+  const L = normalize(light.position[3] === 1 ? subtract([x, y, z], p) : [x, y, z]);
+  // Along L, so that N·L changes whatever the normal is; across the axis by three other amounts.
+  const turned = add(normalize(normal), [by * L[0], by * L[1], by * L[2]]);
+  const length = Math.hypot(...normal);
+  return {
+    ...given,
+    p: add(p, [by * reach, -0.7 * by * reach, 0.4 * by * reach]),
+    normal: [turned[0] * length, turned[1] * length, turned[2] * length],
+  };
+}
+
+/** Cases with what a function gave and what is right. */
+export interface Judged {
+  readonly cases: readonly Case[];
+  readonly colors: Colors;
+  /** Indices of the cases at which the function is wrong, and the equation does not jump. */
+  readonly wrong: readonly number[];
+  /** How many cases are judged. */
+  readonly count: number;
+  /** Of the sheet, whose points are far from where any form jumps. */
+  readonly isSheet: boolean;
+}
+
+export function compare(cases: readonly Case[], colors: Colors, isSheet = false): Judged {
+  const all = cases.flatMap((at, i) => (isWithinStep(colorAt(colors, i), exactAt(at)) ? [] : [i]));
+  // Where much is wrong, the few points at which the equation jumps count for nothing.
+  const isFew = !isSheet && all.length < 0.2 * cases.length;
+  const wrong = isFew ? all.filter((i) => !jumps(cases[i]!)) : all;
+  const count = cases.length - all.length + wrong.length;
+  return { cases, colors, wrong, count, isSheet };
+}
+
+export const isRight = ({ wrong, count }: Judged): boolean => wrong.length <= STRAY * count;
+
+/**
+ * The usual mistakes that together give these colours, one or two; empty where none do. Where two
+ * forms explain them, the one that meets more of them.
+ */
+export function mistakesIn(judged: readonly Judged[]): readonly MistakeId[] {
+  for (const { cases, colors } of judged) {
+    const defined = cases.filter((_, i) => !isUndefined(colorAt(colors, i)));
+    if (defined.length < DEFINED * cases.length) return [];
+  }
+  const single = best(
+    judged,
+    FORMS.map(({ id, form }) => ({ ids: [id], form })),
+  );
+  if (single !== null) return single;
+  const pairs: Candidate[] = [];
+  for (const [i, first] of FORMS.entries()) {
+    for (const second of FORMS.slice(i + 1)) {
+      const form = first.id === second.id ? undefined : both(first.form, second.form);
+      if (form !== undefined) {
+        pairs.push({ ids: [first.id, second.id], form });
+      }
+    }
+  }
+  return best(judged, pairs) ?? [];
+}
+
+interface Candidate {
+  readonly ids: readonly MistakeId[];
+  readonly form: Form;
+}
+
+const FORMS = MISTAKE_IDS.flatMap((id) => formsOf(id).map((form) => ({ id, form })));
+
+function best(judged: readonly Judged[], candidates: readonly Candidate[]) {
+  let found: readonly MistakeId[] | null = null;
+  let least = Infinity;
+  for (const { ids, form } of candidates) {
+    let strays = 0;
+    for (const part of judged) {
+      strays += straysOf(part, form);
+      if (strays >= least) break;
+    }
+    if (strays < least) {
+      [found, least] = [ids, strays];
+    }
+  }
+  return found;
+}
+
+/** How many cases a form does not explain; Infinity where these are too many. */
+function straysOf(part: Judged, form: Form): number {
+  const { cases, colors, wrong, count, isSheet } = part;
+  const differs = (i: number): boolean => {
+    const found = colorAt(colors, i);
+    return (
+      !isUndefined(found) &&
+      !isSame(found, sumAt(cases[i]!, form)) &&
+      (isSheet || !jumps(cases[i]!, form))
+    );
+  };
+  // Most forms fail at two of a few wrong points.
+  const stride = Math.max(Math.floor(wrong.length / SAMPLE), 1);
+  let strays = 0;
+  for (let k = 0; k < wrong.length && wrong.length > SAMPLE; k += stride) {
+    if (differs(wrong[k]!) && ++strays > 1) return Infinity;
+  }
+  // A picture may be right, but for its stray points.
+  const most = isRight(part)
+    ? STRAY * count
+    : Math.min((1 - EXPLAINED) * wrong.length, STRAY * count);
+  strays = 0;
+  for (const i of wrong) {
+    if (differs(i) && ++strays > most) return Infinity;
+  }
+  const isWrong = new Set(wrong);
+  for (const i of cases.keys()) {
+    if (!isWrong.has(i) && differs(i) && ++strays > STRAY * count) return Infinity;
+  }
+  return strays;
+}
+
+/** The power of a negative number: a mistake can bring it, and says nothing about others. */
+const isUndefined = (found: Vec3): boolean => found.some(Number.isNaN);
+
+/** Share of points at which a function that gets a name has to be defined. */
+const DEFINED = 0.7;
+
+const SAMPLE = 8;
+
+/** Where a function differs that no mistake explains. */
+export interface Difference {
+  /** Empty where it is not one term alone, or not known. */
+  readonly terms: readonly Term[];
+  readonly kinds: readonly LightKind[];
+  readonly regions: readonly Region[];
+}
+
+export type Region = (typeof REGIONS)[number]['name'];
+
+/** Parts of a scene by the right values. The first that holds all wrong points is named. */
+const REGIONS = [
+  { name: 'away', holds: ({ NoL }: Values) => NoL <= 0 },
+  { name: 'outside', holds: ({ isInside }: Values) => !isInside },
+  { name: 'highlight', holds: ({ spec }: Values) => spec > STEP },
+  { name: 'near', holds: ({ d }: Values, given: Given) => given.light.position[3] === 1 && d < 1 },
+  { name: 'lit', holds: ({ NoL, isInside }: Values) => NoL > 0 && isInside },
+] as const;
+
+export const kindOf = ({ position, aperture, cutoff, axis }: Given['light']): LightKind =>
+  position[3] === 0
+    ? 'directional'
+    : (aperture < 180 || cutoff > 0) && dot(axis, axis) > 0
+      ? 'spot'
+      : 'point';
+
+/**
+ * In words' parts: terms, kinds of lights and regions that hold nearly all wrong points. `alone`:
+ * the same cases with the colours of one term.
+ */
+export function differenceOf(
+  { cases, wrong }: Judged,
+  alone: Readonly<Record<Term, Judged>>,
+): Difference {
+  const givens = wrong.map((i) => cases[i]![0]!);
+  const share = (holds: (given: Given) => boolean): number =>
+    givens.filter(holds).length / Math.max(givens.length, 1);
+  const kinds = KINDS.filter((kind) => share(({ light }) => kindOf(light) === kind) > STRAY);
+  const region = REGIONS.find(
+    ({ holds }) => share((given) => holds(valuesAt(given), given)) > 0.98,
+  );
+  return {
+    terms: TERMS.filter((term) => !isRight(alone[term])),
+    kinds,
+    regions: region === undefined ? [] : [region.name],
+  };
+}

@@ -1,0 +1,106 @@
+// Does <phong-exercise> run what learners write, and say what is wrong with it?
+
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from '../../support/test.js';
+import { REFUSED_ONES, RIGHT, RIGHT_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
+
+const css = 'phong-viewer { display: block; width: 150px; height: 100px }';
+const viewer = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus" shininess="20">
+  <phong-light position="1 1 1" ambient="40" attenuation="1 0 0.5"></phong-light>
+  <phong-light position="-2 1 1 0" diffuse="120 40 40"></phong-light>
+  <phong-light position="1 2 2" axis="-1 -2 -2" aperture="20" cutoff="4"></phong-light></phong-viewer>`;
+const exercise = (attributes = '', source = ''): string =>
+  `<phong-exercise for="v" ${attributes}><script type="text/plain">\n${source}\n</script></phong-exercise>`;
+
+interface Check {
+  readonly right: boolean;
+  readonly mistakes: readonly string[];
+  readonly share: number;
+  readonly source: string;
+}
+
+/** Writes a function, presses run, and waits for the verdict. */
+const checkOf = (exercises: Locator, source: string | null = null): Promise<Check> =>
+  exercises.first().evaluate(
+    (element, text) =>
+      new Promise<Check>((resolve) => {
+        const own = element as HTMLElement & { value: string };
+        if (text !== null) {
+          own.value = text;
+        }
+        own.addEventListener('check', (event) => resolve((event as CustomEvent<Check>).detail), {
+          once: true,
+        });
+        const run = [...own.shadowRoot!.querySelectorAll('button')][0]!;
+        run.click();
+      }),
+    source,
+  );
+
+const mountOne = async (
+  page: Page,
+  mount: (markup: string, options: { css: string }) => Promise<Locator>,
+  attributes = '',
+  source = RIGHT,
+): Promise<Locator> => {
+  await mount(viewer + exercise(attributes, source), { css });
+  const one = page.locator('phong-exercise');
+  await expect(one.getByRole('button', { name: 'Run' })).toBeVisible();
+  return one;
+};
+
+test('right functions are right, in every writing', async ({ mount, page }) => {
+  test.setTimeout(240_000);
+  const one = await mountOne(page, mount);
+  for (const [name, source] of Object.entries(RIGHT_ONES)) {
+    const { right, mistakes, share } = await checkOf(one, source);
+    expect({ name, right, mistakes }).toEqual({ name, right: true, mistakes: [] });
+    expect(share).toBeGreaterThan(0.99);
+  }
+  await expect(one.locator('[part=verdict]')).toContainText('Right: within one 8-bit step at');
+});
+
+test('wrong functions are named by the mistake in their code', async ({ mount, page }) => {
+  test.setTimeout(600_000);
+  const one = await mountOne(page, mount);
+  const all = Object.entries(WRONG_ONES).flatMap(([ids, forms]) =>
+    Object.entries(forms).map(([form, source]) => ({ ids, form, source })),
+  );
+  expect(all.length + Object.keys(RIGHT_ONES).length).toBeGreaterThan(70);
+  const missed: string[] = [];
+  for (const { ids, form, source } of all) {
+    const { right, mistakes } = await checkOf(one, source);
+    expect({ ids, form, right }).toEqual({ ids, form, right: false });
+    if (mistakes.join(' + ') !== ids) {
+      missed.push(`${ids}, ${form}: ${mistakes.join(' + ')}`);
+    }
+  }
+  expect(missed).toEqual([]);
+});
+
+test('functions that are wrong in an unusual way get no name', async ({ mount, page }) => {
+  test.setTimeout(240_000);
+  const one = await mountOne(page, mount);
+  for (const [name, source] of Object.entries(UNUSUAL_ONES)) {
+    const { right, mistakes } = await checkOf(one, source);
+    expect({ name, right, mistakes }).toEqual({ name, right: false, mistakes: [] });
+  }
+});
+
+test('what cannot run says why, at its line, and what was written stays', async ({
+  mount,
+  page,
+}) => {
+  test.setTimeout(240_000);
+  const one = await mountOne(page, mount);
+  for (const [name, [source, reason]] of Object.entries(REFUSED_ONES)) {
+    const { right } = await checkOf(one, source);
+    expect({ name, right }).toEqual({ name, right: false });
+    await expect(one.getByRole('alert'), name).toContainText(reason);
+    await expect(one.getByRole('textbox')).toHaveValue(source);
+  }
+  const [source] = REFUSED_ONES['a wrong name']!;
+  await checkOf(one, source);
+  await expect(one.locator('.numbers b')).toHaveText('19');
+  await expect(one.getByRole('textbox')).toHaveAttribute('aria-invalid', 'true');
+});

@@ -1,0 +1,384 @@
+// Functions as learners write them: right ones in several writings, and wrong ones with the mistake
+// that stands in their code.
+
+const HEAD = 'vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye) {';
+
+/** The whole equation, step by step. */
+export const RIGHT = `${HEAD}
+  vec3 N = normalize(normal);
+  vec3 V = normalize(eye - p);
+  vec3 toLight = light.position.w == 0.0 ? light.position.xyz : light.position.xyz - p;
+  float d = length(toLight);
+  vec3 L = toLight / d;
+  float att = 1.0;
+  if (light.position.w == 1.0) {
+    att = 1.0 / max(light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d, 1.0);
+  }
+  vec3 A = normalize(light.axis);
+  float c = dot(L, -A);
+  if (light.aperture < 180.0 && c < cos(radians(light.aperture))) {
+    return vec3(0.0);
+  }
+  float decay = light.cutoff > 0.0 ? pow((1.0 + c) / 2.0, light.cutoff) : 1.0;
+  float NoL = dot(N, L);
+  vec3 ambient = m.ka * light.ambient;
+  vec3 diffuse = m.kd * light.diffuse * max(NoL, 0.0);
+  vec3 specular = vec3(0.0);
+  if (NoL > 0.0) {
+    vec3 R = reflect(-L, N);
+    specular = m.ks * light.specular * pow(max(dot(R, V), 0.0), m.shininess);
+  }
+  return decay * (ambient + att * (diffuse + specular));
+}`;
+
+/** The same in one expression after another, with what some people write. */
+const SHORT = `#define saturate(x) clamp(x, 0.0, 1.0)
+float falloff(vec3 k, float d) { return min(1.0 / dot(k, vec3(1.0, d, d * d)), 1.0); }
+vec3 shade(const in Light light, Material m, in vec3 p, vec3 normal, vec3 eye) {
+  vec3 D = mix(light.position.xyz, light.position.xyz - p, light.position.w);
+  vec3 N = normalize(normal), L = normalize(D), V = normalize(eye - p);
+  float angle = acos(clamp(-dot(L, normalize(light.axis)), -1.0, 1.0));
+  float spot = degrees(angle) <= light.aperture ? pow(cos(angle / 2.0), 2.0 * light.cutoff) : 0.0;
+  float lit = step(0.0, dot(N, L));
+  vec3 R = 2.0 * dot(N, L) * N - L;
+  vec3 sum = m.kd * light.diffuse * saturate(dot(N, L));
+  sum += m.ks * light.specular * lit * pow(max(0.0, dot(V, R)), m.shininess);
+  if (light.position.w > 0.5) sum *= falloff(light.attenuation, length(D));
+  return spot * (m.ka * light.ambient + sum); // half-angle: (1 + cos a) / 2 = cos² (a / 2)
+}`;
+
+/** By a loop and a function for each term. */
+const LONG = `const int CHANNELS = 3;
+vec3 toLamp(Light light, vec3 p) {
+  if (light.position.w < 0.5) { return light.position.xyz; }
+  return light.position.xyz - p;
+}
+float lambert(vec3 n, vec3 l) {
+  float x = dot(n, l);
+  if (x < 0.) x = 0.;
+  return x;
+}
+float lobe(vec3 n, vec3 l, vec3 v, float e) {
+  if (lambert(n, l) <= 0.) return 0.;
+  float x = dot(n * 2. * dot(n, l) - l, v);
+  return x > 0. ? exp2(e * log2(x)) : 0.;
+}
+vec3 shade(Light lamp, Material mat, vec3 pos, vec3 n, vec3 camera) {
+  vec3 way = toLamp(lamp, pos);
+  vec3 l = way * inversesqrt(dot(way, way));
+  n = normalize(n);
+  vec3 v = (camera - pos) / distance(camera, pos);
+  float dist = length(way);
+  float denominator = lamp.attenuation.x + dist * (lamp.attenuation.y + dist * lamp.attenuation.z);
+  float att = lamp.position.w < 0.5 || denominator < 1. ? 1. : 1. / denominator;
+  float cosine = dot(-l, lamp.axis) / length(lamp.axis);
+  float decay = 1.;
+  if (lamp.aperture < 180. && cosine < cos(lamp.aperture * 3.14159265 / 180.)) decay = 0.;
+  else if (lamp.cutoff > 0.) decay = pow(.5 + .5 * cosine, lamp.cutoff);
+  vec3 color = vec3(0.);
+  for (int i = 0; i < CHANNELS; i++) {
+    color[i] += mat.ka[i] * lamp.ambient[i];
+    color[i] += att * mat.kd[i] * lamp.diffuse[i] * lambert(n, l);
+    color[i] += att * mat.ks[i] * lamp.specular[i] * lobe(n, l, v, mat.shininess);
+  }
+  return decay * color;
+}`;
+
+/** The first writing with one piece or more replaced. */
+function changed(...pairs: readonly (readonly [from: string, to: string])[]): string {
+  return pairs.reduce((source, [from, to]) => {
+    if (!source.includes(from)) throw new Error(`not in the function: ${from}`);
+    return source.replaceAll(from, to);
+  }, RIGHT);
+}
+
+const inShort = (from: string, to: string): string => {
+  if (!SHORT.includes(from)) throw new Error(`not in the function: ${from}`);
+  return SHORT.replaceAll(from, to);
+};
+const inLong = (from: string, to: string): string => {
+  if (!LONG.includes(from)) throw new Error(`not in the function: ${from}`);
+  return LONG.replaceAll(from, to);
+};
+
+const DIFFUSE = 'max(NoL, 0.0)';
+const LOBE = 'pow(max(dot(R, V), 0.0), m.shininess)';
+const GATE = 'if (NoL > 0.0) {';
+const SUM = 'decay * (ambient + att * (diffuse + specular))';
+const CONE = 'c < cos(radians(light.aperture))';
+
+export const RIGHT_ONES: Readonly<Record<string, string>> = {
+  'step by step': RIGHT,
+  'in short': SHORT,
+  'with functions and a loop': LONG,
+  'terms in another order': changed([SUM, '(specular * att + diffuse * att + ambient) * decay']),
+  'a mirrored vector by hand': changed(['reflect(-L, N)', '-L - 2.0 * dot(N, -L) * N']),
+  'the eye mirrored in place of the light': changed(['dot(R, V)', 'dot(L, reflect(-V, N))']),
+  'a gate by a question mark': changed([GATE, '{'], [LOBE, `(NoL > 0.0 ? ${LOBE} : 0.0)`]),
+  'a gate at the end': changed(
+    [GATE, '{'],
+    [SUM, 'decay * (ambient + att * (diffuse + (NoL > 0.0 ? specular : vec3(0.0))))'],
+  ),
+  'the angle in degrees': changed([CONE, 'degrees(acos(c)) > light.aperture']),
+  'the attenuation for every light by its w': changed([
+    'light.position.w == 1.0',
+    'light.position.w != 0.0',
+  ]),
+  'an old-fashioned max': changed([DIFFUSE, '(NoL > 0.0 ? NoL : 0.0)']),
+  'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
+};
+
+/** By what is wrong: two ids with a plus where both show. */
+export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>>>> = {
+  'no-clamp': {
+    'plain dot': changed([DIFFUSE, 'NoL']),
+    'in short': inShort('saturate(dot(N, L))', 'dot(N, L)'),
+    'in a function': inLong('if (x < 0.) x = 0.;', '').replace(
+      'if (lambert(n, l) <= 0.)',
+      'if (dot(n, l) <= 0.)',
+    ),
+  },
+  'abs-for-max': {
+    diffuse: changed([DIFFUSE, 'abs(NoL)']),
+    both: changed([DIFFUSE, 'abs(NoL)'], ['max(dot(R, V), 0.0)', 'abs(dot(R, V))']),
+    'two-sided': changed([
+      'vec3 N = normalize(normal);',
+      'vec3 N = normalize(normal); if (dot(N, light.position.w == 0.0 ? light.position.xyz : light.position.xyz - p) < 0.0) N = -N;',
+    ]),
+  },
+  'no-gate': {
+    'no if': changed([GATE, '{']),
+    'in short': inShort('* lit ', ''),
+  },
+  'half-lambert': {
+    half: changed([DIFFUSE, '(0.5 * NoL + 0.5)']),
+    squared: changed([DIFFUSE, 'pow(0.5 * NoL + 0.5, 2.0)']),
+    'the gate too': changed(['float NoL = dot(N, L);', 'float NoL = dot(N, L) * 0.5 + 0.5;']),
+  },
+  'normal-not-unit': {
+    all: changed(['normalize(normal)', 'normal']),
+    'in short': inShort('normalize(normal)', 'normal'),
+    'diffuse only': changed([DIFFUSE, 'max(dot(normal, L), 0.0)']),
+  },
+  'light-not-unit': {
+    all: changed(['toLight / d', 'toLight']),
+    'diffuse only': changed([DIFFUSE, 'max(dot(N, toLight), 0.0)']),
+    'in short': inShort('L = normalize(D)', 'L = D').replace(
+      'dot(L, normalize(light.axis))',
+      'dot(normalize(L), normalize(light.axis))',
+    ),
+  },
+  'view-not-unit': {
+    all: changed(['normalize(eye - p)', 'eye - p']),
+    'in short': inShort('V = normalize(eye - p)', 'V = eye - p'),
+  },
+  'axis-not-unit': {
+    all: changed(['normalize(light.axis)', 'light.axis']),
+    'in a function': inLong(' / length(lamp.axis)', ''),
+  },
+  'light-reversed': {
+    'p minus place': changed(['light.position.xyz - p;', 'p - light.position.xyz;']),
+    all: changed(['toLight / d', '-toLight / d']),
+    'the axis': changed(['dot(L, -A)', 'dot(L, A)']),
+    diffuse: changed([DIFFUSE, 'max(dot(N, -L), 0.0)']),
+  },
+  'view-reversed': {
+    'p minus eye': changed(['normalize(eye - p)', 'normalize(p - eye)']),
+    'reflect(L, N)': changed(['reflect(-L, N)', 'reflect(L, N)']),
+    'R by hand': inShort('2.0 * dot(N, L) * N - L', 'L - 2.0 * dot(N, L) * N'),
+  },
+  'eye-at-origin': { 'minus p': changed(['normalize(eye - p)', 'normalize(-p)']) },
+  'blinn-for-phong': {
+    'half vector': changed(['dot(R, V)', 'dot(N, normalize(L + V))']),
+    'in short': inShort('dot(V, R)', 'dot(N, normalize(L + V))'),
+  },
+  'times-for-power': {
+    times: changed([LOBE, 'max(dot(R, V), 0.0) * m.shininess']),
+    'no exponent': changed([LOBE, 'max(dot(R, V), 0.0)']),
+  },
+  'exponent-on-diffuse': { pow: changed([DIFFUSE, `pow(${DIFFUSE}, m.shininess)`]) },
+  'specular-times-cosine': {
+    times: changed([LOBE, `NoL * ${LOBE}`]),
+    bracket: changed(
+      [GATE, '{'],
+      [`m.kd * light.diffuse * ${DIFFUSE}`, 'm.kd * light.diffuse'],
+      [SUM, `decay * (ambient + att * ${DIFFUSE} * (diffuse + specular))`],
+    ),
+  },
+  'ambient-attenuated': {
+    'all of it': changed([SUM, 'decay * att * (ambient + diffuse + specular)']),
+  },
+  'no-ambient': { missing: changed([SUM, 'decay * att * (diffuse + specular)']) },
+  'no-attenuation': {
+    missing: changed([SUM, 'decay * (ambient + diffuse + specular)']),
+    'diffuse without': changed([SUM, 'decay * (ambient + diffuse + att * specular)']),
+    'specular without': changed([SUM, 'decay * (ambient + att * diffuse + specular)']),
+  },
+  'distance-not-squared': {
+    'd once': changed(['light.attenuation.z * d * d', 'light.attenuation.z * d']),
+  },
+  'attenuation-not-clamped': {
+    'no max': changed([
+      'max(light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d, 1.0)',
+      '(light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d)',
+    ]),
+    'in short': inShort(
+      'min(1.0 / dot(k, vec3(1.0, d, d * d)), 1.0)',
+      '1.0 / dot(k, vec3(1.0, d, d * d))',
+    ),
+  },
+  'w-ignored': {
+    'always a place': changed([
+      'light.position.w == 0.0 ? light.position.xyz : light.position.xyz - p',
+      'light.position.xyz - p',
+    ]),
+    'always a direction': changed([
+      'light.position.w == 0.0 ? light.position.xyz : light.position.xyz - p',
+      'light.position.xyz',
+    ]),
+    'attenuates the sun': changed(['if (light.position.w == 1.0) {', '{']),
+  },
+  'aperture-in-radians': {
+    cos: changed([CONE, 'c < cos(light.aperture)']),
+  },
+  'whole-aperture': {
+    half: changed([CONE, 'c < cos(radians(light.aperture / 2.0))']),
+  },
+  'no-cone': {
+    missing: changed([`light.aperture < 180.0 && ${CONE}`, 'false']),
+    'in short': inShort(
+      'degrees(angle) <= light.aperture ? pow(cos(angle / 2.0), 2.0 * light.cutoff) : 0.0',
+      'pow(cos(angle / 2.0), 2.0 * light.cutoff)',
+    ),
+  },
+  'ambient-outside-cone': {
+    'returns ambient': changed(['return vec3(0.0);', 'return m.ka * light.ambient;']),
+    'spot for two terms': inShort(
+      'spot * (m.ka * light.ambient + sum)',
+      'm.ka * light.ambient + spot * sum',
+    ),
+  },
+  'cutoff-not-shifted': {
+    'plain c': changed(['pow((1.0 + c) / 2.0, light.cutoff)', 'pow(max(c, 0.0), light.cutoff)']),
+    'without max': changed(['pow((1.0 + c) / 2.0, light.cutoff)', 'pow(c, light.cutoff)']),
+  },
+  'no-decay': {
+    missing: changed([SUM, 'ambient + att * (diffuse + specular)']),
+    'not ambient': changed([SUM, 'ambient + decay * att * (diffuse + specular)']),
+  },
+  'colours-added': {
+    all: changed(
+      ['m.ka * light.ambient', '(m.ka + light.ambient)'],
+      ['m.kd * light.diffuse', '(m.kd + light.diffuse)'],
+      ['m.ks * light.specular', '(m.ks + light.specular)'],
+    ),
+    ambient: changed(['m.ka * light.ambient', '(m.ka + light.ambient)']),
+  },
+  'scale-255': {
+    divided: changed([SUM, `${SUM} / 255.0`]),
+    times: changed([SUM, `255.0 * ${SUM}`]),
+    ambient: changed(['m.ka * light.ambient', 'm.ka * light.ambient / 255.0']),
+  },
+  'no-clamp + no-gate': { both: changed([DIFFUSE, 'NoL'], [GATE, '{']) },
+  'no-ambient + no-attenuation': { both: changed([SUM, 'decay * (diffuse + specular)']) },
+  'normal-not-unit + view-reversed': {
+    both: changed(['normalize(normal)', 'normal'], ['normalize(eye - p)', 'normalize(p - eye)']),
+  },
+  'no-gate + no-cone': {
+    both: changed([GATE, '{'], [`light.aperture < 180.0 && ${CONE}`, 'false']),
+  },
+};
+
+/** Wrong in ways that no usual mistake is: none may be named. */
+export const UNUSUAL_ONES: Readonly<Record<string, string>> = {
+  black: `${HEAD} return vec3(0.0); }`,
+  'a constant': `${HEAD} return vec3(0.5, 0.2, 0.7); }`,
+  'the normal': `${HEAD} return normalize(normal); }`,
+  'a power of negative numbers': changed(['max(dot(R, V), 0.0)', 'dot(R, V)']),
+  'half as bright': changed([SUM, `0.5 * ${SUM}`]),
+  'a toon': changed([SUM, `floor(4.0 * ${SUM}) / 4.0`]),
+  'another falloff': changed([
+    '1.0 / max(light.attenuation.x',
+    '1.0 / max(1.0 + light.attenuation.x',
+  ]),
+  'not a number': `${HEAD} return vec3(sqrt(-1.0 - dot(p, p))); }`,
+  'nothing drawn': `${HEAD} discard; return vec3(1.0); }`,
+  'red and blue exchanged': changed([SUM, `(${SUM}).bgr`]),
+};
+
+/** Refused before anything is drawn, by a part of the reason. */
+export const REFUSED_ONES: Readonly<Record<string, readonly [source: string, reason: string]>> = {
+  'no function': ['float x = 1.0;', 'There is no function shade'],
+  'another name': [RIGHT.replace('vec3 shade', 'vec3 phong'), 'There is no function shade'],
+  'other parameters': [`vec3 shade(vec3 p) { return p; }`, 'shade has other parameters'],
+  'a float': [RIGHT.replace('vec3 shade', 'float shade'), 'shade has other parameters'],
+  recursion: [
+    `${HEAD} return shade(light, m, p, normal, eye); }`,
+    'A function calls itself: shade',
+  ],
+  'two that call each other': [
+    `float b(float x); float a(float x) { return b(x); } float b(float x) { return a(x); } ${HEAD} return vec3(a(1.0)); }`,
+    'A function calls itself',
+  ],
+  'an endless loop': [`${HEAD} for (;;) {} return p; }`, 'A loop must be a for'],
+  while: [`${HEAD} while (true) {} return p; }`, 'A loop must be a for'],
+  'do while': [`${HEAD} int i = 0; do { i++; } while (i < 9); return p; }`, 'A loop must be a for'],
+  'a long loop': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 2000000000; i++) s += 1.0; return vec3(s); }`,
+    'A loop must be a for',
+  ],
+  'loops in loops': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 200; i++) for (int j = 0; j < 200; j++) s += 1.0; return vec3(s); }`,
+    'Loops inside each other may run 10,000 times',
+  ],
+  'loops in calls': [
+    `float f() { float s = 0.0; for (int i = 0; i < 200; i++) { s += 1.0; } return s; }
+${HEAD} float s = 0.0; for (int i = 0; i < 200; i++) { s += f(); } return vec3(s); }`,
+    'Loops inside each other may run 10,000 times',
+  ],
+  'calls that double': [
+    `float f0() { return 1.0; }
+${Array.from({ length: 30 }, (_, i) => `float f${i + 1}() { return f${i}() + f${i}(); }`).join('\n')}
+${HEAD} return vec3(f30()); }`,
+    'The function does too much',
+  ],
+  'a counter that is set back': [
+    `${HEAD} float s = 0.0; for (int i = 0; i < 9; i++) { s += 1.0; i = 0; } return vec3(s); }`,
+    'A loop must be a for',
+  ],
+  'a counter that is given away': [
+    `void back(inout int i) { i = 0; } ${HEAD} for (int i = 0; i < 9; i++) { back(i); } return p; }`,
+    'A loop must be a for',
+  ],
+  'a counter behind a macro': [
+    `#define I i\n${HEAD} for (int i = 0; i < 9; i++) { I = 0; } return p; }`,
+    'A loop must be a for',
+  ],
+  'a bound behind a parameter': [
+    `float f(int n) { float s = 0.0; for (int i = 0; i < n; i++) { s += 1.0; } return s; } ${HEAD} return vec3(f(2000000000)); }`,
+    'A loop must be a for',
+  ],
+  'a step that float32 cannot add': [
+    `${HEAD} for (float i = 16777216.0; i < 16777220.0; i += 1.0) {} return p; }`,
+    'A loop must be a for',
+  ],
+  'a loop in a macro': [
+    `#define LOOP for(;;)\n${HEAD} LOOP {} return p; }`,
+    'only #define is allowed',
+  ],
+  'a macro that closes': [`#define END }\n${HEAD} return p; END`, 'only #define is allowed'],
+  'our main': [`void main() {} ${RIGHT}`, 'Leave out main'],
+  'our struct': [`struct Light { vec3 a; };\n${RIGHT}`, 'Leave out Light'],
+  pragma: [`#pragma optimize(off)\n${RIGHT}`, 'only #define is allowed'],
+  version: [`#version 300 es\n${RIGHT}`, 'only #define is allowed'],
+  'an open comment': [`${RIGHT}\n/* and the rest`, 'A comment is not closed'],
+  'a brace too many': [`${RIGHT} }`, 'Braces or brackets do not match'],
+  'a brace too few': [RIGHT.slice(0, -1), 'Braces or brackets do not match'],
+  'joined lines': [`#define X \\\n 1.0\n${RIGHT}`, 'This character is not allowed'],
+  'too long': [`${RIGHT}\n${'//'.padEnd(25_000, 'x')}`, 'The text is too long'],
+  'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],
+  'a missing semicolon': [
+    RIGHT.replace('float d = length(toLight);', 'float d = length(toLight)'),
+    'Line 6: ',
+  ],
+};

@@ -1,0 +1,59 @@
+// Are hostile and broken sources refused before anything is compiled, and all others let through?
+import { describe, expect, it } from 'vitest';
+import { checked } from '../../../src/extras/exercise/guard.js';
+import { REFUSED_ONES, RIGHT, RIGHT_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
+
+const HEAD = 'vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye) {';
+
+describe('is refused with its reason:', () => {
+  const own = Object.entries(REFUSED_ONES).filter(([, [, reason]]) => !reason.startsWith('Line'));
+  it.each(own)('%s', (_, [source, reason]) => {
+    const reading = checked(source);
+    expect(
+      'fault' in reading
+        ? reading.fault.text
+            .replace('{name}', reading.fault.values?.['name'] ?? '')
+            .replace('{most}', reading.fault.values?.['most'] ?? '')
+        : '',
+    ).toContain(reason);
+  });
+});
+
+it('lets through what learners write, right or wrong', () => {
+  const all = [RIGHT_ONES, UNUSUAL_ONES, ...Object.values(WRONG_ONES)].flatMap(Object.values);
+  expect(all.length).toBeGreaterThan(70);
+  for (const source of all) {
+    expect(checked(source)).toHaveProperty('glsl');
+  }
+});
+
+it.each([
+  'for (int i = 0; i < 8; i++) { x += float(i); }',
+  'for (int i = 8; i > 0; --i) x += 1.0;',
+  'for (uint i = 0u; i <= 8u; i += 2u) x += 1.0;',
+  'for (float t = 0.0; t < 1.0; t += 0.125) { x += t; }',
+  'for (int i = 0; i < 100; i++) for (int k = 0; k < 100; k++) { x += 1.0; }',
+  'for (int i = -4; i < 4; ++i) { if (i == 0) continue; x += pow(2.0, float(i)); }',
+])('a loop whose bounds can be read is let through: %s', (loop) => {
+  expect(checked(`${HEAD} float x = 0.0; ${loop} return vec3(x); }`)).toHaveProperty('glsl');
+});
+
+it('keeps each line in its place, without comments', () => {
+  const reading = checked(`// one\n/* two\nthree */ float x = 1.0;\n${RIGHT}`);
+  expect('glsl' in reading ? reading.glsl.split('\n').slice(0, 4) : []).toEqual([
+    ' ',
+    ' ',
+    ' float x = 1.0;',
+    HEAD,
+  ]);
+});
+
+it('names the line of a fault', () => {
+  const at = (source: string) => {
+    const reading = checked(source);
+    return 'fault' in reading ? reading.fault.line : 'none';
+  };
+  expect(at(`${RIGHT}\n/* open`)).toBe(RIGHT.split('\n').length + 1);
+  expect(at(`float a;\n#version 300 es`)).toBe(2);
+  expect(at(`${HEAD}\n\nwhile (true) {}\nreturn p; }`)).toBe(3);
+});

@@ -1,0 +1,145 @@
+// Does the judge name each usual mistake from its colours, alone and in pairs, and nothing that the
+// colours do not bear out?
+import { describe, expect, it } from 'vitest';
+import { normalize, type Vec3 } from '../../../src/phong/math/vector.js';
+import { both, type Form, formsOf, MISTAKE_IDS } from '../../../src/phong/mistakes/mistakes.js';
+import {
+  type Case,
+  compare,
+  differenceOf,
+  isRight,
+  mistakesIn,
+  sumAt,
+} from '../../../src/phong/mistakes/judge.js';
+import { only, SCENE_NAMES, sheetOf, type Task } from '../../../src/phong/mistakes/sheet.js';
+import { TERMS } from '../../../src/phong/light/light-state.js';
+import type { Given } from '../../../src/phong/mistakes/steps.js';
+
+const ALL: Task = { kinds: ['directional', 'point', 'spot'], terms: TERMS, reflection: 'phong' };
+const casesOf = (task: Task): Case[] => sheetOf(task, 120).map(({ given }) => [given]);
+const phong = casesOf(ALL);
+const blinn = casesOf({ ...ALL, reflection: 'blinn-phong' });
+const sheetFor = (id: string): Case[] => (id === 'phong-for-blinn' ? blinn : phong);
+
+/** Colours by a function, with the noise of float32 in another order. */
+const colorsOf = (cases: readonly Case[], of: (at: Case) => Vec3): Float32Array =>
+  Float32Array.from(
+    cases.flatMap((at, i) =>
+      of(at).map((x, k) => x * (1 + 3e-6 * Math.sin(7 * i + k)) + 1e-9 * Math.cos(i)),
+    ),
+  );
+
+const judged = (cases: readonly Case[], form: Form = {}) =>
+  compare(
+    cases,
+    colorsOf(cases, (at) => sumAt(at, form)),
+    true,
+  );
+
+const forms = MISTAKE_IDS.flatMap((id) => formsOf(id).map((form, i) => ({ id, i, form })));
+
+describe('from the colours at the sheet', () => {
+  it('the right equation is right, with the noise of another order', () => {
+    expect(isRight(judged(phong))).toBe(true);
+    expect(isRight(judged(blinn))).toBe(true);
+  });
+
+  it.each(forms)('$id in form $i is named, and shows in a fiftieth of a scene', ({ id, form }) => {
+    const cases = sheetFor(id);
+    const found = judged(cases, form);
+    expect(mistakesIn([found])).toEqual([id]);
+    const perScene = SCENE_NAMES.map(
+      (_, scene) => found.wrong.filter((i) => Math.floor(i / 120) === scene).length,
+    );
+    expect(Math.max(...perScene)).toBeGreaterThan(120 / 50);
+  });
+
+  it('two mistakes are named, or the one of them that hides the other', () => {
+    let count = 0;
+    let named = 0;
+    for (const [i, a] of forms.entries()) {
+      for (const [k, b] of forms.entries()) {
+        const isTaken = k > i && a.id !== b.id && (i * 31 + k) % 41 === 0;
+        const isOfBlinn = a.id === 'phong-for-blinn' || b.id === 'phong-for-blinn';
+        const form = isTaken && !isOfBlinn ? both(a.form, b.form) : undefined;
+        if (form === undefined) continue;
+        const found = mistakesIn([judged(phong, form)]);
+        count++;
+        if (found.length === 2) {
+          named++;
+        }
+        if (found.length > 0) {
+          expect(found.some((id) => id === a.id || id === b.id)).toBe(true);
+        }
+      }
+    }
+    expect(count).toBeGreaterThan(40);
+    expect(named).toBeGreaterThan(0.9 * count);
+  }, 60_000);
+
+  const nonsense: Readonly<Record<string, (given: Given) => Vec3>> = {
+    black: () => [0, 0, 0],
+    white: () => [1, 1, 1],
+    'the normal as a colour': ({ normal }) => normalize(normal),
+    'half of the light': (given) => sumAt([given]).map((x) => x / 2) as unknown as Vec3,
+    'a gamma curve': (given) => sumAt([given]).map((x) => x ** (1 / 2.2)) as unknown as Vec3,
+    'red and blue exchanged': (given) => {
+      const [r, g, b] = sumAt([given]);
+      return [b, g, r];
+    },
+    'not a number': () => [NaN, NaN, NaN],
+    infinite: () => [Infinity, Infinity, Infinity],
+    'the material alone': ({ material }) => material.kd,
+  };
+  it.each(Object.keys(nonsense))('%s is wrong, and gets no name', (name) => {
+    const cases = phong;
+    const found = compare(
+      cases,
+      colorsOf(cases, ([given]) => nonsense[name]!(given!)),
+      true,
+    );
+    expect(isRight(found)).toBe(false);
+    expect(mistakesIn([found])).toEqual([]);
+  });
+
+  it('a function that differs without a name is described by terms, lights and region', () => {
+    // Attenuation and highlight by a curve of one's own, for lamps at a place.
+    const form: Form = {
+      lobe: ({ cosine }, { light, material }) =>
+        Math.max(cosine, 0) **
+        (light.position[3] === 1 ? material.shininess + 9 : material.shininess),
+    };
+    const alone = Object.fromEntries(
+      TERMS.map((term) => [
+        term,
+        judged(
+          phong.map(([given]) => [{ ...given!, light: only([term], given!.light) }]),
+          form,
+        ),
+      ]),
+    ) as Record<(typeof TERMS)[number], ReturnType<typeof judged>>;
+    expect(mistakesIn([judged(phong, form)])).toEqual([]);
+    expect(differenceOf(judged(phong, form), alone)).toEqual({
+      terms: ['specular'],
+      kinds: ['point', 'spot'],
+      regions: ['highlight'],
+    });
+  });
+});
+
+it.each([
+  ['diffuse', { ...ALL, terms: ['diffuse'], kinds: ['directional'] }, 'no-clamp'],
+  [
+    'ambient and diffuse of lamps',
+    { ...ALL, terms: ['ambient', 'diffuse'], kinds: ['point'] },
+    'no-attenuation',
+  ],
+  ['spots only', { ...ALL, kinds: ['spot'] }, 'no-cone'],
+] as const)('an exercise of %s keeps to it', (_, task, id) => {
+  const cases = casesOf(task);
+  expect(cases.length).toBeGreaterThan(0);
+  expect(mistakesIn([judged(cases, formsOf(id)[0])])).toEqual([id]);
+  // A function that knows the other terms and lights too is right.
+  const full = colorsOf(cases, ([given]) => sumAt([{ ...given!, terms: TERMS }]));
+  expect(isRight(compare(cases, full, true))).toBe(true);
+});
