@@ -11,6 +11,7 @@ import { fileURLToPath } from 'node:url';
  * @typedef {object} Entry
  * @property {string} name    dist/NAME.js
  * @property {string} source  below src/
+ * @property {string} [beside]  another file that it cannot do without
  * @property {string} [as]    what users import, after `phong-viewer`; left out for files that only
  *   others of the package name
  * @property {true} [node]    Node runs it as it is
@@ -32,6 +33,15 @@ const all = [
     as: './react/standalone',
     client: true,
   },
+  {
+    name: 'react-lazy',
+    source: 'extras/frameworks/react.ts',
+    beside: 'extras/lazy/index.ts',
+    as: './react/lazy',
+    client: true,
+  },
+  { name: 'lazy', source: 'extras/lazy/index.ts', as: './lazy' },
+  { name: 'phong-viewer.lazy', source: 'extras/lazy/index.ts' },
   { name: 'playwright', source: 'extras/playwright/index.ts', as: './playwright', node: true },
   { name: 'still', source: 'extras/still/index.ts', as: './still', node: true },
   { name: 'still-worker', source: 'extras/still/worker.ts', node: true },
@@ -50,7 +60,9 @@ const all = [
 export const sourcePath = (source) =>
   fileURLToPath(new URL(join('../src', source), import.meta.url));
 
-export const entries = all.filter(({ source }) => existsSync(sourcePath(source)));
+export const entries = all.filter(({ source, beside = source }) =>
+  [source, beside].every((file) => existsSync(sourcePath(file))),
+);
 
 /** What package.json says of the entries, and of the other files that users name. */
 export function packageExports() {

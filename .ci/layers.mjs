@@ -119,6 +119,8 @@ export const layers = {
       'node:util',
     ],
   },
+  // The whole script of a page until the elements are fetched.
+  'extras/lazy': { lazy: ['viewer'] },
   // In browsers and in Node.
   'extras/png': { layers: extra },
   // Runs in Node and sends functions into pages: the elements are types to it.

@@ -1,7 +1,9 @@
 // Builds the package's ES modules, one entry at a time (.ci/entries.mjs): each is a single file, which
 // compresses better than several files with shared parts. Packages stay imports, for the user's
-// bundler or Node. `npm run build` runs this first; the standalone and the classic file have configs of their own.
+// bundler or Node. `npm run build` runs this first; the standalone and the classic file have configs
+// of their own.
 
+import { pathToFileURL } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from '../licences/plugin.js';
 import { basisTranscoder } from '../basis-transcoder.js';
@@ -32,16 +34,56 @@ function staysImport(specifier: string): boolean {
 }
 
 /**
- * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and
- * react-standalone.js the standalone file. Beside each is the file that React's servers import,
- * under the condition `react-server`: they look for its first line, of which bundlers would warn in
- * every other build.
+ * The file beside an entry's that it imports in place of the elements, so that a page has one copy of
+ * them.
  */
-const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
-  name: 'beside',
+const elementsOf: Readonly<Record<string, string>> = {
+  react: './index.js',
+  'react-standalone': './phong-viewer.standalone.js',
+  lazy: './index.js',
+  'phong-viewer.lazy': './phong-viewer.standalone.js',
+};
+
+const elementsBeside = (id: string): Plugin => ({
+  name: 'elements-beside',
   enforce: 'pre',
   resolveId: (specifier) =>
     specifier.endsWith('/viewer/index.js') ? { id, external: 'relative' } : null,
+});
+
+/**
+ * dist/react-lazy.js knows the names of the attributes, and dist/lazy.js fetches the elements. The
+ * names are those of dist/index.js, which was built before.
+ */
+const attributesAlone: Plugin = {
+  name: 'attributes-alone',
+  enforce: 'pre',
+  resolveId: (specifier) =>
+    specifier.endsWith('/viewer/index.js')
+      ? '\0attributes'
+      : specifier === './lazy.js'
+        ? { id: specifier, external: 'relative', moduleSideEffects: true }
+        : null,
+  async load(id) {
+    if (id !== '\0attributes') return null;
+    const built = pathToFileURL(`${outputFolder('dist')}/index.js`).href;
+    const elements = (await import(built)) as Record<string, { observedAttributes?: string[] }>;
+    const lists = Object.entries(elements)
+      .filter(([name]) => name.startsWith('Phong'))
+      .map(
+        ([name, { observedAttributes = [] }]) =>
+          `export const ${name} = { observedAttributes: '${observedAttributes.join(' ')}'.split(' ') };`,
+      );
+    return `import './lazy.js';\n${lists.join('\n')}`;
+  },
+};
+
+/**
+ * Beside each entry for React is the file that React's servers import, under the condition
+ * `react-server`: they look for its first line, of which bundlers would warn in every other build.
+ */
+const clientFile: Plugin = {
+  name: 'client-file',
   generateBundle(_options, bundle) {
     for (const file of Object.values(bundle)) {
       if (file.type !== 'chunk' || !file.isEntry) continue;
@@ -53,11 +95,6 @@ const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
       });
     }
   },
-});
-
-const reactEntries: Readonly<Record<string, Plugin>> = {
-  react: beside('./index.js'),
-  'react-standalone': beside('./phong-viewer.standalone.js'),
 };
 
 /**
@@ -111,7 +148,9 @@ export default defineConfig(({ mode }) => ({
     inPage(),
     decoderWorkers({ plugins: workerPlugins, files: mode !== 'still' }),
     beforeLit,
-    reactEntries[mode],
+    mode in elementsOf ? elementsBeside(elementsOf[mode]!) : null,
+    mode === 'react-lazy' ? attributesAlone : null,
+    entryOf(mode).client === true ? clientFile : null,
     mode === 'still' ? withoutDecoders : null,
     mode === 'cli' ? besideStill : null,
     licences({ listed: false }),

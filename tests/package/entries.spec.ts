@@ -43,11 +43,11 @@ test.describe('the packed package', () => {
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
     // What the README links to.
     /^(demo\/guide\/[a-z]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
-    /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js$/,
-    /^dist\/react(-standalone)?-client\.js$/,
+    /^dist\/(index|trusted-types|core|reference|react|react-standalone|react-lazy|lazy|playwright)\.js$/,
+    /^dist\/react(-standalone|-lazy)?-client\.js$/,
     /^dist\/(still(-worker|-markup)?|cli)\.js$/,
     /^dist\/still\/[\w-]+\.js$/,
-    /^dist\/phong-viewer\.(standalone|classic)\.js$/,
+    /^dist\/phong-viewer\.(standalone|classic|lazy)\.js$/,
     /^dist\/embed\.(html|js)$/,
     /^dist\/shared\/[\w.-]+\.js$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
@@ -123,7 +123,7 @@ test.describe('the packed package', () => {
 });
 
 test.describe('the entries in Node', () => {
-  for (const entry of ['index', 'core', 'reference', 'react', 'playwright']) {
+  for (const entry of ['index', 'core', 'reference', 'react', 'react-lazy', 'lazy', 'playwright']) {
     test(`importing ${entry}.js in Node prints nothing, adds no global and lets Node exit`, () => {
       const address = JSON.stringify(pathToFileURL(join(dist, `${entry}.js`)).href);
       // Lit itself leaves a registry and its versions on globalThis, Playwright its copy of zod.
@@ -183,7 +183,7 @@ test.describe('dist/', () => {
   });
 
   test("gives 'use client' to servers that render React components alone: bundlers warn of it", () => {
-    for (const entry of ['react', 'react-standalone']) {
+    for (const entry of ['react', 'react-standalone', 'react-lazy']) {
       const code = (name: string): string => readFileSync(join(dist, `${name}.js`), 'utf8');
       const names = 'PhongCompare, PhongControl, PhongLight, PhongMesh, PhongViewer';
       expect(code(`${entry}-client`)).toBe(

@@ -7,6 +7,7 @@ import {
   createElement,
   forwardRef,
   type ForwardRefExoticComponent as Component,
+  type ReactNode,
   useEffect,
   useImperativeHandle,
   useLayoutEffect,
@@ -174,7 +175,7 @@ function component<P extends object>(tag: string, attributes: readonly string[])
     for (const name of OWN_PROPS) {
       const value: unknown = Reflect.get(props, name);
       useClientEffect(() => {
-        if (element.current !== null && name in element.current) {
+        if (element.current !== null) {
           Reflect.set(element.current, name, value);
         }
       }, [value]);
@@ -190,10 +191,20 @@ function component<P extends object>(tag: string, attributes: readonly string[])
         }
       };
     });
-    return createElement(tag, rendered);
+    return tag === 'phong-viewer'
+      ? createElement(tag, rendered, posterImage(props), rendered['children'] as ReactNode)
+      : createElement(tag, rendered);
   });
   made.displayName = tag;
   return made as Component<P>;
+}
+
+/** The poster as an image, which shows before any script, and so in a server's markup. */
+function posterImage(props: { readonly poster?: unknown }): ReactNode {
+  const { poster: src } = props;
+  return typeof src === 'string' && src !== ''
+    ? createElement('img', { slot: 'poster', src, alt: '', decoding: 'async' })
+    : null;
 }
 
 const onServer = typeof document === 'undefined';

@@ -1,0 +1,161 @@
+/**
+ * `phong-viewer/lazy`: viewers stand still with their posters until somebody wants more of one. Then
+ * it fetches the elements. It is all the script that a page has before, so it is short and imports
+ * nothing.
+ */
+import type * as exported from '../../viewer/index.js';
+
+type Elements = typeof exported;
+type Viewer = InstanceType<Elements['PhongViewer']>;
+
+const VIEWER = 'phong-viewer';
+
+/** What the elements have to be fetched for: viewers, and what shows nothing without them. */
+const STILL = `:is(${VIEWER},phong-compare,phong-control,phong-probe,phong-exercise):not(:defined)`;
+
+/**
+ * Attributes of viewers that move, or show something that a poster does not, as the browser writes
+ * them. Models in them may move too.
+ */
+const LIVELY = / (auto-rotate|autoplay|camera-group|gui|helpers|probe)="(?!false|0")/;
+
+const HOST = `:where(${VIEWER}:not(:defined))`;
+
+/** The box that the element will have itself. Any rule of the page is stronger. */
+const BOX =
+  `${HOST}{display:inline-block;width:300px;height:150px;contain:strict;touch-action:pan-y;-webkit-user-select:none}` +
+  `${HOST}>[slot=poster]{position:absolute;inset:0;width:100%;max-width:none;height:100%;object-fit:contain;pointer-events:none}`;
+
+/** The events of a drag that has begun, and those that ask for the elements. */
+const EVENTS = 'pointermove,pointerup,pointercancel,pointerdown,pointerover,focusin,keydown'.split(
+  ',',
+);
+const CANCEL = 2;
+const DOWN = 3;
+const KEY = 6;
+
+/** A drag that began before the elements were there: its press, newest move and end. */
+let held: (PointerEvent | undefined)[] = [];
+let heldOn: Viewer | undefined;
+
+/** Viewers that the keyboard reaches by an attribute that is not the page's. */
+const lent: Element[] = [];
+
+let elements: Promise<Elements> | undefined;
+
+/**
+ * Fetches the elements, once. Rejects if they cannot be fetched: then the posters stay, and the next
+ * call tries again.
+ */
+export function load(): Promise<Elements> {
+  elements ??= import('../../viewer/index.js').then(leave);
+  elements.catch(() => (elements = undefined));
+  return elements;
+}
+
+/** Servers have none. */
+const { IntersectionObserver: Near } = globalThis as {
+  readonly IntersectionObserver?: typeof IntersectionObserver;
+};
+
+const near =
+  Near &&
+  new Near(
+    (entries) => {
+      if (entries.some((entry) => entry.isIntersecting)) {
+        void load();
+      }
+    },
+    { rootMargin: '100%' },
+  );
+
+/** Shows each poster, and finds what needs more than that. */
+function prepare(): void {
+  for (const element of document.querySelectorAll<HTMLElement>(STILL)) {
+    if (element.localName !== VIEWER) {
+      near?.observe(element);
+      for (const id of `${element.getAttribute('for')}`.split(' ')) {
+        near?.observe(document.getElementById(id) ?? element);
+      }
+      continue;
+    }
+    const src = element.getAttribute('poster');
+    let poster = element.querySelector('[slot=poster]');
+    if (src && !poster) {
+      poster = Object.assign(new Image(), { slot: 'poster', alt: '', src });
+      element.prepend(poster);
+    }
+    if (!poster || LIVELY.test(element.outerHTML)) {
+      near?.observe(element);
+    }
+  }
+}
+
+/** Before the key moves the focus: it can reach the viewers then. */
+function lend(): void {
+  for (const viewer of document.querySelectorAll<HTMLElement>(`${VIEWER}:not([tabindex])`)) {
+    viewer.tabIndex = 0;
+    lent.push(viewer);
+  }
+}
+
+function hear(event: PointerEvent): void {
+  const at = EVENTS.indexOf(event.type);
+  const viewer = (event.composedPath() as Element[]).find((node) => node.localName === VIEWER);
+  const asks = at > CANCEL && viewer?.matches(':not(:defined)');
+  if (asks) {
+    void load();
+  }
+  if (at === KEY && !elements) {
+    lend();
+  }
+  if (asks && at === DOWN) {
+    held = [event];
+    heldOn = viewer as Viewer;
+  } else if (event.pointerId === held[0]?.pointerId) {
+    // A mouse goes on moving after its end.
+    if (at < CANCEL && !held[2]) {
+      held[at + 1] = event;
+    } else if (at === CANCEL) {
+      held = [];
+    }
+  }
+}
+
+/** The elements are defined. */
+function leave(module: Elements): Elements {
+  const focused = document.activeElement as HTMLElement | null;
+  for (const viewer of lent) {
+    viewer.removeAttribute('tabindex');
+  }
+  if (focused?.localName === VIEWER) {
+    focused.blur(); // a host that has the focus does not pass it on
+    focused.focus();
+  }
+  heldOn?.addEventListener('render', turn);
+  return module;
+}
+
+/** By what the pointer has moved meanwhile, once the camera fits the scene. */
+function turn(this: Viewer): void {
+  if (!this.loaded) return;
+  const surface = this.shadowRoot!.querySelector('.surface')!;
+  for (const event of held) {
+    // Not each place has one.
+    if (event) {
+      surface.dispatchEvent(new PointerEvent(event.type, event));
+    }
+  }
+  held = [];
+}
+
+if (near) {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(BOX);
+  document.adoptedStyleSheets.push(sheet);
+  new MutationObserver(prepare).observe(document, { childList: true, subtree: true });
+  prepare();
+  for (const type of EVENTS) {
+    document.addEventListener(type, hear as EventListener, true);
+  }
+}
