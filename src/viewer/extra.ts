@@ -1,10 +1,8 @@
 // All that extras may import of the viewer. Its own files import each other, and never this one.
 
-export { create, createSvg, set, write, zoomOf } from './element/dom.js';
 export type {
   AnswerDetail,
   FragmentExplanation,
-  LightExplanation,
   PhongCompare,
   PhongLight,
   PhongMesh,
@@ -16,12 +14,7 @@ export type { CreatePanel } from './element/extra-code.js';
 export type { ControlValues } from './element/fields/control-properties.js';
 export { cssColor } from './element/fields/css-color.js';
 export type { ExerciseValues } from './element/fields/exercise-properties.js';
-export {
-  attributesOf,
-  bindingOf,
-  defineProperties,
-  FieldBinding,
-} from './element/fields/field-binding.js';
+export { defineProperties, FieldBinding } from './element/fields/field-binding.js';
 export type { ProbeValues } from './element/fields/probe-properties.js';
 export {
   localNumber,
@@ -37,15 +30,15 @@ export {
   type ViewerValues,
 } from './element/fields/viewer-fields.js';
 export type { MistakeTests } from './element/inspect.js';
-export { fieldsOf, placed, sceneMeshes, viewerPins, viewerSnapshots } from './element/internals.js';
+export { fieldsOf, sceneMeshes, viewerPins, viewerSnapshots } from './element/internals.js';
 export { default as ownText } from './element/page/own-text.css?inline';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
-export { addStyles, removeStyles } from './element/page/style-sheets.js';
+export { addStyles } from './element/page/style-sheets.js';
 export { PhongControl } from './element/phong-control.js';
-export { PhongProbe } from './element/phong-probe.js';
 export { PhongExercise } from './element/phong-exercise.js';
-export { lightName, numberedName } from './element/phong-light.js';
+export { lightName } from './element/phong-light.js';
+export { PhongProbe } from './element/phong-probe.js';
 export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';
 export { historyOf, type Undoable, valuesOf } from './element/viewer/history.js';
@@ -55,11 +48,10 @@ export { FORMAT_NAMES, type FormatNames } from './model/format-names.js';
 export { lazyCode, reportMissing } from './model/lazy-code.js';
 export { isOutOfMemory, LIMITS } from './model/limits.js';
 export { ModelBudget } from './model/model-budget.js';
-export { type Content, type ContentPart, ModelError, type Motion } from './model/model.js';
+export { type Content, type ContentPart, ModelError } from './model/model.js';
 export { type LoadOptions, modelCode } from './model/request-model.js';
 export { fitTo } from './scene/auto-fit.js';
-export { SAFE_SIDE } from './scene/gpu/context.js';
-export { contextLost, NoWebGL2Error, stage } from './scene/gpu/stage.js';
+export { NoWebGL2Error, stage } from './scene/gpu/stage.js';
 export { sampledSegments } from './scene/mesh/levels.js';
 export { MESH_FIELDS, type MeshState, type MeshValues } from './scene/mesh/mesh-fields.js';
 export { appearanceOf } from './scene/mesh/parts.js';

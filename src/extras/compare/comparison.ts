@@ -13,10 +13,13 @@ import {
   type PhongViewer,
   phrase,
   pictureBox,
-  placed,
 } from '../../viewer/extra.js';
 import styles from './comparison.css?inline';
 import { Divider, placesOf, rangeOf, withMoved } from './divider.js';
+
+interface Placed {
+  connectedMoveCallback?(): void;
+}
 
 const valuesOf = (element: PhongCompare) => fieldsOf(element).store.values;
 
@@ -61,7 +64,8 @@ export class Comparison implements ReactiveController {
     this.#viewers = viewers;
     const slots = this.#element.shadowRoot!.querySelectorAll<HTMLSlotElement>('.pane > slot');
     viewers.forEach((viewer, i) => slots[i]?.assign(viewer));
-    viewers.forEach((viewer) => placed(viewer));
+    // Observers report their new place only after a frame.
+    viewers.forEach((viewer: PhongViewer & Placed) => viewer.connectedMoveCallback?.());
     this.#observe();
   }
 

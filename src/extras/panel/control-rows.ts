@@ -1,17 +1,11 @@
 // The rows of a <phong-control> that the panel has not: a stepper through values, and fields
 // without a row.
-import {
-  cssColor,
-  type PhongViewer,
-  sceneMeshes,
-  type ViewerText,
-  write,
-} from '../../viewer/extra.js';
+import { cssColor, type PhongViewer, sceneMeshes, type ViewerText } from '../../viewer/extra.js';
 import type { Field } from '../../phong/fields/field.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import type { Bound } from './bound.js';
 import { InputRow } from './input-row.js';
-import { label, type Say } from './label.js';
+import { label, type Say, show } from './label.js';
 import {
   type AnyRow,
   declared,
@@ -73,7 +67,7 @@ export const stepper = (
     const output = document.createElement('output');
     const update = (): void => {
       const text = formatValue(bound.value, field) ?? '';
-      write(output, text.replace(/[\w-]+/g, (word) => say(word as ViewerText)) || NOTHING);
+      show(output, text.replace(/[\w-]+/g, (word) => say(word as ViewerText)) || NOTHING);
     };
     const [back, forward] = [stepTo('back'), stepTo('forward')];
     const row = new InputRow(gui, bound, 'steps', nameOf(key), [

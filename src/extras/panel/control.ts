@@ -3,17 +3,15 @@
 import { GUI } from 'lil-gui';
 import {
   addStyles,
-  attributesOf,
-  bindingOf,
   type ControlValues,
   defineProperties,
   FieldBinding,
+  fieldsOf,
   historyOf,
   ownText,
   PhongControl,
   type PhongViewer,
   phrase,
-  removeStyles,
   type Undoable,
   type ViewerTexts,
 } from '../../viewer/extra.js';
@@ -72,6 +70,8 @@ class Control {
   #gui: GUI | null = null;
   #stops: (() => void)[] = [];
   #timer = 0;
+  /** Takes away the styles of a control on a line of its own. */
+  #removeLine = (): void => undefined;
   /** Ids that an element has had. */
   readonly #met = new Set<string>();
 
@@ -172,7 +172,7 @@ class Control {
       } else if (!(found.localName in ROWS)) {
         warn(`${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`);
       } else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
-        const word = nearest(attribute, attributesOf(bindingOf(found as Editable).store.fields));
+        const word = nearest(attribute, attributesOf(found as Editable));
         const cure =
           word === undefined
             ? 'Write attribute="…", one of its attributes.'
@@ -202,9 +202,9 @@ class Control {
     const key = keyOf(element, attribute)!;
     const viewer = viewerOf(element)!;
     this.#texts = viewer.texts;
-    const field = (bindingOf(element).store.fields as Readonly<Record<string, Field<unknown>>>)[
-      key
-    ]!;
+    const field = (
+      fieldsOf(element as PhongViewer).store.fields as Readonly<Record<string, Field<unknown>>>
+    )[key]!;
     const own = ROWS[element.localName]![key] ?? null;
     const row = values !== '' ? stepper(key, field, values, own) : rowOf(key, field, own);
     const range = new SceneRange(viewer);
@@ -213,7 +213,10 @@ class Control {
     const inText = type === null ? isInText(this.#element) : type === 'number';
     const box = document.createElement('span');
     box.className = inText ? 'text' : 'line';
-    (inText ? removeStyles : addStyles)(this.#root, LINE);
+    this.#removeLine();
+    if (!inText) {
+      this.#removeLine = addStyles(this.#root, LINE);
+    }
     this.#root.replaceChildren(box);
     const gui = (this.#gui = new GUI({ container: box, injectStyles: false }));
     const sources = having.map((target) => row.source?.(target) ?? declared(target, key));
@@ -281,10 +284,13 @@ function viewerOf(element: Element): PhongViewer | null {
   return around === null && host !== undefined ? viewerOf(host) : (around as PhongViewer | null);
 }
 
+const keysOf = (element: Editable): readonly string[] =>
+  Object.keys(fieldsOf(element as PhongViewer).store.fields);
+
+const attributesOf = (element: Editable): readonly string[] => keysOf(element).map(attributeOf);
+
 const keyOf = (element: Editable, attribute: string): string | undefined =>
-  Object.keys(bindingOf(element).store.fields).find(
-    (key) => attributeOf(key) === attribute.trim().toLowerCase(),
-  );
+  keysOf(element).find((key) => attributeOf(key) === attribute.trim().toLowerCase());
 
 /** Writes to all sources: one step for each viewer. Shows the first. */
 function joined(elements: readonly Editable[], sources: readonly Source[]): Bound<unknown> {

@@ -1,10 +1,10 @@
 // Rows of inputs: a field of text that writes while the user types, a choice, and text that the
 // user cannot edit.
 import { Controller, type GUI } from 'lil-gui';
-import { type ViewerText, write } from '../../viewer/extra.js';
+import type { ViewerText } from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { accepted, bound, type Bound } from './bound.js';
-import { label, nameRow, type Say } from './label.js';
+import { label, nameRow, type Say, show } from './label.js';
 
 /** An input of a row; `update` shows the value. */
 export interface RowInput {
@@ -112,7 +112,7 @@ export class Readout extends Controller {
   }
 
   override updateDisplay(): this {
-    write(this.$widget, this.getValue() as string);
+    show(this.$widget, this.getValue() as string);
     return this;
   }
 

@@ -17,6 +17,13 @@ export function label(element: Element, write: (say: Say) => void): void {
   write(sayIn(element));
 }
 
+/** Writes only what changes: screen readers may read again what is written. */
+export function show(element: Element, text: string): void {
+  if (element.textContent !== text) {
+    element.textContent = text;
+  }
+}
+
 /** Names a row. Returns it. */
 export function nameRow<Row extends Controller>(row: Row, name: ViewerText): Row {
   label(row.$name, (say) => row.name(say(name)));

@@ -4,7 +4,7 @@ import type { GUI } from 'lil-gui';
 import {
   fieldsOf,
   historyOf,
-  numberedName,
+  lightName,
   type PhongLight,
   type PhongViewer,
   valuesOf,
@@ -128,7 +128,7 @@ export const LIGHTS: ChildKind<PhongLight> = {
   rows: LIGHT_ROWS,
   children: ({ lights }) => lights,
   // The element's `name` would search through all siblings, which is slow with hundreds of lights.
-  title: (light, index, texts) => valuesIn(light).name || numberedName(index, texts),
+  title: (light, index, texts) => lightName(fieldsOf(light).store, index, texts),
   addSwitch,
 };
 

@@ -9,7 +9,6 @@ import {
   panelColumn,
   type PhongMesh,
   type PhongViewer,
-  removeStyles,
 } from '../../viewer/extra.js';
 import controls from './controls.css?inline';
 import { addFiles } from './files-row.js';
@@ -44,7 +43,7 @@ interface Content {
 }
 
 export const createPanel: CreatePanel = (viewer, place, root): Panel => {
-  addStyles(root, STYLES);
+  const removeStyles = addStyles(root, STYLES);
   const gui = newRoot(place);
   const range = new SceneRange(viewer);
   const content = contentOf(viewer, gui, range);
@@ -83,7 +82,7 @@ export const createPanel: CreatePanel = (viewer, place, root): Panel => {
       stopWaiting();
       content.dispose();
       gui.destroy();
-      removeStyles(root, STYLES);
+      removeStyles();
     },
   };
 };

@@ -2,7 +2,7 @@
 // an element, or says that the field has none; a folder is built from it. Each write can be undone.
 import { type Controller, FunctionController, type GUI } from 'lil-gui';
 import {
-  bindingOf,
+  fieldsOf,
   historyOf,
   type PhongLight,
   type PhongMesh,
@@ -26,6 +26,7 @@ import {
 import { addSelect, addText, Readout } from './input-row.js';
 import type { SceneRange, SliderScale } from './travel.js';
 import { attributeOf } from '../../phong/fields/attribute-text.js';
+import type { FieldStore } from '../../phong/fields/field-store.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
 
@@ -50,10 +51,13 @@ export interface Source {
   readonly set: (value: unknown) => void;
 }
 
+const storeOf = (element: Editable) =>
+  fieldsOf(element as PhongViewer).store as unknown as FieldStore<Record<string, unknown>>;
+
 /** The declared value of an element. It is written through the property, which checks it. */
 export const declared = (element: Editable, key: string): Source => ({
   subject: valuesOf(element),
-  get: () => bindingOf<Record<string, unknown>>(element).store.values[key],
+  get: () => storeOf(element).values[key],
   set: (value) => Reflect.set(element, key, value),
 });
 
@@ -105,7 +109,7 @@ export function addRows<E extends Editable>(
   rows: Rows<E>,
 ): ReadonlyMap<string, AddedRow<E>> {
   const { element } = place;
-  const { fields } = bindingOf<Record<string, unknown>>(element).store;
+  const { fields } = storeOf(element);
   const added = new Map<string, AddedRow<E>>();
   for (const [key, row] of Object.entries(rows)) {
     if (row === NO_ROW) continue;

@@ -1,5 +1,5 @@
 // Copies the equations as text and as LaTeX, or shows what could not be copied, selected.
-import { create, phrase, type ViewerText, type ViewerTexts } from '../../viewer/extra.js';
+import { phrase, type ViewerText, type ViewerTexts } from '../../viewer/extra.js';
 import { html, type TemplateResult } from 'lit';
 import { latexOf } from './math.js';
 
@@ -7,7 +7,12 @@ import { latexOf } from './math.js';
 const RESULT_MS = 2000;
 
 export class CopyButtons {
-  readonly #uncopied = create('textarea', { readonly: '', hidden: '', rows: '3', dir: 'ltr' });
+  readonly #uncopied = Object.assign(document.createElement('textarea'), {
+    readOnly: true,
+    hidden: true,
+    rows: 3,
+    dir: 'ltr',
+  });
 
   template(written: string, texts: ViewerTexts | null): TemplateResult {
     const latex = latexOf(written);

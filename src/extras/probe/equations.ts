@@ -1,10 +1,9 @@
 // The equation at a fragment with its numbers put in: one line for each term of each light, for all
 // three channels, and one for the sum. 1 is full. The digits shown give the digits shown.
 import {
-  type PhongLight,
   type FragmentExplanation,
-  type LightExplanation,
   localNumber,
+  type PhongLight,
   phrase,
   type ViewerTexts,
 } from '../../viewer/extra.js';
@@ -12,7 +11,13 @@ import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { cosDegrees } from '../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, clamp, map, multiply, scale, type Vec3 } from '../../phong/math/vector.js';
-import { decimals, degreesOf, exponentOf, rounded } from '../overlay/probe/sum.js';
+import {
+  decimals,
+  degreesOf,
+  exponentOf,
+  rounded,
+  type LightExplanation,
+} from '../overlay/probe/sum.js';
 
 export interface EquationOptions {
   /** By the index of their shares. */

@@ -3,18 +3,17 @@
 // ring marks the point in pictures without a probe of their own.
 import {
   addStyles,
-  create,
   type FragmentExplanation,
   type PhongProbe,
   type PhongViewer,
   viewerPins,
-  zoomOf,
 } from '../../viewer/extra.js';
 import { SLOP } from '../../phong/camera/kept-drag.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { Projection } from '../overlay/drawing/projection.js';
 import { askedOf } from './probe-fields.js';
 import { seededFragment, seededNumbers } from './seeded.js';
+import { zoomOf } from '../../phong/camera/gesture.js';
 
 /** Where the pointer is, as `shadeAt` takes it. */
 interface Place {
@@ -44,7 +43,11 @@ export class FollowedPoint {
   readonly #element: PhongProbe;
   readonly #changed: (error?: Error) => void;
   readonly #listening = new AbortController();
-  readonly #ring = create('div', { class: 'pointed', 'aria-hidden': 'true', hidden: '' });
+  readonly #ring = Object.assign(document.createElement('div'), {
+    className: 'pointed',
+    ariaHidden: 'true',
+    hidden: true,
+  });
   /** The last point of the user. */
   #point: Vec3 | null = null;
   #isPinned = false;

@@ -2,20 +2,19 @@
 // table, as equations or as questions, and is a control of forms. Loaded with the first one on a
 // page.
 import {
-  create,
-  type PhongViewer,
+  addStyles,
   type AnswerDetail,
-  type FragmentExplanation,
   defineProperties,
   FieldBinding,
+  fieldsOf,
+  type FragmentExplanation,
+  ownText,
+  PhongProbe,
+  type PhongViewer,
   phrase,
+  type ProbeValues,
   textsAround,
   type ViewerTexts,
-  fieldsOf,
-  addStyles,
-  PhongProbe,
-  type ProbeValues,
-  ownText,
 } from '../../viewer/extra.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { clip } from '../../phong/fields/clip.js';
@@ -106,7 +105,7 @@ class Probe {
   readonly #element: PhongProbe;
   readonly #binding: FieldBinding<ProbeValues>;
   readonly #root: ShadowRoot;
-  readonly #place = create('div', { class: 'place' });
+  readonly #place = Object.assign(document.createElement('div'), { className: 'place' });
   readonly #table = new SumTable(() => this.#render());
   readonly #attributes = new MutationObserver((records) => this.#changed(records));
   readonly #page = new MutationObserver(() => this.#find());
@@ -450,7 +449,7 @@ class Probe {
 
 /** What the browser says of an empty field, in its user's language. */
 const valueMissing = (): string => {
-  const input = create('input', { required: '' });
+  const input = Object.assign(document.createElement('input'), { required: true });
   return input.validationMessage || 'required';
 };
 

@@ -2,12 +2,12 @@
 // their mean replaces the plain picture, until all are there. And pictures for `toBlob({ samples
 // })`. Fetched with the first use of either.
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
-import { contextLost, SAFE_SIDE, type SampledViewport, stage } from '../../viewer/extra.js';
+import { type SampledViewport, stage } from '../../viewer/extra.js';
 import { Batches, sendBatch } from './batches.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { copyPart, fromBelow } from './screen-pass.js';
 import { queue, release, seize, sharedSum, take } from './turns.js';
-import { type Region, type Size, tilesOf } from '../../phong/math/region.js';
+import { type Region, type Size, SAFE_SIDE, tilesOf } from '../../phong/math/region.js';
 
 /**
  * Animation frames without a change before the first sample of a drag: a slow drag has frames in
@@ -305,7 +305,7 @@ async function draw(
 
 /**
  * Stops after each batch, unless `atOnce`. Null where the GPU has no float targets, or no memory
- * for them.
+ * for them, or no context: then the plain picture cannot be drawn either.
  */
 function* drawBatches(
   picture: SampledViewport['picture'],
@@ -323,13 +323,15 @@ function* drawBatches(
       if (!canSum(renderer) || !sum.begin(tile)) return null;
       while (sum.count < samples) {
         if (atOnce || batches.ended) {
-          aside((r) => sendBatch(batches, sum, samples, size, tile, r, picture));
+          if (!stage.drawAside((r) => sendBatch(batches, sum, samples, size, tile, r, picture))) {
+            return null;
+          }
         }
         if (!atOnce) {
           yield;
         }
       }
-      aside(() => sum.resolve(mean, { ...tile, x: 0, y: 0 }));
+      if (!stage.drawAside(() => sum.resolve(mean, { ...tile, x: 0, y: 0 }))) return null;
       const piece = stage.capture(tile, (r, part) => copyPart(r, mean.texture, part, tile.height));
       target.drawImage(piece, tile.x, tile.y);
     } finally {
@@ -339,8 +341,4 @@ function* drawBatches(
     }
   }
   return target.canvas;
-}
-
-function aside(draw: (renderer: WebGLRenderer) => void): void {
-  if (!stage.drawAside(draw)) throw contextLost();
 }

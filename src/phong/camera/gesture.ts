@@ -198,3 +198,10 @@ export function alongAxes(
   const area = rightX * downY - rightY * downX;
   return area === 0 ? [0, 0] : [(x * downY - y * downX) / area, (y * rightX - x * rightY) / area];
 }
+
+/**
+ * Pixels of the page, as of pointer events, for each CSS pixel of an element: CSS zoom. Not all
+ * browsers say it.
+ */
+export const zoomOf = (element: Element): number =>
+  (element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;

@@ -30,3 +30,9 @@ export function tilesOf({ width, height }: Size, area: number, side = Infinity):
   }
   return tiles;
 }
+
+/**
+ * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel.
+ * Tiles of a capture and the canvas of a new context are not larger.
+ */
+export const SAFE_SIDE = 4096;

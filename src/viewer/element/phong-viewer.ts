@@ -16,7 +16,7 @@ import type {
   ShadeOptions,
   ViewerClass,
 } from './elements.js';
-import { create, renderWhereShown } from './dom.js';
+import { renderWhereShown } from './dom.js';
 import { explanationCode } from './extra-code.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
@@ -107,7 +107,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     }
   });
 
-  readonly #holder = create('div', { class: 'holder' });
+  readonly #holder = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #context = new ViewerContext(this, this.#store, this.#holder);
   readonly #events = new EventQueue(this, this.#context.signals.lightsReported);
   readonly #panel = new ViewerPanel(this.#context);

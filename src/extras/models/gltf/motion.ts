@@ -3,7 +3,7 @@
 import { sinDegrees } from '../../../phong/math/angle.js';
 import { acos } from '../../../phong/math/elementary.js';
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
-import { type ContentPart, LIMITS, type Motion } from '../../../viewer/extra.js';
+import { type Content, type ContentPart, LIMITS } from '../../../viewer/extra.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
@@ -12,6 +12,8 @@ import { type Attribute, gathered } from './attributes.js';
 import type { Deformation, JointPose } from './deformation.js';
 import { keysWithin, Reach } from './reach.js';
 import { type GeometrySize, sizeOfVertices } from '../../../phong/geometry/geometry-size.js';
+
+type Motion = NonNullable<Content['motion']>;
 
 /** The parts of a model that can move. */
 export interface Movable {

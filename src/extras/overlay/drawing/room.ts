@@ -1,8 +1,9 @@
 // The free rectangle of the layer over the picture, the boxes in it, and its text size. The style
 // sheets lay it out (phong-viewer.css, and panel.css for the panel). Observers follow them after
 // layout, so that no frame forces one.
-import { create, type ExtraHost } from '../../../viewer/extra.js';
+import type { ExtraHost } from '../../../viewer/extra.js';
 import type { Rect } from './label-layout.js';
+import { create } from './dom.js';
 
 export class Room {
   /** CSS pixels of the layer. Without width or height where nothing is free. */

@@ -1,8 +1,8 @@
 // Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are
 // kept from list to list, and only what differs is written.
-import { createSvg, set, write } from '../../../viewer/extra.js';
 import { coreOf, DASHES, type DrawnItem, HALO, haloWidth, labelFont } from './display-list.js';
 import type { Point } from './projection.js';
+import { createSvg, set, write } from './dom.js';
 
 const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 

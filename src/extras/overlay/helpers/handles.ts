@@ -4,19 +4,16 @@
 import { alongAxes } from '../../../phong/camera/gesture.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import {
-  create,
   type ExtraHost,
   fieldsOf,
   historyOf,
+  lightName,
   lightText,
   localNumber,
-  numberedName,
   type PhongLight,
   phrase,
   pictureBox,
-  set,
   type ViewerText,
-  write,
 } from '../../../viewer/extra.js';
 import { ARROWS, inside, type Projection } from '../drawing/projection.js';
 import { clamp } from '../../../phong/math/vector.js';
@@ -29,6 +26,7 @@ import {
 } from './light-marks.js';
 import { LightMove } from './light-move.js';
 import { followDrag } from '../../../phong/camera/followed-drag.js';
+import { create, set, write } from '../drawing/dom.js';
 
 interface HandleEntry {
   readonly element: HTMLElement;
@@ -204,11 +202,12 @@ export class Handles {
       element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
     }
     const { texts } = this.#host.viewer;
-    const { values } = fieldsOf(light).store;
+    const { store } = fieldsOf(light);
+    const { values } = store;
     const named = [index, texts, ...Object.values(values)];
     if (sameValue(shown.named, named)) return;
     shown.named = named;
-    const name = values.name || numberedName(index, texts);
+    const name = lightName(store, index, texts);
     const label =
       part === 'place'
         ? lightText(texts, name, values)

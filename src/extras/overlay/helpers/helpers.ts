@@ -3,11 +3,9 @@
 import { sameValue } from '../../../phong/fields/field-store.js';
 import {
   addStyles,
-  create as createElement,
   type Extra,
   type ExtraHost,
   type PictureOptions,
-  removeStyles,
 } from '../../../viewer/extra.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { listOf, NO_DRAWING, whole } from '../drawing/label-layout.js';
@@ -18,12 +16,13 @@ import styles from './helpers.css?inline';
 import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './light-marks.js';
 import { SceneHelpers } from './scene-helpers.js';
+import { create as createElement } from '../drawing/dom.js';
 
 export const create = (host: ExtraHost): Extra => new Helpers(host);
 
 class Helpers implements Extra {
   readonly #host: ExtraHost;
-  readonly #root: ShadowRoot;
+  readonly #removeStyles: () => void;
   readonly #element = createElement('div', { class: 'helpers' });
   readonly #svg = new SvgLayer();
   readonly #lights: LightHelpers;
@@ -39,8 +38,7 @@ class Helpers implements Extra {
   constructor(host: ExtraHost) {
     this.#host = host;
     this.#scene = ballOf(host);
-    this.#root = host.tree.layer.getRootNode() as ShadowRoot;
-    addStyles(this.#root, styles);
+    this.#removeStyles = addStyles(host.tree.layer.getRootNode() as ShadowRoot, styles);
     this.#element.append(this.#svg.element);
     const changed = (): void => this.#showLater();
     this.#lights = new LightHelpers(host, this.#element, changed);
@@ -106,7 +104,7 @@ class Helpers implements Extra {
     this.#room.dispose();
     this.#host.names.placed = [];
     this.#element.remove();
-    removeStyles(this.#root, styles);
+    this.#removeStyles();
   }
 
   /**

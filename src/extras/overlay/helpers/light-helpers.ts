@@ -4,8 +4,8 @@ import { sameValue } from '../../../phong/fields/field-store.js';
 import {
   type ExtraHost,
   fieldsOf,
+  lightName,
   lightNameText,
-  numberedName,
   type PhongLight,
 } from '../../../viewer/extra.js';
 import { distanceAlong } from '../../explain/pick.js';
@@ -106,9 +106,10 @@ export class LightHelpers {
     return {
       list: marks.flatMap(({ list }) => list),
       names: lights.map((light, i) => {
-        const { values } = fieldsOf(light).store;
+        const { store } = fieldsOf(light);
+        const { values } = store;
         return {
-          text: lightNameText(texts, values.name || numberedName(i, texts), values),
+          text: lightNameText(texts, lightName(store, i, texts), values),
           center: marks[i]!.handles[0]!.at,
           gap: GAP,
           part: LIGHT_NAME,

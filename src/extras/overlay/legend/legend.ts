@@ -5,13 +5,11 @@ import { clipMessage, listed } from '../../../phong/fields/clip.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import {
   addStyles,
-  create as createElement,
   type Extra,
   type ExtraHost,
   lightName,
   localNumber,
   phrase,
-  removeStyles,
   type ViewerText,
   type ViewerTexts,
 } from '../../../viewer/extra.js';
@@ -26,8 +24,8 @@ export const create = (host: ExtraHost): Extra => new ViewExtra(host);
 class ViewExtra implements Extra {
   readonly #host: ExtraHost;
   /** Holds the legend, in the free part of the picture, whose size the style sheet asks for. */
-  readonly #place = createElement('div', { class: 'view-place' });
-  readonly #root: ShadowRoot;
+  readonly #place = Object.assign(document.createElement('div'), { className: 'view-place' });
+  readonly #removeStyles: () => void;
   /** What the picture was last set by. Texts name lights. */
   #shown: readonly unknown[] = [];
   /** What the scale was written for. */
@@ -38,8 +36,7 @@ class ViewExtra implements Extra {
 
   constructor(host: ExtraHost) {
     this.#host = host;
-    this.#root = host.tree.layer.getRootNode() as ShadowRoot;
-    addStyles(this.#root, styles);
+    this.#removeStyles = addStyles(host.tree.layer.getRootNode() as ShadowRoot, styles);
     host.tree.free.append(this.#place);
   }
 
@@ -86,7 +83,7 @@ class ViewExtra implements Extra {
     clearTimeout(this.#warning);
     this.#place.remove();
     viewport.holder.classList.remove('outlined');
-    removeStyles(this.#root, styles);
+    this.#removeStyles();
     viewport.picture.view = null;
   }
 

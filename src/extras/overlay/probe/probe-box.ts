@@ -1,7 +1,7 @@
 // The probe's box: the colour, the table of its sum, and the steps of one light. A column in wide
 // pictures, else a strip, away from the point. The style sheet hides columns and lines that have no
 // room; lights that have none share a row.
-import { create, localNumber, phrase, type ViewerTexts } from '../../../viewer/extra.js';
+import { localNumber, phrase, type ViewerTexts } from '../../../viewer/extra.js';
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
 import type { Rect } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
@@ -14,6 +14,7 @@ import {
   type SumContent,
   SumTable,
 } from './sum-table.js';
+import { create } from '../drawing/dom.js';
 
 export interface BoxState {
   /** A message stands in place of a sum. Null: nothing is shown. */

@@ -2,13 +2,10 @@
 // and announcements.
 import {
   addStyles,
-  create,
   type ExtraHost,
   type FragmentExplanation,
   phrase,
-  removeStyles,
   type ViewerTexts,
-  write,
 } from '../../../viewer/extra.js';
 import { html, render } from 'lit';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
@@ -23,6 +20,7 @@ import styles from './probe.css?inline';
 import { type Sum, probeSum, fragmentText } from './sum.js';
 import { isGouraud, isHalfway, rowOf, type SumContent } from './sum-table.js';
 import tableStyles from './sum-table.css?inline';
+import { create, write } from '../drawing/dom.js';
 
 export interface ProbedPoint {
   /** Null: outside the picture. */
@@ -43,6 +41,7 @@ const KEYS =
 export class ProbeView {
   /** What is drawn, below boxes and notices. */
   readonly root = create('div', { class: 'probe' });
+  readonly #removeStyles: () => void;
   /** The cross-hair. The mark that is seen is part of the drawing. */
   readonly cursor: HTMLElement;
   shown: ProbedPoint | null = null;
@@ -61,8 +60,7 @@ export class ProbeView {
     this.#host = host;
     this.#room = new Room(host.tree, () => this.#show());
     this.#box = new ProbeBox(this.#room, () => this.#show(), release);
-    addStyles(host.viewer.shadowRoot!, tableStyles);
-    addStyles(host.viewer.shadowRoot!, styles);
+    this.#removeStyles = addStyles(host.viewer.shadowRoot!, tableStyles + styles);
     host.tree.room.before(this.root);
     host.tree.free.append(this.place);
     this.#show();
@@ -138,8 +136,7 @@ export class ProbeView {
     this.#room.dispose();
     this.root.remove();
     this.place.remove();
-    removeStyles(this.#host.viewer.shadowRoot!, styles);
-    removeStyles(this.#host.viewer.shadowRoot!, tableStyles);
+    this.#removeStyles();
   }
 
   get #texts(): ViewerTexts | null {

@@ -9,7 +9,6 @@ import {
   type ProbeDetail,
   viewerPins,
   type ViewerTexts,
-  zoomOf,
 } from '../../../viewer/extra.js';
 import { SLOP } from '../../../phong/camera/kept-drag.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
@@ -17,6 +16,7 @@ import type { Vec3 } from '../../../phong/math/vector.js';
 import { ARROWS, inside, type Point } from '../drawing/projection.js';
 import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NO_SURFACE, OUTSIDE } from './sum.js';
+import { zoomOf } from '../../../phong/camera/gesture.js';
 
 /**
  * Another surface hides a pinned point if it is nearer to the eye by more than so many pixels are

@@ -3,7 +3,6 @@
 // table.
 import {
   type FragmentExplanation,
-  type LightExplanation,
   localNumber,
   phrase,
   type ViewerTexts,
@@ -25,6 +24,8 @@ export type Absence =
   | null;
 
 /** One active light's row: its explanation, with the three terms in codes. */
+export type LightExplanation = NonNullable<FragmentExplanation['shares'][number]>;
+
 export interface SumRow extends LightExplanation {
   /**
    * At the point itself, whatever the terms: under Gouraud shading they are those of the corners.

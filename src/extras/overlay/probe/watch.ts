@@ -4,9 +4,9 @@ import {
   type ExtraHost,
   type ProbeDetail,
   reportMissing,
-  zoomOf,
 } from '../../../viewer/extra.js';
 import { projectionOf } from '../drawing/projection.js';
+import { zoomOf } from '../../../phong/camera/gesture.js';
 
 export function create(host: ExtraHost): Extra {
   const { viewer, values } = host;

@@ -7,8 +7,9 @@ const parsed = new WeakMap<Document, Map<string, CSSStyleSheet>>();
 
 /**
  * Adds a sheet to a root. Also brings back those that the root lost on its way into this document.
+ * The returned function removes it.
  */
-export function addStyles(root: ShadowRoot, text: string): void {
+export function addStyles(root: ShadowRoot, text: string): () => void {
   const texts = (used.get(root) ?? new Set()).add(text);
   used.set(root, texts);
   for (const each of texts) {
@@ -17,9 +18,10 @@ export function addStyles(root: ShadowRoot, text: string): void {
       root.adoptedStyleSheets.push(sheet);
     }
   }
+  return () => removeStyles(root, text);
 }
 
-export function removeStyles(root: ShadowRoot, text: string): void {
+function removeStyles(root: ShadowRoot, text: string): void {
   used.get(root)?.delete(text);
   const sheet = sheetOf(root.ownerDocument, text);
   // In a document without a window, such as a template's, the root may still have the sheets of the

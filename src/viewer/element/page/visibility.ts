@@ -2,7 +2,7 @@
 // observers report.
 import type { LitElement, ReactiveController } from 'lit';
 import type { Signal } from '../../../phong/fields/signal.js';
-import { zoomOf } from '../dom.js';
+import { zoomOf } from '../../../phong/camera/gesture.js';
 import { type PageObservers, pageOf } from './page-observers.js';
 
 export interface ElementView {

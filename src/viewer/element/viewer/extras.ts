@@ -6,7 +6,7 @@ import type { ReactiveController } from 'lit';
 import { reportMissing } from '../../model/lazy-code.js';
 import { MOST_SAMPLES } from '../fields/viewer-fields.js';
 import type { Size } from '../../../phong/math/region.js';
-import { zoomOf } from '../dom.js';
+import { zoomOf } from '../../../phong/camera/gesture.js';
 import type { PictureOptions } from '../elements.js';
 import { pictureCode } from '../extra-code.js';
 import type { Visibility } from '../page/visibility.js';

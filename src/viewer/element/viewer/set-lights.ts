@@ -1,13 +1,12 @@
 // `viewer.setLights`: a viewer's lights by name, all or nothing.
 import { show } from '../../../phong/fields/field.js';
-import { create } from '../dom.js';
 import type { LightsByName, PhongViewer } from '../elements.js';
 import { fieldsOf } from '../internals.js';
 
 export function setLights(viewer: PhongViewer, lights: LightsByName): void {
   // Elements of their own check every value before the viewer's are touched.
   const wanted = entriesOf(lights).map(([name, values]) => {
-    const light = create('phong-light');
+    const light = document.createElement('phong-light');
     for (const [key, value] of [...entriesOf(values), ['name', name] as const]) {
       fieldsOf(light).set(key as 'name', value);
     }

@@ -3,18 +3,12 @@
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
 import { deviceOf } from '../../../phong/material/device.js';
 import { checkLinks } from '../../../phong/material/program/program-cache.js';
-import type { Size } from '../../../phong/math/region.js';
+import { SAFE_SIDE, type Size } from '../../../phong/math/region.js';
 import type { AtlasLimit } from './atlas.js';
 
 export class NoWebGL2Error extends Error {
   override readonly name = 'NoWebGL2Error';
 }
-
-/**
- * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel.
- * Tiles of a capture and the canvas of a new context are not larger.
- */
-export const SAFE_SIDE = 4096;
 
 /**
  * The method that is called on every picture. `repaint`: the next drawing tries to open a refused

@@ -3,9 +3,9 @@
 // (src/decisions/one-context.md).
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopiedPicture, screenPixels } from './atlas-copies.js';
-import { type Region, type Size, tilesOf } from '../../../phong/math/region.js';
+import { type Region, SAFE_SIDE, type Size, tilesOf } from '../../../phong/math/region.js';
 import { type AtlasLayout, layOutAtlas } from './atlas.js';
-import { NoWebGL2Error, SAFE_SIDE, SharedContext } from './context.js';
+import { NoWebGL2Error, SharedContext } from './context.js';
 import { pace } from './pace.js';
 
 export { NoWebGL2Error } from './context.js';
@@ -428,7 +428,7 @@ function hasMemory(context: CanvasRenderingContext2D, width: number, height: num
   }
 }
 
-export const contextLost = (): Error =>
+const contextLost = (): Error =>
   new Error('the graphics context is lost: there is no picture until the browser restores it');
 
 export const stage = new Stage();
