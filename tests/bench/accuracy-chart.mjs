@@ -28,7 +28,7 @@ export const WAYS = [
   {
     way: PLAIN_WAY,
     label: 'plain loop',
-    about: 'the sum as textbooks write it, with pow()',
+    about: 'as textbooks write it, with pow(), for just these lights',
     color: 'var(--ink)',
   },
   {

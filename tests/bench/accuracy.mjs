@@ -41,7 +41,7 @@ const json = await page.locator('#json').inputValue();
 await browser.close();
 site.close();
 if (json === '') {
-  throw new Error(said ?? '');
+  throw new Error(said?.split('\n')[0]);
 }
 /** @type {import('./accuracy-chart.mjs').Accuracy} */
 const accuracy = JSON.parse(json);

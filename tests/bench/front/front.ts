@@ -85,13 +85,32 @@ function drawerOf(
   gl.uniform3f(at('uKs'), ks, ks, ks);
   gl.uniform1f(at('uShininess'), shininess);
   gl.uniform4fv(at('uRows'), variant.rows);
+  const texture = at('uLightTexture') === null ? null : rowTexture(gl, variant.rows);
+  gl.uniform2f(at('uLightTextureScale'), 4 / variant.rows.length, 1);
   const window = at('uWindow');
   return (width, height) => {
     gl.useProgram(program);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.uniform3f(window, width / 2, height / 2, (2 * half) / height);
     gl.viewport(0, 0, width, height);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   };
+}
+
+/** The rows of lights, one a texel. */
+function rowTexture(gl: WebGL2RenderingContext, rows: Float32Array): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, rows.length / 4, 1, 0, gl.RGBA, gl.FLOAT, rows);
+  for (const [name, value] of [
+    [gl.TEXTURE_MIN_FILTER, gl.NEAREST],
+    [gl.TEXTURE_MAG_FILTER, gl.NEAREST],
+    [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+    [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
+  ] as const) {
+    gl.texParameteri(gl.TEXTURE_2D, name, value);
+  }
+  return texture;
 }
 
 const fragmentOf = ({ glsl, rows }: Variant): string => `#version 300 es

@@ -35,7 +35,10 @@ const SQUARING = `float squared(float t, int n) {
 }
 `;
 
-/** @param software a CPU draws: the viewer then writes the lights' numbers into the program */
+/**
+ * @param software a CPU draws: the viewer then reads lights from a texture at first, and writes their
+ * numbers into the program that takes over
+ */
 export function variantsOf(
   lights: readonly LightValues[],
   shininess: number,
@@ -43,8 +46,8 @@ export function variantsOf(
 ): Readonly<Record<WayName, Variant>> {
   return {
     plain: plain(lights, POW),
-    first: shipped(lights, shininess, null),
-    settled: shipped(lights, shininess, software ? 'inlined' : 'counted'),
+    first: shipped(lights, shininess, software, false),
+    settled: shipped(lights, shininess, software, true),
     // Christophe Schlick, "A fast alternative to Phong's specular model", Graphics Gems IV, 1994.
     schlick: plain(lights, '((t) / (uShininess - uShininess * (t) + (t)))'),
     squaring: plain(lights, 'squared(t, int(uShininess))', SQUARING),
@@ -115,7 +118,8 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 function shipped(
   lights: readonly LightValues[],
   shininess: number,
-  form: 'counted' | 'inlined' | null,
+  software: boolean,
+  settled: boolean,
 ): Variant {
   const packed = emptyPack();
   packLights(
@@ -131,15 +135,15 @@ function shipped(
   };
   const general = generalVariant(material, declaredFeatures(lights), 0);
   const integerShininess = isIntegerPower(shininess) ? shininess : null;
-  const variant =
-    form === null
-      ? general
-      : specialisedVariant(general, { terms: TERMS, integerShininess }, form, packed);
-  // Rows that are no literals come from where the other loops have theirs.
-  const storage = form === 'inlined' ? {} : { LIGHT_STORAGE: 'STORAGE_OWN' };
+  const form = software ? 'inlined' : 'counted';
+  const variant = settled
+    ? specialisedVariant(general, { terms: TERMS, integerShininess }, form, packed)
+    : general;
+  // A GPU reads rows of uniforms, which the other loops have too.
+  const storage = software ? {} : { LIGHT_STORAGE: 'STORAGE_OWN' };
   return {
     glsl: `${definesText({ ...variant.defines, ...storage })}
-vec4 lightRow(int i) { return row(i); }
+${software ? '' : 'vec4 lightRow(int i) { return row(i); }'}
 ${LIGHT_LOOP_GLSL}
 vec3 shadeHere(vec3 p, vec3 normal) {
   return surfaceColor(p, normal, uEye, uKa, uKd, uKs, uShininess);
