@@ -92,7 +92,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   [
     'a model compressed with Draco, under a policy without WebAssembly',
     set({ src: '/assets/models/bunny.glb' }),
-    'draco draco-worker',
+    'draco draco-worker draco_decoder.wasm',
   ],
 ];
 

@@ -67,8 +67,9 @@ export const modelCode = /* @__PURE__ */ extraCode<ModelCode>('models');
 /**
  * Requests the code for a model beside its file, not after it: each request that waits for another
  * is a delay that the user sees. The file's name says which format; the content decides what is
- * read. What both chunks import is not requested here: after a failure Firefox 153 never fetches it
- * again (https://bugzilla.mozilla.org/show_bug.cgi?id=2055211).
+ * read. What both chunks import is requested by the build (.ci/retried-imports.ts): by `import()`
+ * Firefox 153 would never fetch it again after a failure
+ * (https://bugzilla.mozilla.org/show_bug.cgi?id=2055211).
  */
 export function requestCode({ pathname }: URL): void {
   const path = pathname.toLowerCase();

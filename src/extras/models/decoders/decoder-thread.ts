@@ -31,7 +31,7 @@ export class DecoderThread<Job, Result> {
    * @param worker starts a worker with the decoder. Null: there is no worker's file.
    * @param code the same decoder for the main thread. Its error is the caller's, where the worker
    * did not start either.
-   * @param setup passed to the decoder when it starts.
+   * @param setup the address of what the decoder gets when it starts, or empty.
    */
   constructor(
     worker: () => Worker | null,
@@ -82,8 +82,12 @@ export class DecoderThread<Job, Result> {
   }
 
   async #open(): Promise<Session<Job, Result>> {
-    const worker = await this.#openWorker();
+    // Beside the worker's file, not after it.
+    const fetching = new AbortController();
+    const setup = bytesOr(this.#setup, fetching.signal);
+    const worker = await this.#openWorker(setup);
     if (worker) return worker;
+    fetching.abort('no worker'); // a policy without WebAssembly most likely
     const create = await this.#code();
     this.#worker = null;
     const decode = await create(this.#setup);
@@ -91,12 +95,12 @@ export class DecoderThread<Job, Result> {
   }
 
   /** Null if it cannot start. */
-  async #openWorker(): Promise<Session<Job, Result> | null> {
+  async #openWorker(setup: Promise<unknown>): Promise<Session<Job, Result> | null> {
     let worker: Worker | null = null;
     try {
       worker = this.#worker?.() ?? null;
       if (worker === null) return null;
-      await answerOf(worker, this.#setup);
+      await answerOf(worker, setup);
       return sessionOf(worker);
     } catch {
       worker?.terminate();
@@ -121,7 +125,19 @@ const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
   end: () => worker.terminate(),
 });
 
-/** Sends a message and waits for its answer. */
+/** The bytes at an address; the address itself where the decoder has to say what is wrong. */
+async function bytesOr(address: string, signal: AbortSignal): Promise<unknown> {
+  if (address === '') return address;
+  try {
+    const response = await fetch(address, { signal });
+    if (response.ok) return await response.arrayBuffer();
+  } catch {
+    // As above.
+  }
+  return address;
+}
+
+/** Sends a message and waits for its answer, or for what the worker says before. */
 async function answerOf<Result>(
   worker: Worker,
   message: unknown,
@@ -147,7 +163,7 @@ async function answerOf<Result>(
       worker.addEventListener('error', failed, until);
       worker.addEventListener('messageerror', failed, until);
       signal?.addEventListener('abort', () => reject(signal.reason as Error), until);
-      worker.postMessage(message);
+      void Promise.resolve(message).then((ready) => worker.postMessage(ready));
     });
   } finally {
     done.abort('answered');

@@ -1,8 +1,10 @@
 // What decoders share, in workers and on the main thread. Must not import three.js: a worker would
 // load all of it.
 
-/** Makes a decoder. @param setup what it needs to start, such as the address of its WebAssembly. */
-export type CreateDecoder<Job, Result> = (setup: string) => Promise<Decode<Job, Result>>;
+/** Makes a decoder. @param setup its WebAssembly, or the address of that. */
+export type CreateDecoder<Job, Result> = (
+  setup: string | ArrayBuffer,
+) => Promise<Decode<Job, Result>>;
 
 export type Decode<Job, Result> = (job: Job) => Decoded<Result> | Promise<Decoded<Result>>;
 
@@ -17,27 +19,40 @@ export type WorkerAnswer<Result> =
   | { readonly result: Result }
   | { readonly error: { readonly name: string; readonly message: string } };
 
-/** Answers the messages of DecoderThread in the worker, in order. */
+/**
+ * Answers the messages of DecoderThread in the worker, in order. Where a policy refuses WebAssembly
+ * it says so at once, which ends the download of that.
+ */
 export function answerJobs<Job, Result>(create: CreateDecoder<Job, Result>): void {
+  try {
+    new WebAssembly.Module(EMPTY_MODULE);
+  } catch (error) {
+    post(failure(error), []);
+    return;
+  }
   let decode: Decode<Job, Result> | null = null;
   let last = Promise.resolve();
   const answer = async (data: unknown): Promise<void> => {
     try {
       if (decode === null) {
-        decode = await create(data as string);
+        decode = await create(data as string | ArrayBuffer);
         post({ result: null }, []);
       } else {
         const { result, transfer } = await decode(data as Job);
         post({ result }, transfer);
       }
     } catch (error) {
-      const { name, message } = error instanceof Error ? error : new Error(String(error));
-      post({ error: { name, message } }, []);
+      post(failure(error), []);
     }
   };
   addEventListener('message', ({ data }: MessageEvent<unknown>) => {
     last = last.then(() => answer(data));
   });
+}
+
+function failure(thrown: unknown): WorkerAnswer<never> {
+  const { name, message } = thrown instanceof Error ? thrown : new Error(String(thrown));
+  return { error: { name, message } };
 }
 
 const post = (message: WorkerAnswer<unknown>, transfer: Transferable[]): void =>
@@ -58,18 +73,17 @@ export interface WasmOptions {
  */
 const EMPTY_MODULE = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
-/** @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it. */
+/**
+ * @param source the WebAssembly, or its address.
+ * @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it.
+ */
 export async function startWasm<Decoder>(
   create: (options: WasmOptions) => Promise<Decoder>,
-  address: string,
+  source: string | ArrayBuffer,
 ): Promise<Decoder> {
   // Throws where a policy refuses WebAssembly, before the file is fetched in vain.
   new WebAssembly.Module(EMPTY_MODULE);
-  const response = await fetch(address);
-  if (!response.ok) {
-    throw new Error(`the server answered ${String(response.status)} for ${address}`);
-  }
-  const wasm = await response.arrayBuffer();
+  const wasm = typeof source === 'string' ? await bytesAt(source) : source;
   const silent = (): void => undefined;
   return new Promise((resolve, reject) => {
     create({
@@ -82,4 +96,10 @@ export async function startWasm<Decoder>(
       },
     }).then(resolve, reject);
   });
+}
+
+async function bytesAt(address: string): Promise<ArrayBuffer> {
+  const response = await fetch(address);
+  if (response.ok) return response.arrayBuffer();
+  throw new Error(`the server answered ${String(response.status)} for ${address}`);
 }

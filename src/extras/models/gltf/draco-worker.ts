@@ -3,4 +3,4 @@ import createDraco from 'three/examples/jsm/libs/draco/gltf/draco_wasm_wrapper.j
 import { answerJobs, startWasm } from '../decoders/decoder.js';
 import { meshDecoder } from './draco-mesh.js';
 
-answerJobs(async (address) => meshDecoder(await startWasm(createDraco, address)));
+answerJobs(async (source) => meshDecoder(await startWasm(createDraco, source)));

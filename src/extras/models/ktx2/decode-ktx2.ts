@@ -22,7 +22,7 @@ const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
       );
     }
     const { createDecoder } = await neededCode(decoderCode(), DECODER);
-    return (address) => neededCode(createDecoder(address).catch(notAllowed), DECODER);
+    return (source) => neededCode(createDecoder(source).catch(notAllowed), DECODER);
   },
   transcoder,
 );

@@ -16,9 +16,9 @@ const RGBA32 = 13;
 
 /** @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it. */
 export async function createDecoder(
-  address: string,
+  source: string | ArrayBuffer,
 ): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
-  const basis = await startWasm(createBasis, address);
+  const basis = await startWasm(createBasis, source);
   basis.initializeBasis();
   return async ({ bytes, scale }) => {
     const result = await createImageBitmap(pixelsOf(basis, bytes), {
