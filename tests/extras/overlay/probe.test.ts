@@ -22,7 +22,7 @@ import {
   stepsText,
   tripleText,
 } from '../../../src/extras/overlay/probe/sum.js';
-import { cellText } from '../../../src/extras/overlay/probe/sum-table.js';
+import { cellText, termsOf } from '../../../src/extras/overlay/probe/sum-table.js';
 import { triple } from '../../unit/arbitraries.js';
 import { explained } from '../../unit/explained.js';
 
@@ -108,7 +108,7 @@ describe('the sum', () => {
   it('has "…" for terms that have no column, in the rows whose sum has them', () => {
     const dark = { ...THIRD, ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
     const { rows } = probeSum(under(FIRST, dark), false);
-    expect(rows.map((row) => cellText(row, '…', null))).toEqual(['…', '']);
+    expect(rows.map(termsOf)).toEqual(['ambient diffuse specular', '']);
     expect(cellText(rows[0]!, 'att', null), 'no decimals for what is exact').toBe('1');
     expect(cellText({ ...rows[0]!, att: NaN }, 'att', null), 'several lights in a row').toBe('');
   });

@@ -31,8 +31,11 @@ export interface BoxState {
   readonly texts: ViewerTexts | null;
 }
 
-/** Width of the picture's free part from which on the box is a column, CSS pixels. */
-const WIDE = 560;
+/**
+ * Width of the picture's free part from which on the box is a column, CSS pixels: half of it has room
+ * for all terms.
+ */
+const WIDE = 880;
 
 /**
  * Pixels by which the point has to cross the middle before the box changes sides: it does not jump
@@ -79,23 +82,18 @@ export class ProbeBox {
     const { content } = state;
     const all = content === null || typeof content === 'string' ? 0 : content.sum.rows.length;
     this.#render(state, all);
-    if (all > 1) {
-      const fewer = this.#lightsThatFit(all);
-      if (fewer < all) {
-        this.#render(state, fewer);
-      }
+    const box = this.place.firstElementChild as HTMLElement;
+    // Rows say more than the steps of one light.
+    box.removeAttribute('data-brief');
+    box.toggleAttribute('data-brief', isHigh(box));
+    if (all > 1 && isHigh(box)) {
+      this.#render(state, this.#lightsThatFit(box, all));
     }
-    return this.#room.rectOf(this.#element);
-  }
-
-  get #element(): HTMLElement {
-    return this.place.firstElementChild as HTMLElement;
+    return this.#room.rectOf(box);
   }
 
   /** Rows of their own, by the height of what is shown. Never all but one: its row is as high. */
-  #lightsThatFit(all: number): number {
-    const { scrollHeight, clientHeight } = this.#element;
-    if (scrollHeight <= clientHeight) return all;
+  #lightsThatFit({ scrollHeight, clientHeight }: HTMLElement, all: number): number {
     const rows = this.place.querySelector('tbody')!.offsetHeight;
     const free = clientHeight - (scrollHeight - rows);
     return Math.max(0, Math.min(Math.floor((free * all) / rows) - 1, all - 2));
@@ -140,3 +138,6 @@ export class ProbeBox {
     render(box, this.place);
   }
 }
+
+const isHigh = ({ scrollHeight, clientHeight }: HTMLElement): boolean =>
+  scrollHeight > clientHeight;

@@ -222,8 +222,7 @@ const addedRow = ([first, ...rest]: readonly SumRow[]): SumRow =>
  * What is in a cell: numbers, which keep their order in languages that are written from the right.
  */
 export function cellText(row: SumRow, column: Column, texts: ViewerTexts | null): string {
-  if (column === '…')
-    return isBlack(add(add(row.ambient, row.diffuse), row.specular)) ? '' : column;
+  if (column === '…') return ''; // the style sheet writes it where one of the terms has no column
   if (column === 'sum') return termText(row.total, 0, texts);
   if (column !== 'att' && column !== 'decay') return termText(row[column], 0, texts);
   // 1 for most lights.
@@ -232,7 +231,8 @@ export function cellText(row: SumRow, column: Column, texts: ViewerTexts | null)
     : shortNumber(row[column], row[column] === 1 ? 0 : 2, texts);
 }
 
-const termsOf = (row: SumRow): string => TERMS.filter((term) => !isBlack(row[term])).join(' ');
+export const termsOf = (row: SumRow): string =>
+  TERMS.filter((term) => !isBlack(row[term])).join(' ');
 
 const columnTitle = (column: Column, texts: ViewerTexts | null): string =>
   column === '…' ? column : phrase(texts, column);
