@@ -12,6 +12,7 @@ import {
   PhongControl,
   type PhongViewer,
   phrase,
+  textsAround,
   type Undoable,
   type ViewerTexts,
 } from '../../viewer/extra.js';
@@ -67,6 +68,8 @@ class Control {
   /** What is edited; empty while it is waited for. */
   #targets: readonly Editable[] | null = null;
   #texts: ViewerTexts | null = null;
+  /** Those of the viewer. */
+  #given: ViewerTexts | null = null;
   #gui: GUI | null = null;
   #stops: (() => void)[] = [];
   #timer = 0;
@@ -93,7 +96,11 @@ class Control {
     const element = this.#element;
     addStyles(this.#root, styles);
     for (const root of new Set([element.getRootNode(), element.ownerDocument])) {
-      this.#elements.observe(root, { childList: true, subtree: true, attributeFilter: ['id'] });
+      this.#elements.observe(root, {
+        childList: true,
+        subtree: true,
+        attributeFilter: ['id', 'lang'],
+      });
     }
     this.#rebuild();
   }
@@ -140,7 +147,8 @@ class Control {
     const targets = found.filter(
       (one) => one !== null && one.localName in ROWS && viewerOf(one) !== null,
     );
-    if (!sameValue(targets, this.#targets)) {
+    const { en } = textsAround(this.#element, this.#given) ?? {};
+    if (!sameValue(targets, this.#targets) || en !== this.#texts?.en) {
       this.#build(targets as Editable[]);
     }
   }
@@ -201,7 +209,7 @@ class Control {
     if (element === undefined) return;
     const key = keyOf(element, attribute)!;
     const viewer = viewerOf(element)!;
-    this.#texts = viewer.texts;
+    this.#texts = textsAround(this.#element, (this.#given = viewer.texts));
     const field = (
       fieldsOf(element as PhongViewer).store.fields as Readonly<Record<string, Field<unknown>>>
     )[key]!;
@@ -232,7 +240,7 @@ class Control {
   #listen(gui: GUI, targets: readonly Editable[], range: SceneRange): void {
     const refresh = (): void => {
       const { texts } = viewerOf(targets[0]!) ?? { texts: null };
-      if (texts !== this.#texts) {
+      if (texts !== this.#given) {
         this.#rebuild();
         return;
       }
@@ -347,7 +355,10 @@ function dress(gui: GUI, key: string, element: PhongControl): void {
     printed.className = 'printed';
     domElement.append(printed);
   }
-  if (!hasLabel) return;
+  if (!hasLabel) {
+    box.classList.add('nameless');
+    return;
+  }
   let name = rows[0]!.$name;
   if (rows.length > 1) {
     name = document.createElement('span');

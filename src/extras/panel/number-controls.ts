@@ -120,7 +120,7 @@ export class Slider implements RowInput {
         this.#fill(place);
       }
     }
-    const text = numberText(value, this.scale.end - this.scale.start);
+    const text = numberText(value, this.scale.end - this.scale.start, this.scale.decimals);
     if (input.getAttribute('aria-valuetext') !== text) {
       input.setAttribute('aria-valuetext', text);
     }
@@ -147,9 +147,11 @@ class NumberField implements RowInput {
   constructor(bound: Bound<number>, travel: () => SliderScale) {
     this.#bound = bound;
     this.#travel = travel;
-    const span = (): number => travel().end - travel().start;
     this.#field = new TextField(
-      () => numberText(bound.value, span()),
+      () => {
+        const { start, end, decimals } = travel();
+        return numberText(bound.value, end - start, decimals);
+      },
       (text) => text.trim() !== '' && this.#set(Number(text.trim().replace(',', '.'))),
     );
     this.input = this.#field.input;

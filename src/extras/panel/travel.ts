@@ -23,6 +23,8 @@ export interface SliderScale {
    * grows.
    */
   within(min: number | null, max: number | null, step: number | null): SliderScale;
+  /** Decimals of the numbers shown; undefined: all that matter. */
+  readonly decimals?: number;
   /** Values outside cannot be typed. */
   readonly limits?: readonly [least: number, most: number];
 }
@@ -51,7 +53,7 @@ export function linear(
     within(least, most, by) {
       const [low, high] = [least ?? min, most ?? max];
       const even = linear(low, high, by ?? ((least ?? most) === null ? step : undefined));
-      return low < high ? limited(even, least, most) : this;
+      return low < high ? limited({ ...even, ...shownBy(by) }, least, most) : this;
     },
   };
 }
@@ -81,11 +83,17 @@ export function logarithmic(knee: number, max: number): SliderScale {
       const even = (value: number): number =>
         tidy((least ?? 0) + Math.round((value - (least ?? 0)) / by!) * by!);
       const stepped =
-        by === null ? {} : { value: (p: number) => even(scale.value(p)), stepAt: () => by };
+        by === null
+          ? {}
+          : { value: (p: number) => even(scale.value(p)), stepAt: () => by, ...shownBy(by) };
       return limited({ ...scale, start, ...stepped }, least, most);
     },
   };
 }
+
+/** As many decimals as the step has. */
+const shownBy = (step: number | null): Pick<SliderScale, 'decimals'> =>
+  step === null || step < 1e-6 ? {} : { decimals: String(step).split('.')[1]?.length ?? 0 };
 
 /** Keeps a scale from growing beyond the ends that are given. */
 const limited = (scale: SliderScale, least: number | null, most: number | null): SliderScale =>
@@ -102,8 +110,9 @@ const limited = (scale: SliderScale, least: number | null, most: number | null):
 /**
  * A number as a person would write it. Values below 1e-9 of `span` are rounding noise and become 0.
  */
-export function numberText(value: number, span = 0): string {
-  return Math.abs(value) <= 1e-9 * span ? '0' : String(Number(value.toPrecision(6)));
+export function numberText(value: number, span = 0, decimals?: number): string {
+  const shown = decimals === undefined ? value.toPrecision(6) : value.toFixed(decimals);
+  return Math.abs(value) <= 1e-9 * span ? '0' : String(Number(shown));
 }
 
 /** In radii of the scene, because lights are placed around a scene as well as inside it. */

@@ -53,8 +53,14 @@ export function listenForUndo(
       typedIn = target;
     }
   });
-  panel.addEventListener('focusout', () => (typedIn = null));
-  // A step ends when the pointer or an arrow key is released, and when a field or picker is left.
+  panel.addEventListener('focusout', ({ target }) => {
+    typedIn = null;
+    if (isEditor(target)) {
+      history.seal();
+    }
+  });
+  // A step ends when the pointer is released, and when a field or picker is left; outside of fields
+  // with each arrow key, too.
   for (const type of ['change', 'pointerup', 'pointercancel'] as const) {
     panel.addEventListener(type, () => {
       if (type === 'change') {
@@ -66,8 +72,8 @@ export function listenForUndo(
   // In the capture phase: lil-gui stops the keys of its rows on their way up.
   const onKey = (type: 'keyup' | 'keydown', heard: (event: KeyboardEvent) => void): void =>
     panel.addEventListener(type, heard, { capture: true });
-  onKey('keyup', ({ key }) => {
-    if (key.startsWith('Arrow')) {
+  onKey('keyup', ({ key, target }) => {
+    if (key.startsWith('Arrow') && !isEditor(target)) {
       history.seal();
     }
   });

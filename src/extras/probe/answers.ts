@@ -111,6 +111,10 @@ function wrongsOf(at: TermAt, channel: number): Wrong[] {
       wrong(id as SlipId, sentence, forms),
     ),
     ...ON_PAPER.flatMap((id) => wrong(id, MISTAKES[id].sentence, MISTAKES[id].forms)),
+    // On paper a negative number is seen, so it is written as often as it is clamped.
+    ...wrong('light-reversed', MISTAKES['light-reversed'].sentence, [
+      { lambert: ({ NoL }) => -NoL },
+    ]),
   ];
   // Steps and explanation are two ways to the same number. Where they part, as between the corners of
   // a triangle, no mistake can be told.
