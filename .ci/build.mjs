@@ -29,6 +29,7 @@ const parts = {
   types: () => runNode('.ci/types.mjs'),
   texts: () => runNode('.ci/texts.mjs'),
   manifest: () => runNode('.ci/manifest.mjs'),
+  vectors: () => runNode('.ci/vectors.mjs'),
   embed: async () => {
     await bundle('embed');
     copyFileSync('demo/embed/embed.html', join(outputFolder('dist'), 'embed.html'));

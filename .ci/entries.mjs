@@ -47,6 +47,7 @@ const all = [
   { name: 'still-worker', source: 'extras/still/worker.ts', node: true },
   { name: 'still-markup', source: 'extras/png/index.ts', as: './still/markup' },
   { name: 'cli', source: 'extras/still/command/cli.ts', node: true },
+  { name: 'check', source: 'extras/exercise/command/check-files.ts', node: true },
   {
     name: 'phong-viewer.standalone',
     source: 'viewer/index.ts',
@@ -100,5 +101,10 @@ export function packageExports() {
   };
 }
 
-/** Written by .ci/manifest.mjs. */
-const DATA = ['custom-elements.json', 'web-types.json', 'vscode.html-custom-data.json'];
+/** Written by .ci/manifest.mjs and .ci/vectors.mjs. */
+const DATA = [
+  'custom-elements.json',
+  'web-types.json',
+  'vscode.html-custom-data.json',
+  'vectors.json',
+];

@@ -91,7 +91,8 @@ export const layers = {
   // The equation in steps, and the points of a picture.
   'extras/exercise': {
     layers: ['extras/explain', 'phong/reference', ...extra],
-    packages: ['lit'],
+    packages: ['lit', ...['fs', 'http', 'net', 'path', 'util'].map((name) => `node:${name}`)],
+    types: ['@playwright/test'],
   },
   'extras/panel': { layers: extra, packages: ['lil-gui'] },
   'extras/probe': { layers: ['extras/overlay', ...extra], packages: ['lit'], types: ['three'] },

@@ -27,6 +27,7 @@ export const guide: readonly Entry[] = [
   { path: 'guide/install/', label: 'Install' },
   { path: 'guide/reliability/', label: 'Accuracy and errors' },
   { path: 'guide/core/', label: 'Without the elements' },
+  { path: 'guide/vectors/', label: 'Test vectors' },
   { path: 'guide/reference/', label: 'Reference' },
 ];
 

@@ -135,10 +135,13 @@ class Exercise {
     this.#render();
   }
 
-  /** The text to begin with. */
+  /** The text to begin with, without the indentation that all its lines share. */
   get #given(): string {
     const script = this.#element.querySelector<HTMLScriptElement>('script[type="text/plain"]');
-    return script?.text.replace(/^\s*\n|\s+$/g, '') ?? STARTING_GLSL;
+    if (script === null) return STARTING_GLSL;
+    const lines = script.text.replace(/^\s*\n|\s+$/g, '').split('\n');
+    const depths = lines.map((line) => line.search(/\S/)).filter((depth) => depth >= 0);
+    return lines.map((line) => line.slice(Math.min(...depths))).join('\n');
   }
 
   get #viewer(): PhongViewer | null {

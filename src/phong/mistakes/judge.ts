@@ -1,7 +1,7 @@
 // Says what is wrong with a lighting function, from its colours alone: nothing, one or two usual
 // mistakes that explain the colours, or where they differ. Pure; runs in Node as in pages.
 import { KINDS, type LightKind, type Term, TERMS } from '../light/light-state.js';
-import { add, dot, normalize, subtract, type Vec3 } from '../math/vector.js';
+import { add, clamp, dot, map, normalize, subtract, type Vec3 } from '../math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
 import { evaluate, type Given, sumOfTerms, type Values, valuesAt } from './steps.js';
 
@@ -104,14 +104,19 @@ export interface Judged {
   readonly isSheet: boolean;
 }
 
+/** A picture shows sums that are clamped; the sheet's are not. */
 export function compare(cases: readonly Case[], colors: Colors, isSheet = false): Judged {
-  const all = cases.flatMap((at, i) => (isWithinStep(colorAt(colors, i), exactAt(at)) ? [] : [i]));
+  const isFine = (found: Vec3, right: Vec3): boolean =>
+    isSheet ? isWithinStep(found, right) : isWithinStep(map(found, unit), map(right, unit));
+  const all = cases.flatMap((at, i) => (isFine(colorAt(colors, i), exactAt(at)) ? [] : [i]));
   // Where much is wrong, the few points at which the equation jumps count for nothing.
   const isFew = !isSheet && all.length < 0.2 * cases.length;
   const wrong = isFew ? all.filter((i) => !jumps(cases[i]!)) : all;
   const count = cases.length - all.length + wrong.length;
   return { cases, colors, wrong, count, isSheet };
 }
+
+const unit = (x: number): number => clamp(x, 0, 1);
 
 export const isRight = ({ wrong, count }: Judged): boolean => wrong.length <= STRAY * count;
 

@@ -7,6 +7,7 @@ import type { Size } from './page.js';
 import { complain, say, type Settings, updatePage } from './update-page.js';
 
 const HELP = `Usage: phong-viewer still FILES.html [options]
+       phong-viewer check PAGE.html FILES.glsl [options]   (check --help says more)
 
 Draws each <phong-viewer> of the pages, without a browser, into a PNG beside the page, and
 writes it into the viewer as <img slot="poster">, which is shown without any script. Nothing
@@ -26,7 +27,17 @@ options.`;
 /** Ends the command with one line and status 2. */
 class UsageError extends Error {}
 
+/** The command of another extra, in a file of its own, which goes with that extra. */
+async function runCheck(args: readonly string[]): Promise<number> {
+  const file = new URL(/* @vite-ignore */ './check.js', import.meta.url);
+  const { run: runIt } = (await import(/* @vite-ignore */ file.href)) as {
+    readonly run: (rest: readonly string[]) => Promise<number>;
+  };
+  return runIt(args);
+}
+
 async function run(args: readonly string[]): Promise<number> {
+  if (args[0] === 'check') return runCheck(args.slice(1));
   const { values, positionals } = readArguments(args);
   const manifest = fileURLToPath(new URL(/* @vite-ignore */ '../package.json', import.meta.url));
   const { version } = JSON.parse(readFileSync(manifest, 'utf8')) as { readonly version: string };
@@ -37,7 +48,9 @@ async function run(args: readonly string[]): Promise<number> {
   const [command, ...files] = positionals;
   if (command !== 'still') {
     throw new UsageError(
-      command === undefined ? 'Say what to do: still.' : `There is no command ${quoted(command)}.`,
+      command === undefined
+        ? 'Say what to do: still or check.'
+        : `There is no command ${quoted(command)}.`,
     );
   }
   if (files.length === 0) throw new UsageError('Name the pages: phong-viewer still index.html.');

@@ -1,0 +1,228 @@
+// `npx phong-viewer check PAGE FILES`: runs learners' functions in the exercise of a page, with the
+// installed Playwright and its browser, one page for all.
+import { existsSync, readFileSync } from 'node:fs';
+import { createServer, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { basename, dirname, extname, relative, resolve, sep } from 'node:path';
+import { parseArgs } from 'node:util';
+import type { Browser, Page } from '@playwright/test';
+
+export const HELP = `Usage: phong-viewer check PAGE.html FILES.glsl [options]
+
+Runs each function in the <phong-exercise> of the page, and writes a line for each: right, or
+its mistakes, the share of right pixels, and the first wrong pixel with both colours (0 to 255).
+It uses the installed @playwright/test and its browser.
+
+  --csv             comma-separated, with a heading
+  --exercise ID     the exercise with this id; without it, the page's first
+  --browser PATH    another browser of Chromium's kind
+
+Status: 0 if all are right, 1 if one is not, 2 for wrong options or a page without an exercise.`;
+
+/** Milliseconds for one function, its picture included. */
+const PATIENCE = 60_000;
+
+interface Result {
+  readonly right: boolean;
+  readonly mistakes: readonly string[];
+  readonly share: number;
+  /** Why there is no verdict; empty where there is one. */
+  readonly fault: string;
+  /** The first wrong pixel: x, y, and both colours. */
+  readonly pixel: readonly [x: number, y: number, found: string, exact: string] | null;
+}
+
+const say = (line: string): boolean => process.stdout.write(`${line}\n`);
+
+/** The status of the command. */
+export async function run(args: readonly string[]): Promise<number> {
+  try {
+    return await checkFiles(args);
+  } catch (error) {
+    const [line = ''] = (error instanceof Error ? error.message : String(error)).split('\n');
+    process.stderr.write(`${line} See phong-viewer check --help.\n`);
+    return 2;
+  }
+}
+
+async function checkFiles(args: readonly string[]): Promise<number> {
+  const { values, positionals } = parseArgs({
+    args: [...args],
+    allowPositionals: true,
+    options: {
+      csv: { type: 'boolean', default: false },
+      exercise: { type: 'string' },
+      browser: { type: 'string' },
+      help: { type: 'boolean', short: 'h', default: false },
+    },
+  });
+  if (values.help) {
+    say(HELP);
+    return 0;
+  }
+  const [page, ...files] = positionals;
+  if (page === undefined || files.length === 0) throw new Error('Name a page and files.');
+  for (const file of positionals) {
+    if (!existsSync(file)) throw new Error(`There is no file ${file}.`);
+  }
+  const { server, address } = await serve(page);
+  const browser = await launch(values.browser);
+  let isWell = true;
+  try {
+    let open = await openPage(browser, address, values.exercise);
+    if (values.csv) {
+      say('file,right,mistakes,share,x,y,found,exact,fault');
+    }
+    for (const file of files) {
+      let result: Result;
+      try {
+        result = await resultOf(open, values.exercise, readFileSync(file, 'utf8'));
+      } catch {
+        // A function may take the page with it.
+        result = { ...NOTHING, fault: 'the page did not answer' };
+        await open.close();
+        open = await openPage(browser, address, values.exercise);
+      }
+      isWell &&= result.right;
+      say(values.csv ? csvLine(file, result) : line(file, result));
+    }
+  } finally {
+    await browser.close();
+    server.close();
+  }
+  return isWell ? 0 : 1;
+}
+
+const NOTHING = { right: false, mistakes: [], share: 0, pixel: null } as const;
+
+async function launch(executablePath: string | undefined): Promise<Browser> {
+  const playwright = await import('@playwright/test').catch(() => {
+    throw new Error('check needs @playwright/test: npm install @playwright/test.');
+  });
+  // Machines for marking have no GPU.
+  const args = ['--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+  return playwright.chromium.launch({
+    args,
+    ...(executablePath !== undefined && { executablePath }),
+  });
+}
+
+async function openPage(browser: Browser, address: string, id: string | undefined): Promise<Page> {
+  const page = await browser.newPage();
+  await page.goto(address);
+  const exercise = page.locator(selectorOf(id)).first();
+  try {
+    await exercise.getByRole('textbox').waitFor({ timeout: 20_000 });
+  } catch {
+    throw new Error(`The page shows no ${selectorOf(id)}.`);
+  }
+  return page;
+}
+
+const selectorOf = (id: string | undefined): string =>
+  id === undefined ? 'phong-exercise' : `phong-exercise#${id}`;
+
+async function resultOf(page: Page, id: string | undefined, source: string): Promise<Result> {
+  const late = new Promise<never>((_, reject) => {
+    setTimeout(() => reject(new Error('late')), PATIENCE).unref();
+  });
+  const exercise = page.locator(selectorOf(id)).first();
+  return Promise.race([exercise.evaluate(runInPage, source), late]);
+}
+
+/** Sent into the page, so it uses nothing from outside. */
+async function runInPage(element: Element, source: string): Promise<Result> {
+  const exercise = element as HTMLElement & { value: string; hint: string };
+  exercise.hint = 'what';
+  exercise.value = source;
+  const root = exercise.shadowRoot!;
+  const checked = new Promise<CustomEvent<Omit<Result, 'fault' | 'pixel'>>>((resolve) => {
+    exercise.addEventListener('check', (event) => resolve(event as never), { once: true });
+  });
+  root.querySelector<HTMLElement>('button')!.click();
+  const { right, mistakes, share } = (await checked).detail;
+  // The sentences follow the event.
+  await new Promise((resolve) => setTimeout(resolve));
+  const faults = root.querySelector('#faults')!.textContent.replace(/\s+/g, ' ').trim();
+  const isJudged = root.querySelector('.verdict strong') !== null;
+  const said = root.querySelector('.verdict')!.textContent.replace(/\s+/g, ' ').trim();
+  const pixels = (name: string): ImageData | null => {
+    const canvas = root.querySelector<HTMLCanvasElement>(`#${name}`);
+    return canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? null;
+  };
+  const own = pixels('own');
+  const exact = pixels('exact');
+  const colorAt = ({ data }: ImageData, i: number): string =>
+    Array.from(data.slice(4 * i, 4 * i + 3)).join(' ');
+  let pixel: Result['pixel'] = null;
+  for (let i = 0; own !== null && exact !== null && isJudged && i < own.width * own.height; i++) {
+    const isWrong = [0, 1, 2].some(
+      (k) => Math.abs(own.data[4 * i + k]! - exact.data[4 * i + k]!) > 1,
+    );
+    if (isWrong) {
+      pixel = [i % own.width, Math.floor(i / own.width), colorAt(own, i), colorAt(exact, i)];
+      break;
+    }
+  }
+  return { right, mistakes, share, fault: faults || (isJudged ? '' : said), pixel };
+}
+
+function line(file: string, { right, mistakes, share, fault, pixel }: Result): string {
+  if (fault !== '') return `${file}: ${fault}`;
+  const [x, y, found, exact] = pixel ?? [];
+  const where =
+    pixel === null
+      ? ''
+      : `; pixel ${String(x)}, ${String(y)}: ${String(found)} for ${String(exact)}`;
+  const what = right ? 'right' : mistakes.join(' + ') || 'wrong in another way';
+  return `${file}: ${what}; ${(100 * share).toFixed(1)} % of the pixels${right ? '' : where}`;
+}
+
+function csvLine(file: string, { right, mistakes, share, fault, pixel }: Result): string {
+  const [x = '', y = '', found = '', exact = ''] = pixel ?? [];
+  const cells = [file, right, mistakes.join(' '), share.toFixed(4), x, y, found, exact, fault];
+  return cells
+    .map(String)
+    .map((cell) => {
+      // A spreadsheet would run what begins so.
+      const text = /^[=+@-]/.test(cell) ? `'${cell}` : cell;
+      return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+    })
+    .join(',');
+}
+
+const TYPES: Readonly<Record<string, string>> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.mjs': 'text/javascript',
+  '.css': 'text/css',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+};
+
+/** The page and what lies beside and below: modules do not load from disk. */
+async function serve(page: string): Promise<{ readonly server: Server; readonly address: string }> {
+  const inside = relative(process.cwd(), resolve(page));
+  const isInside = !inside.startsWith('..') && resolve(inside) === resolve(page);
+  const root = isInside ? process.cwd() : dirname(resolve(page));
+  const path = isInside ? inside.split(sep).map(encodeURIComponent).join('/') : basename(page);
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+    const file = resolve(root, `.${decodeURIComponent(pathname)}`);
+    try {
+      if (!file.startsWith(root + sep)) throw new Error('outside');
+      const body = readFileSync(file);
+      response.writeHead(200, {
+        'content-type': TYPES[extname(file)] ?? 'application/octet-stream',
+      });
+      response.end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise<void>((resolved) => {
+    server.listen(0, '127.0.0.1', resolved);
+  });
+  const { port } = server.address() as AddressInfo;
+  return { server, address: `http://127.0.0.1:${String(port)}/${path}` };
+}
