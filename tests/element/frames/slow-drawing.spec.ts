@@ -10,21 +10,25 @@ const size = { width: 300, height: 200 };
 const viewerOf = (attributes = ''): string =>
   `<phong-viewer geometry="box" alt="A box" ${attributes}><phong-light></phong-light></phong-viewer>`;
 
-/** Milliseconds of a picture with all pixels, and of the page's own work in each frame. */
+/**
+ * Milliseconds of a picture with all pixels, of that which no pixels save, and of the page's own
+ * work in each frame.
+ */
 interface Costs {
   readonly drawing: number;
+  readonly vertices?: number;
   readonly own: number;
 }
 
 test.beforeEach(async ({ page }) => {
   await page.addInitScript((whole) => {
-    const held = Object.assign(window, { costs: { drawing: 0, own: 0 } });
+    const held = Object.assign(window, { costs: { drawing: 0, vertices: 0, own: 0 } });
     const now = performance.now.bind(performance);
     let passed = 0;
     performance.now = () => now() + passed;
     WebGL2RenderingContext.prototype.readPixels = function () {
       const { width, height } = this.canvas;
-      passed += (held.costs.drawing * width * height) / whole;
+      passed += (held.costs.drawing * width * height) / whole + held.costs.vertices;
     };
     const request = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (run) =>
@@ -36,7 +40,7 @@ test.beforeEach(async ({ page }) => {
 });
 
 const setCosts = (page: Page, costs: Costs): Promise<void> =>
-  page.evaluate((given) => void Object.assign(window, { costs: given }), costs);
+  page.evaluate((given) => void Object.assign(window, { costs: { vertices: 0, ...given } }), costs);
 
 /** Turns for so many pictures, and gives the widths of the canvas: of these, and of the next one. */
 const turn = (viewer: Locator, pictures: number): Promise<{ moving: number[]; still: number }> =>
@@ -102,6 +106,14 @@ test('late frames alone take no pixels away, nor does slow drawing where `pixel-
   await setCosts(page, { drawing: 200, own: 60 });
   await turn(viewer, 50); // drawing counts as quick for two seconds of this clock
   expect((await statsOf(viewer)).reducedFrames).toBe(0);
+});
+
+test('where vertices take the time, the pixels come back', async ({ page, mount }) => {
+  const viewer = await mount(viewerOf(), size);
+  await setCosts(page, { drawing: 5, vertices: 150, own: 60 });
+  const { moving } = await turn(viewer, 20);
+  expect(moving).toContain(100);
+  expect(moving.slice(-10)).toEqual(Array<number>(10).fill(300));
 });
 
 test('files, `ready` and `shadeAt` know whole pictures only, even of a viewer that never stops', async ({

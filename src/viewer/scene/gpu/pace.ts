@@ -21,6 +21,10 @@ const BEFORE_RAISING = 500;
 const FAR = 10_000;
 /** Once drawing was measured as quick, it counts as quick for so long. */
 const TRUSTED = 2000;
+/** With fewer pixels drawing takes more than this share: vertices are why, and pixels come back. */
+const VAIN = 0.9;
+/** So long, as trying costs sharpness. In software a triangle takes 1.5 µs, whatever its pixels. */
+const VAIN_FOR = 10_000;
 
 class Pace {
   #step = 0;
@@ -30,6 +34,8 @@ class Pace {
   /** Frames since the share was lowered, or looked at. */
   #since = { time: 0, frames: 0 };
   #quickUntil = 0;
+  /** What drawing took before the share was lowered; 0 once that has helped. */
+  #before = 0;
   #inFrame = false;
   #largest = 0;
 
@@ -52,7 +58,7 @@ class Pace {
       if (measures) {
         const sent = performance.now();
         waitFor(renderer);
-        this.#end(performance.now(), sent);
+        this.#end(performance.now() - sent, sent);
       }
       this.#largest = 0;
     });
@@ -73,19 +79,25 @@ class Pace {
       this.#since = { time: now, frames: 0 };
     }
     const isLate = interval > LATE && now > this.#quickUntil;
-    return isLate && this.#frames > 1 && this.#step < SHARES.length - 1;
+    return isLate && this.#frames > 1 && (this.#before > 0 || this.#step < SHARES.length - 1);
   }
 
-  #end(now: number, sent: number): void {
-    this.#frames = 0;
-    if (now - sent < SLOW) {
+  #end(time: number, now: number): void {
+    const before = this.#before;
+    this.#frames = this.#before = 0;
+    if (time < SLOW) {
       this.#quickUntil = now + TRUSTED;
-      return;
+    } else if (this.#largest < 1 && time > VAIN * before && before > 0) {
+      this.#step = 0;
+      this.#quickUntil = now + VAIN_FOR;
+    } else {
+      const whole = time / this.#largest ** 2; // with all pixels
+      const fitting = SHARES.findIndex((share) => whole * share ** 2 <= WANTED);
+      const step = Math.max(this.#step, fitting < 0 ? SHARES.length - 1 : fitting);
+      this.#before = step > this.#step ? time : 0;
+      this.#step = step;
+      this.#since = { time: now, frames: 0 };
     }
-    const whole = (now - sent) / this.#largest ** 2; // with all pixels
-    const fitting = SHARES.findIndex((share) => whole * share ** 2 <= WANTED);
-    this.#step = Math.max(this.#step, fitting < 0 ? SHARES.length - 1 : fitting);
-    this.#since = { time: now, frames: 0 };
   }
 }
 
