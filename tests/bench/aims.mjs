@@ -136,6 +136,7 @@ const named = (subject, measure, most, more) =>
 
 const SCRIPT = 'script per frame';
 const FIRST_PICTURE = 'first picture';
+const MOVING = 'CPU of a picture';
 /** The figure itself, not a ratio. */
 const VALUE = /** @type {const} */ ({ figure: 'value' });
 
@@ -210,6 +211,8 @@ export const AIMS = [
       least: true,
     },
   ),
+  named('25 lights, turning', MOVING, { software: 0.45 }),
+  named('25 lights, turning, 3 pixels per CSS pixel', MOVING, { software: 0.35 }),
   aim('start, standalone', 'start', FIRST_PICTURE, both(1.1), { side: 'standalone' }),
   aim('start, bundled', 'start', FIRST_PICTURE, both(1.2), { side: 'bundled' }),
   aim('heap, standalone', 'start', 'heap', both(1.15), { side: 'standalone' }),

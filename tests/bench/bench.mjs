@@ -14,7 +14,7 @@ import { isSoftware, Lab } from './browser.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
 import { measurePicture } from './measure/pictures.mjs';
-import { measureBytes, measureStill, measureViewers } from './measure/page.mjs';
+import { measureBytes, measureMoving, measureStill, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { missedLimits } from './aims.mjs';
 import { readOptions } from './options.mjs';
@@ -184,6 +184,8 @@ async function measure(lab, name, launch, result, size) {
       return measurePicture(lab, subject, launch, options);
     case 'viewers':
       return measureViewers(lab, options);
+    case 'moving':
+      return measureMoving(lab, subject, result, options);
     case 'still':
       return measureStill(lab, subject, { ...options, size: subject.size ?? options.size });
     case 'bytes':

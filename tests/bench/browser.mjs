@@ -84,11 +84,12 @@ export class Lab {
 
 /**
  * A page whose errors make the measurement fail: the time of a broken page means nothing.
- * @param {Browser} browser @param {string} url @param {readonly [number, number]} size @returns
- * {Promise<{ page: Page, check: () => void }>}
+ * @param {Browser} browser @param {string} url @param {readonly [number, number]} size @param
+ * {number} [ratio] device pixels per CSS pixel
+ * @returns {Promise<{ page: Page, check: () => void }>}
  */
-export async function openPage(browser, url, [width, height]) {
-  const page = await browser.newPage({ viewport: { width, height } });
+export async function openPage(browser, url, [width, height], ratio = 1) {
+  const page = await browser.newPage({ viewport: { width, height }, deviceScaleFactor: ratio });
   /** @type {string[]} */
   const errors = [];
   page.on('console', (message) => {
@@ -107,7 +108,7 @@ export async function openPage(browser, url, [width, height]) {
 }
 
 /** Seconds on a CPU, over all threads of a process. @param {number} id */
-function cpuSeconds(id) {
+export function cpuSeconds(id) {
   const folder = `/proc/${id}/task`;
   return readdirSync(folder).reduce((sum, thread) => sum + threadSeconds(`${folder}/${thread}`), 0);
 }

@@ -41,9 +41,14 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @property {string} geometry
  * @property {readonly [number, number]} [size] pixels; without, those of the stack
  *
+ * @typedef {object} MovingSubject CPU time of a picture that moves, with all pixels and as the
+ * element chooses, where a processor draws
+ * @property {'moving'} kind
+ * @property {number} ratio device pixels per CSS pixel
+ *
  * @typedef {{ kind: 'viewers' } | { kind: 'bytes' }} SingleSubject
  * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject |
- * StillSubject | SingleSubject} Subject
+ * StillSubject | MovingSubject | SingleSubject} Subject
  */
 
 /** @type {readonly SideName[]} */
@@ -145,6 +150,8 @@ export const SUBJECTS = {
   'script, turning before 10,000 boxes': script('ten-thousand:3:camera'),
   'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
   '20 turning viewers': { kind: 'viewers' },
+  '25 lights, turning': { kind: 'moving', ratio: 1 },
+  '25 lights, turning, 3 pixels per CSS pixel': { kind: 'moving', ratio: 3 },
   start: {
     kind: 'start',
     pages: {

@@ -3,7 +3,7 @@
 // and bytes to download.
 
 import { builtFrom } from '../build.mjs';
-import { openPage } from '../browser.mjs';
+import { cpuSeconds, gpuProcess, isSoftware, openPage } from '../browser.mjs';
 
 /** @typedef {Pick<import('./frames.mjs').Options, 'size' | 'rounds' | 'add'>} Options */
 
@@ -73,6 +73,65 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
     if (round >= 0) {
       add('change to picture', 'ms', values);
     }
+  }
+  check();
+}
+
+/** Lights of the picture that moves, its pictures before a sample, and those of one. */
+const MOVING = { lights: 25, first: 5, pictures: 10 };
+
+/**
+ * CPU time of the GPU process for a picture while the camera turns, after the first ones: as the
+ * element chooses the pixels, and with all of them. Only where a processor draws.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').MovingSubject}
+ * subject @param {import('../results.mjs').BenchResult} result @param {Options} options
+ */
+export async function measureMoving(lab, { ratio }, { machine }, { size, rounds, add }) {
+  const browser = await lab.launch();
+  const gpu = await gpuProcess(browser);
+  if (gpu === null || !isSoftware(machine['renderer'] ?? '')) return;
+  const url = `${lab.origin}/start-standalone.html`;
+  const { page, check } = await openPage(browser, url, size, ratio);
+  await page.evaluate((count) => {
+    const viewer = document.querySelector('phong-viewer');
+    if (viewer === null) throw new Error('no viewer');
+    Object.assign(document.body.style, { margin: '0' });
+    Object.assign(viewer.style, { width: '100vw', height: '100vh' });
+    for (let i = 0; i < count; i++) {
+      const light = document.createElement('phong-light');
+      const place = [3 * Math.sin(i), 1 + (i % 5), 3 * Math.cos(i), 1];
+      light.setAttribute('position', place.join(' '));
+      light.setAttribute('diffuse', '20 18 16');
+      viewer.append(light);
+    }
+  }, MOVING.lights);
+  /** @param {number} pictures @param {number | 'auto'} [pixelRatio] */
+  const turn = (pictures, pixelRatio) =>
+    page.evaluate(
+      async ([count, most]) => {
+        const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (
+          document.querySelector('phong-viewer')
+        );
+        viewer.pixelRatio = most ?? viewer.pixelRatio;
+        viewer.autoRotate = 30;
+        for (let i = 0; i < count; i++) {
+          await new Promise((resolve) =>
+            viewer.addEventListener('render', resolve, { once: true }),
+          );
+        }
+        return viewer.stats.frames;
+      },
+      /** @type {const} */ ([pictures, pixelRatio]),
+    );
+  /** @param {number | 'auto'} pixelRatio */
+  const time = async (pixelRatio) => {
+    const first = await turn(MOVING.first, pixelRatio);
+    const before = cpuSeconds(gpu);
+    const pictures = (await turn(MOVING.pictures)) - first; // it goes on turning between the calls
+    return (1000 * (cpuSeconds(gpu) - before)) / pictures;
+  };
+  for (let round = 0; round < rounds; round++) {
+    add('CPU of a picture', 'ms', { auto: await time('auto'), 'all pixels': await time(ratio) });
   }
   check();
 }

@@ -46,6 +46,7 @@ async function open(
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
   Object.assign(viewer, { alt: 'The scene', theta: 0, phi: 90, fov: FOV });
+  viewer.pixelRatio = devicePixelRatio; // all pixels, as all sides draw, also where that is slow
   if (scene.autoFit !== true) {
     Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
   }

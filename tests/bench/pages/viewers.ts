@@ -19,6 +19,7 @@ document.body.style.gridTemplate = `repeat(${String(rows)}, 1fr) / repeat(${Stri
 const viewers = Array.from({ length: columns * rows }, () => {
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer, { alt: 'A sphere', geometry: 'sphere', autoRotate: 30 });
+  viewer.pixelRatio = devicePixelRatio; // all pixels, also where drawing is slow
   viewer.append(
     ...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)),
   );
