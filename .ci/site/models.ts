@@ -29,10 +29,13 @@ export interface ModelEntries {
   readonly models: readonly ModelEntry[];
 }
 
-/** The lights turn with the eye, as those of the other picture do. */
+/**
+ * The lights turn with the eye, as those of the other picture do. Their highlights are brighter than
+ * full: of a black metal there is nothing else to see (demo/guide/models.md).
+ */
 const LIGHTS = `
-  <phong-light name="key" space="camera" position="-1 2 2 0" ambient="145 145 145" diffuse="285 285 285" specular="200 200 200"></phong-light>
-  <phong-light name="fill" space="camera" position="3 0 1 0" diffuse="140 140 140" specular="100 100 100"></phong-light>`;
+  <phong-light name="key" space="camera" position="-1 2 2 0" ambient="145" diffuse="285" specular="500"></phong-light>
+  <phong-light name="rim" space="camera" position="3 0 1 0" diffuse="140" specular="700"></phong-light>`;
 
 /** Items of a list. */
 export const pairsHtml = ({ renderer, models }: ModelEntries): string =>
