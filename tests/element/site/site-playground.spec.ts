@@ -216,3 +216,27 @@ test('the editor is there with the first picture, long before all samples of a s
     await page.evaluate(() => document.querySelector('phong-viewer')!.stats.samples),
   ).toBeLessThan(1024);
 });
+
+test('below 1,100 pixels the panel is under the picture, above them beside it', async ({
+  page,
+}) => {
+  const viewer = await open(page);
+  await viewer.getByText('add light').waitFor();
+  const gaps = (): Promise<{ readonly beside: number; readonly under: number }> =>
+    viewer.evaluate((element) => {
+      const boxOf = (name: string): DOMRect =>
+        element.shadowRoot!.querySelector(`[part~=${name}]`)!.getBoundingClientRect();
+      const [picture, panel] = [boxOf('surface'), boxOf('panel')];
+      return { beside: panel.left - picture.right, under: panel.top - picture.bottom };
+    });
+  for (const [width, place] of [
+    [1280, 'beside'],
+    [1100, 'beside'],
+    [1099, 'under'],
+    [900, 'under'],
+    [680, 'under'],
+  ] as const) {
+    await page.setViewportSize({ width, height: 900 });
+    await expect.poll(async () => (await gaps())[place], String(width)).toBeGreaterThan(-1);
+  }
+});
