@@ -275,6 +275,38 @@ test('pages at earlier addresses lead to the new ones', async ({ page, request }
   await page.waitForURL('**/guide/light/#spots');
 });
 
+test('the contents open at the page that is read, and Escape closes them', async ({ page }) => {
+  for (const size of [PHONE, { width: 1280, height: 260 }]) {
+    await page.setViewportSize(size);
+    await page.goto('/demo/guide/reference/');
+    const contents = page.getByRole('navigation', { name: 'Guide', exact: true });
+    const current = contents.getByRole('link', { name: 'Reference', exact: true });
+    const button = contents.getByRole('button', { name: 'Contents' });
+    if (size === PHONE) {
+      await expect(current).toBeHidden();
+      await button.click();
+    }
+    await expect(current).toBeInViewport({ ratio: 1 });
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+    if (size === PHONE) {
+      await current.focus();
+      await page.keyboard.press('Escape');
+      await expect(current).toBeHidden();
+      await expect(button).toBeFocused();
+    }
+  }
+});
+
+test('links of the menu and the contents are high enough for a finger', async ({ page }) => {
+  await page.setViewportSize(PHONE);
+  await page.goto('/demo/guide/light/');
+  await page.getByRole('button', { name: 'Contents' }).click();
+  const heights = await page
+    .locator('.head li a, .topics a')
+    .evaluateAll((links) => links.map((link) => link.getBoundingClientRect().height));
+  expect(Math.min(...heights)).toBeGreaterThanOrEqual(30);
+});
+
 test('the contents of the guide stay in view, behind a button on a phone', async ({ page }) => {
   await page.setViewportSize(PHONE);
   await page.goto('/demo/guide/reliability/');
