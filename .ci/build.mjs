@@ -4,9 +4,10 @@
 // only that part; the site's server asks for parts that a page wants.
 
 import { spawnSync } from 'node:child_process';
-import { copyFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { copyFileSync, readFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { brotliCompressSync } from 'node:zlib';
 import { entries } from './entries.mjs';
 import { outputFolder } from './output-folder.mjs';
 
@@ -41,6 +42,16 @@ for (const [name, make] of Object.entries(parts)) {
   if (chosen.length === 0 || chosen.includes(name)) {
     await make();
   }
+}
+
+// Who builds one file wants to know where it is, and how large.
+for (const name of chosen.filter((part) => part === 'classic' || part === 'standalone')) {
+  const file = join(outputFolder('dist'), `phong-viewer.${name}.js`);
+  const bytes = readFileSync(file);
+  const [whole, sent] = [bytes.length, brotliCompressSync(bytes).length].map((size) =>
+    Math.round(size / 1000).toLocaleString('en'),
+  );
+  console.log(`${relative(repository, file)}: ${whole} kB, ${sent} kB as a server sends it`);
 }
 
 /** @param {string} config @param {string} [mode] */
