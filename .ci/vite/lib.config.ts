@@ -116,12 +116,12 @@ const workerPlugins = (): Plugin[] => [
   licences({ listed: false }),
 ];
 
-/** Stills refuse what needs WebAssembly, so its code is left out. */
+/** Stills refuse what needs WebAssembly, and nothing is dropped on them: its code is left out. */
 const withoutDecoders: Plugin = {
   name: 'without-decoders',
   enforce: 'pre',
   resolveId: (specifier) =>
-    /^\.\/(draco|ktx2-worker|meshopt)\.js$/.test(specifier) ? '\0none' : null,
+    /^\.\.?\/(draco|ktx2-worker|meshopt|png\/open-scene)\.js$/.test(specifier) ? '\0none' : null,
   load: (id) => (id === '\0none' ? 'export {};' : null),
 };
 

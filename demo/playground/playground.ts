@@ -1,6 +1,7 @@
 // The playground: what is written is shown, what is changed in the picture is written, and both are
 // in the address.
 import '../page.js';
+import { markupIn } from 'phong-viewer/still/markup';
 import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
@@ -204,6 +205,37 @@ function written(scene: Scene): string {
   const element = sceneElement(scene);
   const pieces = element === null ? [] : markupOf(element, lineLength());
   return `${pieces.map((piece) => piece.text).join('')}\n`;
+}
+
+// -- Pictures that hold a scene
+// -------------------------------------------------------------------------------------------------
+
+/** The scene of a dropped picture is text like any other; other files are the viewer's. */
+for (const type of ['dragover', 'drop'] as const) {
+  picture.addEventListener(
+    type,
+    (event) => {
+      const { dataTransfer } = event;
+      const item = [...(dataTransfer?.items ?? [])].find((one) => one.type === 'image/png');
+      if (item === undefined) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const file = item.getAsFile();
+      if (type === 'drop' && file !== null) {
+        void openPicture(file);
+      }
+    },
+    { capture: true },
+  );
+}
+
+async function openPicture(file: File): Promise<void> {
+  try {
+    start(await markupIn(file));
+    remember();
+  } catch (error) {
+    say([(error as Error).message]);
+  }
 }
 
 // -- The page

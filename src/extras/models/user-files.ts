@@ -27,14 +27,15 @@ const groups = new WeakMap<Blob, FileGroup>();
 
 /**
  * The model among what was dropped; null if there is nothing. Set it as `src`: its files come with
- * it, and if it cannot be shown, loading it says why.
+ * it, and if it cannot be shown, loading it says why. A picture that holds a scene gives what opens
+ * that in a viewer.
  * @param entries files and folders, as browsers give them for a drop; empty elsewhere.
  * @param files the same without folders.
  */
 export async function droppedModel(
   entries: readonly FileSystemEntry[],
   files: readonly File[],
-): Promise<File | null> {
+): Promise<File | ((viewer: HTMLElement) => void) | null> {
   const found = new Map<string, File>();
   try {
     for (const entry of entries) {
@@ -55,7 +56,19 @@ export async function droppedModel(
   const [path, model] = models[0] ?? [...found][0] ?? [];
   if (path === undefined || model === undefined) return null;
   const names = models.map(([name]) => name);
-  groups.set(model, { files: found, path, problem: problemOf(found.size, names) });
+  let problem = problemOf(found.size, names);
+  if (names.length === 0 && problem === null) {
+    try {
+      const { sceneOpener } = await import('../png/open-scene.js');
+      const opener = await sceneOpener(model);
+      if (opener !== null) return opener;
+    } catch (cause) {
+      problem = new ModelError('no-scene', `${(cause as Error).message} (${fileName(model)})`, {
+        cause,
+      });
+    }
+  }
+  groups.set(model, { files: found, path, problem });
   return model;
 }
 

@@ -20,7 +20,7 @@ const RESULT_MS = 2000;
 export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
   const row = new ButtonRow(gui, 'Files');
   const open = row.add('open model…', () =>
-    chooseModel((file) =>
+    chooseModel(viewer, (file) =>
       historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file), file),
     ),
   );
@@ -72,9 +72,9 @@ function addCopyButton(row: ButtonRow, markup: () => string): void {
 
 /**
  * Opens the browser's file dialog; several files are one model, as when they are dropped. Calls
- * `chosen` with the model. Nothing is called if the user cancels.
+ * `chosen` with the model, or opens the scene of a picture. Nothing happens if the user cancels.
  */
-export function chooseModel(chosen: (model: Blob) => void): void {
+export function chooseModel(viewer: PhongViewer, chosen: (model: Blob) => void): void {
   const dialog = document.createElement('input');
   dialog.type = 'file';
   dialog.multiple = true;
@@ -83,8 +83,10 @@ export function chooseModel(chosen: (model: Blob) => void): void {
     modelCode()
       .then(({ droppedModel }) => droppedModel([], files))
       .then((model) => {
-        if (model !== null) {
+        if (model instanceof Blob) {
           chosen(model);
+        } else {
+          model?.(viewer);
         }
       })
       .catch(warnOf);
@@ -96,7 +98,7 @@ export function chooseModel(chosen: (model: Blob) => void): void {
 const KEPT_MS = 40_000;
 
 async function savePicture(viewer: PhongViewer): Promise<void> {
-  const address = URL.createObjectURL(await viewer.toBlob());
+  const address = URL.createObjectURL(await viewer.toBlob({ markup: true }));
   const link = document.createElement('a');
   link.href = address;
   link.download = 'phong-viewer.png';

@@ -35,7 +35,9 @@ import { linear, logarithmic } from './travel.js';
 const modelFile: Row<MeshValues['src'], PhongMesh> = {
   add: (gui, { element: mesh, viewer }) =>
     new ButtonRow(gui, 'Model').add('choose model file…', () =>
-      chooseModel((file) => historyOf(viewer).edit(valuesOf(mesh), () => (mesh.src = file), file)),
+      chooseModel(viewer, (file) =>
+        historyOf(viewer).edit(valuesOf(mesh), () => (mesh.src = file), file),
+      ),
     ),
 };
 

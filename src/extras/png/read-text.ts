@@ -3,7 +3,7 @@
 import { checksum, joined, LONGEST_MARKUP, MARKUP_KEYWORD, SIGNATURE } from './chunks.js';
 
 /** Why a file holds no text that can be read. */
-export type TextFault = 'none' | 'damaged' | 'too-large';
+export type TextFault = 'none' | 'damaged' | 'too-large' | 'refused';
 
 export class PngTextError extends Error {
   readonly fault: TextFault;
@@ -18,6 +18,7 @@ const SENTENCES: Readonly<Record<TextFault, string>> = {
   none: 'The picture holds no scene: only PNG files that a viewer saved do.',
   damaged: 'The picture holds no scene that can be read: the file is damaged.',
   'too-large': 'The picture holds a scene that is too large to open.',
+  refused: "The page's policy refuses markup from files: allow trusted-types phong-viewer.",
 };
 
 /** Bytes of a file. A picture of 33 million pixels that do not compress has 134 million. */

@@ -2,10 +2,14 @@
 
 import type { PictureOptions } from '../../viewer/extra.js';
 
-/** Rejects where type or quality is wrong, or the file cannot be made. */
+/**
+ * Rejects where type or quality is wrong, or the file cannot be made. @param markup what a PNG holds
+ * besides; empty for nothing.
+ */
 export async function pictureBlob(
   picture: HTMLCanvasElement,
   { type = 'image/png', quality }: PictureOptions,
+  markup: string,
 ): Promise<Blob> {
   if (typeof type !== 'string') {
     throw new TypeError(`toBlob: type must be text, got ${String(type)}`);
@@ -16,7 +20,7 @@ export async function pictureBlob(
   if (type.toLowerCase() === 'image/jpeg') {
     fillBehind(picture, 'white');
   }
-  return new Promise((resolve, reject) =>
+  const blob = await new Promise<Blob>((resolve, reject) =>
     picture.toBlob(
       (blob) => {
         if (blob !== null) {
@@ -30,6 +34,11 @@ export async function pictureBlob(
       quality,
     ),
   );
+  if (markup === '' || blob.type !== 'image/png') return blob;
+  const { withMarkup } = await import('../png/chunks.js');
+  return new Blob([withMarkup(new Uint8Array(await blob.arrayBuffer()), markup)], {
+    type: blob.type,
+  });
 }
 
 /** JPEG has no alpha, and browsers would fill transparent pixels with black. */

@@ -174,6 +174,12 @@ export interface PictureOptions {
    * picture as the page shows it, where it has this size; otherwise one with smooth edges only.
    */
   readonly samples?: number;
+  /**
+   * Writes {@link PhongViewer.toHTML} into the file, so that the scene opens again where the file is
+   * dropped on a `droppable` viewer. For PNG; not where it has more than 100,000 characters. Default
+   * false.
+   */
+  readonly markup?: boolean;
 }
 
 /** The class of `<phong-viewer>`. */

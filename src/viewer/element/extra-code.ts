@@ -69,7 +69,11 @@ export const explanationCode = /* @__PURE__ */ extraCode<ExplanationCode>('shade
 
 /** Encodes a picture. */
 interface PictureCode {
-  readonly pictureBlob: (picture: HTMLCanvasElement, options: PictureOptions) => Promise<Blob>;
+  readonly pictureBlob: (
+    picture: HTMLCanvasElement,
+    options: PictureOptions,
+    markup: string,
+  ) => Promise<Blob>;
 }
 
 export const pictureCode = /* @__PURE__ */ extraCode<PictureCode>('toBlob');

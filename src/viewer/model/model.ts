@@ -75,7 +75,7 @@ export interface Motion {
   reach(name: string, signal: AbortSignal): Promise<GeometrySize | null>;
 }
 
-type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
+type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'no-scene';
 
 interface ModelErrorOptions extends ErrorOptions {
   /** What the page's author can do: sentences. */

@@ -18,11 +18,14 @@ export interface ModelCode {
     options: LoadOptions,
     from?: FileRequest | Blob | null,
   ) => Promise<Content>;
-  /** The model among files that were dropped or chosen; null for none. */
+  /**
+   * The model among files that were dropped or chosen; null for none. Where it is a picture that
+   * holds a scene: what opens that in a viewer.
+   */
   readonly droppedModel: (
     entries: readonly FileSystemEntry[],
     files: readonly File[],
-  ) => Promise<File | null>;
+  ) => Promise<File | ((viewer: HTMLElement) => void) | null>;
   /** A content in a pose of its own, and the values of 4 bytes that it takes. */
   readonly movingCopy: (content: Content) => Content;
   readonly movingValues: (content: Content) => number;

@@ -135,7 +135,7 @@ for (const [what, body] of [
   ['a viewer that turns', figure('auto-rotate="10"')],
   ['a viewer with an animation', figure('', '<phong-mesh src="a.glb" autoplay></phong-mesh>')],
   ['a viewer with a panel', figure('gui')],
-  ['a viewer with a probe', figure('probe="ask"')],
+  ['a viewer with a probe', figure('probe')],
   ['a viewer with helpers', figure('helpers')],
   ['a viewer of a camera group', figure('camera-group="a"')],
   ['a viewer without a poster', `<phong-viewer ${BALL}></phong-viewer>`],

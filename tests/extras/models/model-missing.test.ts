@@ -72,7 +72,7 @@ describe('a pointer of Git LFS', () => {
 
   it('is named among dropped files too', async () => {
     const file = new File([POINTER], 'a.stl');
-    const model = await droppedModel([], [file]);
+    const model = (await droppedModel([], [file])) as File;
     await expect(modelContent(new URL('file:///a.stl'), OPTIONS, model)).rejects.toThrow(
       /^a\.stl is only a pointer of Git LFS/,
     );
@@ -190,8 +190,8 @@ describe('files from the user’s disk', () => {
     files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>,
   ): Promise<Content> {
     const group = Object.entries(files).map(([path, content]) => new File([content], path));
-    const model = await droppedModel([], group);
-    return modelContent(new URL(model!.name, 'file:///'), OPTIONS, model);
+    const model = (await droppedModel([], group)) as File;
+    return modelContent(new URL(model.name, 'file:///'), OPTIONS, model);
   }
 
   it('show an OBJ with three of its four images, and name the fourth', async () => {

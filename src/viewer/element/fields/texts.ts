@@ -8,6 +8,7 @@ export type ViewerErrorCode =
   | 'bad-model'
   | 'too-large'
   | 'csp'
+  | 'no-scene'
   | 'context-lost'
   | 'no-webgl2';
 

@@ -95,8 +95,9 @@ export class ViewerExtras implements ReactiveController {
     const height = options.height ?? Math.max(whole.height, 1);
     requireCounts({ ...options, width, height });
     const picture = await this.#capture({ width, height }, options);
+    const markup = options.markup === true ? this.#context.viewer.toHTML() : '';
     const { pictureBlob } = await pictureCode();
-    return pictureBlob(picture, options);
+    return pictureBlob(picture, options, markup);
   }
 
   connect(tree: ViewerTree): void {

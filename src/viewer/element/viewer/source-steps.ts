@@ -3,9 +3,17 @@
 import type { PhongMesh, PhongViewer } from '../elements.js';
 import { historyOf, valuesOf } from './history.js';
 
-/** Shows a dropped model. */
-export const showDropped = (viewer: PhongViewer, model: Blob): void =>
-  historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = model), model);
+/** Shows a dropped model, or opens the scene of a picture. */
+export function showDropped(
+  viewer: PhongViewer,
+  dropped: Blob | ((viewer: HTMLElement) => void),
+): void {
+  if (dropped instanceof Blob) {
+    historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = dropped), dropped);
+  } else {
+    dropped(viewer);
+  }
+}
 
 /** Takes the step back that set `src`, or else sets the source before it. */
 export function takeBackSource(

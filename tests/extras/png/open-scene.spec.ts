@@ -1,0 +1,198 @@
+// PNG files dropped on a viewer and on the playground: a scene opens again, and one made to attack
+// does nothing.
+import type { Locator, Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { linkTo } from '../../support/site-pages.js';
+import { markupIn } from '../../../src/extras/png/index.js';
+import { withMarkup } from '../../../src/extras/png/chunks.js';
+import { allReady, expect, test } from '../../support/test.js';
+import type { PhongViewer } from '../../element/support/viewer.js';
+
+const plain = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
+const holding = (markup: string): Uint8Array => withMarkup(plain.slice(), markup);
+
+async function drop(target: Locator, bytes: Uint8Array, name = 'scene.png'): Promise<void> {
+  const transfer = await target.evaluateHandle(
+    (_element, [content, title]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(content)], title, { type: 'image/png' }));
+      return data;
+    },
+    [[...bytes], name] as const,
+  );
+  for (const type of ['dragover', 'drop']) {
+    await target.dispatchEvent(type, { dataTransfer: transfer });
+  }
+}
+
+const htmlOf = (viewer: Locator): Promise<string> =>
+  viewer.evaluate((element: PhongViewer) => element.toHTML());
+
+const BEFORE = `<phong-viewer droppable gui="lights" geometry="box" kd="200 0 0" theta="10" phi="60" radius="4" target="0 0 0">
+  <phong-light name="old" position="1 2 3 0"></phong-light>
+</phong-viewer>`;
+const SCENE = `<phong-viewer alt="A ring" geometry="torus" theta="50" phi="40" radius="3" target="0 0 0" shading="flat">
+  <div><phong-light name="new" position="3 2 1 0" diffuse="tomato"></phong-light></div>
+  <phong-mesh geometry="cone" position="1 0 0"></phong-mesh>
+</phong-viewer>`;
+
+test('a saved picture is the scene again, as one step of undo', async ({ page, mount }) => {
+  const viewer = await mount(BEFORE);
+  const before = await htmlOf(viewer);
+  await drop(viewer, holding(SCENE));
+  await expect.poll(() => htmlOf(viewer)).toContain('geometry="cone"');
+  const after = await htmlOf(viewer);
+  expect(after).toContain('<phong-viewer geometry="torus" alt="A ring" droppable');
+  expect(after).toContain('theta="50" phi="40" radius="3"');
+  expect(after).toContain('shading="flat" gui="lights"');
+  expect(after).toMatch(/name="new"[^>]*diffuse="255 99 71"|diffuse="255 99 71"[^>]*name="new"/);
+  expect(after).not.toMatch(/old|kd=/);
+  await viewer.focus();
+  await page.keyboard.press('ControlOrMeta+z');
+  await expect.poll(() => htmlOf(viewer)).toBe(before);
+  await page.keyboard.press('ControlOrMeta+y');
+  await expect.poll(() => htmlOf(viewer)).toBe(after);
+  // What toBlob writes opens again.
+  const blob = await viewer.evaluate(async (element: PhongViewer) => [
+    ...new Uint8Array(await (await element.toBlob({ markup: true })).arrayBuffer()),
+  ]);
+  expect(await markupIn(Uint8Array.from(blob))).toBe(after);
+  const bare = await viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size);
+  expect(blob.length).toBeGreaterThan(bare);
+});
+
+test('the panel saves pictures with their scene', async ({ page, mount }) => {
+  const viewer = await mount(BEFORE.replace('gui="lights"', 'gui'));
+  const saved = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'save PNG' }).click();
+  const stream = await (await saved).createReadStream();
+  const bytes: Uint8Array[] = [];
+  for await (const part of stream) {
+    bytes.push(part as Uint8Array);
+  }
+  expect(await markupIn(new Uint8Array(Buffer.concat(bytes)))).toBe(await htmlOf(viewer));
+});
+
+test('a picture without a scene is a sentence in the page’s language, and can be dismissed', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(BEFORE);
+  const before = await htmlOf(viewer);
+  await drop(viewer, plain);
+  const notice = viewer.locator('[part=notice]');
+  await expect(notice).toHaveText(
+    'The picture holds no scene: only PNG files that a viewer saved do. (scene.png)',
+  );
+  await viewer.evaluate((element: PhongViewer) => {
+    element.texts = { 'no-scene': 'Keine Szene. ({message})' };
+  });
+  await expect(notice).toHaveText(/^Keine Szene\. \(The picture/);
+  await page.keyboard.press('Escape');
+  await expect(notice).toBeHidden();
+  expect(await htmlOf(viewer)).toBe(before);
+  await drop(viewer, holding('<p>No viewer</p>'));
+  await expect(notice).toContainText('Keine Szene');
+});
+
+// Chromium reports what the policy would refuse in markup that it only parses.
+for (const [what, markup, says] of [
+  [
+    'scripts',
+    '<script>window.hit = 1</script><phong-viewer><script>window.hit = 1</script></phong-viewer>',
+    null,
+  ],
+  [
+    'handlers',
+    '<phong-viewer onload="window.hit=1" onclick="window.hit=1"><phong-mesh onerror="window.hit=1" src="none.glb"></phong-mesh></phong-viewer>',
+    /inline|404/,
+  ],
+  [
+    'frames',
+    '<phong-viewer><iframe srcdoc="<script>parent.hit=1</script>"></iframe><iframe src="javascript:parent.hit=1"></iframe></phong-viewer>',
+    null,
+  ],
+  [
+    'images',
+    '<img src=x onerror="window.hit=1"><phong-viewer><svg onload="window.hit=1"></svg></phong-viewer>',
+    /inline/,
+  ],
+  [
+    'addresses of other sites',
+    '<phong-viewer src="https://evil.example/a.glb" poster="https://evil.example/b.png"><phong-mesh src="//evil.example/c.glb"></phong-mesh></phong-viewer>',
+    /is left out/,
+  ],
+  [
+    'addresses that run',
+    '<phong-viewer src="javascript:window.hit=1"><phong-mesh src="data:model/gltf+json,{}"></phong-mesh><phong-mesh src="blob:http://localhost/1"></phong-mesh></phong-viewer>',
+    /is left out/,
+  ],
+  [
+    'templates and styles',
+    '<style>* { display: none }</style><phong-viewer class="x" style="position: fixed" id="y"><template><phong-mesh></phong-mesh></template></phong-viewer>',
+    /inline/,
+  ],
+] as const) {
+  test(`a scene with ${what} runs nothing and fetches nothing from elsewhere`, async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    if (says !== null) {
+      consoleGuard.allow(says);
+    }
+    const foreign: string[] = [];
+    page.on('request', (request) => {
+      if (!request.url().startsWith('http://localhost') && !/^(data|blob):/.test(request.url())) {
+        foreign.push(request.url());
+      }
+    });
+    const viewer = await mount(BEFORE);
+    await drop(viewer, holding(markup));
+    await expect.poll(() => htmlOf(viewer)).not.toContain('kd=');
+    await page.waitForTimeout(100);
+    const state = await viewer.evaluate((element) => ({
+      hit: (window as { hit?: number }).hit,
+      inner: [...element.querySelectorAll('*')].map(({ localName }) => localName),
+      own: element.getAttributeNames().filter((name) => /^(on|class|id|style)/.test(name)),
+    }));
+    expect(state.hit).toBeUndefined();
+    expect(state.inner.filter((name) => !/^phong-(light|mesh)$/.test(name))).toEqual([]);
+    expect(state.own).toEqual([]);
+    expect(foreign).toEqual([]);
+  });
+}
+
+test('a scene of more than 1,000 elements is refused', async ({ mount }) => {
+  const viewer = await mount(BEFORE);
+  const many = '<phong-light></phong-light>'.repeat(1001);
+  await drop(viewer, holding(`<phong-viewer>${many}</phong-viewer>`));
+  await expect(viewer.locator('[part=notice]')).toContainText('too large to open');
+});
+
+test('a file that is not found is named', async ({ mount, consoleGuard }) => {
+  consoleGuard.allow(/404/);
+  const viewer = await mount(BEFORE);
+  await drop(viewer, holding('<phong-viewer src="models/nowhere.glb"></phong-viewer>'));
+  await expect(viewer.locator('[part=notice]')).toContainText('nowhere.glb');
+});
+
+test.describe('the playground', () => {
+  const text = async (page: Page): Promise<string> =>
+    (await page.locator('.cm-line').allTextContents()).join('\n');
+
+  test('takes the scene of a dropped picture as its text, and takes it back', async ({ page }) => {
+    await page.goto(`/demo/${linkTo(BEFORE)}`);
+    await allReady(page);
+    await expect(page.locator('.cm-content')).toBeVisible();
+    const before = await text(page);
+    await drop(page.locator('.picture'), holding(SCENE));
+    await expect.poll(() => text(page)).toContain('tomato');
+    expect(await htmlOf(page.locator('phong-viewer'))).toContain('geometry="cone"');
+    await page.locator('.cm-content').click();
+    await page.keyboard.press('ControlOrMeta+z');
+    await expect.poll(() => text(page)).toBe(before);
+    await drop(page.locator('.picture'), plain);
+    await expect(page.locator('#messages')).toHaveText(/holds no scene/);
+  });
+});
