@@ -30,7 +30,7 @@ export {
   type ViewerValues,
 } from './element/fields/viewer-fields.js';
 export type { MistakeTests } from './element/inspect.js';
-export { fieldsOf, sceneMeshes, viewerPins, viewerSnapshots } from './element/internals.js';
+export { fieldsOf, hostOf, sceneMeshes } from './element/internals.js';
 export { default as ownText } from './element/page/own-text.css?inline';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';

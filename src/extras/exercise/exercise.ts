@@ -9,13 +9,13 @@ import {
   defineProperties,
   type ExerciseValues,
   FieldBinding,
+  hostOf,
   localNumber,
   ownText,
   PhongExercise,
   type PhongViewer,
   phrase,
   textsAround,
-  viewerSnapshots,
   type ViewerText,
   type ViewerTexts,
 } from '../../viewer/extra.js';
@@ -200,7 +200,7 @@ class Exercise {
       return;
     }
     await viewer.ready;
-    const snapshot = viewerSnapshots.get(viewer)!();
+    const snapshot = hostOf(viewer).snapshot();
     const task = this.#task(kindsOf(snapshot.lights.map(({ values }) => values)));
     const own = await pointsOf(snapshot, task);
     const [exponent] = own?.exponents ?? [];

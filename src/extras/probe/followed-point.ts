@@ -4,9 +4,9 @@
 import {
   addStyles,
   type FragmentExplanation,
+  hostOf,
   type PhongProbe,
   type PhongViewer,
-  viewerPins,
 } from '../../viewer/extra.js';
 import { SLOP } from '../../phong/camera/kept-drag.js';
 import type { Vec3 } from '../../phong/math/vector.js';
@@ -191,7 +191,7 @@ export class FollowedPoint {
       }
       this.#point = fragment?.p ?? this.#point;
     }
-    return this.#at(at ?? this.#point ?? viewerPins.get(viewer) ?? viewer.probeAt);
+    return this.#at(at ?? this.#point ?? hostOf(viewer).pin ?? viewer.probeAt);
   }
 
   /** The same point until the surface is gone. */

@@ -6,9 +6,7 @@ import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 import type { SceneMesh } from '../scene/mesh/scene-mesh.js';
 import type { PhongMesh, PhongViewer } from './elements.js';
-import type { Vec3 } from '../../phong/math/vector.js';
-import type { ViewerCamera } from './viewer/camera.js';
-import type { ViewerSnapshot } from './viewer/extra-host.js';
+import type { ExtraHost } from './viewer/extra-host.js';
 
 interface ValuesByTag {
   'phong-light': LightValues;
@@ -22,17 +20,14 @@ export const fieldsOf = <T extends keyof ValuesByTag>(
   element: HTMLElement & { readonly localName: T },
 ): FieldBinding<ValuesByTag[T]> => bindingOf(element);
 
-export const viewerCameras = new WeakMap<PhongViewer, ViewerCamera>();
-
 /** What an element shows: a <phong-mesh>, or a viewer by its own attributes. */
 export const sceneMeshes = new WeakMap<PhongMesh | PhongViewer, SceneMesh>();
-
-/** The point that the user has pinned a viewer's probe to, in world space. */
-export const viewerPins = new WeakMap<PhongViewer, Vec3>();
 
 /** A viewer has got its place in a comparison, which observers report only after a frame. */
 export const placed = (viewer: PhongViewer & { connectedMoveCallback?(): void }): void =>
   viewer.connectedMoveCallback?.();
 
-/** What a viewer's picture shows, copied at the call. */
-export const viewerSnapshots = new WeakMap<PhongViewer, () => ViewerSnapshot>();
+/** What an extra gets of a viewer. */
+export const viewerHosts = new WeakMap<PhongViewer, ExtraHost>();
+
+export const hostOf = (viewer: PhongViewer): ExtraHost => viewerHosts.get(viewer)!;

@@ -26,7 +26,7 @@ import {
   type ViewerProperties,
   type ViewerValues,
 } from './fields/viewer-fields.js';
-import { viewerCameras, viewerSnapshots } from './internals.js';
+import { viewerHosts } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
@@ -139,8 +139,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     for (const part of [this.#visibility, this.#camera, this.#loading]) {
       this.addController(part);
     }
-    viewerCameras.set(this, this.#camera);
-    viewerSnapshots.set(this, () => this.#extras.snapshot());
+    viewerHosts.set(this, this.#extras.host);
     renderWhereShown(this);
   }
 

@@ -283,20 +283,18 @@ export class Viewport {
     if (!this.drawable || this.#near === undefined) {
       this.still.converging?.reset();
       this.#painted = NONE;
-    } else if (this.still.samples > 0) {
+      return;
+    }
+    if (this.still.samples > 0) {
       this.show(false);
       this.#signals.frameEnded.emit();
-    } else {
-      this.#paintScene();
+      return;
     }
-  }
-
-  #paintScene(): void {
     const { version, materials } = this.picture;
     // Before drawing: if that throws, the next attempt follows the next change.
     this.#painted = version;
     try {
-      if (this.#paint()) {
+      if (stage.draw(this, this.#render)) {
         if (this.#signals.unproven() && stage.outOfMemory()) {
           throw new RangeError('the GPU has no memory for it');
         }
@@ -308,7 +306,7 @@ export class Viewport {
       }
       materials.sweep();
     } catch (error) {
-      if (!this.#signals.recover(error, this.#paint)) {
+      if (!this.#signals.recover(error, () => stage.draw(this, this.#render))) {
         this.#reported = version;
         throw error;
       }
@@ -318,8 +316,6 @@ export class Viewport {
       this.#signals.frameEnded.emit();
     }
   }
-
-  readonly #paint = (): boolean => stage.draw(this, this.#render);
 
   readonly #render = (renderer: WebGLRenderer): void => {
     pace.draws(renderer, this.#share);

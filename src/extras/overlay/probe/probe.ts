@@ -7,7 +7,6 @@ import {
   phrase,
   type PictureOptions,
   type ProbeDetail,
-  viewerPins,
   type ViewerTexts,
 } from '../../../viewer/extra.js';
 import { SLOP } from '../../../phong/camera/kept-drag.js';
@@ -61,7 +60,7 @@ class Probe implements Extra {
     if (!sameValue(probeAt, this.#declared)) {
       // As with the camera, an assignment replaces what the user did.
       this.#declared = probeAt;
-      this.#pin = this.#free = null;
+      this.#host.pin = this.#free = null;
     }
     this.#explain();
   }
@@ -80,7 +79,7 @@ class Probe implements Extra {
     this.#listening.abort('disposed');
     // Like the camera, the pin stays with a viewer that leaves the page.
     if (!this.#host.values.probe) {
-      viewerPins.delete(this.#host.viewer);
+      this.#host.pin = null;
     }
     this.#view.dispose();
   }
@@ -129,7 +128,7 @@ class Probe implements Extra {
     });
 
     on(cursor, 'focus', () => {
-      if (this.#pin !== null || this.#declared !== null) return;
+      if (this.#host.pin !== null || this.#declared !== null) return;
       this.#free ??= this.#view.middle;
       this.#follow();
     });
@@ -168,7 +167,7 @@ class Probe implements Extra {
    * the focus any more.
    */
   #look(at: Point | null): void {
-    if (this.#pin !== null || (at === null && this.#free === null)) return;
+    if (this.#host.pin !== null || (at === null && this.#free === null)) return;
     // The cross-hair stays where it is while it has the focus.
     if (at === null && this.#view.hasFocus) return;
     this.#free = at;
@@ -182,8 +181,8 @@ class Probe implements Extra {
 
   /** Removes the pin. False if there is none. */
   #release(): boolean {
-    if (this.#pin === null) return false;
-    this.#pin = null;
+    if (this.#host.pin === null) return false;
+    this.#host.pin = null;
     this.#free =
       this.#view.hasFocus && this.#declared === null ? (this.#view.shown?.at ?? null) : null;
     this.#follow();
@@ -193,23 +192,10 @@ class Probe implements Extra {
   /** Moves the cross-hair. */
   #step(across: number, down: number): void {
     const { x, y } = this.#free ?? this.#view.shown?.at ?? this.#view.middle;
-    this.#pin = null;
+    this.#host.pin = null;
     // Half a pixel inside: there is nothing to explain on the far edges.
     this.#free = inside({ x: x + across, y: y + down }, this.#view.size, 0.5);
     this.#follow();
-  }
-
-  /** The point that the user has pinned, in world space. */
-  get #pin(): Vec3 | null {
-    return viewerPins.get(this.#host.viewer) ?? null;
-  }
-
-  set #pin(p: Vec3 | null) {
-    if (p === null) {
-      viewerPins.delete(this.#host.viewer);
-    } else {
-      viewerPins.set(this.#host.viewer, p);
-    }
   }
 
   /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. */
@@ -230,7 +216,7 @@ class Probe implements Extra {
     void this.#explained().then((shown) => {
       if (this.#listening.signal.aborted) return;
       const before = this.#view.shown;
-      this.#view.show(shown, this.#pin !== null);
+      this.#view.show(shown, this.#host.pin !== null);
       if (this.#acted) {
         this.#view.announce();
       }
@@ -260,24 +246,24 @@ class Probe implements Extra {
       if (this.#toPin === toPin) {
         this.#toPin = null;
       }
-      this.#pin = shown.fragment?.p ?? null;
+      this.#host.pin = shown.fragment?.p ?? null;
       // A press beside the shape takes the pin away.
-      this.#free = this.#pin === null && this.#view.hasFocus ? toPin : null;
-      if (this.#pin !== null) return { ...shown, pinned: true };
+      this.#free = this.#host.pin === null && this.#view.hasFocus ? toPin : null;
+      if (this.#host.pin !== null) return { ...shown, pinned: true };
     }
     return this.#chosen();
   }
 
   /** The user's pin, else the place of mouse or cross-hair, else the declared point. */
   async #chosen(): Promise<ProbedPoint | null> {
-    if (this.#pin === null && this.#free !== null) {
+    if (this.#host.pin === null && this.#free !== null) {
       const shown = await this.#at(this.#free);
       if (shown.fragment !== null || shown.message !== '') return shown;
       if (this.#view.hasFocus) {
         return { ...shown, message: phrase(this.#host.viewer.texts, NO_SURFACE) };
       }
     }
-    const point = this.#pin ?? this.#declared;
+    const point = this.#host.pin ?? this.#declared;
     return point === null ? null : this.#ofPoint(point);
   }
 

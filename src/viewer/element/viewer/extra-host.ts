@@ -1,6 +1,7 @@
 // What an optional part over the picture, such as the helpers or the probe, gets of its viewer, and
 // what the viewer asks of it. Types, and the list that the table of extras fills.
 import type { LightValues } from '../../../phong/light/light-state.js';
+import type { Vec3 } from '../../../phong/math/vector.js';
 import type { SceneSnapshot } from '../../scene/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type {
@@ -23,6 +24,8 @@ export interface ExtraHost {
   readonly tree: ViewerTree;
   /** The names that helpers have placed over the picture. The probe's keep clear of them. */
   readonly names: { placed: readonly PlacedName[] };
+  /** The point that the user has pinned the probe to, in world space. Null for none. */
+  pin: Vec3 | null;
   /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
   size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;

@@ -24,10 +24,9 @@ import type { ViewerContext } from './viewer-context.js';
 import type { ViewerTree } from './viewer-tree.js';
 
 export class ViewerExtras implements ReactiveController {
+  readonly host: ExtraHost;
   readonly #context: ViewerContext;
-  readonly #camera: ViewerCamera;
   readonly #visibility: Visibility;
-  readonly #names: ExtraHost['names'] = { placed: [] };
   /** Null while its code is being fetched. */
   readonly #extras = new Map<ExtraKind, Extra | null>();
   readonly #fetching = new Set<Promise<void>>();
@@ -35,8 +34,22 @@ export class ViewerExtras implements ReactiveController {
 
   constructor(context: ViewerContext, camera: ViewerCamera, visibility: Visibility) {
     const { signals } = (this.#context = context);
-    this.#camera = camera;
     this.#visibility = visibility;
+    const { viewer, values, viewport } = context;
+    const treeNow = (): ViewerTree => this.#tree!;
+    this.host = {
+      viewer,
+      values,
+      viewport,
+      camera,
+      names: { placed: [] },
+      pin: null,
+      get tree() {
+        return treeNow();
+      },
+      size: () => visibility.size,
+      snapshot: () => this.snapshot(),
+    };
     signals.drawn.listen(() => {
       for (const extra of this.#extras.values()) {
         extra?.update();
@@ -170,17 +183,7 @@ export class ViewerExtras implements ReactiveController {
     if (this.#extras.get(kind) !== null) return;
     this.#extras.delete(kind);
     if (code === undefined || !this.#context.viewer.isConnected) return;
-    const { viewer, values, viewport } = this.#context;
-    const extra = code.create({
-      viewer,
-      values,
-      viewport,
-      tree,
-      names: this.#names,
-      camera: this.#camera,
-      size: () => this.#visibility.size,
-      snapshot: () => this.snapshot(),
-    });
+    const extra = code.create(this.host);
     this.#extras.set(kind, extra);
     extra.update();
   }

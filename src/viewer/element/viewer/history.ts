@@ -2,7 +2,7 @@
 // its first user.
 import { sameValue } from '../../../phong/fields/field-store.js';
 import { registryOf } from '../child-registry.js';
-import { fieldsOf, viewerCameras } from '../internals.js';
+import { fieldsOf, hostOf } from '../internals.js';
 import type { PhongLight, PhongMesh, PhongViewer } from '../elements.js';
 import { writtenPose } from '../../../phong/camera/written-pose.js';
 import type { Pose } from '../../../phong/camera/orbit.js';
@@ -175,7 +175,7 @@ interface CameraSubject extends Undoable<CameraPlacement> {
 }
 
 function cameraOf(viewer: PhongViewer): CameraSubject {
-  const camera = viewerCameras.get(viewer)!;
+  const { camera } = hostOf(viewer);
   return {
     read: () => camera.placement(),
     same: (a, b) => JSON.stringify(a) === JSON.stringify(b), // keys are always written in the same order

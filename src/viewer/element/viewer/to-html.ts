@@ -5,7 +5,7 @@ import { eightDigits } from '../../../phong/camera/written-pose.js';
 import { fileName } from '../../../phong/fields/file-names.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../../../phong/fields/attribute-text.js';
-import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';
+import { fieldsOf, viewerHosts } from '../internals.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
 
 /** The page's own attributes that are kept. */
@@ -29,14 +29,15 @@ export function compareMarkup(compare: PhongCompare): string {
  */
 export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
   const { theta, phi, radius, target } = viewer.camera;
-  const pin = viewerPins.get(viewer);
-  const framing = viewerCameras.get(viewer)?.placement().framing;
+  const host = viewerHosts.get(viewer);
+  const pin = host?.pin ?? null;
+  const framing = host?.camera.placement().framing;
   const shown = {
     theta,
     phi,
     radius: framing?.radius === 'auto' ? 'auto' : radius,
     target: framing?.target === 'auto' ? 'auto' : target,
-    ...(pin === undefined ? {} : { probeAt: pin }),
+    ...(pin === null ? {} : { probeAt: pin }),
   };
   const tree = treeOf(viewer);
   const write = (element: Element, indent: string): string => {
