@@ -10,8 +10,9 @@ const de = readyTexts('de');
 
 type ViewerClass = { texts: Readonly<Record<string, string>> | null };
 
+// `mount` would take a <phong-viewer> in a text for one.
 const script = (texts: string): string =>
-  `<script type="application/json" data-phong-viewer-texts>${texts}</script>`;
+  `<script type="application/json" data-phong-viewer-texts>${texts.replaceAll('<', '\\u003c')}</script>`;
 const viewer = '<phong-viewer geometry="box" view="normals"></phong-viewer>';
 const size = { width: 200, height: 120 };
 

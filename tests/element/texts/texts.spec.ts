@@ -91,8 +91,9 @@ test('texts replaces every text of helpers, legend and probe', async ({ page, mo
   await expect.poll(() => textsIn(viewer)).toContain('[Lights in the picture]');
   await described(viewer);
   const left = (await textsIn(viewer)).filter((text) => !isReplaced(text));
-  // Without numbers, the names of vectors, and the cross of the button "Unpin".
-  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual([
+  // Without numbers, the names of vectors, the cross of the button "Unpin", and the mark of what is
+  // left out.
+  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^[×…]$/.test(text)).sort()).toEqual([
     'Sonne',
     'Szene',
   ]);

@@ -8,7 +8,7 @@ export const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';
 const markup = /* @__PURE__ */ lazyCode(() => import('./markup-texts.js'), 'texts in the markup');
 
 interface TextUser {
-  requestUpdate(name: 'texts'): void;
+  requestUpdate(name: 'texts', old: unknown): void;
 }
 
 const users = new Set<TextUser>();
@@ -40,7 +40,9 @@ export const textsOver = (
 function combine(): void {
   texts = textsOver(assigned, declared);
   for (const user of users) {
-    user.requestUpdate('texts');
+    // Lit updates for a changed value alone. This one never is the present one, nor undefined, which
+    // is what elements without texts of their own have.
+    user.requestUpdate('texts', users);
   }
 }
 
