@@ -90,7 +90,7 @@ describe('the ready sets', () => {
     expect(entriesOf('pt-PT').filter(([, text]) => brazilian.test(text))).toEqual([]);
   });
 
-  it('have a word each for highlight, shininess and brightness, and say tú in Spanish', () => {
+  it('have a word each for highlight, shininess and brightness, and address readers in one way', () => {
     for (const language of LANGUAGES) {
       const texts = sets[language]!;
       const words = [
@@ -103,6 +103,16 @@ describe('the ready sets', () => {
       expect(brightness.filter((word) => [...highlight, ...shininess].includes(word))).toEqual([]);
     }
     expect(entriesOf('es').filter(([, text]) => /\busted/i.test(text))).toEqual([]);
+    const aboutHighlights = /highlight/;
+    for (const language of ['es', 'pt', 'pt-PT']) {
+      const shiny = ([key, text]: [string, string]): boolean =>
+        aboutHighlights.test(key) && /brilho|brillo/i.test(text);
+      expect(entriesOf(language).filter(shiny)).toEqual([]);
+    }
+    expect(entriesOf('es').filter(([, text]) => /ambiente|decaimiento/.test(text))).toEqual([]);
+    expect(
+      entriesOf('de').filter(([, text]) => /\b(dein|du|dir|schreib|lass)\b/i.test(text)),
+    ).toEqual([]);
   });
 });
 
