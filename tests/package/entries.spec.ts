@@ -45,7 +45,7 @@ test.describe('the packed package', () => {
     /^(demo\/guide\/[a-z]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|react-lazy|lazy|playwright)\.js$/,
     /^dist\/react(-standalone|-lazy)?-client\.js$/,
-    /^dist\/(still(-worker|-markup)?|cli)\.js$/,
+    /^dist\/(still(-worker|-markup)?|cli|check)\.js$/,
     /^dist\/still\/[\w-]+\.js$/,
     /^dist\/phong-viewer\.(standalone|classic|lazy)\.js$/,
     /^dist\/embed\.(html|js)$/,
@@ -175,7 +175,9 @@ test.describe('dist/', () => {
           expect(name, path).toMatch(
             /^(still|cli)/.test(path)
               ? FOR_STILLS
-              : /^(three|lit$|lil-gui|react$|@playwright\/test$)/,
+              : path === 'check.js'
+                ? /^(@playwright\/test$|node:)/
+                : /^(three|lit$|lil-gui|react$|@playwright\/test$)/,
           );
         }
       }

@@ -158,7 +158,7 @@ class Exercise {
     const texts = this.#texts;
     const words = Object.entries(values).map(([key, value]) => [
       key,
-      typeof value === 'number' ? localNumber(String(value), texts) : value,
+      typeof value === 'number' ? localNumber(grouped(value), texts) : value,
     ]);
     return phrase(texts, text as ViewerText, Object.fromEntries(words) as Record<string, string>);
   }
@@ -438,6 +438,10 @@ class Exercise {
     });
   }
 }
+
+/** 41208 as 41 208: the same in every language. */
+const grouped = (value: number): string =>
+  value >= 10_000 ? String(value).replace(/\B(?=(\d{3})+$)/g, '\u202f') : String(value);
 
 const NO_VERDICT = { right: false, mistakes: [], share: 0 } as const;
 

@@ -205,7 +205,7 @@ function straysOf(part: Judged, form: Form): number {
 const isUndefined = (found: Vec3): boolean => found.some(Number.isNaN);
 
 /** Share of points at which a function that gets a name has to be defined. */
-const DEFINED = 0.7;
+const DEFINED = 0.5;
 
 const SAMPLE = 8;
 

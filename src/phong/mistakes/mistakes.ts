@@ -1,6 +1,7 @@
 // The usual mistakes in Phong's equation, one entry each: the steps that are written wrongly, in
 // the forms in which people make them, and the sentence that says what is wrong. A sentence fits
 // all forms of its mistake: up or down, one factor or all.
+import type { Term } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import {
   add,
@@ -64,6 +65,15 @@ const byCosine = (
       dot(toLight, negate(axis)) >= Math.cos(radians(aperture))
     );
   },
+});
+
+/** What cone and decay leave of each term. */
+const shared = (of: (term: Term, so: Readonly<Values>) => number): Pick<Steps, 'shares'> => ({
+  shares: (so) => ({
+    ambient: of('ambient', so),
+    diffuse: of('diffuse', so),
+    specular: of('specular', so),
+  }),
 });
 
 /** Cosines may be kept below 1: of long vectors some are not. */
@@ -157,6 +167,12 @@ export const MISTAKES = {
           c: ({ toLight, A }: Readonly<Values>) => dot(normalize(toLight), negate(A)),
           ...cap,
         },
+        // Directions only.
+        {
+          L: (so: Readonly<Values>, given: Given) =>
+            isPositional(given) ? RIGHT.L(so, given) : so.toLight,
+          ...cap,
+        },
       ]),
       { lambert: ({ N, toLight }) => Math.max(dot(N, toLight), 0) },
       {
@@ -236,7 +252,10 @@ export const MISTAKES = {
   },
   'specular-times-cosine': {
     sentence: 'The highlight is multiplied by N·L: only the diffuse term is.',
-    forms: [{ spec: ({ NoL, lobe }) => (NoL > 0 ? lobe * NoL : 0) }],
+    forms: [
+      { spec: ({ NoL, lobe }) => (NoL > 0 ? lobe * NoL : 0) },
+      { spec: ({ NoL, lobe }) => lobe * NoL },
+    ],
   },
   'ambient-attenuated': {
     sentence:
@@ -298,7 +317,19 @@ export const MISTAKES = {
   },
   'no-cone': {
     sentence: 'The cone is missing: outside of it the light adds nothing.',
-    forms: [{ isInside: () => true }],
+    forms: [
+      { isInside: () => true },
+      // The ambient term alone is a mistake of its own.
+      ...[
+        ['diffuse'],
+        ['specular'],
+        ['ambient', 'diffuse'],
+        ['ambient', 'specular'],
+        ['diffuse', 'specular'],
+      ].map((without) =>
+        shared((term, { isInside, decay }) => (isInside || without.includes(term) ? decay : 0)),
+      ),
+    ],
   },
   'aperture-in-radians': {
     sentence: 'The aperture is used as radians: it is in degrees.',
@@ -318,24 +349,9 @@ export const MISTAKES = {
   'ambient-outside-cone': {
     sentence: 'The ambient term is added outside the cone: there the light adds nothing at all.',
     forms: [
-      {
-        shares: ({ isInside, decay }) => {
-          const share = isInside ? decay : 0;
-          return { ambient: decay, diffuse: share, specular: share };
-        },
-      },
-      {
-        shares: ({ isInside, decay }) => {
-          const share = isInside ? decay : 0;
-          return { ambient: 1, diffuse: share, specular: share };
-        },
-      },
-      {
-        shares: ({ isInside, decay }) => {
-          const share = isInside ? decay : 0;
-          return { ambient: isInside ? decay : 1, diffuse: share, specular: share };
-        },
-      },
+      shared((term, { isInside, decay }) => (isInside || term === 'ambient' ? decay : 0)),
+      shared((term, { isInside, decay }) => (term === 'ambient' ? 1 : isInside ? decay : 0)),
+      shared((term, { isInside, decay }) => (isInside ? decay : term === 'ambient' ? 1 : 0)),
     ],
   },
   'cutoff-not-shifted': {
@@ -346,18 +362,18 @@ export const MISTAKES = {
     sentence: 'The decay away from the axis is missing, or not applied to every term.',
     forms: [
       { decay: () => 1 },
-      {
-        shares: ({ isInside, decay }) => {
-          const share = isInside ? decay : 0;
-          return { ambient: isInside ? 1 : 0, diffuse: share, specular: share };
-        },
-      },
-      {
-        shares: ({ isInside, decay }) => {
-          const share = isInside ? decay : 0;
-          return { ambient: share, diffuse: share, specular: isInside ? 1 : 0 };
-        },
-      },
+      ...[
+        ['ambient'],
+        ['diffuse'],
+        ['specular'],
+        ['ambient', 'diffuse'],
+        ['ambient', 'specular'],
+        ['diffuse', 'specular'],
+      ].map((without) =>
+        shared((term, { isInside, decay }) =>
+          isInside ? (without.includes(term) ? 1 : decay) : 0,
+        ),
+      ),
     ],
   },
   'colours-added': {

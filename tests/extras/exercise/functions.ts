@@ -163,6 +163,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'light-not-unit': {
     all: changed(['toLight / d', 'toLight']),
     'diffuse only': changed([DIFFUSE, 'max(dot(N, toLight), 0.0)']),
+    'the sun only': changed(['toLight / d', 'light.position.w == 0.0 ? toLight : toLight / d']),
     'in short': inShort('L = normalize(D)', 'L = D').replace(
       'dot(L, normalize(light.axis))',
       'dot(normalize(L), normalize(light.axis))',
@@ -246,6 +247,13 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'no-cone': {
     missing: changed([`light.aperture < 180.0 && ${CONE}`, 'false']),
+    'for the highlight': changed(
+      ['return vec3(0.0);', 'cone = 0.0;'],
+      [GATE, 'GATE'],
+      ['float att = 1.0;', 'float att = 1.0; float cone = 1.0;'],
+      ['GATE', GATE],
+      [SUM, 'decay * (cone * ambient + att * (cone * diffuse + specular))'],
+    ),
     'in short': inShort(
       'degrees(angle) <= light.aperture ? pow(cos(angle / 2.0), 2.0 * light.cutoff) : 0.0',
       'pow(cos(angle / 2.0), 2.0 * light.cutoff)',
@@ -264,6 +272,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'no-decay': {
     missing: changed([SUM, 'ambient + att * (diffuse + specular)']),
+    'diffuse only': changed([SUM, 'ambient + att * (decay * diffuse + specular)']),
     'not ambient': changed([SUM, 'ambient + decay * att * (diffuse + specular)']),
   },
   'colours-added': {
@@ -278,6 +287,19 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
     divided: changed([SUM, `${SUM} / 255.0`]),
     times: changed([SUM, `255.0 * ${SUM}`]),
     ambient: changed(['m.ka * light.ambient', 'm.ka * light.ambient / 255.0']),
+  },
+  'exponent-on-diffuse + no-ambient': {
+    'without max': changed(
+      [DIFFUSE, 'pow(NoL, m.shininess)'],
+      [SUM, 'decay * att * (diffuse + specular)'],
+    ),
+  },
+  'no-clamp + specular-times-cosine': {
+    'all times N·L': changed(
+      [GATE, '{'],
+      [`m.kd * light.diffuse * ${DIFFUSE}`, 'm.kd * light.diffuse'],
+      [SUM, 'decay * (ambient + att * NoL * (diffuse + specular))'],
+    ),
   },
   'no-clamp + no-gate': { both: changed([DIFFUSE, 'NoL'], [GATE, '{']) },
   'no-ambient + no-attenuation': { both: changed([SUM, 'decay * (diffuse + specular)']) },

@@ -1,0 +1,186 @@
+// Is <phong-exercise> a part of a page like others: form, keyboard, screen reader, phone, paper,
+// languages, strict policy, and what happens to a context that is lost?
+
+import type { Locator, Page } from '@playwright/test';
+import { axeOn } from '../../support/axe.js';
+import { readyTexts } from '../../support/texts.js';
+import { expect, strictPolicy, test } from '../../support/test.js';
+import { RIGHT, WRONG_ONES } from './functions.js';
+
+const css = 'phong-viewer { display: block; width: 150px; height: 100px }';
+const lamp = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus">
+  <phong-light position="1 1 1" ambient="40" attenuation="1 0 0.5"></phong-light></phong-viewer>`;
+const exercise = (attributes: string, source: string): string =>
+  `<phong-exercise for="v" ${attributes}><script type="text/plain">\n${source}\n</script></phong-exercise>`;
+const NO_CLAMP = WRONG_ONES['no-clamp']!['plain dot']!;
+
+const textArea = (page: Page): Locator =>
+  page.locator('phong-exercise').first().getByRole('textbox');
+const verdict = (page: Page): Locator => page.locator('[part=verdict]').first();
+
+async function runFirst(page: Page, name = 'Run'): Promise<void> {
+  await page.getByRole('button', { name, exact: true }).first().click();
+  await expect(verdict(page).locator('strong')).toBeVisible({ timeout: 30_000 });
+}
+
+test('nothing runs before run is pressed, and the text to begin with comes back', async ({
+  mount,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    let made = 0;
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      ...rest: unknown[]
+    ) {
+      made += rest[0] === 'webgl2' ? 1 : 0;
+      document.documentElement.dataset['contexts'] = String(made);
+      return (getContext as (...all: unknown[]) => never).apply(this, rest);
+    } as typeof getContext;
+  });
+  await mount(lamp + exercise('', `  ${NO_CLAMP.replaceAll('\n', '\n  ')}`), { css });
+  // Without the indentation of the markup.
+  await expect(textArea(page)).toHaveValue(NO_CLAMP);
+  const before = await page.evaluate(() => document.documentElement.dataset['contexts']);
+  await textArea(page).fill(RIGHT);
+  await page.waitForTimeout(300);
+  expect(await page.evaluate(() => document.documentElement.dataset['contexts'])).toBe(before);
+  await runFirst(page);
+  await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
+  await page.getByRole('button', { name: 'Start again' }).click();
+  await expect(textArea(page)).toHaveValue(NO_CLAMP);
+});
+
+test('says what is right in this picture only, and shows it under another light', async ({
+  mount,
+  page,
+}) => {
+  const source = WRONG_ONES['attenuation-not-clamped']!['no max']!;
+  await mount(lamp + exercise('', source), { css });
+  await runFirst(page);
+  await expect(verdict(page)).toContainText('Right in this picture, but not under other lights.');
+  await expect(verdict(page)).toContainText('The attenuation may be above 1');
+  await page.getByRole('button', { name: 'Bring the lamp close' }).click();
+  await expect(verdict(page)).toContainText('Not right yet', { timeout: 30_000 });
+  await expect(verdict(page)).toContainText(/Pixel \d+, \d+: yours/);
+});
+
+test('hints say as much as they are asked to, and a solution comes after a right answer', async ({
+  mount,
+  page,
+}) => {
+  const source = WRONG_ONES['no-ambient']!['missing']!;
+  await mount(lamp + exercise('hint="where" solution', source), { css });
+  await runFirst(page);
+  await expect(verdict(page)).toContainText('It differs in: Ambient term.');
+  await expect(verdict(page)).not.toContainText('missing');
+  const one = page.locator('phong-exercise');
+  await one.evaluate((element) => element.setAttribute('hint', 'verdict'));
+  await expect(verdict(page)).toHaveText(/^\s*Not right yet\.\s*$/);
+  await expect(one.getByRole('img', { name: 'The difference' })).toHaveCount(0);
+  await one.evaluate((element) => element.setAttribute('hint', 'none'));
+  await expect(verdict(page)).toBeEmpty();
+  await expect(one.getByText('The exact function')).toHaveCount(0);
+  await one.evaluate((element) => element.setAttribute('hint', 'what'));
+  await textArea(page).fill(RIGHT);
+  await runFirst(page);
+  await expect(one.getByText('The exact function')).toBeVisible();
+  // The exact function is right itself.
+  const exact = await one.locator('details[open] pre').innerText();
+  await textArea(page).fill(exact);
+  await runFirst(page);
+  await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
+});
+
+test('is a control of a form: value, required, reset, disabled', async ({ mount, page }) => {
+  await mount(
+    `${lamp}<form id="f"><fieldset>${exercise('name="phong" required', NO_CLAMP)}</fieldset></form>`,
+    { css },
+  );
+  await expect(textArea(page)).toBeVisible();
+  const form = page.locator('form');
+  const valid = (): Promise<boolean> => form.evaluate((f: HTMLFormElement) => f.checkValidity());
+  const sent = (): Promise<unknown> =>
+    form.evaluate((f: HTMLFormElement) => new FormData(f).get('phong'));
+  expect(await valid()).toBe(false);
+  await textArea(page).fill(RIGHT);
+  expect(await valid()).toBe(true);
+  expect(await sent()).toBe(RIGHT);
+  await form.evaluate((f: HTMLFormElement) => f.reset());
+  await expect(textArea(page)).toHaveValue(NO_CLAMP);
+  expect(await valid()).toBe(false);
+  await page.locator('fieldset').evaluate((f: HTMLFieldSetElement) => (f.disabled = true));
+  await expect(textArea(page)).toBeDisabled();
+});
+
+test('several on a page, by keyboard, under a strict policy, in Portuguese, on a phone', async ({
+  mount,
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 800 });
+  const texts = JSON.stringify(readyTexts('pt'));
+  await mount(
+    `<main><h1>Luz</h1><script type="application/json" data-phong-viewer-texts>${texts}</script>
+    ${lamp}${exercise('', NO_CLAMP)}${exercise('terms="diffuse" kinds="point"', NO_CLAMP)}</main>`,
+    { css, csp: strictPolicy, nameless: true },
+  );
+  const boxes = page.getByRole('textbox', { name: 'Sua função' });
+  await expect(boxes).toHaveCount(2);
+  await boxes.first().focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.press('Control+Enter');
+  await expect(verdict(page)).toContainText('N·L não é limitado a 0', { timeout: 30_000 });
+  // The tab key leaves the text.
+  await page.keyboard.press('Tab');
+  await expect(page.getByRole('button', { name: 'Executar' }).first()).toBeFocused();
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(width).toBeLessThanOrEqual(390);
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await page.emulateMedia({ colorScheme });
+    expect((await axeOn(page).analyze()).violations).toEqual([]);
+  }
+});
+
+test('on paper the function is all there', async ({ mount, page }) => {
+  await mount(lamp + exercise('', NO_CLAMP), { css });
+  await expect(textArea(page)).toBeVisible();
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.locator('.printed')).toBeVisible();
+  await expect(page.locator('.printed')).toHaveText(NO_CLAMP);
+  await expect(page.getByRole('button', { name: 'Run' })).toBeHidden();
+});
+
+test('a lost context and a missing viewer are said, and the next run is a new one', async ({
+  mount,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      ...rest: unknown[]
+    ) {
+      const context = (getContext as (...all: unknown[]) => WebGL2RenderingContext).apply(
+        this,
+        rest,
+      );
+      const root = document.documentElement;
+      if (root.dataset['lose'] === 'yes' && rest[0] === 'webgl2') {
+        root.dataset['lose'] = 'no';
+        context.getExtension('WEBGL_lose_context')!.loseContext();
+      }
+      return context as never;
+    } as typeof getContext;
+  });
+  await mount(lamp + exercise('', RIGHT), { css });
+  await expect(textArea(page)).toBeVisible();
+  await page.evaluate(() => (document.documentElement.dataset['lose'] = 'yes'));
+  await page.getByRole('button', { name: 'Run' }).click();
+  await expect(verdict(page)).toContainText('The graphics driver has stopped.');
+  await runFirst(page);
+  await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
+  await page.locator('phong-exercise').evaluate((element) => element.setAttribute('for', 'w'));
+  await page.getByRole('button', { name: 'Run' }).click();
+  await expect(verdict(page)).toContainText('There is no <phong-viewer> with the id "w".');
+});
