@@ -19,7 +19,12 @@ for (const [what, attributes, layouts] of [
   ['all helpers', 'helpers="lights axes grid normals bounds"', 'once a frame'],
   ['the panel', 'gui', 'once a frame'],
   ['a legend', 'view="normals"', 'never'],
-  ['all of these', 'helpers="lights axes grid normals bounds" gui view="n-dot-l"', 'once a frame'],
+  ['a probe', 'probe', 'never'],
+  [
+    'all of these',
+    'helpers="lights axes grid normals bounds" gui probe view="n-dot-l"',
+    'once a frame',
+  ],
 ] as const) {
   test(`a drag with ${what} lays the page out ${layouts}`, async ({ browser, page, mount }) => {
     const viewer = await mount(

@@ -33,6 +33,7 @@ export class RayTests<Key, Answer> {
   #timer = 0;
   /** Rays of a series are still to be tested. */
   #slicing = false;
+  #changedAt = -Infinity;
   /** When the next series may begin although changes go on, and at the latest. */
   #due = 0;
   /** Milliseconds that the last series took. */
@@ -52,13 +53,17 @@ export class RayTests<Key, Answer> {
   /** `tests` is called when the rays begin, for the last change alone. */
   follow(tests: () => ReadonlyMap<Key, RayTest<Answer>>): void {
     const now = performance.now();
+    const interval = now - this.#changedAt;
+    this.#changedAt = now;
+    // Between two slow frames of a drag is no rest.
+    const rest = interval < 2 * PAUSE ? Math.max(PAUSE, 3 * interval) : PAUSE;
     if (this.#waiting === null) {
       this.#due = now + Math.max(PAUSE, PARTS * this.#took);
     }
     this.#waiting = tests;
     if (this.#slicing) return;
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(this.#start, Math.min(PAUSE, this.#due - now));
+    this.#timer = window.setTimeout(this.#start, Math.min(rest, this.#due - now));
   }
 
   stop(): void {

@@ -51,6 +51,8 @@ export class ProbeView {
   readonly #room: Room;
   readonly #box: ProbeBox;
   #releasable = false;
+  /** The texts that it shows. */
+  #written: ViewerTexts | null = null;
   /** Runs after an announcement. */
   #pause: number | undefined;
   #unsaid = false;
@@ -108,6 +110,9 @@ export class ProbeView {
 
   /** `releasable`: the user has pinned the point. */
   show(shown: ProbedPoint | null, releasable: boolean): void {
+    // As during each frame of a drag: there is nothing to lay out.
+    const stays = (shown ?? this.shown) === null && releasable === this.#releasable;
+    if (stays && this.#texts === this.#written) return;
     this.shown = shown;
     this.#releasable = releasable;
     const focused = this.hasFocus && this.#focus !== this.cursor;
@@ -165,7 +170,7 @@ export class ProbeView {
 
   #show(): void {
     const { at, fragment, message } = this.shown ?? { at: null, fragment: null, message: null };
-    const texts = this.#texts;
+    const texts = (this.#written = this.#texts);
     const { x, y } = at ?? this.middle;
     const covered = this.#box.show({
       content: fragment === null ? message : this.#contentOf(fragment),

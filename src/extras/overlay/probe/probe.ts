@@ -216,13 +216,15 @@ class Probe implements Extra {
     void this.#explained().then((shown) => {
       if (this.#listening.signal.aborted) return;
       const before = this.#view.shown;
+      // Before anything is written: reading it lays the page out.
+      const zoom = shown === before ? 1 : this.#zoom;
       this.#view.show(shown, this.#host.pin !== null);
       if (this.#acted) {
         this.#view.announce();
       }
       this.#acted = false;
       if (shown !== before) {
-        this.#notify(shown);
+        this.#notify(shown, zoom);
       }
       // Not at once: a listener may have changed the viewer, which would never end. By the frames
       // of the window that shows the viewer: the opener of a popup may be hidden.
@@ -238,7 +240,7 @@ class Probe implements Extra {
   /** The place that was pressed, else {@link #chosen}. */
   async #explained(): Promise<ProbedPoint | null> {
     // Before the first picture there is nothing to explain.
-    if (this.#host.viewer.stats.frames === 0) return null;
+    if (this.#host.viewport.frames === 0) return null;
     const toPin = this.#toPin;
     if (toPin !== null) {
       const shown = await this.#at(toPin);
@@ -306,9 +308,9 @@ class Probe implements Extra {
     return shown;
   }
 
-  #notify(shown: ProbedPoint | null): void {
+  #notify(shown: ProbedPoint | null, zoom: number): void {
     const { fragment = null, at = null } = shown ?? {};
-    const [x, y] = at === null ? [null, null] : [at.x * this.#zoom, at.y * this.#zoom];
+    const [x, y] = at === null ? [null, null] : [at.x * zoom, at.y * zoom];
     const detail: ProbeDetail = { fragment, x, y, pinned: shown?.pinned === true };
     this.#host.viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
   }

@@ -14,7 +14,7 @@ export function create(host: ExtraHost): Extra {
   const update = (): void => {
     const { probeAt } = values;
     again = isBusy;
-    if (isBusy || probeAt === null || viewer.stats.frames === 0) return;
+    if (isBusy || probeAt === null || host.viewport.frames === 0) return;
     isBusy = true;
     const explained = viewer.explain(probeAt).catch((error: unknown) => {
       if (!isReported) {
