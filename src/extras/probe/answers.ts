@@ -281,14 +281,15 @@ function diagnosis(
 ): Wrong | null {
   const isApart = (a: number, b: number): boolean =>
     Math.abs(a - b) > Math.max(unit, 2 * SLACK * Math.abs(a));
-  const told = wrongs.filter(({ value }) => isApart(value, 0) && isApart(value, expected));
-  for (const among of [told.filter(({ mistake }) => isLeftOut(mistake)), told]) {
-    const [first] = among.filter(({ value }) => isNear(value));
+  // A left out factor is likelier than the rest. What could be meant too leaves the answer untold.
+  for (const among of [wrongs.filter(({ mistake }) => isLeftOut(mistake)), wrongs]) {
+    const first = among.find(({ value }) => isNear(value));
     if (first === undefined) continue;
-    const isAlone = among.every(
-      ({ text, value }) => text === first.text || isApart(first.value, value),
-    );
-    return isAlone ? first : null;
+    const isTold =
+      isApart(first.value, 0) &&
+      isApart(first.value, expected) &&
+      among.every(({ text, value }) => text === first.text || isApart(first.value, value));
+    return isTold ? first : null;
   }
   return null;
 }

@@ -129,13 +129,15 @@ function factorsOf({ fragment, share, light, term, linear, halfway, texts }: Ter
     const angle = degreesOf(c);
     const axis = phrase(texts, 'axis');
     const aperture = phrase(texts, 'aperture °').replace(/\s*°$/, '');
-    const cutoff = phrase(texts, 'cutoff');
     factors.push({
       symbol: 'decay',
       value: grey(insideCone ? decay : 0),
       fact: {
-        text: (digits) =>
-          `${axis} ∠L ${plain(angle, digits)}°, ${aperture} ${exact(light.aperture)}°, ${cutoff} ${exact(light.cutoff)}`,
+        text: (digits) => {
+          const degrees = `${plain(angle, digits)}°`;
+          const cone = light.aperture < 180 ? `, ${aperture} ${exact(light.aperture)}°` : '';
+          return `${axis} ∠L ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
+        },
         value: (digits) => {
           const x = rounded(angle, digits);
           if (light.aperture < 180 && x > light.aperture) return 0;
@@ -256,15 +258,16 @@ function fitted(
   while (digits < MOST && !isTrue(digits)) {
     digits += 1;
   }
-  return { digits, result: joined(results), sign: isTrue(digits) ? '=' : '≈' };
+  // What is there, however little, is not 0.
+  const isNothing = value.some((x, i) => x !== 0 && Number(results[i] ?? results[0]) === 0);
+  return { digits, result: joined(results), sign: isTrue(digits) && !isNothing ? '=' : '≈' };
 }
 
 function product(at: TermAt): Equation {
   const { share, term, texts } = at;
   const factors = factorsOf(at);
-  const value = map([0, 1, 2], (channel) =>
-    factors.reduce((all, factor) => all * valueOf(factor, channel), 1),
-  );
+  // What is drawn, not the product: with a factor too few the line would say ≈.
+  const value = share[term];
   const { digits, result, sign } = fitted(value, (n, channel) =>
     factors.reduce((all, factor) => all * shownValue(factor, n, channel), 1),
   );

@@ -33,7 +33,12 @@ function rowOf(tokens: readonly string[]): TemplateResult {
     if (token === ')') {
       base = open.pop() ?? base;
     }
-    parts.push(atomOf(token));
+    // The first of a piece would lose the space before it.
+    parts.push(
+      /^[·+=≈]$/.test(token)
+        ? mathml`<mo form="infix" rspace="0.25em">${token}</mo>`
+        : atomOf(token),
+    );
   }
   return mathml`<mrow>${parts}</mrow>`;
 }

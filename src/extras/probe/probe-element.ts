@@ -36,12 +36,16 @@ import { judge, type Question, questionOf, sumQuestion, type Verdict } from './a
 import { CopyButtons } from './copy-buttons.js';
 import { CHANNELS, type Equation, equationsOf, givenOf, isGrey, titleOf } from './equations.js';
 import { FollowedPoint } from './followed-point.js';
+import { defineFormMembers } from './form-members.js';
 import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
 import { askedOf, isAsked, PROBE_FIELDS } from './probe-fields.js';
 
 /** Milliseconds in which a missing viewer may come with a later script. */
 const PATIENCE = 2000;
+
+/** From so many em on a table has room for decimals, so that its rows add up. */
+const WIDE = 48;
 
 const SEPARATOR = '; ';
 
@@ -56,34 +60,7 @@ const own = (element: PhongProbe): Probe => {
   return probe;
 };
 
-const internalsOf = (element: PhongProbe): ElementInternals => own(element).internals;
-
-const formKeys = ['form', 'validity', 'validationMessage', 'willValidate'] as const;
-for (const key of formKeys) {
-  Object.defineProperty(PhongProbe.prototype, key, {
-    configurable: true,
-    get(this: PhongProbe) {
-      return internalsOf(this)[key];
-    },
-  });
-}
-for (const key of ['checkValidity', 'reportValidity'] as const) {
-  Object.defineProperty(PhongProbe.prototype, key, {
-    configurable: true,
-    value(this: PhongProbe) {
-      return internalsOf(this)[key]();
-    },
-  });
-}
-Object.defineProperty(PhongProbe.prototype, 'value', {
-  configurable: true,
-  get(this: PhongProbe) {
-    return own(this).value;
-  },
-  set(this: PhongProbe, value: unknown) {
-    own(this).value = String(value);
-  },
-});
+defineFormMembers(PhongProbe.prototype, own);
 
 /** The probe has come to the page, or is disabled. It sees by itself when it leaves. */
 export const follow = (element: PhongProbe): void => own(element).start();
@@ -117,6 +94,15 @@ class Probe {
   #point: FollowedPoint | null = null;
   #texts: ViewerTexts | null = null;
   #patience = 0;
+  #isWide = false;
+  readonly #width = new ResizeObserver(() => {
+    const { fontSize } = getComputedStyle(this.#place);
+    const isWide = this.#place.clientWidth > WIDE * Number.parseFloat(fontSize);
+    if (isWide !== this.#isWide) {
+      this.#isWide = isWide;
+      this.#render();
+    }
+  });
   readonly #copy = new CopyButtons();
 
   constructor(element: PhongProbe) {
@@ -126,6 +112,13 @@ class Probe {
     this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
     this.#root.append(this.#place);
     this.internals.role = 'group';
+    this.#width.observe(this.#place);
+    // To the page's shortcuts the target is no field.
+    this.#place.addEventListener('keydown', (event) => {
+      if (event.target instanceof HTMLInputElement) {
+        event.stopPropagation();
+      }
+    });
     this.#attributes.observe(element, { attributes: true }); // also while it is not on the page
     for (const name of element.getAttributeNames()) {
       this.#binding.attributeChanged(name, element.getAttribute(name));
@@ -256,7 +249,7 @@ class Probe {
     if (this.#as === 'table' || fragment.unlit || gouraud) {
       const sum = probeSum(fragment, linear);
       const row = rowOf(sum, this.#table.chosen);
-      const content = { fragment, sum, row, halfway, gouraud };
+      const content = { fragment, sum, row, halfway, gouraud, digits: this.#isWide ? 1 : 0 };
       return html`<p class="head">${colorTemplate(content, texts)}</p>
         <p class="note" dir="auto">${noteOf(content, texts)}</p>
         ${this.#table.template(content, texts, Infinity)} ${stepsTemplate(content, texts)}`;

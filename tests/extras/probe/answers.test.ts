@@ -2,13 +2,19 @@
 
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { type Equation, equationsOf, givenOf } from '../../../src/extras/probe/equations.js';
+import {
+  type Equation,
+  equationsOf,
+  givenOf,
+  valueOf,
+} from '../../../src/extras/probe/equations.js';
 import { judge, questionOf, typedNumber } from '../../../src/extras/probe/answers.js';
+import { isLeftOut } from '../../../src/phong/mistakes/slips.js';
 import { TERMS } from '../../../src/phong/light/light-state.js';
 import { srgbEncode } from '../../../src/phong/math/color.js';
 import type { LightValues, Surface } from '../../../src/phong/reference/index.js';
 import { repeats } from '../../support/repeats.js';
-import { light } from '../../unit/arbitraries.js';
+import { light, plainLight } from '../../unit/arbitraries.js';
 import { explained } from '../../unit/explained.js';
 
 interface Given {
@@ -112,6 +118,51 @@ it('can be answered from what it shows, and takes that answer (seed 54)', () => 
     }),
     { seed: 54, numRuns: repeats(2400) },
   );
+});
+
+it('has every light value that the picture has (seed 55)', () => {
+  fc.assert(
+    fc.property(plainLight, fc.boolean(), (one, halfway) => {
+      for (const { at, factors, numbers } of asked({
+        lights: [{ ...one, space: 'world' }],
+        halfway,
+      }).slice(0, -1)) {
+        for (const channel of [0, 1, 2]) {
+          const product = factors.reduce((all, factor) => all * valueOf(factor, channel), 1);
+          const drawn = at!.share[at!.term][channel]!;
+          expect(Math.abs(product - drawn), numbers).toBeLessThanOrEqual(1e-9 + 1e-9 * drawn);
+        }
+      }
+    }),
+    { seed: 55, numRuns: repeats(2400) },
+  );
+});
+
+it('names the mistake that was made, or none, in over 200 answers (seed 56)', () => {
+  let [answers, named] = [0, 0];
+  fc.assert(
+    fc.property(GIVEN, fc.integer({ min: 0, max: 2 }), (given, channel) => {
+      for (const equation of asked(given)) {
+        if (equation.term === 'sum') continue;
+        const question = questionOf(equation, channel);
+        for (const { mistake, value, text } of question.wrongs) {
+          const verdict = judge(value.toFixed(4), question, null);
+          // That can be told from 0 and from the right one.
+          const { expected } = question;
+          if (Math.abs(value) > 0.02 && Math.abs(value - expected) > 0.02 * Math.abs(value)) {
+            answers += 1;
+            named += Number(verdict.mistake === mistake);
+          }
+          const isSame =
+            verdict.correct || [mistake, 'digits', 'above-full', null].includes(verdict.mistake);
+          expect(isSame || isLeftOut(verdict.mistake!), `${verdict.text} for ${text}`).toBe(true);
+        }
+      }
+    }),
+    { seed: 56, numRuns: repeats(2400) },
+  );
+  expect(answers).toBeGreaterThan(200);
+  expect(named / answers, `${named} of ${answers}`).toBeGreaterThan(0.6);
 });
 
 it('explains no 0, and takes digits of any script, commas, percent and fractions', () => {

@@ -91,6 +91,9 @@ test('judges by keyboard, marks right and wrong by more than words, and keeps th
     );
     return list;
   });
+  await page.evaluate(() =>
+    document.addEventListener('keydown', ({ key }) => (document.body.title += key)),
+  );
   const mark = (): Promise<string> =>
     verdict.evaluate((output) => getComputedStyle(output, '::before').content[1]!);
   await field.fill('0.314');
@@ -112,6 +115,7 @@ test('judges by keyboard, marks right and wrong by more than words, and keeps th
     { ...same, text: '0.314', value: 0.314, correct: false, mistake: 'without-att' },
     { ...same, text: '0,0784', value: 0.0784, correct: true, mistake: null },
   ]);
+  expect(await page.evaluate(() => document.body.title), 'shortcuts of the page').toBe('');
   const show = page.getByRole('button', { name: 'Show' });
   await show.click();
   await expect(show).toBeFocused();

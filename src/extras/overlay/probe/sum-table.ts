@@ -62,7 +62,11 @@ export class SumTable {
   }
 
   /** Lights that have no row of their own stand in one together: `most` have one. */
-  template({ sum, row: shown, gouraud }: SumContent, texts: ViewerTexts | null, most: number) {
+  template(
+    { sum, row: shown, gouraud, digits = 0 }: SumContent,
+    texts: ViewerTexts | null,
+    most: number,
+  ) {
     const columns = COLUMNS.filter(
       (column) => !gouraud || (column !== 'att' && column !== 'decay'),
     );
@@ -79,7 +83,7 @@ export class SumTable {
             dir="ltr"
             class=${column === '…' ? termsOf(row) : nothing}
             data-column=${column}
-            .textContent=${cellText(row, column, texts)}
+            .textContent=${cellText(row, column, texts, digits)}
           ></td>`,
       );
     return html`<table
@@ -132,7 +136,7 @@ export class SumTable {
             html`<tr role="row">
               <th role="rowheader" scope="row">${phrase(texts, label)}</th>
               <td role="cell" dir="ltr" colspan=${columns.length}>
-                ${tripleText(color, 0, texts)}
+                ${tripleText(color, digits, texts)}
               </td>
             </tr>`,
         )}
@@ -221,10 +225,15 @@ const addedRow = ([first, ...rest]: readonly SumRow[]): SumRow =>
 /**
  * What is in a cell: numbers, which keep their order in languages that are written from the right.
  */
-export function cellText(row: SumRow, column: Column, texts: ViewerTexts | null): string {
+export function cellText(
+  row: SumRow,
+  column: Column,
+  texts: ViewerTexts | null,
+  digits = 0,
+): string {
   if (column === '…') return ''; // the style sheet writes it where one of the terms has no column
-  if (column === 'sum') return termText(row.total, 0, texts);
-  if (column !== 'att' && column !== 'decay') return termText(row[column], 0, texts);
+  if (column === 'sum') return termText(row.total, digits, texts);
+  if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
   // 1 for most lights.
   return Number.isNaN(row[column])
     ? ''
@@ -247,6 +256,8 @@ export interface SumContent {
   readonly row: SumRow | null;
   readonly halfway: boolean;
   readonly gouraud: boolean;
+  /** Decimals of the colours in the table. Default 0. */
+  readonly digits?: number;
 }
 
 /** The steps from the vectors of the row's light to its terms. */
