@@ -69,6 +69,7 @@ export async function castSceneOf(
   const seen: Seen = {
     view: { frame: { ...camera, origin: ZERO }, slopeX: (slopeY * width) / height, slopeY, radius },
     pixels: height / (2 * slopeY),
+    built: new Map(),
   };
   const objects: CastObject[] = [];
   let triangles = 0;
@@ -128,7 +129,7 @@ async function partsOf(
 async function objectOf(
   { state, part, shape: name, object }: PlacedPart,
   viewer: Readonly<ViewerValues>,
-  { view: frustum, pixels }: Seen,
+  { view: frustum, pixels, built }: Seen,
 ): Promise<CastObject> {
   const { look, surface, sides, ...own } = appearanceOf(state, part);
   const shading = own.shading ?? viewer.shading;
@@ -144,7 +145,10 @@ async function objectOf(
     if (fine !== null && isTrue(name) && !isFlattened(columnsOf(matrix))) {
       shape = { kind: name };
     } else if (fine !== null || segments !== 'auto') {
-      geometry = await createGeometry(name, fine ?? Number(segments), fine !== null);
+      const count = fine ?? Number(segments);
+      const key = `${name} ${String(count)} ${String(fine !== null)}`;
+      geometry = built.get(key) ?? (await createGeometry(name, count, fine !== null));
+      built.set(key, geometry);
     }
   }
   const mesh = meshShape(geometry, look);
@@ -171,10 +175,11 @@ async function objectOf(
   return { shape: shape ?? mesh.shape, matrix, material };
 }
 
-/** The camera, and the pixels of a unit of length at depth 1. */
+/** The camera, the pixels of a unit of length at depth 1, and the shapes that meshes share. */
 interface Seen {
   readonly view: Frustum;
   readonly pixels: number;
+  readonly built: Map<string, ContentPart['geometry']>;
 }
 
 const ZERO: Vec3 = [0, 0, 0];
