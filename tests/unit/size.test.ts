@@ -42,7 +42,7 @@ it.each([
   ['src/extras/probe', 10_200],
   ['src/extras/panel', 19_990],
   ['src/extras/still', 20_680],
-  ['src/extras/png', 1_380],
+  ['src/extras/png', 2_240],
   ['src/extras/lazy', 840],
   ['src/extras/explain', 9_790],
   ['src/extras/samples', 4_890],

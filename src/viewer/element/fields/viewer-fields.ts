@@ -73,7 +73,9 @@ export interface ViewerProperties extends ShapeProperties {
    */
   get loading(): Loading;
   set loading(value: Accepted['loading']);
-  /** Files dropped on the viewer become its `src`. Default false. */
+  /**
+   * Files dropped on the viewer become its `src`; a PNG that holds a scene opens it. Default false.
+   */
   get droppable(): boolean;
   set droppable(value: Accepted['droppable']);
   /**
