@@ -28,7 +28,7 @@ import {
 } from './material-values.js';
 import type { Term } from '../light/light-state.js';
 import { normalMatrix } from './normal-matrix.js';
-import { variantParameters } from './program/program-cache.js';
+import { compiles, variantParameters } from './program/program-cache.js';
 import { MaterialPrograms } from './program/material-programs.js';
 import type { Variant } from './program/variant.js';
 
@@ -64,6 +64,8 @@ export class PhongMaterial extends RawShaderMaterial {
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
   readonly #programs: MaterialPrograms;
+  /** The keys of variants that were there before a draw. */
+  readonly #there = new Set<string>();
   #linear = false;
   #variant: Variant | null = null;
   // Of the last draw.
@@ -153,7 +155,12 @@ export class PhongMaterial extends RawShaderMaterial {
    * Whether the program of its next draw is being compiled in the background; drawing waits for it.
    */
   compiles(renderer: BeforeRender[0], camera: BeforeRender[2]): boolean {
-    return this.#programs.compiles({ renderer, camera });
+    const variant = this.#programs.general;
+    if (this.#there.has(variant.key)) return false;
+    this.#use(variant);
+    if (compiles(this, renderer, camera)) return true;
+    this.#there.add(variant.key);
+    return false;
   }
 
   /** three.js calls this before each draw: chooses sides, program and lights for this mesh. */

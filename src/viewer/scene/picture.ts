@@ -231,7 +231,6 @@ export class Picture {
     this.#lit = this.#version;
     lighting.mapBias.value = mapBiasOf(frame.samples);
     renderer.render(scene, frame.camera);
-    lighting.programs.drawn();
     this.#drawCalls = renderer.info.render.calls;
   }
 

@@ -27,8 +27,6 @@ export class MaterialPrograms {
   #mildShininess = true;
   /** The general variant and what it was made for; null after a change of style or surface. */
   #general: { variant: Variant; declared: number; capacity: number; linear: boolean } | null = null;
-  /** The keys of those that were there before a drawing. */
-  readonly #known = new Set<string>();
   /** What a specialised program depends on besides its lights. */
   #materialKey = '';
   /** The last key, so that draws build no text. */
@@ -54,17 +52,8 @@ export class MaterialPrograms {
     this.#lighting.restyled();
   }
 
-  /** The program of the next draw is being compiled in the background. */
-  compiles(draw: Omit<Draw, 'mesh'>): boolean {
-    const variant = this.#needed();
-    if (this.#known.has(variant.key)) return false;
-    if (this.#lighting.programs.compiles(variant, draw)) return true;
-    this.#known.add(variant.key);
-    return false;
-  }
-
-  /** Whatever the lights are. */
-  #needed(): Variant {
+  /** The one that draws at once. */
+  get general(): Variant {
     const { view, capacity } = this.#lighting;
     const shown = view?.program ?? null;
     return shown === null ? this.#generalFor(capacity) : shown.variant(this.#generalFor(0));
@@ -75,7 +64,7 @@ export class MaterialPrograms {
     const lighting = this.#lighting;
     lighting.drawWith(draw.renderer);
     const lights = lighting.lightsOf(draw.mesh);
-    const general = this.#needed();
+    const general = this.general;
     const hasOne = this.#look.unlit || (lighting.view?.program ?? null) !== null;
     if (hasOne) return { variant: general, lights };
     const grid = lighting.gridOf(draw.mesh);

@@ -4,6 +4,7 @@
 import {
   type Camera,
   GLSL3,
+  type Material,
   Mesh,
   RawShaderMaterial,
   type WebGLProgram as ThreeProgram,
@@ -75,8 +76,6 @@ export class ProgramCache {
   /** The first draw in this frame that asked for a program. */
   #request: { entry: Entry; draw: Draw; specialise: () => Variant } | null = null;
   #compiling: Entry | null = null;
-  /** General programs that were asked for before their first draw, by the variant's key. */
-  readonly #prepared = new Map<string, Probe>();
 
   /** Before each frame: starts or ends the compilation of one program. */
   begin(): void {
@@ -112,27 +111,7 @@ export class ProgramCache {
     return null;
   }
 
-  /** Whether a program is being compiled in the background: asks for it, so that it will be there. */
-  compiles(variant: Variant, { renderer, camera }: Omit<Draw, 'mesh'>): boolean {
-    let probe = this.#prepared.get(variant.key);
-    if (probe === undefined) {
-      probe = compile(variant, renderer, camera);
-      this.#prepared.set(variant.key, probe);
-    }
-    return programOf(probe)?.isReady() === false;
-  }
-
-  /** After a drawing: the materials hold its programs themselves. */
-  drawn(): void {
-    if (this.#prepared.size === 0) return;
-    for (const probe of this.#prepared.values()) {
-      disposeProbe(probe);
-    }
-    this.#prepared.clear();
-  }
-
   dispose(): void {
-    this.drawn();
     for (const entry of this.#entries.values()) {
       disposeOf(entry);
     }
@@ -158,7 +137,11 @@ export class ProgramCache {
 
   #compile(): void {
     const { entry, draw, specialise } = this.#request!;
-    const probe = compile(specialise(), draw.renderer, draw.camera);
+    const { renderer, camera } = draw;
+    const variant = specialise();
+    const material = new RawShaderMaterial({ ...variantParameters(variant), glslVersion: GLSL3 });
+    const probe: Probe = { material, variant, renderer };
+    compiles(material, renderer, camera);
     const program = programOf(probe);
     if (program !== undefined) {
       compilingPrograms.add(program);
@@ -213,24 +196,18 @@ export const variantParameters = ({ defines, vertexShader, fragmentShader }: Var
   fragmentShader,
 });
 
-/** Starts to compile. */
-function compile(variant: Variant, renderer: WebGLRenderer, camera: Camera): Probe {
-  const material = new RawShaderMaterial({ ...variantParameters(variant), glslVersion: GLSL3 });
+/** Compiles the material's program in the background, where the browser can. False: it is there. */
+export function compiles(material: Material, renderer: WebGLRenderer, camera: Camera): boolean {
   renderer.compile(new Mesh(undefined, material), camera);
-  return { material, variant, renderer };
+  return programOf({ renderer, material })?.isReady() === false;
 }
 
 function disposeOf({ state }: Entry): void {
-  if ('probe' in state) {
-    disposeProbe(state.probe, state.name === 'specialised');
-  }
-}
-
-function disposeProbe(probe: Probe, isDrawn = false): void {
-  const { renderer, material } = probe;
-  const program = programOf(probe)?.program;
+  if (!('probe' in state)) return;
+  const { renderer, material } = state.probe;
+  const program = programOf(state.probe)?.program;
   // three.js deletes shaders with the first draw.
-  if (!isDrawn && program !== undefined) {
+  if (state.name !== 'specialised' && program !== undefined) {
     const gl = renderer.getContext();
     for (const shader of gl.getAttachedShaders(program) ?? []) {
       gl.deleteShader(shader);
@@ -248,7 +225,13 @@ type Program = ThreeProgram & {
   getAttributes(): object;
 };
 
-const programOf = ({ renderer, material }: Probe): Program | undefined =>
+const programOf = ({
+  renderer,
+  material,
+}: {
+  renderer: WebGLRenderer;
+  material: Material;
+}): Program | undefined =>
   (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
 
 const checked = new WeakSet<Program>();
