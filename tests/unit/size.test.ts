@@ -39,7 +39,7 @@ it.each([
   ['src/viewer', 76_260],
   ['src/extras/models', 65_900],
   ['src/extras/overlay', 35_850],
-  ['src/extras/probe', 10_200],
+  ['src/extras/probe', 12_500],
   ['src/extras/panel', 19_990],
   ['src/extras/still', 20_680],
   ['src/extras/png', 2_240],

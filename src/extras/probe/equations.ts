@@ -10,7 +10,7 @@ import {
 import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { cosDegrees } from '../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
-import { add, clamp, map, multiply, scale, type Vec3 } from '../../phong/math/vector.js';
+import { add, clamp, map, multiply, type Vec3 } from '../../phong/math/vector.js';
 import {
   decimals,
   degreesOf,
@@ -403,7 +403,7 @@ export function withCoefficients(
   const total = shares.reduce(
     (all, share) =>
       share === null ? all : add(all, add(share.ambient, add(share.diffuse, share.specular))),
-    scale(ownOf(fragment, linear), 1),
+    ownOf(fragment, linear),
   );
   const sum = linear ? map(total, (x) => srgbEncode(Math.max(x, 0))) : total;
   return { ...fragment, ...next, shares, sum, color: map(sum, (x) => clamp(x, 0, 1)) };
