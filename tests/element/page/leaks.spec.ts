@@ -131,6 +131,13 @@ const lasts: Record<string, Last> = {
       await page.keyboard.press('Control+z');
     },
   ],
+  'a probe with questions': [
+    `${box('id="a"')}<phong-probe for="a" as="ask"></phong-probe>`,
+    async (page) => {
+      await page.locator('phong-probe input').first().fill('1');
+      await page.keyboard.press('Enter');
+    },
+  ],
   'a viewer with a panel': [
     box('gui="camera lights"'),
     async (page) => {
