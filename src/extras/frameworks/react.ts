@@ -200,10 +200,15 @@ function component<P extends object>(tag: string, attributes: readonly string[])
 }
 
 /** The poster as an image, which shows before any script, and so in a server's markup. */
-function posterImage(props: { readonly poster?: unknown }): ReactNode {
-  const { poster: src } = props;
+function posterImage(props: { readonly poster?: unknown; readonly alt?: unknown }): ReactNode {
+  const { poster: src, alt } = props;
   return typeof src === 'string' && src !== ''
-    ? createElement('img', { slot: 'poster', src, alt: '', decoding: 'async' })
+    ? createElement('img', {
+        slot: 'poster',
+        src,
+        alt: typeof alt === 'string' ? alt : '',
+        decoding: 'async',
+      })
     : null;
 }
 

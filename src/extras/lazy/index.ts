@@ -53,8 +53,9 @@ export function load(): Promise<Elements> {
   return elements;
 }
 
-/** Servers have none. */
-const { IntersectionObserver: Near } = globalThis as {
+/** Short names of what is used often. Servers have neither. */
+const { document: page, IntersectionObserver: Near } = globalThis as {
+  readonly document: Document;
   readonly IntersectionObserver?: typeof IntersectionObserver;
 };
 
@@ -71,19 +72,23 @@ const near =
 
 /** Shows each poster, and finds what needs more than that. */
 function prepare(): void {
-  for (const element of document.querySelectorAll<HTMLElement>(STILL)) {
+  for (const element of page.querySelectorAll<HTMLElement>(STILL)) {
     if (element.localName !== VIEWER) {
       near?.observe(element);
       for (const id of `${element.getAttribute('for')}`.split(' ')) {
-        near?.observe(document.getElementById(id) ?? element);
+        near?.observe(page.getElementById(id) ?? element);
       }
       continue;
     }
     const src = element.getAttribute('poster');
-    let poster = element.querySelector('[slot=poster]');
+    let poster = element.querySelector<HTMLImageElement>('[slot=poster]');
     if (src && !poster) {
-      poster = Object.assign(new Image(), { slot: 'poster', alt: '', src });
+      poster = Object.assign(new Image(), { slot: 'poster', src });
       element.prepend(poster);
+    }
+    if (poster) {
+      // What it shows is said until the element says it.
+      poster.alt ||= element.getAttribute('alt') ?? '';
     }
     if (!poster || LIVELY.test(element.outerHTML)) {
       near?.observe(element);
@@ -93,7 +98,7 @@ function prepare(): void {
 
 /** Before the key moves the focus: it can reach the viewers then. */
 function lend(): void {
-  for (const viewer of document.querySelectorAll<HTMLElement>(`${VIEWER}:not([tabindex])`)) {
+  for (const viewer of page.querySelectorAll<HTMLElement>(`${VIEWER}:not([tabindex])`)) {
     viewer.tabIndex = 0;
     lent.push(viewer);
   }
@@ -124,7 +129,7 @@ function hear(event: PointerEvent): void {
 
 /** The elements are defined. */
 function leave(module: Elements): Elements {
-  const focused = document.activeElement as HTMLElement | null;
+  const focused = page.activeElement as HTMLElement | null;
   for (const viewer of lent) {
     viewer.removeAttribute('tabindex');
   }
@@ -152,10 +157,10 @@ function turn(this: Viewer): void {
 if (near) {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(BOX);
-  document.adoptedStyleSheets.push(sheet);
-  new MutationObserver(prepare).observe(document, { childList: true, subtree: true });
+  page.adoptedStyleSheets.push(sheet);
+  new MutationObserver(prepare).observe(page, { childList: true, subtree: true });
   prepare();
   for (const type of EVENTS) {
-    document.addEventListener(type, hear as EventListener, true);
+    page.addEventListener(type, hear as EventListener, true);
   }
 }

@@ -200,6 +200,7 @@ test('a viewer has the same box before as after, with any poster', async ({ page
   await page.goto(site.page(body, { css: rules, head }));
   const image = page.locator('phong-viewer > img');
   await expect(image).toBeVisible();
+  await expect(page.getByRole('img', { name: 'A test scene' })).toBeVisible();
   const boxes = async (): Promise<unknown> => [
     await page.locator('phong-viewer').boundingBox(),
     await image.boundingBox(),
