@@ -34,8 +34,9 @@ export function retried(code: string, beside: (path: string) => readonly string[
 const ahead =
   'function $ahead(f){if($ahead[f])return;$ahead[f]=1;let l=document.createElement(`link`);l.rel=`preload`;l.as=`script`;l.crossOrigin=``;l.href=new URL(f,import.meta.url).href;l.onload=l.onerror=()=>l.remove();document.head?.append(l)}';
 
-/** Each of these is one request of a first picture. */
-const FIRST_PICTURE = /\/(model-content|read-\w+)-/;
+/** Each of these is one request of a first picture. The first is requested with each of the others. */
+const MODELS = /\/model-content-/;
+const READERS = /\/read-\w+-/;
 
 export function retriedImports(): Plugin {
   return {
@@ -43,8 +44,12 @@ export function retriedImports(): Plugin {
     generateBundle(_options, bundle) {
       const chunks = Object.values(bundle).filter((file) => file.type === 'chunk');
       for (const file of chunks) {
-        const beside = (path: string): readonly string[] =>
-          file.isEntry && FIRST_PICTURE.test(path) ? importsOf(path, chunks) : [];
+        const beside = (path: string): readonly string[] => {
+          if (!file.isEntry || !(MODELS.test(path) || READERS.test(path))) return [];
+          const models = chunks.find(({ fileName }) => MODELS.test(fileName));
+          const known = READERS.test(path) ? (models?.imports ?? []) : [];
+          return importsOf(path, chunks).filter((name) => !known.includes(name.slice(2)));
+        };
         file.code = retried(file.code, beside);
         if (file.code.includes('$ahead(')) {
           file.code += ahead;

@@ -178,6 +178,8 @@ export default defineConfig(({ mode }) => ({
         // A second entry's chunks import that entry: they are not the first one's.
         chunkFileNames: mode === 'still' ? 'still/[name].js' : 'shared/[name].js',
         minify: isForNode(mode) ? { mangle: { keepNames: true } } : true,
+        // As in the standalone file.
+        charset: 'ascii',
         // The command is one file as it is.
         ...(mode !== 'cli' && {
           codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },

@@ -7,6 +7,9 @@ import { usages } from './requests.js';
 
 const head = usages.standalone.head ?? '';
 
+// One worker for all, so that the server stays.
+test.describe.configure({ mode: 'default' });
+
 /** The server answers after this time, ms. */
 const ANSWER = 300;
 

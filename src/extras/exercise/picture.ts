@@ -5,9 +5,8 @@ import { add, dot, length, map, scale, type Vec3, type Vec4 } from '../../phong/
 import type { Given } from '../../phong/mistakes/steps.js';
 import { coefficientsOf } from '../../phong/reference/equation.js';
 import type { ViewerSnapshot } from '../../viewer/extra.js';
-import { cornersOf, pick, type SeenHit } from '../explain/pick.js';
+import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
-import { tangentAt } from '../explain/shade-at.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
 import { type Case, kindOf } from '../../phong/mistakes/judge.js';
 import { type Lamp, only, type Scene, type Task } from '../../phong/mistakes/sheet.js';

@@ -284,3 +284,12 @@ export function cornersOf({
   };
   return [corner(corners[0]), corner(corners[1]), corner(corners[2])];
 }
+
+/** The tangent at a hit; null without one. */
+export function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
+  const [a, b, c] = corners.map(({ tangent }) => tangent);
+  if (!a || !b || !c) return null;
+  const mix = (i: 0 | 1 | 2 | 3): number =>
+    a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];
+  return [mix(0), mix(1), mix(2), mix(3)];
+}

@@ -2,7 +2,7 @@
 // at the fragment, or under Gouraud shading at the triangle's corners, interpolated.
 import type { Mesh } from 'three';
 import type { LightValues, Term } from '../../phong/light/light-state.js';
-import { add, map, subtract, type Vec3, type Vec4 } from '../../phong/math/vector.js';
+import { add, map, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type * as Reference from '../../phong/reference/index.js';
 import type { LightShare, Shaded } from '../../phong/reference/index.js';
 import {
@@ -12,7 +12,7 @@ import {
   type PhongViewer,
   type ViewerSnapshot,
 } from '../../viewer/extra.js';
-import { cornersOf, type Hit, pick, pickNear } from './pick.js';
+import { cornersOf, type Hit, pick, pickNear, tangentAt } from './pick.js';
 import { type RaySearch, weighted } from './ray-triangles.js';
 import { mappedNormalAt, type SurfaceHere, surfaceAt } from './surface-at.js';
 
@@ -189,13 +189,4 @@ function relative(values: LightValues, origin: Vec3): LightValues {
   const [x, y, z, w] = values.position;
   if (w === 0 || values.space === 'camera') return values;
   return { ...values, position: [...subtract([x, y, z], origin), 1] };
-}
-
-/** The tangent at a hit; null without one. */
-export function tangentAt(weights: Vec3, corners: ReturnType<typeof cornersOf>): Vec4 | null {
-  const [a, b, c] = corners.map(({ tangent }) => tangent);
-  if (!a || !b || !c) return null;
-  const mix = (i: 0 | 1 | 2 | 3): number =>
-    a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];
-  return [mix(0), mix(1), mix(2), mix(3)];
 }

@@ -1,7 +1,7 @@
 // Equations such as "Kd · max(N · L, 0)^8" as MathML, and as LaTeX for the clipboard.
 import { html, mathml, type TemplateResult } from 'lit';
 
-const NUMBER = String.raw`[\p{Nd}.,\u066b]*\p{Nd}(?:e[+−]?\p{Nd}+)?%?`;
+const NUMBER = String.raw`[\p{Nd}.,\u066b]*\p{Nd}(?:e[+\u2212]?\p{Nd}+)?%?`;
 const TOKENS = new RegExp(String.raw`[KI][ads](?![a-z])|\p{L}+|${NUMBER}|\S`, 'gu');
 const IS_NUMBER = /^\p{Nd}/u;
 
