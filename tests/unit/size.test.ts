@@ -43,7 +43,7 @@ it.each([
   ['src/extras/panel', 19_990],
   ['src/extras/still', 20_680],
   ['src/extras/png', 2_240],
-  ['src/extras/lazy', 840],
+  ['src/extras/lazy', 870],
   ['src/extras/explain', 9_790],
   ['src/extras/samples', 4_890],
   ['src/extras/compare', 4_580],
