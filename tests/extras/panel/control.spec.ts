@@ -184,10 +184,10 @@ test('speaks the page’s language, works under a strict policy, prints name and
   page,
 }) => {
   const texts = `<script type="application/json" data-phong-viewer-texts>${JSON.stringify(de)}</script>`;
-  await mount(
-    `${scene}${texts}<p>Der ${control('for="spot" attribute="aperture"')} des Spots</p>`,
-    { css },
-  );
+  await mount(`${scene}<p>Der ${control('for="spot" attribute="aperture"')} des Spots</p>`, {
+    css,
+    head: texts,
+  });
   const only = page.locator('phong-control');
   await expect(only.locator('[part~=label]')).toHaveText(de['aperture °'].replace(/\s*°$/, ''));
   await page.emulateMedia({ media: 'print' });
