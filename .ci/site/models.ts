@@ -18,6 +18,8 @@ export interface ModelEntry {
   readonly carried: string;
   /** What its warning names. */
   readonly dropped: readonly string[];
+  /** It is black or a metal. */
+  readonly metal?: true;
   /** Where the eye is, in degrees. */
   readonly theta: number;
   readonly phi: number;
@@ -29,25 +31,31 @@ export interface ModelEntries {
   readonly models: readonly ModelEntry[];
 }
 
-/**
- * The lights turn with the eye, as those of the other picture do. Their highlights are brighter than
- * full: of a black metal there is nothing else to see (demo/guide/models.md).
- */
+/** The lights turn with the eye, as those of the other picture do. */
 const LIGHTS = `
-  <phong-light name="key" space="camera" position="-1 2 2 0" ambient="145" diffuse="285" specular="500"></phong-light>
-  <phong-light name="rim" space="camera" position="3 0 1 0" diffuse="140" specular="700"></phong-light>`;
+  <phong-light name="key" space="camera" position="-1 2 2 0" ambient="145 145 145" diffuse="285 285 285" specular="200 200 200"></phong-light>
+  <phong-light name="fill" space="camera" position="3 0 1 0" diffuse="140 140 140" specular="100 100 100"></phong-light>`;
+
+/**
+ * For black and metal: of such a surface there is nothing but highlights to see
+ * (demo/guide/models.md).
+ */
+const METAL_LIGHTS = `
+  <phong-light name="key" space="camera" position="-2 2 1 0" ambient="145" diffuse="255" specular="700"></phong-light>
+  <phong-light name="rim" space="camera" position="3 0 1 0" diffuse="120" specular="700"></phong-light>`;
 
 /** Items of a list. */
 export const pairsHtml = ({ renderer, models }: ModelEntries): string =>
   models.map((model) => pairHtml(model, renderer)).join('\n');
 
 function pairHtml(model: ModelEntry, renderer: string): string {
-  const { id, file, name, theta, phi, format, licence, author, source, carried, dropped } = model;
+  const { id, file, name, theta, phi, format, licence, author, source, carried, dropped, metal } =
+    model;
   const missing = dropped.map((part) => `<code>${escapeHtml(part)}</code>`).join(', ');
   return `<li id="${id}">
   <h2>${escapeHtml(name)}</h2>
   <figure class="pair">
-    <phong-viewer alt="${escapeHtml(name)}" src="../assets/models/${file}" loading="lazy" color-interpolation="linear" theta="${String(theta)}" phi="${String(phi)}">${LIGHTS}
+    <phong-viewer alt="${escapeHtml(name)}" src="../assets/models/${file}" loading="lazy" color-interpolation="linear" theta="${String(theta)}" phi="${String(phi)}">${metal === true ? METAL_LIGHTS : LIGHTS}
     </phong-viewer>
     <img vite-ignore src="../assets/images/models/${id}.webp" width="480" height="360" loading="lazy" alt="${escapeHtml(name)} in ${escapeHtml(renderer)}" />
     <figcaption>

@@ -241,4 +241,4 @@ class Field {
 
 /** As written by hand, or with two decimals where it was dragged. */
 const textOf = (value: number): string =>
-  String(value).length <= 6 ? String(value) : value.toFixed(2);
+  Number(value.toFixed(3)) === value ? String(value) : value.toFixed(2);

@@ -3,7 +3,7 @@
 import '../page.js';
 import { copy, edit } from '../parts/listings.js';
 import { markupOfNow, showCode } from './code.js';
-import { showSum } from './sum.js';
+import { showNone, showSum } from './sum.js';
 
 const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const viewer = document.querySelector('phong-viewer')!;
@@ -14,41 +14,51 @@ const ring = part('pixel');
 // -------------------------------------------------------------------------------------------------
 
 /**
- * Where it is in the picture, from 0 to 1. At first it is beside the highlight of the teapot, whose
- * place is the same in heights of the picture.
+ * Where it is, from the middle of the picture, in heights: there it shows the same point of the
+ * scene whatever the width. At first it is beside the highlight of the teapot.
  */
-let at = {
-  x: 0.5 - (0.14 * viewer.clientHeight) / viewer.clientWidth,
-  y: 0.4525,
-};
+let at = { right: -0.14, down: -0.0475 };
 let busy = false;
 let again = false;
 
-/** Shows the sum at `at`. Where there is no surface, the pixel stays where it was. */
+/** The picture without the panel beside it. */
+function picture(): { readonly width: number; readonly height: number } {
+  const surface = viewer.shadowRoot?.querySelector('[part~=surface]') ?? viewer;
+  return { width: surface.clientWidth, height: surface.clientHeight };
+}
+
+function place(): { readonly x: number; readonly y: number } {
+  const { width, height } = picture();
+  return { x: width / 2 + at.right * height, y: height / 2 + at.down * height };
+}
+
+/** Shows the sum at `at`. */
 async function update(): Promise<void> {
   again = busy;
   if (busy) return;
   busy = true;
   do {
     again = false;
-    const { x, y } = at;
-    const fragment = await viewer.shadeAt(x * viewer.clientWidth, y * viewer.clientHeight);
+    const { x, y } = place();
+    const fragment = await viewer.shadeAt(x, y);
     ring.hidden = fragment === null;
-    if (fragment !== null) {
+    if (fragment === null) {
+      showNone(line);
+    } else {
       showSum(line, fragment);
-      ring.style.left = `${String(100 * x)}%`;
-      ring.style.top = `${String(100 * y)}%`;
+      ring.style.left = `${String(x)}px`;
+      ring.style.top = `${String(y)}px`;
     }
   } while (again);
   busy = false;
 }
 
+/** Beside the shapes the pixel stays where it was. */
 async function moveTo(x: number, y: number): Promise<void> {
-  const { clientWidth, clientHeight } = viewer;
-  if (x < 0 || y < 0 || x >= clientWidth || y >= clientHeight) return;
-  const there = { x: x / clientWidth, y: y / clientHeight };
+  const { width, height } = picture();
+  if (x < 0 || y < 0 || x >= width || y >= height) return;
   if ((await viewer.shadeAt(x, y)) === null) return;
-  at = there;
+  at = { right: (x - width / 2) / height, down: (y - height / 2) / height };
   await update();
 }
 
@@ -76,10 +86,8 @@ ring.addEventListener('keydown', (event) => {
   if (right === 0 && down === 0) return;
   event.preventDefault();
   const pixels = event.shiftKey ? 10 : 1;
-  void moveTo(
-    at.x * viewer.clientWidth + pixels * right,
-    at.y * viewer.clientHeight + pixels * down,
-  );
+  const { x, y } = place();
+  void moveTo(x + pixels * right, y + pixels * down);
 });
 // Read out where it is moved by keys, and not at every move of the mouse.
 ring.addEventListener('focus', () => line.setAttribute('aria-live', 'polite'));

@@ -34,6 +34,12 @@ export function showSum(line: HTMLElement, fragment: Fragment): void {
   }
 }
 
+/** For a pixel that shows no surface any more. */
+export function showNone(line: HTMLElement): void {
+  line.dataset['labels'] = '';
+  line.textContent = 'This pixel shows no surface now. Point at one.';
+}
+
 function cellsOf({ shares, color }: Fragment): readonly Cell[] {
   const lights = shares.filter((share) => share !== null);
   const ambient = [0, 1, 2].map((i) => lights.reduce((all, light) => all + light.ambient[i]!, 0));

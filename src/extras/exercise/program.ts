@@ -87,6 +87,9 @@ const TILE = 64;
 /** Milliseconds of drawing, after which no further tile is drawn. */
 const PATIENCE = 2000;
 
+/** Milliseconds for one tile, after which drivers give up themselves. */
+const WATCHDOG = 20_000;
+
 export class NoContextError extends Error {}
 
 /** The context is lost: a driver has given up, or the page has taken it away. */
@@ -95,6 +98,7 @@ export class LostError extends Error {}
 export class Program {
   readonly #gl: WebGL2RenderingContext;
   readonly messages: readonly Message[];
+  readonly #pixels: WebGLBuffer | null;
   #drawn = 0;
 
   /** Throws NoContextError where there is no WebGL 2. */
@@ -104,6 +108,7 @@ export class Program {
       .getContext('webgl2', { antialias: false, depth: false, powerPreference: 'low-power' });
     if (gl === null) throw new NoContextError();
     this.#gl = gl;
+    this.#pixels = gl.createBuffer();
     this.messages = this.#build(glsl);
   }
 
@@ -128,13 +133,13 @@ export class Program {
     const colors = new Float32Array(3 * cases.length).fill(NaN);
     let done = 0;
     // Drivers finish a program in its first frame: one pixel, which does not count.
-    this.#draw(0, 0, 1, 1);
+    await this.#draw(0, 0, 1, 1);
     for (let y = 0; y < height; y += TILE) {
       for (let x = 0; x < width; x += TILE) {
         if (this.#drawn > PATIENCE) return { colors, done };
         const start = performance.now();
         const w = Math.min(TILE, width - x);
-        const bits = this.#draw(x, y, w, Math.min(TILE, height - y));
+        const bits = await this.#draw(x, y, w, Math.min(TILE, height - y));
         this.#drawn += performance.now() - start;
         const floats = new Float32Array(bits.buffer);
         for (let i = 0; i < bits.length / 4; i++) {
@@ -147,7 +152,6 @@ export class Program {
             }
           }
         }
-        await new Promise((resolve) => setTimeout(resolve));
       }
     }
     return { colors, done };
@@ -158,14 +162,25 @@ export class Program {
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
-  #draw(x: number, y: number, width: number, height: number): Uint32Array {
+  /** The page goes on while the GPU draws. */
+  async #draw(x: number, y: number, width: number, height: number): Promise<Uint32Array> {
     const gl = this.#gl;
+    const bits = new Uint32Array(4 * width * height);
     gl.scissor(x, y, width, height);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    const bits = new Uint32Array(4 * width * height);
-    gl.readPixels(x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, bits);
-    if (gl.isContextLost()) throw new LostError();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.#pixels);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, bits.byteLength, gl.STREAM_READ);
+    gl.readPixels(x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 0);
+    const drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const end = performance.now() + WATCHDOG;
+    do {
+      await new Promise((resolve) => setTimeout(resolve));
+      if (drawn === null || gl.isContextLost() || performance.now() > end) throw new LostError();
+    } while (gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED);
+    gl.deleteSync(drawn);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bits);
     return bits;
   }
 

@@ -118,6 +118,15 @@ test('arrow keys move the pixel, and a screen reader hears the sum then', async 
   await expect(page.locator('#sum')).not.toHaveAttribute('aria-live');
 });
 
+test('a pixel that shows no surface any more is said to show none', async ({ page }) => {
+  const viewer = await open(page);
+  await viewer.evaluate((element: PhongViewer) => (element.target = [5, 0, 0]));
+  await expect(page.locator('#sum')).toHaveText('This pixel shows no surface now. Point at one.');
+  await expect(page.locator('#pixel')).toBeHidden();
+  await viewer.evaluate((element: PhongViewer) => (element.target = [0, -0.04, 0]));
+  await expect(page.locator('#sum .cell')).toHaveCount(7);
+});
+
 test('the panel opens by its button, and a light that it adds is in line and markup', async ({
   page,
 }) => {
