@@ -30,6 +30,7 @@ const COPIED = [
   'src',
   'shaders',
   'tests',
+  'demo/assets/models',
   'demo/guide',
   'package.json',
   'tsconfig.json',
