@@ -2,7 +2,6 @@
 // and says what the judge found. Loaded with the first one on a page.
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { FieldStore } from '../../phong/fields/field-store.js';
-import { srgbEncode } from '../../phong/math/color.js';
 import { KINDS, type LightKind } from '../../phong/light/light-state.js';
 import {
   addStyles,
@@ -22,7 +21,8 @@ import {
 import { check, type Failure, type Verdict } from './check.js';
 import { EXERCISE_FIELDS } from './exercise-fields.js';
 import styles from './exercise.css?inline';
-import { type Case, exactAt, kindOf } from '../../phong/mistakes/judge.js';
+import { kindOf } from '../../phong/mistakes/judge.js';
+import { paint } from './paint.js';
 import { type PicturePoints, pointsOf, underScene } from './picture.js';
 import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js';
 import { GIVEN_GLSL, solutionFor, STARTING_GLSL } from './solution.js';
@@ -83,6 +83,8 @@ class Exercise {
   /** What was written; null while it is the text to begin with. */
   #written: string | null = null;
   #running = false;
+  /** The viewer whose texts are followed. */
+  #followed: PhongViewer | null = null;
   /** Why there is no verdict. */
   #failure: Failure | null = null;
   /** Beside a failure of the run: of the page. */
@@ -119,11 +121,23 @@ class Exercise {
     addStyles(this.#root, ownText);
     addStyles(this.#root, styles);
     this.#render();
-    // The viewer and its texts may come later.
-    void customElements
-      .whenDefined('phong-viewer')
-      .then(() => this.#viewer?.ready)
-      .then(() => this.#render());
+    void customElements.whenDefined('phong-viewer').then(() => this.#followTexts());
+  }
+
+  /** The viewer and its texts may come later. */
+  #followTexts(): void {
+    const viewer = this.#viewer;
+    if (viewer !== null && viewer !== this.#followed) {
+      this.#followed = viewer;
+      let { texts } = viewer;
+      const hostUpdated = (): void => {
+        if (viewer.texts === texts) return;
+        ({ texts } = viewer);
+        this.#render();
+      };
+      viewer.addController({ hostUpdated });
+    }
+    this.#render();
   }
 
   get value(): string {
@@ -244,7 +258,7 @@ class Exercise {
       area,
     );
     if (this.#shown !== null) {
-      this.#paint(this.#shown);
+      paint(this.#root, this.#shown.verdict.colors, this.#shown.picture);
     }
   }
 
@@ -409,33 +423,6 @@ class Exercise {
       <summary>${this.#say('The exact function')}</summary>
       <pre tabindex="0">${solutionFor(task)}</pre>
     </details>`;
-  }
-
-  #paint({ verdict: { colors }, picture }: Shown): void {
-    if (picture === null) return;
-    const { width, height, cases, pixels } = picture;
-    const draw = (id: string, colorOf: (i: number, at: Case) => readonly number[]): void => {
-      const canvas = this.#root.querySelector<HTMLCanvasElement>(`#${id}`);
-      const context = canvas?.getContext('2d') ?? null;
-      if (context === null) return;
-      const image = context.createImageData(width, height);
-      for (const [i, at] of cases.entries()) {
-        image.data.set([...colorOf(i, at).map((x) => 255 * x), 255], 4 * pixels[i]!);
-      }
-      context.putImageData(image, 0, 0);
-    };
-    const shown = picture.linear ? srgbEncode : (x: number) => x;
-    const own = (i: number): readonly number[] =>
-      [0, 1, 2].map((k) => shown(Math.min(Math.max(colors[3 * i + k]!, 0), 1)));
-    const exact = (at: Case): readonly number[] =>
-      exactAt(at).map((x) => shown(Math.min(Math.max(x, 0), 1)));
-    draw('own', own);
-    draw('exact', (_, at) => exact(at));
-    draw('difference', (i, at) => {
-      const right = exact(at);
-      // Four steps can be seen, and full is a quarter off.
-      return own(i).map((x, k) => (Number.isNaN(x) ? 1 : Math.min(4 * Math.abs(x - right[k]!), 1)));
-    });
   }
 }
 

@@ -48,6 +48,7 @@ export function sentencesFor(
   return [
     first,
     ...named,
+    ...termsIn(verdict, say),
     ...(named.length > 0 ? [] : whereIn(verdict, say)),
     ...(worst === null
       ? []
@@ -62,18 +63,22 @@ export function sentencesFor(
   ];
 }
 
+const namesOf = (texts: readonly ViewerText[], say: Say): string =>
+  texts.map((text) => say(text)).join(', ');
+
+function termsIn({ difference: { terms } }: Verdict, say: Say): string[] {
+  const names = terms.map((term) => TERM_NAMES[term]);
+  return names.length === 0 ? [] : [say('It differs in: {terms}.', { terms: namesOf(names, say) })];
+}
+
 function whereIn({ difference, undefinedPixels }: Verdict, say: Say): string[] {
-  const { terms, kinds, regions } = difference;
-  const names = (texts: readonly ViewerText[]): string => texts.map((text) => say(text)).join(', ');
+  const { kinds, regions } = difference;
   return [
-    ...(terms.length === 0
-      ? []
-      : [say('It differs in: {terms}.', { terms: names(terms.map((term) => TERM_NAMES[term])) })]),
     ...(kinds.length === 0
       ? []
       : [
           say('Under these lights: {lights}.', {
-            lights: names(kinds),
+            lights: namesOf(kinds, say),
           }),
         ]),
     ...(undefinedPixels === 0
