@@ -208,7 +208,7 @@ class Exercise {
   async #judge(source: string, scene: SceneName | null): Promise<void> {
     const viewer = this.#viewer;
     if (viewer === null) {
-      this.#problem = this.#say('There is no <phong-viewer> with the id {id}.', {
+      this.#problem = this.#say('There is no phong-viewer with the id {id}.', {
         id: JSON.stringify(this.#values.for),
       });
       return;

@@ -3,8 +3,7 @@
 import { srgbDecode } from '../../phong/math/color.js';
 import { add, dot, length, map, scale, type Vec3, type Vec4 } from '../../phong/math/vector.js';
 import type { Given } from '../../phong/mistakes/steps.js';
-import { coefficientsOf } from '../../phong/reference/equation.js';
-import type { ViewerSnapshot } from '../../viewer/extra.js';
+import { lazyCode, type ViewerSnapshot } from '../../viewer/extra.js';
 import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';
@@ -28,6 +27,9 @@ export interface PicturePoints {
 /** Enough for a picture of 300 × 200. */
 const MOST_PIXELS = 60_000;
 
+/** Shared with `shadeAt`, which fetches it too. */
+const referenceCode = lazyCode(() => import('../../phong/reference/index.js'), '<phong-exercise>');
+
 /** Milliseconds in which the page does nothing else. */
 const SLICE = 30;
 
@@ -36,6 +38,7 @@ export async function pointsOf(
   task: Task,
 ): Promise<PicturePoints | null> {
   if (scene === null) return null;
+  const { coefficientsOf } = await referenceCode();
   const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (scene.width * scene.height)));
   const width = Math.max(Math.round(scene.width * shrink), 1);
   const height = Math.max(Math.round(scene.height * shrink), 1);

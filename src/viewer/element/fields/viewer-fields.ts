@@ -232,7 +232,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   probe: {
     ...presenceField(),
     kind: 'flag-or-words',
-    expected: 'true or false; <phong-probe for="…" as="formula"> and as="ask" show more',
+    expected: 'true or false; <phong-probe for="id" as="formula"> and as="ask" show more',
     check(value) {
       // Of one word, or of a list of them.
       return String(value) === 'probe' ? true : presenceField().check(value);
