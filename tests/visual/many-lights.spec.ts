@@ -160,6 +160,8 @@ test('five hundred spots on a floor look as with a loop over all, whatever chang
   const sum = new DifferenceSum();
   /** The same state drawn once by the loop: a new viewer starts with general programs. */
   const expectLike = async (what: string): Promise<void> => {
+    // It may owe its picture with all pixels.
+    await settled(viewer);
     await glSpent(page);
     const shown = await pixels(viewer, SIZE);
     const markup = await viewer.evaluate((element: PhongViewer) => element.toHTML());
