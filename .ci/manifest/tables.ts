@@ -16,10 +16,10 @@ const ofExtras = Object.entries(
   import.meta.glob<Readonly<Record<string, Table>>>('../../src/extras/*/*-fields.ts', {
     eager: true,
   }),
-).map(([path, module]): [string, Table] => [
-  `phong-${/([a-z]+)-fields/.exec(path)![1]!}`,
-  Object.values(module)[0]!,
-]);
+).map(([path, module]): [string, Table] => {
+  const name = /([a-z]+)-fields/.exec(path)![1]!;
+  return [`phong-${name}`, module[`${name.toUpperCase()}_FIELDS`]!];
+});
 
 export const fields: Readonly<Record<string, Table>> = {
   'phong-viewer': VIEWER_FIELDS,

@@ -69,7 +69,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['a teapot', set({ geometry: 'teapot' }), 'teapot'],
   ['toBlob', capture, 'picture-blob'],
   ['shadeAt beside the shape', explain(1, 1), 'pick shade-at'],
-  ['shadeAt on the shape', explain(75, 50), 'equation reference'],
+  ['shadeAt on the shape', explain(75, 50), 'reference'],
   ['shadeAt once more', explain(76, 50), ''],
   ['a view of normals', set({ view: 'normals' }), 'legend'],
   ['one light alone', set({ view: 'shaded', viewLight: 'light 1' }), ''],

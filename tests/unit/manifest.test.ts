@@ -77,6 +77,9 @@ describe('the custom elements manifest', () => {
     expect(names('phong-mesh')).toEqual(PhongMesh.observedAttributes);
     const ofViewer = Object.keys(tables.fields['phong-viewer']!).map(tables.attributeOf);
     expect(names('phong-viewer')).toEqual(ofViewer);
+    for (const tag of ['phong-compare', 'phong-control', 'phong-probe', 'phong-exercise']) {
+      expect(names(tag), tag).toContain(tag === 'phong-compare' ? 'layout' : 'for');
+    }
   });
 
   it.each(attributes)(

@@ -96,7 +96,7 @@ test('the figures of the page about light behave as their captions say', async (
     expect(aperture).toBeGreaterThan(20);
     await expect(cone.locator('pre')).toContainText(`aperture="${aperture}"`);
     // The rest stays as its author wrote it.
-    await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
+    await expect(cone.locator('pre')).toContainText('specular="120 115 100"');
   });
   await test.step('a slider under a divider changes the light on both sides', async () => {
     const decay = await figure(page, 'fig-decay');

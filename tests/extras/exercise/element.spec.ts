@@ -182,5 +182,5 @@ test('a lost context and a missing viewer are said, and the next run is a new on
   await expect(verdict(page)).toContainText('Right: within one 8-bit step at all');
   await page.locator('phong-exercise').evaluate((element) => element.setAttribute('for', 'w'));
   await page.getByRole('button', { name: 'Run' }).click();
-  await expect(verdict(page)).toContainText('There is no <phong-viewer> with the id "w".');
+  await expect(verdict(page)).toContainText('There is no phong-viewer with the id "w".');
 });

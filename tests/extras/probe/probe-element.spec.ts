@@ -198,7 +198,7 @@ test('says in one warning which viewer or light is missing, and takes one that c
     /<phong-probe for="w">: no viewer has the id "w". Did you mean "v"\?/,
   );
   consoleGuard.allow(/<phong-probe ask="diffuse sun">: no light of the viewer adds such a term/);
-  consoleGuard.allow(/probe="ask": expected true or false; <phong-probe for="…" as="formula">/);
+  consoleGuard.allow(/probe="ask": expected true or false; <phong-probe for="id" as="formula">/);
   await mount(
     `${scene('probe="ask"')}${probe('at="0 0 0" ask="diffuse sun"')}<phong-probe for="w" at="0 0 0"></phong-probe>`,
     size,
