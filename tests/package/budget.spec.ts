@@ -20,7 +20,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
  * Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the
  * same commit.
  */
-const budgets = { standalone: 127_488, modules: 61_184 } as const;
+const budgets = { standalone: 129_300, modules: 62_600 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no unused part (${usage})`, async ({
@@ -51,22 +51,22 @@ test('@release the standalone file is about as large as a bundle of plain three.
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.195. Until three.js's functions were left as they are it was 1.100.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.2);
+  // Measured: 1.211. Until three.js's functions were left as they are it was 1.100.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.22);
 });
 
 test('@release a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 178.7 kB, because bundlers keep three.js's shader chunks, and 128.2 kB.
-  expect(await bundled('index.js')).toBeLessThan(179_500);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(129_200);
+  // Measured: 180.4 kB, because bundlers keep three.js's shader chunks, and below 130.3 kB.
+  expect(await bundled('index.js')).toBeLessThan(181_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(130_300);
 });
 
 test('the script for pages opened from disk and the React components are not larger than measured', () => {
-  // Measured: 339.6 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(340_480);
-  // Measured: 0.64 kB.
+  // Measured: 362.1 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(362_500);
+  // Measured: 0.95 kB.
   expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
 
