@@ -70,6 +70,8 @@ const keyOf = ({ name, segments, isLevel, cut }: ShapeKey): string =>
 /** What a shape holds, and its flat copy, before they are built. */
 export function shapeNeeds(key: ShapeKey, flat: boolean): readonly Need[] {
   const text = keyOf(key);
+  // Cuts follow the eye: each is another.
+  if (key.cut !== undefined) return newNeeds(key, text, flat);
   const known = `${text} ${String(flat)}`;
   let needs = needsByKey.get(known);
   if (needs === undefined) {
