@@ -33,14 +33,19 @@ test.use({
   launchOptions: { ...(executablePath === undefined ? {} : { executablePath }), args: softwareGl },
 });
 
+/** Levels of round shapes stay for a second without a user. */
+const KEPT_MS = 1500;
+
 test('viewers that come and go leave nothing behind', async ({ page, mount }) => {
   test.slow();
   await mount(stays, size);
   const ledger = await Ledger.of(page);
   // The first viewers load what stays for good, such as the panel's code.
   await comeAndGo(page, kinds, kinds.length);
+  await page.waitForTimeout(KEPT_MS);
   const before = await ledger.read();
   await comeAndGo(page, kinds, 2 * kinds.length);
+  await page.waitForTimeout(KEPT_MS);
   const { counts, objects } = await ledger.read();
   expect(counts).toEqual(before.counts);
   expect(objects).toEqual(before.objects);
