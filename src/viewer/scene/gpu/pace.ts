@@ -107,5 +107,8 @@ export const pace = new Pace();
 /** Until it has drawn all that was sent: reading a pixel needs it. */
 function waitFor(renderer: WebGLRenderer): void {
   const gl = renderer.getContext();
-  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
 }
+
+/** Made once: where memory is short, a measurement must not fail a frame. */
+const pixel = new Uint8Array(4);
