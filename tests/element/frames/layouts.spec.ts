@@ -53,8 +53,9 @@ for (const [what, attributes, layouts] of [
     await page.mouse.up();
     const found = trace.traceEvents.filter(({ name }) => name === 'Layout');
     const forced = found.filter(({ args }) => args.beginData?.stackTrace !== undefined);
-    // What is not of a frame, such as a hidden light that was found behind a shape, may be written
-    // between two moves.
+    // With everything on, a move sometimes measures the picture after something was written between
+    // two frames: one of thirty in two of three full runs, none when run alone. What writes is not
+    // known.
     expect(forced.length, JSON.stringify(forced[0]?.args)).toBeLessThanOrEqual(2);
     // Tracing itself is seen to work.
     expect(found.length > MOVES / 2).toBe(layouts !== 'never');
