@@ -11,7 +11,7 @@ import {
 import { SLOP } from '../../phong/camera/kept-drag.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { Projection } from '../overlay/drawing/projection.js';
-import { askedOf } from './probe-fields.js';
+import { askedOf, formOf } from './probe-fields.js';
 import { seededFragment, seededNumbers } from './seeded.js';
 import { zoomOf } from '../../phong/camera/gesture.js';
 
@@ -106,8 +106,7 @@ export class FollowedPoint {
 
   /** Questions stay at their point while the mouse moves. */
   get #isStill(): boolean {
-    const { as, ask } = this.#element;
-    return (as ?? (ask === '' ? 'table' : 'ask')) === 'ask';
+    return formOf(this.#element) === 'ask';
   }
 
   #listen(): void {

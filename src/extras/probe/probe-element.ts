@@ -39,7 +39,7 @@ import { FollowedPoint } from './followed-point.js';
 import { defineFormMembers } from './form-members.js';
 import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
-import { askedOf, isAsked, PROBE_FIELDS } from './probe-fields.js';
+import { askedOf, formOf, isAsked, PROBE_FIELDS } from './probe-fields.js';
 
 /** Milliseconds in which a missing viewer may come with a later script. */
 const PATIENCE = 2000;
@@ -224,10 +224,6 @@ class Probe {
     warn(`${tag}: no viewer has the id "${clip(id)}".${hint}`);
   }
 
-  get #as(): NonNullable<ProbeValues['as']> {
-    return this.#element.as ?? (this.#element.ask.trim() === '' ? 'table' : 'ask');
-  }
-
   #render(): void {
     this.#texts = textsAround(this.#element, this.#viewer?.texts ?? null);
     this.internals.ariaLabel = phrase(this.#texts, 'Probe');
@@ -243,10 +239,11 @@ class Probe {
     if (viewer === null || fragment === undefined) return nothing;
     if (fragment === null) return html`<p class="note">${phrase(texts, NO_SURFACE)}</p>`;
     const linear = viewer.colorInterpolation === 'linear';
+    const form = formOf(this.#element);
     const halfway = isHalfway(fragment, viewer);
     const gouraud = isGouraud(fragment, viewer);
     // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
-    if (this.#as === 'table' || fragment.unlit || gouraud) {
+    if (form === 'table' || fragment.unlit || gouraud) {
       const sum = probeSum(fragment, linear);
       const row = rowOf(sum, this.#table.chosen);
       const content = { fragment, sum, row, halfway, gouraud, digits: this.#isWide ? 1 : 0 };
@@ -261,7 +258,7 @@ class Probe {
     );
     const { terms } = viewer;
     const equations = equationsOf(fragment, { lights, linear, halfway, terms }, texts);
-    return this.#as === 'formula'
+    return form === 'formula'
       ? this.#formula(equations, texts)
       : this.#questions(equations, fragment, linear, texts);
   }

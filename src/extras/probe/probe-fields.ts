@@ -35,6 +35,13 @@ export const isAsked = (
   of: { readonly name: string; readonly light: PhongLight | null },
 ): boolean => name === '' || name === of.name || name === of.light?.id;
 
+/** What a probe is: questions where `ask` says what, unless `as` says otherwise. */
+export const formOf = ({
+  as,
+  ask,
+}: Pick<ProbeValues, 'as' | 'ask'>): NonNullable<ProbeValues['as']> =>
+  as ?? (ask.trim() === '' ? 'table' : 'ask');
+
 const askField: Field<string> = {
   ...textField('', ASKED),
   check(value) {
