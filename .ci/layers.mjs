@@ -14,6 +14,8 @@ import { posix } from 'node:path';
  */
 
 const phong = [
+  'phong/lazy-code.ts',
+  'phong/model',
   'phong/geometry',
   'phong/mistakes',
   'phong/material',
@@ -28,6 +30,7 @@ const extra = ['viewer/extra.ts', ...phong];
 
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
+  'phong/lazy-code.ts': {},
   'phong/math': {},
   'phong/fields': { layers: ['phong/math'] },
   'phong/light': { layers: ['phong/fields', 'phong/math'] },
@@ -42,11 +45,20 @@ export const layers = {
     layers: ['phong/material', 'phong/camera', 'phong/math'],
     packages: ['three'],
   },
-  phong: { layers: phong, packages: ['three'] },
-  'viewer/model': {
-    layers: ['phong/geometry', 'phong/material', 'phong/light', 'phong/fields', 'phong/math'],
+  // What a mesh shows: shapes, contents of files, and how much may be held.
+  'phong/model': {
+    layers: [
+      'phong/lazy-code.ts',
+      'phong/geometry',
+      'phong/material',
+      'phong/light',
+      'phong/fields',
+      'phong/math',
+    ],
     packages: ['three'],
   },
+  phong: { layers: phong, packages: ['three'] },
+  'viewer/model': { layers: phong, packages: ['three'] },
   'viewer/scene': {
     layers: ['viewer/model', ...phong],
     packages: ['three'],
@@ -63,7 +75,7 @@ export const layers = {
   },
   // The table of extras: the only file of the viewer that knows them.
   'viewer/extras.ts': {
-    layers: ['viewer/element', 'viewer/scene', 'viewer/model'],
+    layers: ['viewer/element', 'viewer/scene', 'viewer/model', 'phong/lazy-code.ts'],
     lazy: [
       'extras/models',
       'extras/samples',

@@ -5,7 +5,7 @@ import type { Field } from '../../src/phong/fields/field.js';
 import { COMPARE_FIELDS } from '../../src/viewer/element/fields/compare-fields.js';
 import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/phong/light/light-state.js';
-import { MESH_FIELDS } from '../../src/viewer/scene/mesh/mesh-fields.js';
+import { MESH_FIELDS } from '../../src/phong/model/mesh-fields.js';
 
 export { attributeOf, formatValue } from '../../src/phong/fields/attribute-text.js';
 

@@ -12,17 +12,16 @@ import {
   probeCode,
 } from './element/extra-code.js';
 import { extraKinds } from './element/viewer/extra-host.js';
-import { FORMAT_NAMES } from './model/format-names.js';
-import { lazyCode } from './model/lazy-code.js';
-import { modelCode } from './model/request-model.js';
+import { lazyCode } from '../phong/lazy-code.js';
+import { modelCode, readerCode } from './model/request-model.js';
 import { samplingCode } from './scene/still-picture.js';
 
 // With the first use of each.
 modelCode.provide(() => import('../extras/models/model-content.js'));
-FORMAT_NAMES.gltf.code.provide(() => import('../extras/models/gltf/read-gltf.js'));
-FORMAT_NAMES.ply.code.provide(() => import('../extras/models/ply/read-ply.js'));
-FORMAT_NAMES.stl.code.provide(() => import('../extras/models/stl/read-stl.js'));
-FORMAT_NAMES.obj.code.provide(() => import('../extras/models/obj/read-obj.js'));
+readerCode.glTF.provide(() => import('../extras/models/gltf/read-gltf.js'));
+readerCode.PLY.provide(() => import('../extras/models/ply/read-ply.js'));
+readerCode.STL.provide(() => import('../extras/models/stl/read-stl.js'));
+readerCode.OBJ.provide(() => import('../extras/models/obj/read-obj.js'));
 samplingCode.provide(() => import('../extras/samples/converging-picture.js'));
 pictureCode.provide(() => import('../extras/samples/picture-blob.js'));
 explanationCode.provide(() => import('../extras/explain/shade-at.js'));

@@ -104,7 +104,7 @@ describe('files that stills import', () => {
     const files = filesOfStills();
     expect(files).toContain('src/extras/still/tracer.ts');
     expect(files).toContain('src/phong/math/angle.ts');
-    expect(files).toContain('src/viewer/scene/mesh/shapes/teapot.ts');
+    expect(files).toContain('src/phong/model/shapes/teapot.ts');
     expect(files).toContain('src/extras/models/triangles/smooth-normals.ts');
     expect(files).not.toContain('src/phong/material/phong-material.ts');
     expect(files).not.toContain('src/extras/models/gltf/draco.ts');

@@ -30,7 +30,7 @@ import type {
   ViewerValues,
 } from '../../src/viewer/element/fields/viewer-fields.js';
 import type { LightValues } from '../../src/phong/light/light-state.js';
-import type { MeshValues } from '../../src/viewer/scene/mesh/mesh-fields.js';
+import type { MeshValues } from '../../src/phong/model/mesh-fields.js';
 import { PhongLight } from '../../src/viewer/element/phong-light.js';
 import { PhongMesh } from '../../src/viewer/element/phong-mesh.js';
 

@@ -2,7 +2,7 @@
 import type { Scene } from 'three';
 import { FieldStore } from '../../src/phong/fields/field-store.js';
 import { LightSet } from '../../src/phong/light/light-set.js';
-import { MESH_FIELDS, type MeshValues } from '../../src/viewer/scene/mesh/mesh-fields.js';
+import { MESH_FIELDS, type MeshValues } from '../../src/phong/model/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/viewer/scene/mesh/scene-mesh.js';
 import { Picture } from '../../src/viewer/scene/picture.js';
 

@@ -3,7 +3,7 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { teapot } from '../../src/viewer/scene/mesh/shapes/teapot.js';
+import { teapot } from '../../src/phong/model/shapes/teapot.js';
 
 const files = execFileSync('git', ['ls-files', 'README.md', 'demo/*.md', 'demo/*.html'], {
   encoding: 'utf8',

@@ -5,7 +5,7 @@ import { flatGeometry } from '../../src/phong/material/flat-geometry.js';
 import { srgbEncode } from '../../src/phong/math/color.js';
 import { add, map, scale, type Vec3 } from '../../src/phong/math/vector.js';
 import { shade } from '../../src/phong/reference/equation.js';
-import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
+import { createGeometry } from '../../src/phong/model/shapes/shapes.js';
 import { coneMargin } from '../stress/contract.js';
 import type { CastScene } from '../../src/extras/still/cast-scene.js';
 import { Tracer } from '../../src/extras/still/tracer.js';

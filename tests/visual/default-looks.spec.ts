@@ -2,7 +2,7 @@
 // keep their tones? Tones are in codes; a face is one of the picture's most frequent tones.
 
 import { readmeSnippet } from '../../.ci/readme-picture.mjs';
-import { GEOMETRIES } from '../../src/viewer/scene/mesh/shapes/shapes.js';
+import { GEOMETRIES } from '../../src/phong/model/shapes/shapes.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
 
 const size = { width: 240, height: 200 };

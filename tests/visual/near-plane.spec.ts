@@ -2,7 +2,7 @@
 // pictures against a float64 ray caster.
 import { basisOf } from '../../src/phong/camera/orbit.js';
 import type { PhongViewer } from '../../src/viewer/index.js';
-import { createGeometry } from '../../src/viewer/scene/mesh/shapes/shapes.js';
+import { createGeometry } from '../../src/phong/model/shapes/shapes.js';
 import { Tracer } from '../../src/extras/still/tracer.js';
 import { firstOf, fullOr } from '../support/repeats.js';
 import { expect, type Picture, pixels, test } from '../support/test.js';

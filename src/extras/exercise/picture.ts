@@ -3,7 +3,8 @@
 import { srgbDecode } from '../../phong/math/color.js';
 import { add, dot, length, map, scale, type Vec3, type Vec4 } from '../../phong/math/vector.js';
 import type { Given } from '../../phong/mistakes/steps.js';
-import { lazyCode, type ViewerSnapshot } from '../../viewer/extra.js';
+import { lazyCode } from '../../phong/lazy-code.js';
+import type { ViewerSnapshot } from '../../viewer/extra.js';
 import { cornersOf, pick, type SeenHit, tangentAt } from '../explain/pick.js';
 import { weighted } from '../explain/ray-triangles.js';
 import { mappedNormalAt, surfaceAt } from '../explain/surface-at.js';

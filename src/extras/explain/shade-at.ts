@@ -5,12 +5,12 @@ import type { LightValues, Term } from '../../phong/light/light-state.js';
 import { add, map, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type * as Reference from '../../phong/reference/index.js';
 import type { LightShare, Shaded } from '../../phong/reference/index.js';
-import {
-  type FragmentExplanation,
-  lazyCode,
-  type PhongMesh,
-  type PhongViewer,
-  type ViewerSnapshot,
+import { lazyCode } from '../../phong/lazy-code.js';
+import type {
+  FragmentExplanation,
+  PhongMesh,
+  PhongViewer,
+  ViewerSnapshot,
 } from '../../viewer/extra.js';
 import { cornersOf, type Hit, pick, pickNear, tangentAt } from './pick.js';
 import { type RaySearch, weighted } from './ray-triangles.js';

@@ -1,6 +1,7 @@
 // Bytes out of base64, data: URIs and UTF-16. In slices and mostly in place: files of hundreds of
 // megabytes are never strings.
-import { type ModelBudget, ModelError } from '../../viewer/extra.js';
+import { ModelError } from '../../phong/model/model.js';
+import type { ModelBudget } from '../../phong/model/model-budget.js';
 import type { FileBytes } from './model-reader.js';
 import type { Slices } from './slices.js';
 import { isDataUri } from '../../phong/fields/file-names.js';

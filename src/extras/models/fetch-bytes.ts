@@ -2,12 +2,10 @@
 // page's author.
 import { decodeDataUri } from './encodings.js';
 import type { FileBytes } from './model-reader.js';
-import {
-  type LoadOptions,
-  type ModelBudget,
-  ModelError,
-  requireAtMost,
-} from '../../viewer/extra.js';
+import { requireAtMost } from '../../phong/model/budget.js';
+import { ModelError } from '../../phong/model/model.js';
+import type { ModelBudget } from '../../phong/model/model-budget.js';
+import type { LoadOptions } from '../../viewer/extra.js';
 import { Slices } from './slices.js';
 import { FILE_LIMIT } from './limits.js';
 import { isDataUri, nameOf } from '../../phong/fields/file-names.js';

@@ -1,6 +1,7 @@
 // Finds the format of a file's bytes. The content decides, then the element's `type`, the file
-// extension and the media type. A new format is a row here and one in format-names.ts.
-import { FORMAT_NAMES, type FormatNames, ModelError } from '../../viewer/extra.js';
+// extension and the media type. A new format is a row here and one in phong/model/format-names.ts.
+import { FORMAT_NAMES, type FormatNames } from '../../phong/model/format-names.js';
+import { ModelError } from '../../phong/model/model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
 /**

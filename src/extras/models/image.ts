@@ -3,7 +3,7 @@
 // fetched, as a strict CSP requires.
 import { LinearFilter, NearestFilter, NoColorSpace, Texture } from 'three';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
-import { LIMITS } from '../../viewer/extra.js';
+import { LIMITS } from '../../phong/model/limits.js';
 import { type FileBytes, type ModelSource, requireDecoders } from './model-reader.js';
 import { Slices } from './slices.js';
 import { IMAGE_SIDE_LIMIT } from './limits.js';

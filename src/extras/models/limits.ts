@@ -1,5 +1,5 @@
 // Limits that only the readers of models know, and how they free memory. Those of a whole viewer are
-// in viewer/model/limits.ts.
+// in phong/model/limits.ts.
 
 /**
  * Most bytes of a glTF's JSON without base64: 16 MiB. It is parsed in one task: 6 ms a

@@ -2,14 +2,11 @@
 // no blob: or data: URL, needs no worker and no eval. Entry point of the code that reads models,
 // fetched with the first one.
 import { clip, listed } from '../../phong/fields/clip.js';
-import {
-  type Content,
-  type FormatNames,
-  isOutOfMemory,
-  type LoadOptions,
-  ModelBudget,
-  ModelError,
-} from '../../viewer/extra.js';
+import type { FormatNames } from '../../phong/model/format-names.js';
+import { isOutOfMemory } from '../../phong/model/limits.js';
+import { type Content, ModelError } from '../../phong/model/model.js';
+import { ModelBudget } from '../../phong/model/model-budget.js';
+import { readerCode, type LoadOptions } from '../../viewer/extra.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './user-files.js';
 import { formatOf } from './format.js';
@@ -100,8 +97,8 @@ export async function modelContent(
 }
 
 /** The readers are this folder's, whoever requested them. */
-const readerOf = async ({ code, name }: FormatNames): Promise<{ readonly read: ModelReader }> =>
-  neededCode(code(), `The code that reads ${name} files`) as Promise<{
+const readerOf = async ({ name }: FormatNames): Promise<{ readonly read: ModelReader }> =>
+  neededCode(readerCode[name](), `The code that reads ${name} files`) as Promise<{
     readonly read: ModelReader;
   }>;
 

@@ -2,7 +2,8 @@
 import { BufferAttribute, type Texture } from 'three';
 import type { BaseLook } from '../../phong/material/file-surface.js';
 import { writeFaceNormals } from '../../phong/material/flat-geometry.js';
-import { type Content, type ModelBudget, ModelError } from '../../viewer/extra.js';
+import { type Content, ModelError } from '../../phong/model/model.js';
+import type { ModelBudget } from '../../phong/model/model-budget.js';
 import type { Slices } from './slices.js';
 
 export interface FileBytes {

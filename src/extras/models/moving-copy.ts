@@ -1,7 +1,7 @@
 // Lets several meshes show one model in poses of their own. Each has a copy of what moves;
 // everything else is shared.
 import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
-import type { Content } from '../../viewer/extra.js';
+import type { Content } from '../../phong/model/model.js';
 
 /**
  * Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included, an index and

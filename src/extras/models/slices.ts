@@ -1,6 +1,6 @@
 // Keeps the page responsive: long loops run in slices and let the browser handle input and frames
 // between them.
-import type { ModelBudget } from '../../viewer/extra.js';
+import type { ModelBudget } from '../../phong/model/model-budget.js';
 
 /** Half a frame at 60 Hz. */
 const TASK_MS = 8;

@@ -4,7 +4,8 @@ import { listed } from '../../phong/fields/clip.js';
 import { requireContent } from './fetch-bytes.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import type { FileBytes } from './model-reader.js';
-import { type ModelBudget, ModelError } from '../../viewer/extra.js';
+import { ModelError } from '../../phong/model/model.js';
+import type { ModelBudget } from '../../phong/model/model-budget.js';
 import { fileName } from '../../phong/fields/file-names.js';
 
 /**

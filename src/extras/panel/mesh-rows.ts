@@ -1,9 +1,9 @@
 // The rows of a mesh. Those of its surface are the rows of the viewer's own surface too.
+import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import {
   fieldsOf,
   historyOf,
   meshTitle,
-  type MeshValues,
   type PhongMesh,
   type PhongViewer,
   sceneMeshes,

@@ -6,17 +6,15 @@ import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { clipMessage, listed } from '../../phong/fields/clip.js';
-import {
-  appearanceOf,
-  type ContentPart,
-  createGeometry,
-  fitTo,
-  LIMITS,
-  type MeshState,
-  requireAtMost,
-  sampledSegments,
-  type ViewerValues,
-} from '../../viewer/extra.js';
+import { fitTo } from '../../phong/geometry/framing.js';
+import { appearanceOf } from '../../phong/model/appearance.js';
+import { requireAtMost } from '../../phong/model/budget.js';
+import { LIMITS } from '../../phong/model/limits.js';
+import type { MeshState } from '../../phong/model/mesh-fields.js';
+import type { ContentPart } from '../../phong/model/model.js';
+import { sampledSegments } from '../../phong/model/shapes/segments.js';
+import { createGeometry } from '../../phong/model/shapes/shapes.js';
+import type { ViewerValues } from '../../viewer/extra.js';
 import type {
   CastMaterial,
   CastObject,

@@ -1,6 +1,7 @@
 // PNG and JPEG images by plain JavaScript; other formats are refused by name.
 import type { FileBytes } from '../models/model-reader.js';
-import { LIMITS, ModelError } from '../../viewer/extra.js';
+import { LIMITS } from '../../phong/model/limits.js';
+import { ModelError } from '../../phong/model/model.js';
 import type { Pixels } from './mesh-shape.js';
 import { IMAGE_SIDE_LIMIT } from '../models/limits.js';
 

@@ -4,12 +4,8 @@ import { type DefaultTreeAdapterTypes, parseFragment } from 'parse5';
 import type { Field } from '../../phong/fields/field.js';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { LightState, type LightValues } from '../../phong/light/light-state.js';
-import {
-  MESH_FIELDS,
-  type MeshValues,
-  VIEWER_FIELDS,
-  type ViewerValues,
-} from '../../viewer/extra.js';
+import { MESH_FIELDS, type MeshValues } from '../../phong/model/mesh-fields.js';
+import { VIEWER_FIELDS, type ViewerValues } from '../../viewer/extra.js';
 import { cssColor } from './css-colors.js';
 import { attributeOf, parseText, valueWarning } from '../../phong/fields/attribute-text.js';
 

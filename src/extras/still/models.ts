@@ -1,21 +1,17 @@
 // Models by the project's readers: files are read from disk or fetched, images are decoded by plain
 // JavaScript.
 import { clip } from '../../phong/fields/clip.js';
-import {
-  type Content,
-  FORMAT_NAMES,
-  type MeshState,
-  ModelError,
-  type ViewerValues,
-} from '../../viewer/extra.js';
+import type { MeshState } from '../../phong/model/mesh-fields.js';
+import { type Content, ModelError } from '../../phong/model/model.js';
+import { readerCode, type ViewerValues } from '../../viewer/extra.js';
 import type { Warn } from './markup.js';
 import { nameOf } from '../../phong/fields/file-names.js';
 
 // As the table of extras does for pages.
-FORMAT_NAMES.gltf.code.provide(() => import('../models/gltf/read-gltf.js'));
-FORMAT_NAMES.ply.code.provide(() => import('../models/ply/read-ply.js'));
-FORMAT_NAMES.stl.code.provide(() => import('../models/stl/read-stl.js'));
-FORMAT_NAMES.obj.code.provide(() => import('../models/obj/read-obj.js'));
+readerCode.glTF.provide(() => import('../models/gltf/read-gltf.js'));
+readerCode.PLY.provide(() => import('../models/ply/read-ply.js'));
+readerCode.STL.provide(() => import('../models/stl/read-stl.js'));
+readerCode.OBJ.provide(() => import('../models/obj/read-obj.js'));
 
 /** Where a model's address is relative to, and who hears of what is left out and what is read. */
 export interface ModelPlace {

@@ -1,7 +1,7 @@
 // The code of extras that the elements use, as far as they use it. The table of extras says how it
 // is fetched (`viewer/extras.ts`).
 import type { ReactiveController, TemplateResult } from 'lit';
-import { extraCode } from '../model/lazy-code.js';
+import { extraCode } from '../model/provided-code.js';
 import type {
   FragmentExplanation,
   PhongCompare,

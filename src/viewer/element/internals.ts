@@ -1,6 +1,6 @@
 // What this package's own code, the panel included, can reach on an element while users cannot.
 import type { LightValues } from '../../phong/light/light-state.js';
-import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import type { CompareValues } from './fields/compare-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';

@@ -2,7 +2,7 @@
 // it.
 import { html, LitElement, nothing } from 'lit';
 import { FieldStore } from '../../phong/fields/field-store.js';
-import { reportMissing } from '../model/lazy-code.js';
+import { reportMissing } from '../model/provided-code.js';
 import type {
   ElementClass,
   Listen,

@@ -1,7 +1,7 @@
 // <phong-control>: one value of viewers, lights or meshes, anywhere on the page. Its chunk also
 // gives it properties.
 import type { PhongControl as PublicControl } from './elements.js';
-import { reportMissing } from '../model/lazy-code.js';
+import { reportMissing } from '../model/provided-code.js';
 import { controlCode } from './extra-code.js';
 import type { ControlProperties } from './fields/control-properties.js';
 import { Base } from './child-element.js';

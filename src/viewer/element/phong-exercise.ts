@@ -1,6 +1,6 @@
 // <phong-exercise>: a lighting function to write, run and judge. Its chunk also gives it
 // properties.
-import { reportMissing } from '../model/lazy-code.js';
+import { reportMissing } from '../model/provided-code.js';
 import { Base } from './child-element.js';
 import type {
   FormControl,

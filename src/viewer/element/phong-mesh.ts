@@ -1,7 +1,7 @@
 // <phong-mesh>: a mesh as markup. Renders nothing; its attributes and properties write into one
 // FieldStore.
 import { FieldStore } from '../../phong/fields/field-store.js';
-import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
+import { MESH_FIELDS, type MeshValues } from '../../phong/model/mesh-fields.js';
 import { childBinding, ChildElement } from './child-element.js';
 import type {
   ElementClass,

@@ -1,6 +1,6 @@
 // <phong-probe>: one point of a viewer as a table, an equation or questions, anywhere on the page.
 // Its code, an extra, also gives it properties.
-import { reportMissing } from '../model/lazy-code.js';
+import { reportMissing } from '../model/provided-code.js';
 import { Base } from './child-element.js';
 import { probeCode } from './extra-code.js';
 import type { PhongProbe as PublicProbe, FormControl } from './elements.js';

@@ -15,7 +15,7 @@ import type { HTMLAttributes as SvelteAttributes } from 'svelte/elements';
 /** @ts-ignore */
 import type { HTMLAttributes as VueAttributes, PublicProps } from 'vue';
 import type { LightValues } from '../../phong/light/light-state.js';
-import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import type {
   PhongCompare,
   PhongCompareEventMap,

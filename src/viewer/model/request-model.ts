@@ -1,10 +1,10 @@
 // Requests a model's files, and the code that reads them.
 // Imports nothing that takes long to run.
-import { FORMAT_NAMES, type FormatNames } from './format-names.js';
+import { FORMAT_NAMES, type FormatNames } from '../../phong/model/format-names.js';
 import { isDataUri } from '../../phong/fields/file-names.js';
-import { extraCode } from './lazy-code.js';
-import type { Amounts } from './budget.js';
-import type { Content } from './model.js';
+import { type ExtraCode, extraCode } from './provided-code.js';
+import type { Amounts } from '../../phong/model/budget.js';
+import type { Content } from '../../phong/model/model.js';
 
 /** What loads of models need of their code. */
 export interface ModelCode {
@@ -67,6 +67,18 @@ export interface LoadOptions {
 /** The code that loads models. */
 export const modelCode = /* @__PURE__ */ extraCode<ModelCode>('models');
 
+/** The code that reads a format. What it reads from is the extra's own. */
+interface ReaderCode {
+  readonly read: (source: never) => Promise<Content>;
+}
+
+export const readerCode = {
+  glTF: /* @__PURE__ */ extraCode<ReaderCode>('glTF models'),
+  PLY: /* @__PURE__ */ extraCode<ReaderCode>('PLY files'),
+  STL: /* @__PURE__ */ extraCode<ReaderCode>('STL files'),
+  OBJ: /* @__PURE__ */ extraCode<ReaderCode>('OBJ files'),
+} as const satisfies Readonly<Record<FormatNames['name'], ExtraCode<ReaderCode>>>;
+
 /**
  * Requests the code for a model beside its file, not after it: each request that waits for another
  * is a delay that the user sees. The file's name says which format; the content decides what is
@@ -79,7 +91,7 @@ export function requestCode({ pathname }: URL): void {
   const named = Object.values<FormatNames>(FORMAT_NAMES).filter(({ extensions }) =>
     extensions.some((extension) => path.endsWith(`.${extension}`)),
   );
-  for (const { code } of [{ code: modelCode }, ...named]) {
+  for (const code of [modelCode, ...named.map(({ name }) => readerCode[name])]) {
     code().catch(() => undefined); // reported when it is used
   }
 }

@@ -1,24 +1,12 @@
 // Fits the camera to the scene for `auto`, again when meshes have changed, and measures in each
 // frame how deep it is.
 import type { Mesh, Scene } from 'three';
-import { type Bounds, fitPose, fitRadius } from '../../phong/camera/fit.js';
+import type { Bounds } from '../../phong/camera/fit.js';
+import { type Fit, fitTo, type Framing } from '../../phong/geometry/framing.js';
 import type { Orbit } from '../../phong/camera/orbit.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { type Extent, measure, radiusOf } from '../../phong/geometry/bounds.js';
 import type { Size } from '../../phong/math/region.js';
-
-/** Target and radius as declared: `auto`, or a value. */
-export interface Framing {
-  readonly target: Vec3 | 'auto';
-  readonly radius: number | 'auto';
-}
-
-export interface Fit {
-  readonly target: Vec3;
-  readonly radius: number;
-  /** The scene shows nothing: any place would do. */
-  readonly empty: boolean;
-}
 
 /** Frames several pictures as one. */
 export interface SharedFit {
@@ -166,16 +154,6 @@ export class AutoFit {
     this.#shared?.changed();
     this.#picture.invalidate();
   }
-}
-
-/** The camera that shows a scene of this extent, about `target`. `fov`: vertical, in degrees. */
-export function fitTo(extent: Extent, target: Framing['target'], fov: number, aspect: number): Fit {
-  const { bounds } = extent;
-  const empty = bounds === null;
-  const fitted = fitPose(bounds, fov, aspect);
-  if (target === 'auto') return { ...fitted, empty };
-  const radius = empty ? fitted.radius : fitRadius(extent.radiusAbout(target), fov, aspect);
-  return { target, radius, empty };
 }
 
 const ORIGIN: Vec3 = [0, 0, 0];

@@ -15,7 +15,7 @@ import type { LightSet } from '../../phong/light/light-set.js';
 import { PhongLighting } from '../../phong/material/lighting.js';
 import type { ShadingStyle } from '../../phong/material/material-values.js';
 import type { PictureView } from '../../phong/material/views.js';
-import { Budget } from '../model/budget.js';
+import { Budget } from '../../phong/model/budget.js';
 import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from '../../phong/geometry/bounds.js';
 import { Frame } from './frame.js';

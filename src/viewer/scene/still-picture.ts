@@ -1,7 +1,7 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its
 // first use.
 import type { WebGLRenderer } from 'three';
-import { extraCode, reportMissing } from '../model/lazy-code.js';
+import { extraCode, reportMissing } from '../model/provided-code.js';
 import type { Region, Size } from '../../phong/math/region.js';
 import type { Picture } from './picture.js';
 

@@ -6,7 +6,7 @@ import { attributesOf } from '../../../src/viewer/element/fields/field-binding.j
 import { COMPARE_FIELDS } from '../../../src/viewer/element/fields/compare-fields.js';
 import { VIEWER_FIELDS } from '../../../src/viewer/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
-import { MESH_FIELDS } from '../../../src/viewer/scene/mesh/mesh-fields.js';
+import { MESH_FIELDS } from '../../../src/phong/model/mesh-fields.js';
 
 const known = new Map([
   ['phong-light', attributesOf(LIGHT_FIELDS)],

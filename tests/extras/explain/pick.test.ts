@@ -36,7 +36,7 @@ import {
 } from '../../../src/extras/explain/pick.js';
 import { shadeAt } from '../../../src/extras/explain/shade-at.js';
 import type { ViewerSnapshot } from '../../../src/viewer/element/viewer/extra-host.js';
-import { createGeometry, type GeometryName } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import { createGeometry, type GeometryName } from '../../../src/phong/model/shapes/shapes.js';
 import { Frame } from '../../../src/viewer/scene/frame.js';
 import { answerOf, stepsOf } from './answer-of.js';
 

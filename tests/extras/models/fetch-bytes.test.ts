@@ -5,12 +5,12 @@ import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { createGzip } from 'node:zlib';
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
-import { ModelBudget } from '../../../src/viewer/model/model-budget.js';
+import { ModelBudget } from '../../../src/phong/model/model-budget.js';
 import { byteFetcher, SILENCE_LIMIT_MS } from '../../../src/extras/models/fetch-bytes.js';
 import { loadWith } from './model-files.js';
 
 const LIMIT = 2 ** 22;
-vi.mock(import('../../../src/viewer/model/limits.js'), async (original) => {
+vi.mock(import('../../../src/phong/model/limits.js'), async (original) => {
   const limits = await original();
   return { ...limits, LIMITS: { ...limits.LIMITS, bytes: 2 ** 22 } as never };
 });

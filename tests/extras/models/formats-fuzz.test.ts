@@ -3,7 +3,7 @@
 // time of each is bounded by its size.
 import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { ModelError, type Content } from '../../../src/viewer/model/model.js';
+import { ModelError, type Content } from '../../../src/phong/model/model.js';
 import { fullOr } from '../../support/repeats.js';
 import { heardWarnings, loadFiles, png, standInImages } from './model-files.js';
 

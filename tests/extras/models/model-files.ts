@@ -3,7 +3,7 @@
 import { afterEach, beforeEach, vi } from 'vitest';
 import { imageSize } from '../../../src/extras/models/image.js';
 import { modelContent, type ReadOptions } from '../../../src/extras/models/model-content.js';
-import { type Content, ModelError } from '../../../src/viewer/model/model.js';
+import { type Content, ModelError } from '../../../src/phong/model/model.js';
 import { requestFile } from '../../../src/viewer/model/request-model.js';
 
 /** A load that nothing aborts. */

@@ -6,7 +6,7 @@ import fc from 'fast-check';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { modelContent } from '../../../src/extras/models/model-content.js';
-import type { Content } from '../../../src/viewer/model/model.js';
+import type { Content } from '../../../src/phong/model/model.js';
 import { movingCopy } from '../../../src/extras/models/moving-copy.js';
 import { type Json, pngOf, viewsOf } from '../../fuzz/glb.js';
 import { bitmapOf, heardWarnings, indexOf, numbersOf, OPTIONS, view } from './model-files.js';

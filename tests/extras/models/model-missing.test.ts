@@ -3,7 +3,7 @@
 // disk and inside the model.
 import { beforeEach, describe, expect, it } from 'vitest';
 import { droppedModel, modelContent } from '../../../src/extras/models/model-content.js';
-import type { Content } from '../../../src/viewer/model/model.js';
+import type { Content } from '../../../src/phong/model/model.js';
 import type { BaseLook } from '../../../src/phong/material/file-surface.js';
 import { floats, type Json, viewsOf } from '../../fuzz/glb.js';
 import { triangleDocument } from '../../fuzz/models.js';

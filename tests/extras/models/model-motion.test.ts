@@ -4,13 +4,13 @@ import { AnimationMixer, type Mesh, Object3D, type SkinnedMesh, Vector3 } from '
 import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import { LIMITS } from '../../../src/viewer/model/limits.js';
+import { LIMITS } from '../../../src/phong/model/limits.js';
 import { Animations } from '../../../src/viewer/scene/mesh/animation.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
 import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
 import { sizeOf } from '../../../src/phong/geometry/geometry-size.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';
-import type { Content } from '../../../src/viewer/model/model.js';
+import type { Content } from '../../../src/phong/model/model.js';
 import { keysWithin } from '../../../src/extras/models/gltf/reach.js';
 import { movingCopy } from '../../../src/extras/models/moving-copy.js';
 import { addressOf, bar, type BarOptions } from '../../support/animated-gltf.js';

@@ -10,7 +10,7 @@ import {
 } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { modelContent, type ReadOptions } from '../../../src/extras/models/model-content.js';
-import { type Content, ModelError } from '../../../src/viewer/model/model.js';
+import { type Content, ModelError } from '../../../src/phong/model/model.js';
 import { bitmapOf, OPTIONS } from './model-files.js';
 import { srgbEncode } from '../../../src/phong/math/color.js';
 

@@ -3,7 +3,7 @@
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { modelContent } from '../../../src/extras/models/model-content.js';
-import type { Content } from '../../../src/viewer/model/model.js';
+import type { Content } from '../../../src/phong/model/model.js';
 import type { BaseLook } from '../../../src/phong/material/file-surface.js';
 import type { SurfaceValues } from '../../../src/phong/material/material-values.js';
 import { scale, type Vec3 } from '../../../src/phong/math/vector.js';

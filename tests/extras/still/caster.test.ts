@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { LightState, type Vec3 } from '../../../src/phong/reference/index.js';
 import { add, dot, normalize, scale, subtract } from '../../../src/phong/math/vector.js';
-import { createGeometry } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import { createGeometry } from '../../../src/phong/model/shapes/shapes.js';
 import { castPicture } from '../../support/cast.mjs';
 import { castHere } from '../../../src/extras/still/threads.js';
 import type {

@@ -20,7 +20,7 @@ import {
   vectorField,
 } from '../../../src/phong/fields/field.js';
 import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
-import { MESH_FIELDS } from '../../../src/viewer/scene/mesh/mesh-fields.js';
+import { MESH_FIELDS } from '../../../src/phong/model/mesh-fields.js';
 
 const number = numberField(7, { min: -10, max: 10 });
 const vector = vectorField([0, 0, 0], { min: -10, max: 10 });

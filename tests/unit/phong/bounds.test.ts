@@ -16,11 +16,7 @@ import {
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { forgetBounds, measure, radiusOf } from '../../../src/phong/geometry/bounds.js';
-import {
-  createGeometry,
-  GEOMETRIES,
-  roundOf,
-} from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import { createGeometry, GEOMETRIES, roundOf } from '../../../src/phong/model/shapes/shapes.js';
 import { Random } from '../../stress/random.js';
 
 /** Of positions in float32, relative. */

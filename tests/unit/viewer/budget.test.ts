@@ -2,11 +2,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { flatGeometry } from '../../../src/phong/material/flat-geometry.js';
-import { LIMITS, VALUES_PER_TRIANGLE } from '../../../src/viewer/model/limits.js';
-import { createGeometry, GEOMETRIES } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
-import { shapeNeeds } from '../../../src/viewer/scene/mesh/shapes/shared-shapes.js';
-import { Budget, type Claims, claimsOf } from '../../../src/viewer/model/budget.js';
-import { ModelBudget } from '../../../src/viewer/model/model-budget.js';
+import { LIMITS, VALUES_PER_TRIANGLE } from '../../../src/phong/model/limits.js';
+import { createGeometry, GEOMETRIES } from '../../../src/phong/model/shapes/shapes.js';
+import { shapeNeeds } from '../../../src/viewer/scene/mesh/shared-shapes.js';
+import { Budget, type Claims, claimsOf } from '../../../src/phong/model/budget.js';
+import { ModelBudget } from '../../../src/phong/model/model-budget.js';
 
 const need = (key: object | string, triangles: number) => ({
   key,

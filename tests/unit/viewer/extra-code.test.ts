@@ -1,7 +1,7 @@
 // What happens to a user of an extra whose row is missing from the table of extras?
 
 import { afterEach, expect, it, vi } from 'vitest';
-import { extraCode, reportMissing } from '../../../src/viewer/model/lazy-code.js';
+import { extraCode, reportMissing } from '../../../src/viewer/model/provided-code.js';
 
 afterEach(() => {
   vi.restoreAllMocks();

@@ -10,19 +10,19 @@ import {
   GEOMETRIES,
   type GeometryName,
   roundOf,
-} from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+} from '../../../src/phong/model/shapes/shapes.js';
 import {
   type Cut,
   cutGeometry,
   keyOfCut,
   MOST_CUT_TRIANGLES,
-} from '../../../src/viewer/scene/mesh/shapes/cut-faces.js';
+} from '../../../src/phong/model/shapes/cut-faces.js';
 import {
   acquireShape,
   FIXED,
   levelKey,
   shapeKey,
-} from '../../../src/viewer/scene/mesh/shapes/shared-shapes.js';
+} from '../../../src/viewer/scene/mesh/shared-shapes.js';
 
 const FEW = [1, 2, 3, 4, 5, 8, 33, undefined];
 
@@ -266,7 +266,7 @@ describe('sharing', () => {
   /** Where no shape's code has arrived. */
   async function freshShapes() {
     vi.resetModules();
-    return import('../../../src/viewer/scene/mesh/shapes/shared-shapes.js');
+    return import('../../../src/viewer/scene/mesh/shared-shapes.js');
   }
 
   it('frees a lazy shape with its last user, and builds it at once when its code is here', async () => {

@@ -6,12 +6,12 @@ import { basisOf, type Pose } from '../../../src/phong/camera/orbit.js';
 import { dot, normalize, scale, type Vec3 } from '../../../src/phong/math/vector.js';
 import { LightState } from '../../../src/phong/reference/index.js';
 import type { Frustum } from '../../../src/phong/geometry/frustum-clip.js';
-import { levelIn } from '../../../src/viewer/scene/mesh/levels.js';
+import { levelIn } from '../../../src/phong/model/shapes/segments.js';
 import {
   createGeometry,
   type GeometryName,
   roundOf,
-} from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+} from '../../../src/phong/model/shapes/shapes.js';
 import { outlineErrors } from '../../support/outlines.js';
 import type { CastShape } from '../../../src/extras/still/cast-scene.js';
 import { type Sample, Tracer } from '../../../src/extras/still/tracer.js';

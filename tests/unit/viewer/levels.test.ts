@@ -10,15 +10,15 @@ import {
   levelFor,
   levelIn,
   segmentsIn,
-} from '../../../src/viewer/scene/mesh/levels.js';
+} from '../../../src/phong/model/shapes/segments.js';
 import {
   createGeometry,
   GEOMETRIES,
   type GeometryName,
   roundOf,
   trianglesOf,
-} from '../../../src/viewer/scene/mesh/shapes/shapes.js';
-import type { Cut } from '../../../src/viewer/scene/mesh/shapes/cut-faces.js';
+} from '../../../src/phong/model/shapes/shapes.js';
+import type { Cut } from '../../../src/phong/model/shapes/cut-faces.js';
 import type { Frustum } from '../../../src/phong/geometry/frustum-clip.js';
 
 type RoundName = Exclude<GeometryName, 'box' | 'plane' | 'pyramid'>;

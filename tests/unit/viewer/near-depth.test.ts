@@ -21,7 +21,7 @@ import { Orbit, type Pose } from '../../../src/phong/camera/orbit.js';
 import { radians } from '../../../src/phong/math/angle.js';
 import { radiusOf } from '../../../src/phong/geometry/bounds.js';
 import { Frame } from '../../../src/viewer/scene/frame.js';
-import { createGeometry } from '../../../src/viewer/scene/mesh/shapes/shapes.js';
+import { createGeometry } from '../../../src/phong/model/shapes/shapes.js';
 import { repeats } from '../../support/repeats.js';
 import type { CoverageScene } from '../../visual/coverage.js';
 import { LOW_EYES, randomLowEye } from '../../visual/low-eyes.js';

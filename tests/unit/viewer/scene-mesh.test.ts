@@ -3,8 +3,8 @@
 import { BoxGeometry, type BufferGeometry, Matrix4, Mesh, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
-import type { Content } from '../../../src/viewer/model/model.js';
-import type { MeshValues } from '../../../src/viewer/scene/mesh/mesh-fields.js';
+import type { Content } from '../../../src/phong/model/model.js';
+import type { MeshValues } from '../../../src/phong/model/mesh-fields.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
 import { meshHost, meshOf } from '../scene-host.js';
 

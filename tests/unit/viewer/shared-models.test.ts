@@ -2,7 +2,7 @@
 // a budget of its own?
 import { type BufferGeometry, Scene } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { MeshValues } from '../../../src/viewer/scene/mesh/mesh-fields.js';
+import type { MeshValues } from '../../../src/phong/model/mesh-fields.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
 import { bar } from '../../support/animated-gltf.js';
 import { pngOf } from '../../fuzz/glb.js';

@@ -1,6 +1,6 @@
 // The accessors and buffer views of a glTF document, checked before anything is allocated. Knows
 // the JSON only.
-import type { ModelBudget } from '../../../viewer/extra.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import type { Slices } from '../slices.js';
 import {
   countAt,

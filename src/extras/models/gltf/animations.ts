@@ -1,7 +1,7 @@
 // The animations of a glTF document that can be played, and what they cost: channels of shown
 // nodes, with samplers that fit their properties. An animation with a mistake is left out, and the
 // model is shown without it. Knows the JSON only.
-import type { ModelBudget } from '../../../viewer/extra.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
 import { leftOutOf } from './extensions.js';

@@ -1,6 +1,8 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once,
 // on first use.
-import { lazyCode, LIMITS, requireAtMost } from '../../../viewer/extra.js';
+import { lazyCode } from '../../../phong/lazy-code.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
+import { LIMITS } from '../../../phong/model/limits.js';
 import { type FileBytes, type ModelSource, neededCode, requireDecoders } from '../model-reader.js';
 import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';

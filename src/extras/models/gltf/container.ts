@@ -1,6 +1,7 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of
 // the file.
-import { type ModelBudget, requireAtMost } from '../../../viewer/extra.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import { fromBase64, dataHeader, decodeDataUri } from '../encodings.js';
 import type { FileBytes } from '../model-reader.js';
 import type { Slices } from '../slices.js';

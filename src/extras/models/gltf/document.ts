@@ -2,7 +2,9 @@
 // textures, skins and animations. Everything else is removed before anything is loaded. Every index
 // and size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../phong/fields/clip.js';
-import { type ModelBudget, ModelError, requireAtMost } from '../../../viewer/extra.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
+import { ModelError } from '../../../phong/model/model.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';

@@ -2,7 +2,8 @@
 import wasm from 'three/examples/jsm/libs/draco/gltf/draco_decoder.wasm?url';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { lazyCode, requireAtMost } from '../../../viewer/extra.js';
+import { lazyCode } from '../../../phong/lazy-code.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { neededCode } from '../model-reader.js';
 import type { Slices } from '../slices.js';

@@ -1,6 +1,6 @@
 // Turns the geometries from three's glTF loader into those that are drawn, in the file's pose.
 // Shared ones stay shared.
-import type { ModelBudget } from '../../../viewer/extra.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import {
   BufferAttribute,
   BufferGeometry,

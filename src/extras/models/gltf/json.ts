@@ -1,6 +1,6 @@
 // Reads values from untrusted JSON. Each reader throws a plain Error that names the wrong value, or
 // `too-large`.
-import { requireAtMost } from '../../../viewer/extra.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
 import { JSON_LIST_LIMIT, JSON_NAME_LIMIT } from '../limits.js';
 
 export type JsonObject = Readonly<Record<string, unknown>>;

@@ -7,7 +7,7 @@ import { exponentOfRoughness } from '../../../phong/material/file-surface.js';
 import { SURFACE_FIELDS } from '../../../phong/material/material-values.js';
 import { srgbEncode } from '../../../phong/math/color.js';
 import { clamp, map, multiply, type Vec3 } from '../../../phong/math/vector.js';
-import type { ContentPart } from '../../../viewer/extra.js';
+import type { ContentPart } from '../../../phong/model/model.js';
 import type { Slices } from '../slices.js';
 import {
   countAt,

@@ -1,7 +1,7 @@
 // Decodes meshopt data by three's WebAssembly decoder, on the main thread: about a gigabyte per
 // second. A chunk.
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
-import { ModelError } from '../../../viewer/extra.js';
+import { ModelError } from '../../../phong/model/model.js';
 import type { MeshoptView } from './accessors.js';
 
 /** @throws ModelError `csp` if the page allows no WebAssembly, Error for broken bytes. */

@@ -3,7 +3,8 @@
 import { sinDegrees } from '../../../phong/math/angle.js';
 import { acos } from '../../../phong/math/elementary.js';
 import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
-import { type Content, type ContentPart, LIMITS } from '../../../viewer/extra.js';
+import { LIMITS } from '../../../phong/model/limits.js';
+import type { Content, ContentPart } from '../../../phong/model/model.js';
 import { clip, listed } from '../../../phong/fields/clip.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';

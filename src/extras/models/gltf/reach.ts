@@ -1,7 +1,8 @@
 // Where the vertices of an animated model come to: a bounded number of them, the outermost, over
 // the poses at its keys.
 import { Box3, type BufferAttribute, type Matrix4, Vector3 } from 'three';
-import { type ContentPart, LIMITS } from '../../../viewer/extra.js';
+import { LIMITS } from '../../../phong/model/limits.js';
+import type { ContentPart } from '../../../phong/model/model.js';
 import type { Slices } from '../slices.js';
 import { hasMovingVertices } from '../../../phong/geometry/geometry-size.js';
 

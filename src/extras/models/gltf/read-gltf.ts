@@ -15,7 +15,7 @@ import {
   type GLTFParser,
 } from 'three/addons/loaders/GLTFLoader.js';
 import { ImageTextures } from '../image.js';
-import type { ContentPart } from '../../../viewer/extra.js';
+import type { ContentPart } from '../../../phong/model/model.js';
 import { mapsOfLook, type ModelReader, ownedModel, requireDecoders } from '../model-reader.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';

@@ -1,7 +1,8 @@
 // Decodes a KTX2 file to an image. Checked here, decoded by code that is fetched with the first
 // such file.
 import transcoder from 'three/examples/jsm/libs/basis/basis_transcoder.wasm?url';
-import { lazyCode, ModelError } from '../../../viewer/extra.js';
+import { lazyCode } from '../../../phong/lazy-code.js';
+import { ModelError } from '../../../phong/model/model.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { neededCode } from '../model-reader.js';
 import type { Ktx2Job } from './ktx2.js';

@@ -1,7 +1,8 @@
 // Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material
 // each belongs to. Lines, points, curves and surfaces are skipped, and so is a face that refers to
 // what is not there.
-import { LIMITS, requireAtMost } from '../../../viewer/extra.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
+import { LIMITS } from '../../../phong/model/limits.js';
 import type { LeftOut, LeftOutKind } from '../left-out.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';

@@ -13,7 +13,7 @@ import { clip } from '../../../phong/fields/clip.js';
 import { type FileBytes, type ModelReader, type ModelSource, ownedModel } from '../model-reader.js';
 import { ImageTextures } from '../image.js';
 import { LeftOut } from '../left-out.js';
-import { type ContentPart, ModelError } from '../../../viewer/extra.js';
+import { type ContentPart, ModelError } from '../../../phong/model/model.js';
 import { Slices } from '../slices.js';
 import { asUtf8 } from '../encodings.js';
 import { IndexedGeometries, type CornerRange } from '../triangles/indexed-geometry.js';

@@ -1,7 +1,7 @@
 // Reads the rows of a PLY file's elements into lists: a vertex, a face or strips of triangles each.
 import { clip } from '../../../phong/fields/clip.js';
 import type { LeftOut } from '../left-out.js';
-import { LIMITS } from '../../../viewer/extra.js';
+import { LIMITS } from '../../../phong/model/limits.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import {

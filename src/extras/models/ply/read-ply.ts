@@ -4,7 +4,8 @@
 import { PLAIN_LOOK } from '../../../phong/material/file-surface.js';
 import { type ModelReader, ownedModel } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
-import { isOutOfMemory, ModelError } from '../../../viewer/extra.js';
+import { isOutOfMemory } from '../../../phong/model/limits.js';
+import { ModelError } from '../../../phong/model/model.js';
 import { Slices } from '../slices.js';
 import { type CornerLists } from '../triangles/corner-lists.js';
 import { IndexedGeometries } from '../triangles/indexed-geometry.js';

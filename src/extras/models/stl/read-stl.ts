@@ -6,12 +6,10 @@ import type { Vec3 } from '../../../phong/math/vector.js';
 import { faceNormals, type ModelReader, ownedModel } from '../model-reader.js';
 import { LeftOut } from '../left-out.js';
 import { type BaseLook, PLAIN_LOOK } from '../../../phong/material/file-surface.js';
-import {
-  type ContentPart,
-  LIMITS,
-  type ModelBudget,
-  requireAtMost,
-} from '../../../viewer/extra.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
+import { LIMITS } from '../../../phong/model/limits.js';
+import type { ContentPart } from '../../../phong/model/model.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';

@@ -1,7 +1,8 @@
 // A file's triangles while they are read: corners refer to lists of positions, uvs and normals, as
 // OBJ writes them.
 import { Matrix4, type TypedArray } from 'three';
-import { LIMITS, requireAtMost } from '../../../viewer/extra.js';
+import { requireAtMost } from '../../../phong/model/budget.js';
+import { LIMITS } from '../../../phong/model/limits.js';
 import { LIMITS as LIGHT_LIMITS } from '../../../phong/light/light-state.js';
 import type { Slices } from '../slices.js';
 import { free } from '../limits.js';

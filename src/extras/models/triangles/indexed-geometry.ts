@@ -1,6 +1,6 @@
 // Turns corners into a geometry that the GPU reads. Corners that agree in everything share a
 // vertex.
-import type { ModelBudget } from '../../../viewer/extra.js';
+import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Slices } from '../slices.js';
 import { itemAt, NONE, NOT_THERE, type CornerLists } from './corner-lists.js';

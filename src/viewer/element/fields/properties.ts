@@ -4,7 +4,7 @@
 // written out because a mapped type cannot give a setter another type than its getter;
 // manifest.test.ts lets the compiler check that none is missing.
 import type { LightValues } from '../../../phong/light/light-state.js';
-import type { MeshValues, ShapeValues } from '../../scene/mesh/mesh-fields.js';
+import type { MeshValues, ShapeValues } from '../../../phong/model/mesh-fields.js';
 
 /** Numbers in a list: an array or a typed array. */
 export type NumberList =

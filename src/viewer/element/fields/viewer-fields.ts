@@ -22,7 +22,7 @@ import {
   vectorField,
 } from '../../../phong/fields/field.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
-import { MESH_FIELDS, SHAPE_FIELDS } from '../../scene/mesh/mesh-fields.js';
+import { MESH_FIELDS, SHAPE_FIELDS } from '../../../phong/model/mesh-fields.js';
 import { attributeOf } from '../../../phong/fields/attribute-text.js';
 import type { Inputs, ShapeProperties, ValuesOf } from './properties.js';
 

@@ -1,6 +1,7 @@
 // The texts of a whole page: by `PhongViewer.texts`, and in scripts of JSON in the markup, which a
 // chunk reads.
-import { lazyCode, reportMissing } from '../../model/lazy-code.js';
+import { lazyCode } from '../../../phong/lazy-code.js';
+import { reportMissing } from '../../model/provided-code.js';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 
 export const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';

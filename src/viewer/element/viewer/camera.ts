@@ -6,7 +6,7 @@ import { OrbitInput, type OrbitInputHost } from '../../../phong/camera/orbit-inp
 import { newBasis, type Pose } from '../../../phong/camera/orbit.js';
 import { Turntable } from '../../../phong/camera/turntable.js';
 import { wrapDegrees } from '../../../phong/math/angle.js';
-import type { Framing } from '../../scene/auto-fit.js';
+import type { Framing } from '../../../phong/geometry/framing.js';
 import type { CameraSource, CameraState } from '../elements.js';
 import { pictureBox } from '../page/picture-box.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';

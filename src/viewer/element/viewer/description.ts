@@ -3,7 +3,7 @@
 import { kindOf } from '../../../phong/light/light-features.js';
 import type { LightValues } from '../../../phong/light/light-state.js';
 import { fileName } from '../../../phong/fields/file-names.js';
-import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
+import type { MeshValues } from '../../../phong/model/mesh-fields.js';
 import { localNumber, phrase, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState, PhongViewer } from '../elements.js';
 import { fieldsOf } from '../internals.js';

@@ -3,7 +3,7 @@
 // viewer/extras.ts). shadeAt copies the
 // scene at the call, because it may change meanwhile.
 import type { ReactiveController } from 'lit';
-import { reportMissing } from '../../model/lazy-code.js';
+import { reportMissing } from '../../model/provided-code.js';
 import { MOST_SAMPLES } from '../fields/viewer-fields.js';
 import type { Size } from '../../../phong/math/region.js';
 import { zoomOf } from '../../../phong/camera/gesture.js';

@@ -1,8 +1,8 @@
 // What has failed and still does: reported once by an event, shown as a message until it works
 // again.
 import { clipMessage } from '../../../phong/fields/clip.js';
-import { isOutOfMemory } from '../../model/limits.js';
-import { ModelError } from '../../model/model.js';
+import { isOutOfMemory } from '../../../phong/model/limits.js';
+import { ModelError } from '../../../phong/model/model.js';
 import { nameOf } from '../../../phong/fields/file-names.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { SceneMesh } from '../../scene/mesh/scene-mesh.js';

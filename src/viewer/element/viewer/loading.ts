@@ -3,7 +3,8 @@
 import type { ReactiveController } from 'lit';
 import { stage } from '../../scene/gpu/stage.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import { lazyCode, reportMissing } from '../../model/lazy-code.js';
+import { lazyCode } from '../../../phong/lazy-code.js';
+import { reportMissing } from '../../model/provided-code.js';
 import { type CrossOrigin, modelCode } from '../../model/request-model.js';
 import type { Picture } from '../../scene/picture.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';

@@ -1,6 +1,6 @@
 // The control panel's life: its code is fetched on first use, it is notified of changes, and
 // removed again.
-import { reportMissing } from '../../model/lazy-code.js';
+import { reportMissing } from '../../model/provided-code.js';
 import type { PhongViewer } from '../elements.js';
 import { type Panel, type PanelChange, panelCode } from '../extra-code.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';

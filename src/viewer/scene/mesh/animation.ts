@@ -1,8 +1,8 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
-import { LIMITS } from '../../model/limits.js';
+import { LIMITS } from '../../../phong/model/limits.js';
 import type { GeometrySize } from '../../../phong/geometry/geometry-size.js';
-import type { Motion } from '../../model/model.js';
-import type { ShapeValues } from './mesh-fields.js';
+import type { Motion } from '../../../phong/model/model.js';
+import type { ShapeValues } from '../../../phong/model/mesh-fields.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 

@@ -2,11 +2,11 @@
 import { sameValue } from '../../../phong/fields/field-store.js';
 import type { CrossOrigin } from '../../model/request-model.js';
 import { fileName } from '../../../phong/fields/file-names.js';
-import { type Content, NO_CONTENT } from '../../model/model.js';
-import type { ShapeValues } from './mesh-fields.js';
-import { acquireShape, shapeKey } from './shapes/shared-shapes.js';
-import type { GeometryName } from './shapes/shapes.js';
-import type { Claim, Need } from '../../model/budget.js';
+import { type Content, NO_CONTENT } from '../../../phong/model/model.js';
+import type { ShapeValues } from '../../../phong/model/mesh-fields.js';
+import { acquireShape, shapeKey } from './shared-shapes.js';
+import type { GeometryName } from '../../../phong/model/shapes/shapes.js';
+import type { Claim, Need } from '../../../phong/model/budget.js';
 import { acquireModel } from './shared-models.js';
 
 type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;

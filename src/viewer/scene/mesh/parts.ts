@@ -5,15 +5,14 @@ import {
   forgetFlatGeometry,
   updateFlatGeometry,
 } from '../../../phong/material/flat-geometry.js';
-import type { SurfaceValues } from '../../../phong/material/material-values.js';
-import type { BaseLook } from '../../../phong/material/file-surface.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { hasMovingVertices, shareSize, sizeOf } from '../../../phong/geometry/geometry-size.js';
 import type { MeshAnimation } from './animation.js';
-import type { Claim, Need } from '../../model/budget.js';
-import { type Content, type ContentPart, NO_CONTENT } from '../../model/model.js';
-import type { MeshState } from './mesh-fields.js';
-import type { Appearance, SharedMaterials } from './shared-materials.js';
+import type { Claim, Need } from '../../../phong/model/budget.js';
+import { type Content, type ContentPart, NO_CONTENT } from '../../../phong/model/model.js';
+import type { MeshState } from '../../../phong/model/mesh-fields.js';
+import type { SharedMaterials } from './shared-materials.js';
+import { type Appearance, appearanceOf } from '../../../phong/model/appearance.js';
 import {
   acquireShape,
   FIXED,
@@ -21,8 +20,8 @@ import {
   type Level,
   levelKey,
   type ShapeContent,
-} from './shapes/shared-shapes.js';
-import type { GeometryName } from './shapes/shapes.js';
+} from './shared-shapes.js';
+import type { GeometryName } from '../../../phong/model/shapes/shapes.js';
 
 export interface Part {
   readonly mesh: Mesh;
@@ -209,45 +208,3 @@ export function followPose(parts: readonly Part[]): void {
     }
   }
 }
-
-/** How a part looks. `shading`: by default the mesh's own. */
-export function appearanceOf(
-  state: MeshState,
-  source: ContentPart,
-  shading: Appearance['shading'] = state.values.shading ?? null,
-): Appearance {
-  const { reflection = null } = state.values;
-  return {
-    look: lookOf(state, source),
-    sides: source.sides,
-    surface: surfaceOf(state, source),
-    shading,
-    reflection,
-  };
-}
-
-/** Attributes win, then the file's values, then the defaults. */
-function surfaceOf(state: MeshState, { surface }: ContentPart): SurfaceValues {
-  const { values } = state;
-  const valueOf = <K extends keyof SurfaceValues>(key: K): SurfaceValues[K] =>
-    (state.given(key) ? undefined : surface[key]) ?? values[key];
-  return {
-    ka: valueOf('ka'),
-    kd: valueOf('kd'),
-    ks: valueOf('ks'),
-    shininess: valueOf('shininess'),
-  };
-}
-
-/** The file's look. An exponent that the author gives replaces the file's roughness. */
-function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
-  if (look.roughness === null || !state.given('shininess')) return look;
-  const known = smooth.get(look) ?? { ...look, roughness: null };
-  smooth.set(look, known);
-  return known;
-}
-
-/**
- * Looks without their roughness: the same object each time, because materials are compared by it.
- */
-const smooth = new WeakMap<BaseLook, BaseLook>();

@@ -5,16 +5,16 @@ import type { Shading, ShadingStyle } from '../../../phong/material/material-val
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { radians } from '../../../phong/math/angle.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
-import type { Budget, Claim, Need } from '../../model/budget.js';
-import { isOutOfMemory } from '../../model/limits.js';
-import { type Content, ModelError } from '../../model/model.js';
+import type { Budget, Claim, Need } from '../../../phong/model/budget.js';
+import { isOutOfMemory } from '../../../phong/model/limits.js';
+import { type Content, ModelError } from '../../../phong/model/model.js';
 import { modelCode } from '../../model/request-model.js';
 import { declareReach } from '../../../phong/geometry/bounds.js';
 import { type Animations, MeshAnimation, measureReach } from './animation.js';
 import { ContentLoad, type LoadHost } from './content-load.js';
-import type { MeshState, MeshValues, ShapeValues } from './mesh-fields.js';
+import type { MeshState, MeshValues, ShapeValues } from '../../../phong/model/mesh-fields.js';
+import { appearanceOf } from '../../../phong/model/appearance.js';
 import {
-  appearanceOf,
   EMPTY,
   followPose,
   freeShown,
@@ -27,8 +27,8 @@ import {
   type ShownContent,
 } from './parts.js';
 import { looksAlike, type SharedMaterials } from './shared-materials.js';
-import { FIXED, type Level, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
-import { effectiveSegments, type GeometryName } from './shapes/shapes.js';
+import { FIXED, type Level, levelKey, shapeKey, shapeNeeds } from './shared-shapes.js';
+import { effectiveSegments, type GeometryName } from '../../../phong/model/shapes/shapes.js';
 
 /** The picture that a mesh is part of. */
 export interface MeshPicture {

@@ -2,7 +2,6 @@
 // changes neither program nor values between them. One without users is freed after the next
 // drawing: its program can pass on.
 import {
-  type SurfaceValues,
   DEFAULT_STYLE,
   type Shading,
   type ShadingStyle,
@@ -11,19 +10,7 @@ import type { PhongLighting } from '../../../phong/material/lighting.js';
 import type { BaseLook } from '../../../phong/material/file-surface.js';
 import { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { Shared } from '../../model/shared.js';
-import type { Sides } from '../../../phong/material/back-faces.js';
-
-/**
- * All that a mesh says about its material. Values are replaced when they change, never written to.
- */
-export interface Appearance {
-  readonly look: BaseLook;
-  readonly sides: Sides;
-  readonly surface: Readonly<SurfaceValues>;
-  /** Null: as the picture. */
-  readonly shading: Shading | null;
-  readonly reflection: ShadingStyle['reflection'] | null;
-}
+import type { Appearance } from '../../../phong/model/appearance.js';
 
 interface SharedMaterial {
   readonly material: PhongMaterial;

@@ -1,8 +1,8 @@
 // The models that meshes show now. Equal sources are one download and one content for the whole
 // page; users are counted. A model that moves gets matrices and moving vertices of its own for each
 // mesh.
-import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
-import type { Content } from '../../model/model.js';
+import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../../phong/model/budget.js';
+import type { Content } from '../../../phong/model/model.js';
 import {
   type CrossOrigin,
   modelCode,

@@ -1,6 +1,6 @@
 // Builds geometries of curved surfaces row by row.
 import { BufferAttribute, BufferGeometry } from 'three';
-import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
+import { cosDegrees, sinDegrees } from '../../math/angle.js';
 
 /** Place, unit normal and texture coordinates of all vertices, one after the other. */
 export interface Vertices {

@@ -1,10 +1,10 @@
 // What a mesh shows, a built-in shape or a loaded model of any format, and why a model cannot be
 // shown.
 import type { BufferGeometry, Matrix4 } from 'three';
-import type { Sides } from '../../phong/material/back-faces.js';
-import type { BaseLook } from '../../phong/material/file-surface.js';
-import type { SurfaceValues } from '../../phong/material/material-values.js';
-import type { GeometrySize } from '../../phong/geometry/geometry-size.js';
+import type { Sides } from '../material/back-faces.js';
+import type { BaseLook } from '../material/file-surface.js';
+import type { SurfaceValues } from '../material/material-values.js';
+import type { GeometrySize } from '../geometry/geometry-size.js';
 
 /** What a mesh shows. Readers of files and built-in shapes make it, the scene draws it. */
 export interface Content {

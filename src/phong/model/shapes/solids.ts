@@ -1,7 +1,7 @@
 // The less common shapes, in one chunk: separate chunks would be smaller than a request costs.
 import { BufferGeometry, Float32BufferAttribute } from 'three';
-import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
-import { cross, normalize, subtract, type Vec3 } from '../../../../phong/math/vector.js';
+import { cosDegrees, sinDegrees } from '../../math/angle.js';
+import { cross, normalize, subtract, type Vec3 } from '../../math/vector.js';
 import { circle, type Grid, gridGeometry, put } from './grid-geometry.js';
 
 // The ring's radius and the tube's add up to the outer radius 1/2.

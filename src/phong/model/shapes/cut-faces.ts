@@ -4,7 +4,7 @@
 // triangle thinner than a pixel is extrapolated to the pixel's centre: so triangles are as large as
 // they are far away, and few. Neighbouring faces are cut in the same points of their edge.
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { Vec3 } from '../../../../phong/math/vector.js';
+import type { Vec3 } from '../../math/vector.js';
 
 /** In the shape's own space, where each side is 1. */
 export interface Cut {

@@ -1,5 +1,5 @@
 // The values that a mesh declares, with domains and defaults, in HTML's units.
-import { LIMITS } from '../../../phong/light/light-state.js';
+import { LIMITS } from '../light/light-state.js';
 import {
   SURFACE_FIELDS,
   type SurfaceValues,
@@ -7,8 +7,8 @@ import {
   REFLECTIONS,
   type Shading,
   SHADINGS,
-} from '../../../phong/material/material-values.js';
-import type { Fields } from '../../../phong/fields/field-store.js';
+} from '../material/material-values.js';
+import type { Fields } from '../fields/field-store.js';
 import {
   type Field,
   choiceField,
@@ -19,10 +19,10 @@ import {
   scaleField,
   textField,
   vectorField,
-} from '../../../phong/fields/field.js';
-import type { Vec3 } from '../../../phong/math/vector.js';
+} from '../fields/field.js';
+import type { Vec3 } from '../math/vector.js';
 import { GEOMETRIES, type GeometryName } from './shapes/shapes.js';
-import { MODEL_TYPES, type ModelType } from '../../model/format-names.js';
+import { MODEL_TYPES, type ModelType } from './format-names.js';
 
 /** Where a mesh's triangles come from. `src` wins if both are given. */
 export interface ShapeValues extends SurfaceValues {

@@ -8,15 +8,11 @@ import {
   Sphere,
   Vector3,
 } from 'three';
-import { cosDegrees, sinDegrees } from '../../../../phong/math/angle.js';
-import type { Vec3 } from '../../../../phong/math/vector.js';
-import {
-  declareSize,
-  type GeometrySize,
-  type Vertices,
-} from '../../../../phong/geometry/geometry-size.js';
-import { lazyCode } from '../../../model/lazy-code.js';
-import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
+import { cosDegrees, sinDegrees } from '../../math/angle.js';
+import type { Vec3 } from '../../math/vector.js';
+import { declareSize, type GeometrySize, type Vertices } from '../../geometry/geometry-size.js';
+import { lazyCode } from '../../lazy-code.js';
+import { VALUES_PER_TRIANGLE } from '../limits.js';
 import { circle, gridGeometry, put } from './grid-geometry.js';
 import type { SOLIDS } from './solids.js';
 

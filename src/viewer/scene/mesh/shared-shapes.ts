@@ -1,11 +1,16 @@
 // The shapes that meshes show now. Meshes of the page with the same shape and segments share one
 // content.
 import { type BufferGeometry, Matrix4 } from 'three';
-import { PLAIN_LOOK } from '../../../../phong/material/file-surface.js';
-import { claimsOf, type Need } from '../../../model/budget.js';
-import type { Content } from '../../../model/model.js';
-import { Shared } from '../../../model/shared.js';
-import { type Cut, cutGeometry, type CutName, keyOfCut } from './cut-faces.js';
+import { PLAIN_LOOK } from '../../../phong/material/file-surface.js';
+import { claimsOf, type Need } from '../../../phong/model/budget.js';
+import type { Content } from '../../../phong/model/model.js';
+import { Shared } from '../../model/shared.js';
+import {
+  type Cut,
+  cutGeometry,
+  type CutName,
+  keyOfCut,
+} from '../../../phong/model/shapes/cut-faces.js';
 import {
   CLOSED,
   coarsestOf,
@@ -15,7 +20,7 @@ import {
   type GeometryName,
   roundOf,
   trianglesOf,
-} from './shapes.js';
+} from '../../../phong/model/shapes/shapes.js';
 
 /** Segments as written, `undefined` for the shape's default; or a level of `auto`. */
 export interface ShapeKey {
