@@ -11,7 +11,7 @@ import { add, cross, normalize, perpendicular, scale, subtract } from '../../pho
 import { type Form, MISTAKES, type MistakeId } from '../../phong/mistakes/mistakes.js';
 import { isLeftOut, SLIPS, type SlipId } from '../../phong/mistakes/slips.js';
 import { evaluate, type Given } from '../../phong/mistakes/steps.js';
-import { degreesText, shortNumber } from '../overlay/probe/sum.js';
+import { decimals, degreesText, rounded, shortNumber } from '../overlay/probe/sum.js';
 import {
   coefficientOf,
   drawn,
@@ -204,19 +204,26 @@ interface Typed {
   readonly unit: number;
 }
 
-/** A number as people write it: any script's digits, a comma, percent, a fraction. Null for none. */
+/**
+ * A number as people write it: any script's digits, a comma, percent, a fraction, a power of ten.
+ * Null for none.
+ */
 export function typedNumber(text: string): Typed | null {
   const plain = text
+    .normalize('NFKC') // full width, ½, 10⁻³
     .trim()
     .replace(/\p{Nd}/gu, digitOf)
     .replace(/[−–]/g, '-')
     .replace(/[,٫]/g, '.')
     .replace('٪', '%')
-    .replace('⁄', '/');
-  const match = /^([+-]?(?:\d+\.?\d*|\.\d+))\s*(?:(%)|\/\s*(\d+\.?\d*|\.\d+))?$/.exec(plain);
+    .replace('⁄', '/')
+    .replace(/^[=≈]\s*/, '')
+    .replace(/\s*[·⋅×*]\s*10\s*\^?\s*(?=[+-]?\d+$)/, 'e');
+  const match =
+    /^([+-]?(?:\d+\.?\d*|\.\d+))(?:e([+-]?\d+))?\s*(?:(%)|\/\s*(\d+\.?\d*|\.\d+))?$/i.exec(plain);
   if (match === null) return null;
-  const [, number = '', percent, under] = match;
-  const by = percent === undefined ? Number(under ?? 1) : 100;
+  const [, number = '', power = '0', percent, under] = match;
+  const by = (percent === undefined ? Number(under ?? 1) : 100) / 10 ** Number(power);
   const value = Number(number) / by;
   if (!Number.isFinite(value)) return null;
   const unit = under === undefined ? 10 ** -(number.split('.')[1]?.length ?? 0) / by : 0;
@@ -236,7 +243,10 @@ function digitOf(digit: string): string {
 /** Nobody sees this difference: an eighth of a code. */
 const UNSEEN = 0.0005;
 
-/** Rounding of given numbers on the way: a share of the value. */
+/**
+ * Rounding of given numbers on the way: a share of the value. It adds to the rounding of what is
+ * typed: 0.1015, computed from rounded numbers, may be typed as 0.102 where 0.10149 is right.
+ */
 const SLACK = 0.002;
 
 export function judge(typed: string, question: Question, texts: ViewerTexts | null): Verdict {
@@ -248,7 +258,7 @@ export function judge(typed: string, question: Question, texts: ViewerTexts | nu
   const { value, unit } = number;
   const { expected } = question;
   const isNear = (x: number): boolean =>
-    Math.abs(value - x) <= Math.max(0.5 * unit, SLACK * Math.abs(x)) * (1 + 1e-9) + 1e-12;
+    Math.abs(value - x) <= (0.5 * unit + SLACK * Math.abs(x)) * (1 + 1e-9) + 1e-12;
   /** Digits that would fit many numbers. */
   const isCoarse = (x: number): boolean =>
     Math.abs(value - x) > UNSEEN && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
@@ -263,15 +273,18 @@ export function judge(typed: string, question: Question, texts: ViewerTexts | nu
   if (value > 1 && expected <= 1) {
     return { value, correct: false, mistake: 'above-full', text: phrase(texts, 'Here 1 is full.') };
   }
-  const difference = shortNumber(Math.abs(value - expected), digitsOf(value - expected), texts);
+  const off = Math.abs(value - expected);
+  const difference = shortNumber(
+    off,
+    decimals(2, (n) => rounded(off, n) > 0),
+    texts,
+  );
   const side =
     value > expected
       ? 'Not yet: too large by {difference}.'
       : 'Not yet: too small by {difference}.';
   return { value, correct: false, mistake: null, text: phrase(texts, side, { difference }) };
 }
-
-const digitsOf = (x: number): number => (Math.abs(x) >= 0.05 ? 2 : 4);
 
 /** The one mistake that gives this number; null if none or several do. */
 function diagnosis(
@@ -280,7 +293,7 @@ function diagnosis(
   { expected, wrongs }: Question,
 ): Wrong | null {
   const isApart = (a: number, b: number): boolean =>
-    Math.abs(a - b) > Math.max(unit, 2 * SLACK * Math.abs(a));
+    Math.abs(a - b) > unit + 2 * SLACK * Math.abs(a);
   // A left out factor is likelier than the rest. What could be meant too leaves the answer untold.
   for (const among of [wrongs.filter(({ mistake }) => isLeftOut(mistake)), wrongs]) {
     const first = among.find(({ value }) => isNear(value));

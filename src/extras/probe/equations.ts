@@ -110,14 +110,16 @@ function factorsOf({ fragment, share, light, term, linear, halfway, texts }: Ter
   const [kc, kl, kq] = light.attenuation;
   const isFading = light.position[3] === 1 && (kl > 0 || kq > 0);
   if (term !== 'ambient' && (att !== 1 || isFading)) {
-    const parts = [kc, kl, kq].flatMap((k, i) =>
-      k === 0 ? [] : `${exact(k)}${['', ' d', ' d²'][i]!}`,
-    );
+    const parts = [kc, kl, kq].flatMap((k, i) => {
+      const power = ['', 'd', 'd²'][i]!;
+      return k === 0 ? [] : k === 1 && i > 0 ? power : `${exact(k)} ${power}`.trim();
+    });
+    const formula = `att = 1 / max(${parts.join(' + ')}, 1)`;
     factors.push({
       symbol: 'att',
       value: grey(att),
       fact: {
-        text: (digits) => `d = ${plain(d, digits)}, att = 1 / max(${parts.join(' + ')}, 1)`,
+        text: (digits) => (isFading ? `d = ${plain(d, digits)}, ${formula}` : formula),
         value: (digits) => {
           const x = rounded(d, digits);
           return 1 / Math.max(kc + kl * x + kq * x * x, 1);
@@ -136,7 +138,7 @@ function factorsOf({ fragment, share, light, term, linear, halfway, texts }: Ter
         text: (digits) => {
           const degrees = `${plain(angle, digits)}°`;
           const cone = light.aperture < 180 ? `, ${aperture} ${exact(light.aperture)}°` : '';
-          return `${axis} ∠L ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
+          return `∠(L, −${axis}) = ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
         },
         value: (digits) => {
           const x = rounded(angle, digits);
@@ -147,7 +149,7 @@ function factorsOf({ fragment, share, light, term, linear, halfway, texts }: Ter
     });
   }
   const cosine = (name: string, x: number, n: number): Fact => ({
-    text: (digits) => `${name} ${plain(degreesOf(x), digits)}°`,
+    text: (digits) => `∠(${name}) = ${plain(degreesOf(x), digits)}°`,
     value: (digits) => power(cosDegrees(rounded(degreesOf(x), digits)), n),
   });
   if (term === 'diffuse') {
@@ -155,7 +157,7 @@ function factorsOf({ fragment, share, light, term, linear, halfway, texts }: Ter
       symbol: 'max(N · L, 0)',
       value: grey(NoL),
       clamped: true,
-      fact: cosine('N ∠L', NoL, 1),
+      fact: cosine('N, L', NoL, 1),
     });
   }
   if (term === 'specular') {
@@ -168,9 +170,9 @@ function factorsOf({ fragment, share, light, term, linear, halfway, texts }: Ter
             value: grey(RoV),
             clamped: true,
             exponent,
-            fact: cosine(halfway ? 'N ∠H' : 'R ∠V', RoV, exponent),
+            fact: cosine(halfway ? 'N, H' : 'R, V', RoV, exponent),
           }
-        : { symbol, value: grey(0), fact: { ...cosine('N ∠L', NoL, 1), value: () => 0 } },
+        : { symbol, value: grey(0), fact: { ...cosine('N, L', NoL, 1), value: () => 0 } },
     );
   }
   return factors;
@@ -366,13 +368,13 @@ export function givenOf(
       values.push(Number(plain(value, digits)));
       return plain(value, digits);
     }
-    const { fact, symbol, exponent } = factor;
+    const { fact, symbol } = factor;
     if (fact !== undefined) {
       const digits = decimals(symbol === 'att' ? 0 : 1, (n) => isClose(fact.value(n)));
       facts.push(fact.text(digits));
       values.push(fact.value(digits));
     }
-    return exponent === undefined ? symbol : symbol.replace(/n$/, exact(exponent));
+    return symbol.replace(/n$/, exact(exponentOf(at!.fragment.shininess)));
   });
   return {
     given: local(given.join(' · '), texts),
