@@ -4,6 +4,8 @@
 import { readdirSync, readFileSync, existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
+import { parseHTML } from 'linkedom';
+import { COLUMNS, markupOf } from '../../demo/parts/markup.js';
 import { escapeHtml, inlineHtml } from './markdown.js';
 
 // -- Examples
@@ -34,6 +36,19 @@ export const examplesHtml = (
     </section>`,
     )
     .join('\n');
+
+/** Writes the markup that a listing is of into it, so that the page keeps its height. */
+export function withListings(html: string): string {
+  const { document } = parseHTML(html);
+  return html.replace(
+    /(<div class="listing" data-of="([^"]+)"[^>]*>)(?=<\/div>)/g,
+    (_, start: string, selector: string) => {
+      const pieces = markupOf(document.querySelector(selector)!, COLUMNS);
+      const text = pieces.map((piece) => piece.text).join('');
+      return `${start}<pre translate="no">${escapeHtml(text)}</pre>`;
+    },
+  );
+}
 
 // -- Sizes
 // -------------------------------------------------------------------------------------------------

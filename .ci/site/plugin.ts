@@ -11,7 +11,7 @@ import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
 import { moved } from './contents.js';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
-import { examplesHtml, type Example, sizeOf, sizesHtml } from './generated.js';
+import { examplesHtml, type Example, sizeOf, sizesHtml, withListings } from './generated.js';
 import { readmePage, readmeSnippet } from '../readme-picture.mjs';
 import { textsIn } from '../texts.mjs';
 import { escapeHtml } from './markdown.js';
@@ -120,7 +120,7 @@ export function sitePages(): Plugin {
     },
     transformIndexHtml: {
       order: 'pre',
-      handler: (html, { path }) => pageHtml(html, pathOf(path), building),
+      handler: (html, { path }) => withListings(pageHtml(html, pathOf(path), building)),
     },
     writeBundle() {
       if (!building) return;

@@ -114,6 +114,7 @@ function show(place: HTMLElement, accuracy: Accuracy, where?: string): void {
   const plot = element('div', '', 'plot');
   place.replaceChildren(element('p', accuracySentence(accuracy, where)), plot, tableOf(accuracy));
   plots.set(plot, accuracy);
+  draw(plot);
   sizes.observe(plot);
 }
 

@@ -2,7 +2,7 @@
 // lights as they are now. `<div class="listing" data-of="selector" data-title="…">` lists the first
 // viewer that matches, then the one that the user touched last. Figures get a collapsed listing of
 // their own. A comparison is listed whole.
-import { markupOf } from './markup.js';
+import { COLUMNS, markupOf } from './markup.js';
 
 export function showListings(root: ParentNode): void {
   for (const figure of root.querySelectorAll('.aside, .wide:not(.live)')) {
@@ -13,6 +13,7 @@ export function showListings(root: ParentNode): void {
   }
   for (const place of root.querySelectorAll<HTMLElement>('.listing[data-of]')) {
     const viewers = [...root.querySelectorAll(place.dataset['of'] ?? '')];
+    place.replaceChildren();
     follow(viewers, listing(place, place.dataset['title'] ?? 'The markup of this picture'));
   }
   // A text that is there already gets a caption and a button.
@@ -114,7 +115,7 @@ function written(light: Node, name: string): string {
 export async function edit(viewer: Element): Promise<void> {
   const { fragmentOf } = await import('../playground/address.js');
   const root = document.querySelector<HTMLAnchorElement>('.mark')?.href ?? document.baseURI;
-  const markup = markupOf(viewer, 76).map((piece) => piece.text);
+  const markup = markupOf(viewer, COLUMNS).map((piece) => piece.text);
   // Models are in this site's folder; the playground is in another folder than this page.
   const text = markup.join('').replaceAll(/ src="([^"]*)"/g, (_, source: string) => {
     return ` src="${new URL(source, document.baseURI).href.replace(root, '../')}"`;
@@ -135,12 +136,12 @@ function pressable(words: string, label: string, press: () => void): HTMLButtonE
 const [MARGIN, CHARACTER] = [4, 7.9];
 
 /**
- * Characters that fit into a listing: 76 at most. One that is folded away will be as wide as the
+ * Characters that fit into a listing, at most {@link COLUMNS}. One that is folded away will be as wide as the
  * page allows.
  */
 const lineLength = ({ clientWidth }: Element): number =>
   Math.min(
-    76,
+    COLUMNS,
     Math.floor(((clientWidth || document.documentElement.clientWidth - 60) - MARGIN) / CHARACTER),
   );
 

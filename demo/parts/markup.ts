@@ -7,6 +7,9 @@ export interface Piece {
   readonly text: string;
 }
 
+/** Characters of a line, where there is room. */
+export const COLUMNS = 76;
+
 /** @param lineLength characters per line; longer tags are folded. */
 export function markupOf(element: Element, lineLength: number): readonly Piece[] {
   return indented(element, '', lineLength);

@@ -1,5 +1,6 @@
 // Does the first screen prove what it says? The sum under the picture is that of the pixel, its
 // digits add up, and picture and markup move each other.
+import { countJumps, jumpsOf } from '../../support/jumps.js';
 import type { Locator, Page } from '@playwright/test';
 import { allReady, expect, pixelAt, test } from '../../support/test.js';
 import { decodePng } from '../../support/picture.js';
@@ -146,15 +147,7 @@ test('the panel opens by its button, and a light that it adds is in line and mar
 test('the first screen fits: picture, markup and sum are within 720 pixels, and nothing jumps', async ({
   page,
 }) => {
-  await page.addInitScript(() => {
-    Reflect.set(window, 'jumps', 0);
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) {
-        const jumps = Reflect.get(window, 'jumps') as number;
-        Reflect.set(window, 'jumps', jumps + (Reflect.get(entry, 'value') as number));
-      }
-    }).observe({ type: 'layout-shift', buffered: true });
-  });
+  await countJumps(page);
   for (const [width, height] of [
     [1280, 720],
     [390, 844],
@@ -165,6 +158,6 @@ test('the first screen fits: picture, markup and sum are within 720 pixels, and 
     await expect(page.locator('#sum .cell').first()).toBeVisible();
     const { y, height: tall } = (await page.locator('#sum').boundingBox())!;
     expect(y + tall).toBeLessThan(height);
-    expect(await page.evaluate(() => Reflect.get(window, 'jumps') as number)).toBeLessThan(0.01);
+    expect(await jumpsOf(page)).toBeLessThan(0.01);
   }
 });

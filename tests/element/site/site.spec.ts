@@ -9,6 +9,7 @@ import type { PhongViewer } from '../support/viewer.js';
 import { firstOf } from '../../support/repeats.js';
 import { strictPolicy } from '../../support/site.js';
 import { moved } from '../../../.ci/site/contents.js';
+import { countJumps, jumpsOf } from '../../support/jumps.js';
 import { sitePages, takeNoSamples } from '../../support/site-pages.js';
 import { expectPictures } from '../../visual/contact-sheet.js';
 
@@ -320,3 +321,23 @@ test('the contents of the guide stay in view, behind a button on a phone', async
   await expect(contents.getByRole('link', { name: 'Shapes and models' })).toBeInViewport();
   await expect(page.getByRole('link', { name: '← Install' })).toHaveCount(1);
 });
+
+for (const address of [
+  'guide/light/#spots',
+  'guide/see/#comparisons',
+  'guide/install/#frameworks',
+  'lesson/#lambert',
+  'examples/#compare',
+  'bench/',
+]) {
+  test(`nothing jumps while ${address} loads`, async ({ page }) => {
+    await countJumps(page);
+    for (const size of [PHONE, { width: 1280, height: 800 }]) {
+      await page.setViewportSize(size);
+      await page.goto('/demo/guide/vectors/'); // so that the anchor loads its page anew
+      await open(page, address);
+      await expect(page.locator('.listing:has(pre):not(:has(.caption))')).toHaveCount(0);
+      expect(await jumpsOf(page), `${size.width} pixels`).toBeLessThan(0.1);
+    }
+  });
+}
