@@ -37,15 +37,22 @@ export const examplesHtml = (
     )
     .join('\n');
 
-/** Writes the markup that a listing is of into it, so that the page keeps its height. */
+/**
+ * Writes the markup that a listing is of into it, as the script will for a screen and for a phone:
+ * the page keeps its height.
+ */
 export function withListings(html: string): string {
   const { document } = parseHTML(html);
   return html.replace(
     /(<div class="listing" data-of="([^"]+)"[^>]*>)(?=<\/div>)/g,
     (_, start: string, selector: string) => {
-      const pieces = markupOf(document.querySelector(selector)!, COLUMNS);
-      const text = pieces.map((piece) => piece.text).join('');
-      return `${start}<pre translate="no">${escapeHtml(text)}</pre>`;
+      const element = document.querySelector(selector)!;
+      const texts = Object.entries({ wide: COLUMNS, narrow: 44 }).map(([width, columns]) => {
+        const pieces = markupOf(element, columns);
+        const text = escapeHtml(pieces.map((piece) => piece.text).join(''));
+        return `<pre class="${width}" translate="no">${text}</pre>`;
+      });
+      return start + texts.join('');
     },
   );
 }
