@@ -211,8 +211,10 @@ export const AIMS = [
       least: true,
     },
   ),
-  named('25 lights, turning', MOVING, { software: 0.45 }),
-  named('25 lights, turning, 3 pixels per CSS pixel', MOVING, { software: 0.35 }),
+  ...['25 lights', 'teapot and ball'].flatMap((picture) => [
+    named(`${picture}, turning`, MOVING, { software: 0.45 }),
+    named(`${picture}, turning, 3 pixels per CSS pixel`, MOVING, { software: 0.35 }),
+  ]),
   aim('start, standalone', 'start', FIRST_PICTURE, both(1.1), { side: 'standalone' }),
   aim('start, bundled', 'start', FIRST_PICTURE, both(1.2), { side: 'bundled' }),
   aim('heap, standalone', 'start', 'heap', both(1.15), { side: 'standalone' }),

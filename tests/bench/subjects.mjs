@@ -44,6 +44,7 @@ import { FIRST_MODELS, MODELS } from './models.mjs';
  * @typedef {object} MovingSubject CPU time of a picture that moves, with all pixels and as the
  * element chooses, where a processor draws
  * @property {'moving'} kind
+ * @property {'lights' | 'shapes'} scene much to do for a pixel, or many triangles: README's scene
  * @property {number} ratio device pixels per CSS pixel
  *
  * @typedef {{ kind: 'viewers' } | { kind: 'bytes' }} SingleSubject
@@ -150,8 +151,10 @@ export const SUBJECTS = {
   'script, turning before 10,000 boxes': script('ten-thousand:3:camera'),
   'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
   '20 turning viewers': { kind: 'viewers' },
-  '25 lights, turning': { kind: 'moving', ratio: 1 },
-  '25 lights, turning, 3 pixels per CSS pixel': { kind: 'moving', ratio: 3 },
+  '25 lights, turning': { kind: 'moving', scene: 'lights', ratio: 1 },
+  '25 lights, turning, 3 pixels per CSS pixel': { kind: 'moving', scene: 'lights', ratio: 3 },
+  'teapot and ball, turning': { kind: 'moving', scene: 'shapes', ratio: 1 },
+  'teapot and ball, turning, 3 pixels per CSS pixel': { kind: 'moving', scene: 'shapes', ratio: 3 },
   start: {
     kind: 'start',
     pages: {

@@ -17,6 +17,8 @@ export class Frame {
   height = 0;
   /** So many drawings are averaged. 1: the plain picture. */
   samples = 1;
+  /** Of the pixels a side, that are drawn. */
+  share = 1;
   /** The version of what is in it, lights aside. */
   #version = -1;
   readonly camera = new PerspectiveCamera();
@@ -47,14 +49,16 @@ export class Frame {
    * Looks from the orbit; {@link aim} follows. `fov` is vertical, in degrees. False if only lights
    * can differ.
    */
-  look(fov: number, { width, height }: Size, samples = 1, version = 0): boolean {
+  look(fov: number, { width, height }: Size, samples = 1, version = 0, share = 1): boolean {
     const { view, camera } = this;
     const isSameSize = width === this.width && height === this.height;
-    const isOther = !isSameSize || samples !== this.samples || version !== this.#version;
+    const isAlike = isSameSize && samples === this.samples && share === this.share;
+    const isOther = !isAlike || version !== this.#version;
     this.#version = version;
     this.width = width;
     this.height = height;
     this.samples = samples;
+    this.share = share;
     this.#orbit.basis(this.#basis);
     const { radius, target } = this.#orbit;
     for (let i = 0; i < 3; i++) {

@@ -187,12 +187,15 @@ export class Picture {
     return this.fit.measure().bounds;
   }
 
-  /** Computes the frame that {@link draw} draws: the scene as it is now, at this size in pixels. */
-  make(size: Size, samples: number): void {
+  /**
+   * Computes the frame that {@link draw} draws: the scene as it is now, at this size in pixels, of
+   * which `share` a side are drawn.
+   */
+  make(size: Size, samples: number, share = 1): void {
     const { frame, scene } = this;
     this.settle();
     this.place();
-    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit)) {
+    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit, share)) {
       this.levels.choose(frame);
     }
     frame.aim(scene, this.fit.depthBounds());

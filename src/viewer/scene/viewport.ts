@@ -319,7 +319,7 @@ export class Viewport {
 
   readonly #render = (renderer: WebGLRenderer): void => {
     pace.draws(renderer, this.#share);
-    this.picture.make(this.whole, 1);
+    this.picture.make(this.whole, 1, this.#share);
     this.picture.draw(renderer);
   };
 

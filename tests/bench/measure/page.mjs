@@ -2,6 +2,7 @@
 // Measures of whole pages: the frame rate of many viewers against one, a still picture's samples,
 // and bytes to download.
 
+import { readFileSync } from 'node:fs';
 import { builtFrom } from '../build.mjs';
 import { cpuSeconds, gpuProcess, isSoftware, openPage } from '../browser.mjs';
 
@@ -77,8 +78,14 @@ export async function measureStill(lab, { geometry }, { size, rounds, add }) {
   check();
 }
 
-/** Lights of the picture that moves, its pictures before a sample, and those of one. */
-const MOVING = { lights: 25, first: 5, pictures: 10 };
+/** As README shows its scene. */
+const README_SIZE = /** @type {const} */ ([760, 420]);
+
+/**
+ * Lights of the picture that moves, its pictures until programs are compiled for it, its pictures
+ * before a sample, and those of one.
+ */
+const MOVING = { lights: 25, warm: 30, first: 5, pictures: 10 };
 
 /**
  * CPU time of the GPU process for a picture while the camera turns, after the first ones: as the
@@ -86,25 +93,34 @@ const MOVING = { lights: 25, first: 5, pictures: 10 };
  * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').MovingSubject}
  * subject @param {import('../results.mjs').BenchResult} result @param {Options} options
  */
-export async function measureMoving(lab, { ratio }, { machine }, { size, rounds, add }) {
+export async function measureMoving(lab, { scene, ratio }, { machine }, { size, rounds, add }) {
+  if (!isSoftware(machine['renderer'] ?? '')) return;
   const browser = await lab.launch();
-  const gpu = await gpuProcess(browser);
-  if (gpu === null || !isSoftware(machine['renderer'] ?? '')) return;
   const url = `${lab.origin}/start-standalone.html`;
-  const { page, check } = await openPage(browser, url, size, ratio);
-  await page.evaluate((count) => {
-    const viewer = document.querySelector('phong-viewer');
-    if (viewer === null) throw new Error('no viewer');
-    Object.assign(document.body.style, { margin: '0' });
-    Object.assign(viewer.style, { width: '100vw', height: '100vh' });
-    for (let i = 0; i < count; i++) {
-      const light = document.createElement('phong-light');
-      const place = [3 * Math.sin(i), 1 + (i % 5), 3 * Math.cos(i), 1];
-      light.setAttribute('position', place.join(' '));
-      light.setAttribute('diffuse', '20 18 16');
-      viewer.append(light);
-    }
-  }, MOVING.lights);
+  const shown = scene === 'shapes' ? README_SIZE : size;
+  const { page, check } = await openPage(browser, url, shown, ratio);
+  await page.evaluate(
+    async ({ html, count }) => {
+      if (html !== '') {
+        document.body.innerHTML = html;
+      }
+      const viewer = document.querySelector('phong-viewer');
+      if (viewer === null) throw new Error('no viewer');
+      Object.assign(document.body.style, { margin: '0' });
+      Object.assign(viewer.style, { width: '100vw', height: '100vh' });
+      for (let i = 0; i < count; i++) {
+        const light = document.createElement('phong-light');
+        const place = [3 * Math.sin(i), 1 + (i % 5), 3 * Math.cos(i), 1];
+        light.setAttribute('position', place.join(' '));
+        light.setAttribute('diffuse', '20 18 16');
+        viewer.append(light);
+      }
+      await viewer.ready;
+    },
+    scene === 'shapes' ? { html: readmeScene(), count: 0 } : { html: '', count: MOVING.lights },
+  );
+  const gpu = await gpuProcess(browser); // it starts with the first picture
+  if (gpu === null) return;
   /** @param {number} pictures @param {number | 'auto'} [pixelRatio] */
   const turn = (pictures, pixelRatio) =>
     page.evaluate(
@@ -130,10 +146,18 @@ export async function measureMoving(lab, { ratio }, { machine }, { size, rounds,
     const pictures = (await turn(MOVING.pictures)) - first; // it goes on turning between the calls
     return (1000 * (cpuSeconds(gpu) - before)) / pictures;
   };
+  await turn(MOVING.warm, ratio / 4);
   for (let round = 0; round < rounds; round++) {
     add('CPU of a picture', 'ms', { auto: await time('auto'), 'all pixels': await time(ratio) });
   }
   check();
+}
+
+function readmeScene() {
+  const text = readFileSync(new URL('../../../README.md', import.meta.url), 'utf8');
+  const [html] = /<phong-viewer alt=[^]*?<\/phong-viewer>/.exec(text) ?? [];
+  if (html === undefined) throw new Error('README.md shows no scene');
+  return html.replace(' gui>', '>'); // the panel would be drawn as well
 }
 
 /** Brotli sizes. @param {import('../browser.mjs').Lab} lab @param {Options} options */

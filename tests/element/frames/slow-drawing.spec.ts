@@ -137,6 +137,37 @@ test('files, `ready` and `shadeAt` know whole pictures only, even of a viewer th
   expect(await pixels(viewer)).toMatchObject(size);
 });
 
+test('a ball that moves with fewer pixels has fewer triangles, but not in files, and all when it is still', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(viewerOf().replace('box', 'sphere'), size);
+  await setCosts(page, { drawing: 200, own: 60 });
+  const drawn = await viewer.evaluate(async (element: PhongViewer) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const triangles: Record<number, Set<number>> = {};
+    const { drawElements } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.drawElements = function (...args) {
+      (triangles[canvas.width] ??= new Set()).add(args[1] / 3);
+      drawElements.apply(this, args);
+    };
+    const until = async (width: number): Promise<void> => {
+      while (canvas.width !== width) {
+        await new Promise(requestAnimationFrame);
+      }
+    };
+    element.autoRotate = 45;
+    await until(100);
+    await element.toBlob();
+    await until(100);
+    element.autoRotate = 0;
+    await until(300);
+    return { whole: [...triangles[300]!], moving: [...triangles[100]!] };
+  });
+  expect(drawn.whole).toHaveLength(1);
+  expect(Math.max(...drawn.moving)).toBeLessThan(drawn.whole[0]! / 4);
+});
+
 test('once drawing is quick again, a motion gets its pixels back', async ({ page, mount }) => {
   const viewer = await mount(viewerOf(), size);
   await setCosts(page, { drawing: 40, own: 60 });

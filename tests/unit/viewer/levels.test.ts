@@ -9,6 +9,7 @@ import {
   isLargeFor,
   levelFor,
   levelIn,
+  reducedLevelIn,
   segmentsIn,
 } from '../../../src/phong/model/shapes/segments.js';
 import {
@@ -232,6 +233,18 @@ describe('the level of a shape', () => {
           const most = Math.max(free, covered / 16, trianglesOf(name, levelFor(0, name)));
           expect(trianglesOf(name, shown), `${name} ${String(height)}`).toBeLessThanOrEqual(most);
         }
+      }
+    }
+  });
+
+  it('keeps the outline within a pixel where the picture moves with fewer', () => {
+    for (const name of NAMES) {
+      for (const height of [60, 200, 400, 1080]) {
+        const view = viewFrom((1.05 * roundOf(name)!.radius) / Math.sin(Math.PI / 8));
+        const shown = reducedLevelIn(view, height, name, at(0, 0, 0));
+        const pixel = segmentsIn(view, height / (2 * view.slopeY), roundOf(name)!, at(0, 0, 0))!;
+        expect((pixel / shown) ** 2, `${name} ${String(height)}`).toBeLessThanOrEqual(1);
+        expect(shown).toBeLessThanOrEqual(Math.max(1.25 * pixel + 8, levelFor(0, name)));
       }
     }
   });

@@ -15,6 +15,9 @@ export const OUTLINE_TOLERANCE = 1 / 4;
  */
 const SAMPLED_TOLERANCE = 1 / 64;
 
+/** The same in the pixels of a picture that moves with fewer: a triangle costs as much as 16. */
+const REDUCED_TOLERANCE = 1;
+
 /**
  * Fewest pixels of a plain picture that a triangle covers, on average over its shape. Smaller ones
  * cost as much.
@@ -144,6 +147,17 @@ export function levelIn(
   const most = Math.max(covered / PIXELS_PER_TRIANGLE, Math.min(free, FREE_PER_PIXEL * covered));
   const shown = within(most, levelFor(Math.max(outline, round.smooth), name), name);
   return sampled ? Math.max(shown, levelFor(outline, name)) : shown;
+}
+
+/** The level of a shape in view, in a reduced picture that is so high: its outline alone counts. */
+export function reducedLevelIn(
+  view: Frustum,
+  height: number,
+  name: GeometryName,
+  matrix: readonly number[],
+): number {
+  const finest = height / (2 * view.slopeY) / REDUCED_TOLERANCE;
+  return levelFor(segmentsIn(view, finest, roundOf(name)!, matrix) ?? 0, name);
 }
 
 /**

@@ -21,7 +21,10 @@ const BEFORE_RAISING = 500;
 const FAR = 10_000;
 /** Once drawing was measured as quick, it counts as quick for so long. */
 const TRUSTED = 2000;
-/** With fewer pixels drawing takes more than this share: vertices are why, and pixels come back. */
+/**
+ * With fewer pixels drawing takes more than this share: vertices are why, and pixels come back. Those
+ * of round shapes are fewer by then.
+ */
 const VAIN = 0.9;
 /** So long, as trying costs sharpness. In software a triangle takes 1.5 µs, whatever its pixels. */
 const VAIN_FOR = 10_000;

@@ -5,7 +5,13 @@ import type { Mesh } from 'three';
 import type { Shading } from '../../../phong/material/material-values.js';
 import type { Frustum } from '../../../phong/geometry/frustum-clip.js';
 import { keyOfCut, MOST_CUT_TRIANGLES } from '../../../phong/model/shapes/cut-faces.js';
-import { cutFor, isLargeFor, levelIn, within } from '../../../phong/model/shapes/segments.js';
+import {
+  cutFor,
+  isLargeFor,
+  levelIn,
+  reducedLevelIn,
+  within,
+} from '../../../phong/model/shapes/segments.js';
 import {
   coarsestOf,
   type GeometryName,
@@ -99,12 +105,14 @@ export class Levels {
   #levelOf(
     { parts, level }: LevelledMesh,
     name: GeometryName,
-    { view, height, samples }: Frame,
+    { view, height, samples, share }: Frame,
     count: number,
   ): Level {
     const { elements } = parts[0]!.mesh.matrixWorld;
-    const wanted = levelIn(view, height, samples > 1, name, elements, FREE_TRIANGLES / count);
-    if (wanted === null) return level; // out of view it stays as it is
+    const whole = levelIn(view, height, samples > 1, name, elements, FREE_TRIANGLES / count);
+    if (whole === null) return level; // out of view it stays as it is
+    const wanted =
+      share < 1 ? Math.min(whole, reducedLevelIn(view, share * height, name, elements)) : whole;
     return within(this.#room + trianglesOf(name, coarsestOf(name)), wanted, name);
   }
 
