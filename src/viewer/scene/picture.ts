@@ -22,6 +22,7 @@ import { Frame } from './frame.js';
 import type { Region, Size } from '../../phong/math/region.js';
 import { Animations } from './mesh/animation.js';
 import { Levels } from './mesh/levels.js';
+import type { Part } from './mesh/parts.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { copyFrame, drawnObjects, type SceneSnapshot } from './scene-snapshot.js';
@@ -148,7 +149,8 @@ export class Picture {
   place(): void {
     const { children } = this.scene;
     let own = 0;
-    for (const { root } of this.#meshes) {
+    for (const { shown } of this.#meshes) {
+      const { root } = shown;
       if (root?.parent !== this.scene) continue; // the page may have put it into an object of its own
       if (children[own] !== root) {
         this.#sort();
@@ -162,7 +164,8 @@ export class Picture {
 
   #sort(): void {
     const ranks = new Map<Object3D, number>();
-    for (const { root } of this.#meshes) {
+    for (const { shown } of this.#meshes) {
+      const { root } = shown;
       if (root !== null) {
         ranks.set(root, ranks.size);
       }
@@ -249,7 +252,7 @@ export class Picture {
     const { camera, shading } = this.frame;
     const owners = new Map<Object3D, Owner>();
     for (const mesh of this.meshes) {
-      for (const part of mesh.parts) {
+      for (const part of mesh.shown.parts) {
         owners.set(part.mesh, ownerOf(mesh));
       }
     }
@@ -293,13 +296,15 @@ export class Picture {
     'lightsActive' | 'lightsSent' | 'lightsSentByMesh' | 'uploads' | 'drawCalls'
   > {
     const { lighting } = this;
-    const reaching = (parts: SceneMesh['parts']): number =>
+    const reaching = (parts: readonly Part[]): number =>
       lighting.countReaching(parts.map(({ mesh }) => mesh));
-    const shown = [...this.meshes].filter(({ parts }) => parts.length > 0);
+    const shown = Array.from(this.meshes, (mesh) => mesh.shown.parts).filter(
+      (parts) => parts.length > 0,
+    );
     return {
       lightsActive: lighting.packed.active,
-      lightsSent: reaching(shown.flatMap(({ parts }) => parts)),
-      lightsSentByMesh: shown.map(({ parts }) => reaching(parts)),
+      lightsSent: reaching(shown.flat()),
+      lightsSentByMesh: shown.map(reaching),
       uploads: lighting.uploads,
       drawCalls: this.#drawCalls,
     };

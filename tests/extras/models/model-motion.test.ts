@@ -6,7 +6,6 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { LIMITS } from '../../../src/phong/model/limits.js';
 import { Animations } from '../../../src/viewer/scene/mesh/animation.js';
-import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
 import { channelsGlb, morphsGlb, skinsGlb } from '../../fuzz/models.js';
 import { sizeOf } from '../../../src/phong/geometry/geometry-size.js';
 import { modelContent } from '../../../src/extras/models/model-content.js';
@@ -398,7 +397,7 @@ it('meshes of a picture play as far as the work of their poses is within the lim
   const advances = [0, 0, 0];
   advances.forEach((_, i) => {
     const mesh = { plays: true, work: 0.4 * LIMITS.pose, advance: () => void advances[i]!++ };
-    animations.meshes.add(mesh as unknown as SceneMesh);
+    animations.all.add(mesh);
   });
   animations.step(0);
   animations.step(16);

@@ -95,7 +95,7 @@ function setUp(limit: number) {
     const made = meshOf(host, scene, { geometry: 'sphere', segments, shading });
     return {
       ...made,
-      geometry: (): BufferGeometry | undefined => made.mesh.parts[0]?.mesh.geometry,
+      geometry: (): BufferGeometry | undefined => made.mesh.shown.parts[0]?.mesh.geometry,
     };
   };
   return { budget, failed, add };
@@ -132,13 +132,13 @@ describe('a mesh', () => {
     const { budget, failed, add } = setUp(6000);
     const a = add(64, 'phong');
     const b = add(66, 'phong');
-    expect(b.mesh.root).toBeNull();
+    expect(b.mesh.shown.root).toBeNull();
     expect(failed.get(b.mesh)).toBe('too-large');
     expect(budget.used).toBe(SMOOTH);
     a.mesh.dispose();
     b.mesh.retry();
     b.mesh.update();
-    expect(b.mesh.root).not.toBeNull();
+    expect(b.mesh.shown.root).not.toBeNull();
     expect(failed.size).toBe(0);
   });
 
@@ -199,6 +199,6 @@ it('draws meshes in document order, whenever added or changed, and own objects l
   expect(names()).toBe('1 2 0 own');
   picture.remove(third!);
   expect(names()).toBe('1 0 own');
-  picture.scene.remove(second!.root!);
+  picture.scene.remove(second!.shown.root!);
   expect(names()).toBe('0 own');
 });

@@ -61,11 +61,11 @@ function viewerOf() {
 }
 
 const there = (...meshes: readonly { readonly mesh: SceneMesh }[]): Promise<void> =>
-  expect.poll(() => meshes.filter(({ mesh }) => mesh.root === null)).toEqual([]);
+  expect.poll(() => meshes.filter(({ mesh }) => mesh.shown.root === null)).toEqual([]);
 const geometryOf = ({ mesh }: { readonly mesh: SceneMesh }): BufferGeometry =>
-  mesh.parts[0]!.mesh.geometry;
+  mesh.shown.parts[0]!.mesh.geometry;
 const positionsOf = (one: { readonly mesh: SceneMesh }): number[] =>
-  one.mesh.parts.flatMap(({ mesh }) => [
+  one.mesh.shown.parts.flatMap(({ mesh }) => [
     ...mesh.geometry.getAttribute('position').array,
     ...mesh.matrix.elements,
   ]);
@@ -78,8 +78,10 @@ describe('meshes with the same source', () => {
     await there(...meshes);
     expect([requests.length, bitmaps]).toEqual([1, 1]);
     expect(new Set(meshes.map(geometryOf)).size).toBe(1);
-    expect(new Set(meshes.map(({ mesh }) => mesh.parts[0]!.appearance.look.map)).size).toBe(1);
-    const [one, , other] = meshes.map(({ mesh }) => mesh.parts[0]!.appearance.surface.ka);
+    expect(new Set(meshes.map(({ mesh }) => mesh.shown.parts[0]!.appearance.look.map)).size).toBe(
+      1,
+    );
+    const [one, , other] = meshes.map(({ mesh }) => mesh.shown.parts[0]!.appearance.surface.ka);
     expect(other).toEqual([1, 2, 3]);
     expect(one).not.toEqual(other);
     expect(a.budget.used).toBe(b.budget.used);
@@ -122,7 +124,7 @@ describe('meshes with the same source', () => {
     for (const [values, seconds] of motions) {
       const one = viewerOf().add({ src: '/bar.gltf', ...values });
       await there(one);
-      one.mesh.advance(seconds);
+      one.mesh.shown.animation?.advance(seconds);
       alone.push(positionsOf(one));
       one.mesh.dispose();
     }
@@ -132,7 +134,7 @@ describe('meshes with the same source', () => {
     await there(...meshes);
     expect(requests).toHaveLength(6);
     for (const [i, [, seconds]] of motions.entries()) {
-      meshes[i]!.mesh.advance(seconds);
+      meshes[i]!.mesh.shown.animation?.advance(seconds);
     }
     expect(meshes.map(positionsOf)).toEqual(alone);
     const late = add({ src: '/bar.gltf' });

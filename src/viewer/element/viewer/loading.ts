@@ -70,7 +70,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** Something that belongs to the first picture is on its way. */
   get awaited(): boolean {
-    return !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
+    return !this.#hasDrawn && (this.#isEmpty || this.#meshes().some(awaitsShape));
   }
 
   get picture(): Picture {
@@ -111,9 +111,9 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     const meshes = [...this.#undrawn];
     if (meshes.length === 0) return false;
     const show = (visible: boolean): void => {
-      for (const { root } of meshes) {
-        if (root !== null) {
-          root.visible = visible;
+      for (const { shown } of meshes) {
+        if (shown.root !== null) {
+          shown.root.visible = visible;
         }
       }
     };
@@ -167,7 +167,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       const detail = this.#failure.report(mesh, error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
     } else if (url !== null) {
-      const detail: LoadDetail = { url: url.href, missing: mesh.missing };
+      const detail: LoadDetail = { url: url.href, missing: mesh.shown.missing };
       this.#enqueueProgress();
       child?.dispatchEvent(new CustomEvent('load', { detail }));
       this.#events.append('load', detail);
@@ -195,14 +195,14 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   /** Something to show is declared. */
   get wanted(): boolean {
     for (const mesh of this.picture.meshes) {
-      if (mesh.wanted) return true;
+      if (isWanted(mesh)) return true;
     }
     return false;
   }
 
   /** Something is there, whatever else failed. */
   get shows(): boolean {
-    return this.#meshes().some(({ root }) => root !== null);
+    return this.#meshes().some(({ shown }) => shown.root !== null);
   }
 
   /** A picture would show nothing, but something is on its way. */
@@ -215,7 +215,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   get loaded(): boolean {
     let some = false;
     for (const mesh of this.picture.meshes) {
-      if (!mesh.wanted) continue;
+      if (!isWanted(mesh)) continue;
       const { complete } = mesh;
       if (complete === null || (complete === 'shape' && this.#undrawn.has(mesh))) return false;
       some = true;
@@ -240,7 +240,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.#removal = setTimeout(() => {
       this.#suspended = true;
       for (const mesh of this.#meshes()) {
-        mesh.suspend();
+        mesh.load.suspend();
       }
     });
   }
@@ -273,7 +273,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     const { viewer } = this.#context;
     const element = elementOf(mesh) ?? viewer;
     const { src } = element;
-    const { sourceBefore } = mesh;
+    const { sourceBefore } = mesh.load;
     stepsCode().then(
       ({ takeBackSource }) => takeBackSource(viewer, element, src, sourceBefore),
       reportMissing,
@@ -322,6 +322,12 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return [...this.picture.meshes];
   }
 }
+
+/** Its values name something to show. */
+const isWanted = ({ values }: SceneMesh): boolean => values.src !== '' || values.geometry !== null;
+
+/** The code of its shape is being fetched. */
+const awaitsShape = ({ load, values }: SceneMesh): boolean => load.pending && values.src === '';
 
 /**
  * Files that are dropped on a `droppable` viewer become its model. What the browser offers only

@@ -1,38 +1,48 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
+import type { Object3D } from 'three';
+import { declareReach } from '../../../phong/geometry/bounds.js';
 import { LIMITS } from '../../../phong/model/limits.js';
 import type { GeometrySize } from '../../../phong/geometry/geometry-size.js';
 import type { Motion } from '../../../phong/model/model.js';
 import type { ShapeValues } from '../../../phong/model/mesh-fields.js';
+import { followPose, type Part } from './parts.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
+
+/** What an animation moves. */
+interface AnimatedContent {
+  readonly parts: readonly Part[];
+  readonly root: Object3D | null;
+  /** `reshaped`: `auto` is to frame something else. */
+  readonly picture: { reshaped(): void };
+}
 
 /** The pose that a mesh's content shows: that of an animation at a time, or its own. */
 export class MeshAnimation {
   readonly #motion: Motion;
+  readonly #host: AnimatedContent;
   /** Empty for the first one; null for none. */
   #name: string | null;
   /** Since it began. */
   #seconds = 0;
+  /** Of the reach of an animation that has begun since the content came. */
+  #measuring: AbortController | null = null;
 
-  /** Begins as the values say, before anything measures the content. */
-  constructor(motion: Motion, values: Values) {
+  /** Goes on from {@link poseFirst}. */
+  constructor(motion: Motion, values: Values, host: AnimatedContent) {
     this.#motion = motion;
     this.#name = nameOf(values);
-    if (this.#name !== null) {
-      this.pose();
-    }
+    this.#host = host;
+    this.#frame();
   }
 
-  /**
-   * Starts another animation, or ends the present one, if the values say so. True if the pose has
-   * changed.
-   */
-  update(values: Values): boolean {
-    if (nameOf(values) === this.#name) return false;
+  /** Starts another animation, or ends the present one, if the values say so. */
+  update(values: Values): void {
+    if (nameOf(values) === this.#name) return;
     this.#name = nameOf(values);
     this.#seconds = 0;
     this.pose();
-    return true;
+    void this.#measure(values);
   }
 
   /** It would play if motion were allowed. */
@@ -45,13 +55,6 @@ export class MeshAnimation {
     return this.#motion.work;
   }
 
-  /**
-   * What `auto` frames while it plays; null for what is there. Call {@link measureReach} before.
-   */
-  get reach(): GeometrySize | null {
-    return this.#name === null ? null : (reaches.get(this.#motion)?.get(this.#name) ?? null);
-  }
-
   advance(seconds: number): void {
     this.#seconds += seconds;
     if (seconds > 0) {
@@ -59,8 +62,42 @@ export class MeshAnimation {
     }
   }
 
+  /** Brings the parts into the present pose. */
   pose(): void {
     this.#motion.pose(this.#name, this.#seconds);
+    followPose(this.#host.parts);
+  }
+
+  dispose(): void {
+    this.#measuring?.abort('replaced');
+  }
+
+  /** Frames the poses of the present animation, as soon as they are known. */
+  async #measure(values: Values): Promise<void> {
+    this.#frame();
+    this.dispose();
+    const { signal } = (this.#measuring = new AbortController());
+    if (await measureReach(this.#motion, values, signal).catch(() => false)) {
+      this.#frame();
+    }
+  }
+
+  /** `auto` frames the reach of the animation, if it is known; without one what is there. */
+  #frame(): void {
+    const reach = this.#name === null ? undefined : reaches.get(this.#motion)?.get(this.#name);
+    const { root, picture } = this.#host;
+    if (root !== null) {
+      declareReach(root, reach ?? null);
+    }
+    picture.reshaped();
+  }
+}
+
+/** Begins as the values say, before anything measures the content. */
+export function poseFirst(motion: Motion | null, values: Values): void {
+  const name = nameOf(values);
+  if (name !== null) {
+    motion?.pose(name, 0);
   }
 }
 
@@ -88,28 +125,19 @@ export async function measureReach(
 const nameOf = ({ autoplay, animationName }: Values): string | null =>
   autoplay ? animationName : null;
 
-/** A mesh whose content moves. */
-export interface PlayingMesh {
-  /** It would play if motion were allowed. */
-  readonly plays: boolean;
-  /** Steps of each pose. */
-  readonly work: number;
-  advance(seconds: number): void;
-}
-
 /**
  * The time that all animations of a picture have played. It stands still while motion is not
  * allowed.
  */
 export class Animations {
-  /** Few meshes can move: a frame does not look at the others. */
-  readonly meshes = new Set<PlayingMesh>();
+  /** Of the meshes whose content moves: a frame does not look at the others. */
+  readonly all = new Set<Pick<MeshAnimation, 'plays' | 'work' | 'advance'>>();
   /** Time of the last frame that moved something, in milliseconds; null after a pause. */
   #last: number | null = null;
   #warned = false;
 
   get playing(): boolean {
-    for (const { plays } of this.meshes) {
+    for (const { plays } of this.all) {
       if (plays) return true;
     }
     return false;
@@ -120,11 +148,11 @@ export class Animations {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     const { playing } = this;
     let work = 0;
-    for (const mesh of this.meshes) {
-      if (!mesh.plays) continue;
-      work += mesh.work;
+    for (const animation of this.all) {
+      if (!animation.plays) continue;
+      work += animation.work;
       if (work <= LIMITS.pose) {
-        mesh.advance(elapsed);
+        animation.advance(elapsed);
       } else if (!this.#warned) {
         this.#warned = true;
         console.warn(

@@ -35,8 +35,8 @@ export interface SharedLevels {
   readonly isFixed: boolean;
 }
 
-/** A mesh whose shape may have automatic segments. */
-export interface LevelledMesh {
+/** What a mesh shows: perhaps a shape with automatic segments. */
+interface LevelledContent {
   /** The shape that has them; null where it shows anything else. */
   readonly auto: GeometryName | null;
   /** Its number of segments is part of the picture. */
@@ -48,7 +48,7 @@ export interface LevelledMesh {
 
 export interface LevelledPicture {
   readonly style: { readonly shading: Shading };
-  readonly meshes: Iterable<LevelledMesh>;
+  readonly meshes: Iterable<{ readonly shown: LevelledContent }>;
   /** In triangles. */
   readonly budget: { readonly limit: number; readonly used: number };
 }
@@ -68,8 +68,8 @@ export class Levels {
    */
   get isFixed(): boolean {
     if (this.#picture.style.shading !== 'phong') return true;
-    for (const { auto, isFixed } of this.#picture.meshes) {
-      if (isRound(auto) && isFixed) return true;
+    for (const { shown } of this.#picture.meshes) {
+      if (isRound(shown.auto) && shown.isFixed) return true;
     }
     return false;
   }
@@ -78,22 +78,22 @@ export class Levels {
   choose(frame: Frame): void {
     const isFixed = this.shared?.isFixed ?? false;
     let count = 0;
-    for (const { auto } of this.#picture.meshes) {
-      if (isRound(auto)) {
+    for (const { shown } of this.#picture.meshes) {
+      if (isRound(shown.auto)) {
         count += 1;
       }
     }
-    for (const mesh of this.#picture.meshes) {
-      const { auto } = mesh;
+    for (const { shown } of this.#picture.meshes) {
+      const { auto } = shown;
       if (auto === null) continue;
       let level: Level = FIXED;
       if (!isRound(auto)) {
-        level = mesh.isFixed ? FIXED : this.#flatLevelOf(mesh, auto, frame.view);
-      } else if (!isFixed && !mesh.isFixed) {
-        level = this.#levelOf(mesh, auto, frame, count);
+        level = shown.isFixed ? FIXED : this.#flatLevelOf(shown, auto, frame.view);
+      } else if (!isFixed && !shown.isFixed) {
+        level = this.#levelOf(shown, auto, frame, count);
       }
-      if (level !== mesh.level) {
-        mesh.level = level;
+      if (level !== shown.level) {
+        shown.level = level;
       }
     }
   }
@@ -103,7 +103,7 @@ export class Levels {
    * is left.
    */
   #levelOf(
-    { parts, level }: LevelledMesh,
+    { parts, level }: LevelledContent,
     name: GeometryName,
     { view, height, samples, share }: Frame,
     count: number,
@@ -121,7 +121,7 @@ export class Levels {
     return limit - used;
   }
 
-  #flatLevelOf({ parts, level }: LevelledMesh, name: GeometryName, view: Frustum): Level {
+  #flatLevelOf({ parts, level }: LevelledContent, name: GeometryName, view: Frustum): Level {
     const { elements } = parts[0]!.mesh.matrixWorld;
     if (!isLargeFor(view, name, elements)) return FIXED;
     const room = this.#room + trianglesOf(name, undefined);

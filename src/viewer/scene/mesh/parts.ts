@@ -7,21 +7,12 @@ import {
 } from '../../../phong/material/flat-geometry.js';
 import type { PhongMaterial } from '../../../phong/material/phong-material.js';
 import { hasMovingVertices, shareSize, sizeOf } from '../../../phong/geometry/geometry-size.js';
-import type { MeshAnimation } from './animation.js';
 import type { Claim, Need } from '../../../phong/model/budget.js';
-import { type Content, type ContentPart, NO_CONTENT } from '../../../phong/model/model.js';
+import type { Content, ContentPart } from '../../../phong/model/model.js';
 import type { MeshState } from '../../../phong/model/mesh-fields.js';
 import type { SharedMaterials } from './shared-materials.js';
 import { type Appearance, appearanceOf } from '../../../phong/model/appearance.js';
-import {
-  acquireShape,
-  FIXED,
-  IDENTITY,
-  type Level,
-  levelKey,
-  type ShapeContent,
-} from './shared-shapes.js';
-import type { GeometryName } from '../../../phong/model/shapes/shapes.js';
+import { IDENTITY, type ShapeContent } from './shared-shapes.js';
 
 export interface Part {
   readonly mesh: Mesh;
@@ -29,34 +20,6 @@ export interface Part {
   material: PhongMaterial;
   appearance: Appearance;
 }
-
-export interface ShownContent {
-  readonly content: Content;
-  /** A shape with automatic segments; null for anything else. */
-  readonly auto: GeometryName | null;
-  /** Its segments, or `FIXED`. */
-  readonly level: Level;
-  /** What the content holds of its viewer's budget. */
-  readonly claim: Claim | null;
-  readonly parts: readonly Part[];
-  /** Null where there is nothing to show. */
-  readonly root: Object3D | null;
-  /** Where a model came from; null for a shape. */
-  readonly url: URL | null;
-  /** Null where nothing in it moves. */
-  readonly animation: MeshAnimation | null;
-}
-
-export const EMPTY: ShownContent = {
-  content: NO_CONTENT,
-  auto: null,
-  level: FIXED,
-  claim: null,
-  parts: [],
-  root: null,
-  url: null,
-  animation: null,
-};
 
 /**
  * The measured geometries that show a content, smooth or flat. Allocates all memory that showing it
@@ -117,42 +80,23 @@ function countFlat({ mesh, source }: Pick<Part, 'mesh' | 'source'>, change: 1 | 
   }
 }
 
-/** Shows the parts by these geometries, as {@link geometriesOf} gave them. */
-export function setGeometries(parts: readonly Part[], geometries: readonly BufferGeometry[]): void {
+/** Shows a content by these geometries, as {@link geometriesOf} gave them. */
+export function setGeometries(
+  parts: readonly Part[],
+  content: Content,
+  geometries: readonly BufferGeometry[],
+): void {
   parts.forEach((part, i) => {
     const geometry = geometries[i]!;
     if (part.mesh.geometry === geometry) return;
     countFlat(part, -1);
+    part.source = content.parts[i]!;
     part.mesh.geometry = geometry;
     countFlat(part, 1);
   });
 }
 
-/** Shows another level of the shape that is shown. Its bounds are the same. */
-export function showLevel(shown: ShownContent, level: Level, flat: boolean): ShownContent {
-  const content = acquireShape(levelKey(shown.auto!, level)) as ShapeContent; // its code is here: it is no promise
-  const geometries = geometriesOf(content, flat, null);
-  shown.parts.forEach((part, i) => {
-    countFlat(part, -1);
-    part.source = content.parts[i]!;
-    part.mesh.geometry = geometries[i]!;
-    countFlat(part, 1);
-  });
-  shown.content.dispose();
-  return { ...shown, content, level };
-}
-
-/** Call after the next ones are acquired: equal looks keep their material, and so their program. */
-export function freeShown(
-  { content, claim, parts }: ShownContent,
-  materials: SharedMaterials,
-): void {
-  releaseParts(parts, materials);
-  content.dispose();
-  claim?.release();
-}
-
-function releaseParts(parts: readonly Part[], materials: SharedMaterials): void {
+export function releaseParts(parts: readonly Part[], materials: SharedMaterials): void {
   for (const part of parts) {
     materials.release(part.material);
     countFlat(part, -1);
