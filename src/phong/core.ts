@@ -16,7 +16,8 @@ export { emptyPack, type PackedLights, packLights, type PackSpace } from './ligh
 export { declaredFeatures } from './light/light-features.js';
 export { coneLimit } from './light/precision.js';
 export { SURFACE_FIELDS, type SurfaceValues } from './material/material-values.js';
-export { PhongLighting, type ShadingFrame } from './material/lighting.js';
+export { PhongLighting } from './material/lighting.js';
+export { type ShadingFrame } from './material/shading-space.js';
 export { type BaseLook } from './material/file-surface.js';
 export { PhongMaterial } from './material/phong-material.js';
 export { type ShadingStyle } from './material/material-values.js';

@@ -10,7 +10,7 @@ import {
   Vector3,
 } from 'three';
 import { cullsBackFaces } from '../../phong/material/back-faces.js';
-import type { ShadingFrame } from '../../phong/material/lighting.js';
+import type { ShadingFrame } from '../../phong/material/shading-space.js';
 import { normalMatrix } from '../../phong/material/normal-matrix.js';
 import { radians } from '../../phong/math/angle.js';
 import {

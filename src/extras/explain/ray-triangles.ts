@@ -3,7 +3,7 @@
 // Ray/Triangle Intersection", JCGT 2(1), 2013), and flattened, mirrored or huge matrices need no
 // inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
-import type { ShadingFrame } from '../../phong/material/lighting.js';
+import type { ShadingFrame } from '../../phong/material/shading-space.js';
 import {
   add,
   clamp,

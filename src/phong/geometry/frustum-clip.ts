@@ -1,7 +1,7 @@
 // Clips triangles by the four sides of a view frustum. Clip coordinates are x, y and w: w is the
 // depth along the view, and a point is in view where neither |x| nor |y| exceeds it. Float64,
 // relative to the eye.
-import type { ShadingFrame } from '../material/lighting.js';
+import type { ShadingFrame } from '../material/shading-space.js';
 import type { Vec3 } from '../math/vector.js';
 import { type Ball, stretch } from './bounds.js';
 import type { BoxList, Position } from './triangle-bvh.js';

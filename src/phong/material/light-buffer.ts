@@ -39,7 +39,7 @@ export class LightBuffer {
   /** 1 / the texture's width and height. */
   readonly textureScale = new Vector2(1 / TEXTURE_WIDTH, 1);
 
-  /** The last revision that was counted as an upload; kept by its lighting. */
+  /** The last revision that was counted as an upload; kept by MeshLights. */
   counted = -1;
 
   /**

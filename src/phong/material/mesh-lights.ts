@@ -19,7 +19,7 @@ interface Subset {
 }
 
 export class MeshLights {
-  readonly all = new LightBuffer();
+  readonly all: LightBuffer;
   readonly #subsets = new Map<string, Subset>();
   /** Those that the last frame used. */
   readonly #grids = new Set<MeshLightGrid>();
@@ -27,6 +27,11 @@ export class MeshLights {
   #frame = 0;
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
+  #uploads = 0;
+
+  constructor(all: LightBuffer) {
+    this.all = all;
+  }
 
   /**
    * A frame begins: frees the buffers that the last one did not use. `origin` is another array
@@ -68,9 +73,29 @@ export class MeshLights {
     return grid.of(lights, culled.box);
   }
 
-  /** Whether `light`, an index among all sent lights, is among those for `mesh`. */
-  reaches(mesh: Mesh, light: number): boolean {
-    return this.of(mesh) === this.all || this.#culledFor(mesh).mask[light] === 1;
+  /** How many lights reach any of these meshes; all of them where there are no meshes. */
+  countReaching(meshes: readonly Mesh[]): number {
+    const { sent } = this.all.packed;
+    if (meshes.length === 0) return sent;
+    let count = 0;
+    for (let light = 0; light < sent; light++) {
+      if (meshes.some((mesh) => this.#reaches(mesh, light))) {
+        count += 1;
+      }
+    }
+    return count;
+  }
+
+  /** How often light data that differs from the last draw's was sent. */
+  get uploads(): number {
+    return this.#uploads;
+  }
+
+  /** Counts a draw that sent these lights. */
+  countUpload(buffer: LightBuffer): void {
+    if (buffer.counted === buffer.revision) return;
+    buffer.counted = buffer.revision;
+    this.#uploads += 1;
   }
 
   dispose(): void {
@@ -81,6 +106,11 @@ export class MeshLights {
     for (const grid of this.#grids) {
       grid.dispose();
     }
+  }
+
+  /** Whether `light`, an index among all sent lights, is among those for `mesh`. */
+  #reaches(mesh: Mesh, light: number): boolean {
+    return this.of(mesh) === this.all || this.#culledFor(mesh).mask[light] === 1;
   }
 
   #culledFor(mesh: Mesh): CulledLights {

@@ -78,14 +78,14 @@ export class PhongMaterial extends RawShaderMaterial {
     const look = { ...PLAIN_LOOK, ...given };
     const uniforms = {
       ...fileUniforms(look),
-      uEye: lighting.eye,
-      uShadingToClip: lighting.clip,
+      uEye: lighting.space.eye,
+      uShadingToClip: lighting.space.clip,
       uKa: { value: new Vector3() },
       uKd: { value: new Vector3() },
       uKs: { value: new Vector3() },
       uShininess: { value: 0 },
       uOpacity: { value: look.opacity },
-      uMapBias: lighting.mapBias,
+      uMapBias: lighting.space.mapBias,
       uAlphaCutoff: { value: look.alphaCutoff },
       // three.js sends a uniform array whether it changed or not, unless needsUpdate is false.
       uLightRows: { value: new Float32Array(4) as Float32Array, needsUpdate: true },
@@ -174,12 +174,12 @@ export class PhongMaterial extends RawShaderMaterial {
     this.#chooseTextures();
     const mirrors = this.#place(mesh);
     const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
-    Object.assign(this.uniforms, this.#lighting.view?.program?.uniforms);
+    Object.assign(this.uniforms, this.#lighting.packing.view?.program?.uniforms);
     this.#use(variant);
     const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
     const storage = variant.defines['LIGHT_STORAGE'];
     if (storage !== 'STORAGE_INLINED') {
-      this.#lighting.countUpload(lights);
+      this.#lighting.meshLights.countUpload(lights);
     }
     uLightRows.needsUpdate = storage === 'STORAGE_UNIFORMS' && !this.#holdsRows(renderer, lights);
     if (uLightRows.needsUpdate) {
@@ -189,7 +189,7 @@ export class PhongMaterial extends RawShaderMaterial {
       uLightTexture.value = lights.sendTexture(renderer);
       uLightTextureScale.value.copy(lights.textureScale);
     }
-    const aim = this.#lighting.aim(camera);
+    const aim = this.#lighting.space.aim(camera);
     // three.js sends a material's uniforms once per frame, unless they change between two of its
     // draws.
     this.uniformsNeedUpdate =
@@ -229,7 +229,7 @@ export class PhongMaterial extends RawShaderMaterial {
    * changed.
    */
   #place(mesh: Mesh): boolean {
-    const { origin } = this.#lighting;
+    const { origin } = this.#lighting.space;
     const model = mesh.modelViewMatrix.copy(mesh.matrixWorld);
     const e = model.elements;
     e[12] -= origin[0];
@@ -257,7 +257,7 @@ export class PhongMaterial extends RawShaderMaterial {
     const { uKa, uKd, uKs, uShininess, uBaseColor, uEmissive, uLobeScale } = this.#uniforms;
     const { look } = this;
     const linear = (this.#linear = this.linear);
-    const term = this.#lighting.view?.term ?? null;
+    const term = this.#lighting.packing.view?.term ?? null;
     const style = term === null ? this.#style : { ...this.#style, terms: [term] };
     const { terms } = style;
     const { ka, kd, ks, shininess } = this.#surface;

@@ -4,7 +4,7 @@
 import { type Object3D, PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange, nearBefore } from '../../phong/camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../../phong/camera/orbit.js';
-import { type ShadingFrame, writeCamera, writeView } from '../../phong/material/lighting.js';
+import { type ShadingFrame, writeCamera, writeView } from '../../phong/material/shading-space.js';
 import { radians } from '../../phong/math/angle.js';
 import type { Region, Size } from '../../phong/math/region.js';
 import { nearestDepth } from './near-depth.js';

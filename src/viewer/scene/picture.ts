@@ -46,7 +46,7 @@ export class Picture {
   /** The version whose lights were sent last. */
   #lit = -1;
   #drawCalls = 0;
-  /** Those of the lighting whose programs are there. */
+  /** The version of the lighting's needs whose programs are there. */
   #needs = -1;
 
   /** `changed`: another version is to be drawn. `fitted`: `auto` has moved the camera. */
@@ -71,15 +71,11 @@ export class Picture {
     return this.#version;
   }
 
-  invalidate(): void {
+  /** It is to be drawn again. `relit`: only lights have changed. */
+  invalidate(relit = false): void {
     this.#version += 1;
+    this.#relit += Number(relit);
     this.#changed();
-  }
-
-  /** Only lights have changed. */
-  relit(): void {
-    this.#relit += 1;
-    this.invalidate();
   }
 
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
@@ -97,14 +93,19 @@ export class Picture {
     return this.materials.style;
   }
 
-  /** What is drawn in place of the shaded colours. Null, the default: these are drawn. */
-  set view(view: PictureView | null) {
-    this.lighting.view = view;
-    this.style = this.style; // materials and geometries follow
-  }
-
   set style(style: ShadingStyle) {
     this.materials.style = style;
+    this.#restyle();
+  }
+
+  /** What is drawn in place of the shaded colours. Null, the default: these are drawn. */
+  set view(view: PictureView | null) {
+    this.lighting.packing.view = view;
+    this.materials.restyle();
+    this.#restyle();
+  }
+
+  #restyle(): void {
     for (const mesh of this.meshes) {
       mesh.restyle();
     }
@@ -210,18 +211,18 @@ export class Picture {
    */
   compiles(renderer: WebGLRenderer): boolean {
     const { lighting, materials, frame } = this;
-    lighting.declare();
-    const { needs } = lighting;
+    lighting.needs.declare();
+    const { version } = lighting.needs;
     const compiling = [...materials.all].filter((one) => one.compiles(renderer, frame.camera));
     if (compiling.length === 0) {
-      this.#needs = needs;
+      this.#needs = version;
     }
     return compiling.length > 0;
   }
 
   /** {@link compiles} may be true. */
   get needsPrograms(): boolean {
-    return this.#needs !== this.lighting.needs;
+    return this.#needs !== this.lighting.needs.version;
   }
 
   /** Draws {@link frame}, or the part of it that `part` is, which need not lie on whole pixels. */
@@ -235,7 +236,7 @@ export class Picture {
       lighting.updateFrame(frame.shading, frame.camera);
     }
     this.#lit = this.#version;
-    lighting.mapBias.value = mapBiasOf(frame.samples);
+    lighting.space.mapBias.value = mapBiasOf(frame.samples);
     renderer.render(scene, frame.camera);
     this.#drawCalls = renderer.info.render.calls;
   }
@@ -297,15 +298,15 @@ export class Picture {
   > {
     const { lighting } = this;
     const reaching = (parts: readonly Part[]): number =>
-      lighting.countReaching(parts.map(({ mesh }) => mesh));
+      lighting.meshLights.countReaching(parts.map(({ mesh }) => mesh));
     const shown = Array.from(this.meshes, (mesh) => mesh.shown.parts).filter(
       (parts) => parts.length > 0,
     );
     return {
-      lightsActive: lighting.packed.active,
+      lightsActive: lighting.packing.buffer.packed.active,
       lightsSent: reaching(shown.flat()),
       lightsSentByMesh: shown.map(reaching),
-      uploads: lighting.uploads,
+      uploads: lighting.meshLights.uploads,
       drawCalls: this.#drawCalls,
     };
   }

@@ -3,7 +3,7 @@
 // these count as they are when it runs.
 import type { BufferGeometry, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
 import { smoothGeometry } from '../../phong/material/flat-geometry.js';
-import type { ShadingFrame } from '../../phong/material/lighting.js';
+import type { ShadingFrame } from '../../phong/material/shading-space.js';
 import { PhongMaterial } from '../../phong/material/phong-material.js';
 
 /** How the Phong material shades an object. */

@@ -6,7 +6,8 @@ import { PerspectiveCamera } from 'three';
 import { expect, it } from 'vitest';
 import { LightSet } from '../../../src/phong/light/light-set.js';
 import { LightState } from '../../../src/phong/light/light-state.js';
-import { PhongLighting, type ShadingFrame } from '../../../src/phong/material/lighting.js';
+import { PhongLighting } from '../../../src/phong/material/lighting.js';
+import type { ShadingFrame } from '../../../src/phong/material/shading-space.js';
 import { anyLight } from '../arbitraries.js';
 
 const SEED = 1;
@@ -28,7 +29,7 @@ const frameAt = (origin: ShadingFrame['origin'], turn: number): ShadingFrame => 
 function packedBy(lighting: PhongLighting, { frame, linear }: Picture): object {
   lighting.linear = linear;
   lighting.updateFrame(frame);
-  const { data, rows, active, sent, counts, features } = lighting.packed;
+  const { data, rows, active, sent, counts, features } = lighting.packing.buffer.packed;
   return {
     rows,
     active,
@@ -126,12 +127,12 @@ it('a three.js camera gives the same as a frame with the same eye, axes and orig
   const [byCamera, byFrame] = [new PhongLighting(lights), new PhongLighting(lights)];
   byCamera.update(camera, [14, 3, 7]);
   byFrame.updateFrame(frameAt([14, 3, 7], 0.5));
-  expect(byCamera.origin).toStrictEqual([14, 3, 7]);
-  expect(byCamera.eye.value.distanceTo(byFrame.eye.value)).toBeLessThan(1e-12);
-  const { data: packed, rows } = byFrame.packed;
-  byCamera.packed.data
+  expect(byCamera.space.origin).toStrictEqual([14, 3, 7]);
+  expect(byCamera.space.eye.value.distanceTo(byFrame.space.eye.value)).toBeLessThan(1e-12);
+  const { data: packed, rows } = byFrame.packing.buffer.packed;
+  byCamera.packing.buffer.packed.data
     .subarray(0, rows * 4)
     .forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
   byCamera.update(camera);
-  expect(byCamera.origin).toStrictEqual([0, 0, 0]);
+  expect(byCamera.space.origin).toStrictEqual([0, 0, 0]);
 });

@@ -49,26 +49,26 @@ export class MaterialPrograms {
       this.#mildShininess = false;
     }
     this.#general = null;
-    this.#lighting.restyled();
+    this.#lighting.needs.restyled();
   }
 
   /** The one that draws at once. */
   get general(): Variant {
-    const { view, capacity } = this.#lighting;
-    const shown = view?.program ?? null;
-    return shown === null ? this.#generalFor(capacity) : shown.variant(this.#generalFor(0));
+    const { packing, needs } = this.#lighting;
+    const shown = packing.view?.program ?? null;
+    return shown === null ? this.#generalFor(needs.capacity) : shown.variant(this.#generalFor(0));
   }
 
   /** The program for this draw, and the lights it reads. */
   forDraw(draw: Draw): { readonly variant: Variant; readonly lights: LightBuffer } {
     const lighting = this.#lighting;
     lighting.drawWith(draw.renderer);
-    const lights = lighting.lightsOf(draw.mesh);
+    const lights = lighting.meshLights.of(draw.mesh);
     const general = this.general;
-    const hasOne = this.#look.unlit || (lighting.view?.program ?? null) !== null;
+    const hasOne = this.#look.unlit || (lighting.packing.view?.program ?? null) !== null;
     if (hasOne) return { variant: general, lights };
-    const grid = lighting.gridOf(draw.mesh);
-    const form = lighting.formFor(lights, grid);
+    const grid = lighting.meshLights.gridOf(draw.mesh);
+    const form = lighting.needs.formFor(lights, grid, lighting.packing.changed);
     const special =
       form &&
       lighting.programs.choose(this.#keyOf(form, lights), draw, () =>
@@ -82,7 +82,8 @@ export class MaterialPrograms {
    * generalVariant}.
    */
   #generalFor(capacity: number): Variant {
-    const { linear, declared } = this.#lighting;
+    const { linear, needs } = this.#lighting;
+    const { declared } = needs;
     const made = this.#general;
     if (made?.declared === declared && made.capacity === capacity && made.linear === linear) {
       return made.variant;

@@ -47,7 +47,7 @@ export class ViewerContext {
     this.store = store;
     this.viewport = new Viewport(holder, this.lightSet, this.signals);
     const picture = (this.picture = this.viewport.picture);
-    this.signals.lightChanged.listen(() => picture.relit());
+    this.signals.lightChanged.listen(() => picture.invalidate(true));
     this.signals.viewChanged.listen((view) => this.#follow(view));
   }
 

@@ -37,6 +37,11 @@ export class SharedMaterials {
 
   set style(style: ShadingStyle) {
     this.#style = style;
+    this.restyle();
+  }
+
+  /** Writes the style to all materials: it has changed, or the picture's view. */
+  restyle(): void {
     for (const { material, appearance } of this.#byMaterial.values()) {
       material.setStyle(this.#styleOf(appearance));
     }
@@ -49,7 +54,7 @@ export class SharedMaterials {
 
   /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */
   geometryShading(own: Shading | null): Shading {
-    return this.#lighting.view?.separate === true ? 'flat' : (own ?? this.#style.shading);
+    return this.#lighting.packing.view?.separate === true ? 'flat' : (own ?? this.#style.shading);
   }
 
   /** A material for one more user, who gives it back by {@link release}. */

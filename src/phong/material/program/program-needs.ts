@@ -1,0 +1,87 @@
+// What the programs of a picture depend on besides its materials: features of its lights, and what
+// draws it.
+import type { WebGLRenderer } from 'three';
+import { declaredFeatures } from '../../light/light-features.js';
+import type { LightSet } from '../../light/light-set.js';
+import { type Device, deviceOf } from '../device.js';
+import type { LightBuffer } from '../light-buffer.js';
+import type { Form } from './variant.js';
+
+/**
+ * Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two
+ * cores).
+ */
+const MOST_INLINED = 16;
+
+export class ProgramNeeds {
+  readonly #lights: LightSet;
+  #restyles = 0;
+  #declared = 0;
+  /** The version of the lights' kinds that were declared. */
+  #kinds = -1;
+  #device: Device | null = null;
+  #capacity = 0;
+
+  constructor(lights: LightSet) {
+    this.#lights = lights;
+  }
+
+  /** Goes up with what decides which general programs are needed. */
+  get version(): number {
+    return this.#restyles + this.#lights.kindVersion;
+  }
+
+  /** Other programs may be needed. */
+  restyled(): void {
+    this.#restyles += 1;
+  }
+
+  /** What all lights since load need: see {@link declaredFeatures}. Bits are only ever added. */
+  get declared(): number {
+    return this.#declared;
+  }
+
+  /** Adds the features of all lights to {@link declared}. */
+  declare(): void {
+    const { values, kindVersion } = this.#lights;
+    if (kindVersion === this.#kinds) return;
+    this.#kinds = kindVersion;
+    this.#declared |= declaredFeatures(values);
+  }
+
+  /** What drew last; null: nothing, or it is to be sent everything again. */
+  get renderer(): WebGLRenderer | null {
+    return this.#device?.renderer ?? null;
+  }
+
+  set renderer(renderer: WebGLRenderer | null) {
+    this.#device = renderer === null ? null : deviceOf(renderer);
+    this.#capacity = 0;
+  }
+
+  /** Rows of the uniform array in general programs, or 0 for a texture. */
+  get capacity(): number {
+    return this.#device?.capacities[this.#capacity] ?? 0;
+  }
+
+  /** Makes the uniform array long enough. It never shrinks: lights that come and go compile once. */
+  fit(rows: number): void {
+    const capacities = this.#device?.capacities ?? [];
+    while (rows > (capacities[this.#capacity] ?? Infinity)) {
+      this.#capacity += 1;
+    }
+  }
+
+  /**
+   * The form of a specialised program for these lights; null if the general program is best.
+   * `change`: they differ from those of the frame before.
+   */
+  formFor({ packed }: LightBuffer, grid: LightBuffer | null, change: boolean): Form | null {
+    if (this.#device === null) return null;
+    if (grid !== null) return 'grid';
+    const { software, capacities } = this.#device;
+    // Inlined numbers that change in every frame would make a key each, for nothing.
+    if (software) return packed.sent <= MOST_INLINED && !change ? 'inlined' : null;
+    return this.#capacity < capacities.length ? 'counted' : null;
+  }
+}
