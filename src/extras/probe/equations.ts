@@ -7,7 +7,7 @@ import {
   phrase,
   type ViewerTexts,
 } from '../../viewer/extra.js';
-import type { LightValues, Term } from '../../phong/light/light-state.js';
+import { LIGHT_FIELDS, type LightValues, type Term } from '../../phong/light/light-state.js';
 import { cosDegrees } from '../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, clamp, map, multiply, type Vec3 } from '../../phong/math/vector.js';
@@ -101,81 +101,113 @@ export function equationsOf(
   return [...lines, sumLine(lines, fragment, linear, texts)];
 }
 
-function factorsOf({ fragment, share, light, term, linear, halfway, texts }: TermAt): Factor[] {
+type Values = typeof LIGHT_FIELDS;
+
+/** The values of a light that enter the equation. */
+type ShadedValue = {
+  [K in keyof Values]: Values[K]['shading'] extends string ? never : K;
+}[keyof Values];
+
+type FactorOf = (at: TermAt) => Factor | null;
+
+const intensity: FactorOf = ({ light, term, linear }) => ({
+  symbol: `I${NAMES[term]}`,
+  value: intensityOf(light, term, linear),
+  given: true,
+});
+
+/**
+ * The factor that each value of a light makes, in the order of the formula; null where it is 1, or
+ * where another one includes it. A value of the equation without an entry does not compile, and
+ * LIGHT_FIELDS says which terms it enters.
+ */
+const FACTORS: Readonly<Record<ShadedValue, FactorOf | null>> = {
+  ambient: intensity,
+  diffuse: intensity,
+  specular: intensity,
+  attenuation: attenuationAt,
+  cutoff: decayAt,
+  axis: null, // in the decay
+  aperture: null, // in the decay
+  position: cosineAt,
+};
+
+function factorsOf(at: TermAt): Factor[] {
+  const { fragment, term } = at;
   const factors: Factor[] = [
     { symbol: `K${NAMES[term]}`, value: coefficientOf(fragment, term), given: true },
-    { symbol: `I${NAMES[term]}`, value: intensityOf(light, term, linear), given: true },
   ];
-  const { att, decay, c, d, insideCone, NoL, RoV } = share;
+  for (const [key, factorOf] of Object.entries(FACTORS)) {
+    const terms: readonly Term[] = LIGHT_FIELDS[key as ShadedValue].shading.terms;
+    const factor = terms.includes(term) ? factorOf?.(at) : null;
+    if (factor) {
+      factors.push(factor);
+    }
+  }
+  return factors;
+}
+
+function attenuationAt({ share: { att, d }, light }: TermAt): Factor | null {
   const [kc, kl, kq] = light.attenuation;
   const isFading = light.position[3] === 1 && (kl > 0 || kq > 0);
-  if (term !== 'ambient' && (att !== 1 || isFading)) {
-    const parts = [kc, kl, kq].flatMap((k, i) => {
-      const power = ['', 'd', 'd²'][i]!;
-      return k === 0 ? [] : k === 1 && i > 0 ? power : `${exact(k)} ${power}`.trim();
-    });
-    const formula = `att = 1 / max(${parts.join(' + ')}, 1)`;
-    factors.push({
-      symbol: 'att',
-      value: grey(att),
-      fact: {
-        text: (digits) => (isFading ? `d = ${plain(d, digits)}, ${formula}` : formula),
-        value: (digits) => {
-          const x = rounded(d, digits);
-          return 1 / Math.max(kc + kl * x + kq * x * x, 1);
-        },
+  if (att === 1 && !isFading) return null;
+  const parts = [kc, kl, kq].flatMap((k, i) => {
+    const power = ['', 'd', 'd²'][i]!;
+    return k === 0 ? [] : k === 1 && i > 0 ? power : `${exact(k)} ${power}`.trim();
+  });
+  const formula = `att = 1 / max(${parts.join(' + ')}, 1)`;
+  return {
+    symbol: 'att',
+    value: grey(att),
+    fact: {
+      text: (digits) => (isFading ? `d = ${plain(d, digits)}, ${formula}` : formula),
+      value: (digits) => {
+        const x = rounded(d, digits);
+        return 1 / Math.max(kc + kl * x + kq * x * x, 1);
       },
-    });
-  }
-  if (!insideCone || decay !== 1 || light.aperture < 180) {
-    const angle = degreesOf(c);
-    const axis = phrase(texts, 'axis');
-    const aperture = phrase(texts, 'aperture °').replace(/\s*°$/, '');
-    factors.push({
-      symbol: 'decay',
-      value: grey(insideCone ? decay : 0),
-      fact: {
-        text: (digits) => {
-          const degrees = `${plain(angle, digits)}°`;
-          const cone = light.aperture < 180 ? `, ${aperture} ${exact(light.aperture)}°` : '';
-          return `∠(L, −${axis}) = ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
-        },
-        value: (digits) => {
-          const x = rounded(angle, digits);
-          if (light.aperture < 180 && x > light.aperture) return 0;
-          return ((1 + cosDegrees(x)) / 2) ** exponentOf(light.cutoff);
-        },
+    },
+  };
+}
+
+function decayAt({ share: { decay, c, insideCone }, light, texts }: TermAt): Factor | null {
+  const hasCone = light.aperture < 180;
+  if (insideCone && decay === 1 && !hasCone) return null;
+  const angle = degreesOf(c);
+  const axis = phrase(texts, 'axis');
+  const aperture = phrase(texts, 'aperture °').replace(/\s*°$/, '');
+  return {
+    symbol: 'decay',
+    value: grey(insideCone ? decay : 0),
+    fact: {
+      text: (digits) => {
+        const degrees = `${plain(angle, digits)}°`;
+        const cone = hasCone ? `, ${aperture} ${exact(light.aperture)}°` : '';
+        return `∠(L, −${axis}) = ${degrees}${cone}, decay = ((1 + cos ${degrees}) / 2)^${exact(light.cutoff)}`;
       },
-    });
-  }
+      value: (digits) => {
+        const x = rounded(angle, digits);
+        if (hasCone && x > light.aperture) return 0;
+        return ((1 + cosDegrees(x)) / 2) ** exponentOf(light.cutoff);
+      },
+    },
+  };
+}
+
+function cosineAt({ fragment, share: { NoL, RoV }, term, halfway }: TermAt): Factor | null {
+  if (term === 'ambient') return null;
   const cosine = (name: string, x: number, n: number): Fact => ({
     text: (digits) => `∠(${name}) = ${plain(degreesOf(x), digits)}°`,
     value: (digits) => power(cosDegrees(rounded(degreesOf(x), digits)), n),
   });
+  const incidence = cosine('N, L', NoL, 1);
   if (term === 'diffuse') {
-    factors.push({
-      symbol: 'max(N · L, 0)',
-      value: grey(NoL),
-      clamped: true,
-      fact: cosine('N, L', NoL, 1),
-    });
+    return { symbol: 'max(N · L, 0)', value: grey(NoL), clamped: true, fact: incidence };
   }
-  if (term === 'specular') {
-    const exponent = exponentOf(fragment.shininess);
-    const symbol = `max(${halfway ? 'N · H' : 'R · V'}, 0)^n`;
-    factors.push(
-      NoL > 0
-        ? {
-            symbol,
-            value: grey(RoV),
-            clamped: true,
-            exponent,
-            fact: cosine(halfway ? 'N, H' : 'R, V', RoV, exponent),
-          }
-        : { symbol, value: grey(0), fact: { ...cosine('N, L', NoL, 1), value: () => 0 } },
-    );
-  }
-  return factors;
+  const exponent = exponentOf(fragment.shininess);
+  const symbol = `max(${halfway ? 'N · H' : 'R · V'}, 0)^n`;
+  if (NoL <= 0) return { symbol, value: grey(0), fact: { ...incidence, value: () => 0 } };
+  const fact = cosine(halfway ? 'N, H' : 'R, V', RoV, exponent);
+  return { symbol, value: grey(RoV), clamped: true, exponent, fact };
 }
 
 const grey = (x: number): Vec3 => [x, x, x];
