@@ -110,8 +110,8 @@ export interface CastOptions {
   readonly width: number;
   readonly height: number;
   /**
-   * Samples of a pixel in which something varies: the square of a whole number. Default 1,024. See
-   * `picture.ts` for the pixels that need fewer.
+   * Most samples of a pixel in which something varies. Default 1,024. See `picture.ts` for the pixels
+   * that need fewer.
    */
   readonly samples?: number;
 }

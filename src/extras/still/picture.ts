@@ -7,23 +7,23 @@
 // the points, half a pixel apart, and leaves again cuts off 0.01 / r of the pixel, r being its
 // radius in pixels. Not where highlights may be that narrow.
 //
-// All other pixels are cut into equal squares, with one sample at a random place in each, and the
-// more the colours vary, the more squares there are. Where colours are linear and differ by c
-// codes, the mean of s² samples has a standard error of c / (√12 s²): 0.04 codes by the rule below.
-// Where an edge of c codes passes, some √2 s squares are cut, which leave about 0.29 c / s^1.5: 0.4
-// codes. `tests/extras/still/caster.test.ts` measures it.
+// All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places where
+// the screen takes that many: its picture differs by rounding where it draws the same surface. Where
+// an edge passes, 256 samples have an RMS error of 0.005 of its codes (`phong/math/pixel-offsets.ts`).
+// `tests/extras/still/caster.test.ts` measures it.
+import { centredOffset } from '../../phong/math/pixel-offsets.js';
 import type { CastOptions } from './cast-scene.js';
 import { NOTHING, type Sample, type Tracer } from './tracer.js';
 
-/** Sides of the squares of samples. */
-const SIDES = [4, 8, 12, 16, 24, 32];
+/** Samples of a pixel that nine points do not settle. */
+const COUNTS = [16, 64, 256, 1024];
 
 /** The fewest where something may be small and alone, or an edge. */
-const CAREFUL = 8;
+const CAREFUL = 64;
 
-/** Whether a square of this side is enough for colours that differ by so many codes. */
-const isEnough = (side: number, range: number, isSmooth: boolean): boolean =>
-  isSmooth ? side * side >= 7.2 * range : 2 * side * side * side >= range * range;
+/** Whether so many samples are enough for colours that differ by so many codes. */
+const isEnough = (count: number, range: number, isSmooth: boolean): boolean =>
+  isSmooth ? count >= 7.2 * range : 2 * count * Math.sqrt(count) >= range * range;
 
 /** Most codes between Simpson's rule and that of lower order. */
 const AGREEMENT = 0.25;
@@ -38,10 +38,6 @@ export function castRows(
   from: number,
   to: number,
 ): Float64Array {
-  const most = Math.sqrt(samples);
-  if (!Number.isInteger(most) || most < 1) {
-    throw new RangeError('samples must be the square of a whole number');
-  }
   const means = new Float64Array(4 * width * (to - from));
   let bottom = new Line(tracer, width, from);
   for (let row = from; row < to; row++) {
@@ -56,7 +52,7 @@ export function castRows(
       if (isSmooth && piece === NOTHING && !tracer.mayMeet(column, row, true)) continue;
       const mayHide = tracer.hasNarrowLobes || piece === NOTHING;
       if (!isSmooth || mayHide || !bySimpson(top, middle, bottom, column)) {
-        castPixel(tracer, column, row, most, isSmooth, piece);
+        castPixel(tracer, column, row, samples, isSmooth, piece);
       }
       means.set(mean, 4 * ((row - from) * width + column));
     }
@@ -131,11 +127,10 @@ function castPixel(
   isSmooth: boolean,
   piece: number,
 ): void {
-  const random = randomFrom(row * tracer.screen.width + column);
-  for (const side of SIDES) {
-    if (side < CAREFUL && (!isSmooth || piece === NOTHING) && side < most) continue;
-    const taken = Math.min(side, most);
-    isSmooth = meanOf(tracer, column, row, taken, piece, random) && isSmooth;
+  for (const count of COUNTS) {
+    if (count < CAREFUL && (!isSmooth || piece === NOTHING) && count < most) continue;
+    const taken = Math.min(count, most);
+    isSmooth = meanOf(tracer, column, row, taken, piece) && isSmooth;
     const range = Math.max(
       high[0]! - low[0]!,
       high[1]! - low[1]!,
@@ -143,7 +138,7 @@ function castPixel(
       high[3]! - low[3]!,
     );
     const least = isSmooth ? 0 : CAREFUL;
-    if (taken === most || (side >= least && isEnough(side, range, isSmooth))) return;
+    if (taken === most || (count >= least && isEnough(count, range, isSmooth))) return;
   }
 }
 
@@ -153,49 +148,43 @@ const high = new Float64Array(4);
 const scratch: Sample = { color: [0, 0, 0, 0], piece: 0 };
 
 /**
- * Writes the mean, the lowest and the highest values of a square of samples. Whether all are of the
- * same piece.
+ * Writes the mean, the lowest and the highest values of so many samples. Whether all are of the same
+ * piece.
  */
 function meanOf(
   tracer: Tracer,
   column: number,
   row: number,
-  side: number,
+  count: number,
   piece: number,
-  random: () => number,
 ): boolean {
   let isOne = true;
   mean.fill(0);
   low.fill(Infinity);
   high.fill(-Infinity);
-  for (let j = 0; j < side; j++) {
-    for (let i = 0; i < side; i++) {
-      tracer.sampleAt(column + (i + random()) / side, row + (j + random()) / side, scratch);
-      isOne &&= scratch.piece === piece;
-      for (let k = 0; k < 4; k++) {
-        const value = scratch.color[k as 0];
-        mean[k]! += value;
-        low[k] = Math.min(low[k]!, value);
-        high[k] = Math.max(high[k]!, value);
-      }
+  for (const { x, y } of offsetsOf(count)) {
+    tracer.sampleAt(column + 0.5 + x, row + 0.5 + y, scratch);
+    isOne &&= scratch.piece === piece;
+    for (let k = 0; k < 4; k++) {
+      const value = scratch.color[k as 0];
+      mean[k]! += value / count;
+      low[k] = Math.min(low[k]!, value);
+      high[k] = Math.max(high[k]!, value);
     }
-  }
-  for (let k = 0; k < 4; k++) {
-    mean[k]! /= side * side;
   }
   return isOne;
 }
 
-/**
- * Numbers in [0, 1) that depend on the pixel alone, however rows are shared among threads:
- * Mulberry32.
- */
-function randomFrom(pixel: number): () => number {
-  let state = Math.imul(pixel + 1, 0x9e3779b1);
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let x = Math.imul(state ^ (state >>> 15), state | 1);
-    x ^= x + Math.imul(x ^ (x >>> 7), x | 61);
-    return ((x ^ (x >>> 14)) >>> 0) / 4294967296;
-  };
+type Offsets = readonly ReturnType<typeof centredOffset>[];
+
+const offsets = new Map<number, Offsets>();
+
+/** From a pixel's centre. */
+function offsetsOf(count: number): Offsets {
+  let found = offsets.get(count);
+  if (found === undefined) {
+    found = Array.from({ length: count }, (_, i) => centredOffset(i, count));
+    offsets.set(count, found);
+  }
+  return found;
 }
