@@ -68,9 +68,12 @@ async function fetchOrRead(
 }
 
 async function readAsResponse(url: URL): Promise<Response> {
-  const { readFile } = await import('node:fs/promises');
-  const bytes = await readFile(url).catch((cause: unknown) => {
+  const { readFile, stat } = await import('node:fs/promises');
+  try {
+    // A device may never end.
+    if (!(await stat(url)).isFile()) throw new TypeError('no file');
+    return new Response(await readFile(url));
+  } catch (cause) {
     throw new ModelError('load-failed', `The file ${nameOf(url)} cannot be read.`, { cause });
-  });
-  return new Response(bytes);
+  }
 }

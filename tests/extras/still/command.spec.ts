@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { withText } from '../../../src/extras/png/chunks.js';
 import { outputFolder } from '../../../.ci/output-folder.mjs';
 
 const command = join(outputFolder('dist'), 'cli.js');
@@ -26,6 +27,7 @@ function folderOf(files: Readonly<Record<string, string | Uint8Array>>) {
       const run = spawnSync(process.execPath, [command, ...args], {
         cwd: folder,
         encoding: 'utf8',
+        timeout: 30_000,
       });
       return { status: run.status, out: run.stdout, err: run.stderr };
     },
@@ -110,6 +112,102 @@ test('a poster has the background of its viewer, and --scale gives it more pixel
   expect(folder.text('a.html')).toContain('width="9" height="9"');
 });
 
+test('a viewer has the size and the background of a rule in <style>, the strongest one', () => {
+  const page = `<style>/* p { */ @media (width < 9px) { phong-viewer { width: 1px } } @import "a";
+    .wide.b, phong-viewer { width: 20px; height: 10px; background: #123 }
+    #a { height: 14px } .wide { width: 24px; height: 9px } main phong-viewer { width: 1px }</style>
+    <phong-viewer></phong-viewer><PHONG-VIEWER class="x wide"></PHONG-VIEWER>
+    <phong-viewer id="a" class="wide" style="/* width: 1px; */ background: red"></phong-viewer>`;
+  const folder = folderOf({ 'p.html': page });
+  expect(folder.run('still', 'p.html').status).toBe(0);
+  const found = ['1', '2', 'a'].map((name) => {
+    const { width, height, data } = PNG.sync.read(readFileSync(folder.path(`p.${name}.png`)));
+    return [width, height, ...data.subarray(0, 3)];
+  });
+  expect(found).toEqual([
+    [20, 10, 17, 34, 51],
+    [24, 9, 17, 34, 51],
+    [24, 14, 255, 0, 0],
+  ]);
+});
+
+// What stands in the viewer's way is written back as it was: only its image is new.
+for (const [what, before, after, src = 'p.1.png'] of [
+  ['upper-case attributes', '<PHONG-VIEWER STYLE="WIDTH:8PX;HEIGHT:8PX">', '</PHONG-VIEWER>'],
+  ['no quotes', '<phong-viewer style=width:8px;height:8px alt=a&lt;b>', '</phong-viewer>'],
+  [
+    'a NUL and lone carriage returns',
+    'a\0b\r<phong-viewer width=8 height=8>',
+    '\r</phong-viewer>\0',
+  ],
+  [
+    'a table around it',
+    '<table><phong-viewer width=8 height=8>',
+    '</phong-viewer><tr><td>x</table>',
+  ],
+  ['HTML in SVG', '<svg><foreignObject><phong-viewer width=8 height=8>', '</phong-viewer></svg>'],
+  [
+    'a base that is no address',
+    '<base href="http://["><phong-viewer width=8 height=8>',
+    '</phong-viewer>',
+  ],
+  ['an empty id', '<phong-viewer id width=8 height=8>', '</phong-viewer>'],
+  [
+    'an id of other letters',
+    '<phong-viewer id="к/../я" width=8 height=8>',
+    '</phong-viewer>',
+    'p.%D0%BA-%D1%8F.png',
+  ],
+  [
+    'an id longer than names of files',
+    `<phong-viewer id="${'x'.repeat(300)}" width=8 height=8>`,
+    '</phong-viewer>',
+    `p.${'x'.repeat(50)}.png`,
+  ],
+] as const) {
+  test(`a page with ${what} gets its poster, and no other byte changes`, () => {
+    const folder = folderOf({ 'p.html': before + after });
+    const { status, err } = folder.run('still', 'p.html');
+    expect({ status, err }).toEqual({ status: 0, err: '' });
+    expect(folder.text('p.html')).toBe(before + POSTER(src, 8, 8) + after);
+    expect(folder.run('still', '--check', 'p.html').status).toBe(0);
+  });
+}
+
+test('a poster in a folder that is not there makes it', () => {
+  const page = `<phong-viewer><img slot=poster src="a/b/c.png" width="8" height="8"></phong-viewer>`;
+  const folder = folderOf({ 'p.html': page });
+  expect(folder.run('still', 'p.html').status).toBe(0);
+  expect(existsSync(folder.path('a/b/c.png'))).toBe(true);
+  expect(folder.text('p.html')).toBe(page);
+});
+
+test('a stamp made to attack is no poster, or not up to date', () => {
+  const plain = new Uint8Array(PNG.sync.write(new PNG({ width: 1, height: 1 })));
+  const folder = folderOf({ 'p.html': '<phong-viewer width="8" height="8"></phong-viewer>' });
+  folder.run('still', 'p.html');
+  const page = folder.text('p.html');
+  const own = JSON.parse(
+    folder.text('p.1.png').match(/phong-viewer still\0*(\{.*?\}\})/)![1]!,
+  ) as object;
+  for (const stamp of [
+    'null',
+    '7',
+    '[]',
+    '{"version":"\\u001b[2J"}',
+    JSON.stringify({ ...own, files: { '/dev/zero': 'x' } }),
+    JSON.stringify({ ...own, files: { 'http://127.0.0.1:9/a': 'x' } }),
+    JSON.stringify({ ...own, files: 'abc' }),
+  ]) {
+    writeFileSync(folder.path('p.1.png'), withText(plain, 'phong-viewer still', stamp));
+    const { status, err } = folder.run('still', '--check', 'p.html');
+    expect(status, stamp).not.toBeNull();
+    expect(err, stamp).not.toContain('\u001b');
+    expect(err, stamp).not.toContain('    at ');
+  }
+  expect(folder.text('p.html')).toBe(page);
+});
+
 test('images that the command has not made are neither written over nor replaced', () => {
   const png = PNG.sync.write(new PNG({ width: 1, height: 1 }));
   const viewer = (attributes: string, inner: string): string =>
@@ -166,6 +264,17 @@ for (const [what, page, part] of [
   ['a missing model', sized('src="none.glb"'), '2: The file none.glb cannot be read'],
   ['a model of no format', sized('src="page.html"'), '2: '],
   ['a host that does not answer', sized('src="http://127.0.0.1:9/a.glb"'), '2: '],
+  ['a device for a model', sized('src="/dev/zero" type="model/gltf-binary"'), '2: The file zero'],
+  [
+    'a viewer in SVG, where it is none',
+    '<svg><phong-viewer width="8" height="8" /></svg>',
+    ' has no',
+  ],
+  [
+    'a page in UTF-16',
+    Buffer.from('\ufeff<phong-viewer></phong-viewer>', 'utf16le'),
+    ' is not UTF-8',
+  ],
   ['a view that stills lack', sized('geometry="box" view="triangles"'), '2: a still cannot show'],
   [
     'a colour that stills lack',
@@ -190,7 +299,7 @@ for (const [what, page, part] of [
     expect({ status, out }).toEqual({ status: 1, out: '' });
     expect(err).toMatch(/^page\.html:.*\n$/);
     expect(err).toContain(`page.html:${part}`);
-    expect(folder.text('page.html')).toBe(page);
+    expect(readFileSync(folder.path('page.html'))).toEqual(Buffer.from(page));
   });
 }
 

@@ -13,7 +13,8 @@ Draws each <phong-viewer> of the pages, without a browser, into a PNG beside the
 writes it into the viewer as <img slot="poster">, which is shown without any script. Nothing
 else of a page changes. What is up to date is left as it is.
 
-A viewer needs a size in pixels: by its style, or by its attributes width and height.
+A viewer needs a size in pixels: by its style, by a rule in <style> for its tag, classes or
+id, or by its attributes width and height. Other style sheets are not read.
 
   --size 760x420    the size of viewers that say none
   --scale 2         pixels of the PNG for each pixel of the page, for dense screens

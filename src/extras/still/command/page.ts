@@ -1,6 +1,6 @@
 // The viewers of an HTML file as it is written: where they stand, how large they are, and which
 // poster they have. Edits the file by places in its text, so that nothing else changes.
-import { type DefaultTreeAdapterTypes, parse } from 'parse5';
+import { type DefaultTreeAdapterTypes, html, parse } from 'parse5';
 
 /** CSS pixels. */
 export interface Size {
@@ -48,10 +48,14 @@ type Element = DefaultTreeAdapterTypes.Element;
 /** @throws Error with `line`s for viewers that have no end tag, or hold another one. */
 export function readPage(text: string): Page {
   const all = elementsOf(parse(text, { sourceCodeLocationInfo: true }));
-  const viewers = all.filter(({ tagName }) => tagName === 'phong-viewer');
+  const rules = all.flatMap(rulesIn);
+  // In SVG they are no viewers, and an <img> would end it.
+  const viewers = all.filter(
+    ({ tagName, namespaceURI }) => tagName === 'phong-viewer' && namespaceURI === html.NS.HTML,
+  );
   const base = all.find((one) => one.tagName === 'base' && attribute(one, 'href') !== null);
   return {
-    viewers: viewers.map((element, i) => pageViewer(text, element, i + 1)),
+    viewers: viewers.map((element, i) => pageViewer(text, element, i + 1, rules)),
     base: base === undefined ? null : attribute(base, 'href'),
   };
 }
@@ -61,7 +65,12 @@ export const edited = (text: string, edits: readonly Edit[]): string =>
     .sort((a, b) => b.start - a.start)
     .reduce((all, { start, end, text: own }) => all.slice(0, start) + own + all.slice(end), text);
 
-function pageViewer(text: string, element: Element, number: number): PageViewer {
+function pageViewer(
+  text: string,
+  element: Element,
+  number: number,
+  rules: readonly Rule[],
+): PageViewer {
   const place = element.sourceCodeLocation!;
   const { startTag } = place;
   const problem = (what: string): Error => new Error(`${String(place.startLine)}: ${what}`);
@@ -75,11 +84,11 @@ function pageViewer(text: string, element: Element, number: number): PageViewer 
     (child): child is Element => 'tagName' in child && attribute(child, 'slot') === 'poster',
   );
   const imageAt = image?.sourceCodeLocation ?? null;
-  const style = attribute(element, 'style') ?? '';
+  const style = styleOf(element, rules);
   const isOther = image !== undefined && image.tagName !== 'img';
   return {
     line: place.startLine,
-    name: attribute(element, 'id') ?? String(number),
+    name: attribute(element, 'id') || String(number),
     markup: without(text.slice(place.startOffset, place.endOffset), imageAt, place.startOffset),
     size: sizeOf(element, style),
     posterSize: image === undefined ? null : sizeOf(image, ''),
@@ -152,6 +161,60 @@ const isInComparison = ({ parentNode }: Element): boolean =>
   'tagName' in parentNode &&
   (parentNode.tagName === 'phong-compare' || isInComparison(parentNode));
 
+/** Of a style sheet: what a selector without spaces and colons declares. */
+interface Rule {
+  readonly tag: string;
+  readonly ids: readonly string[];
+  readonly classes: readonly string[];
+  readonly declarations: string;
+}
+
+/** Those of a `<style>`; not what `@media` and the like hold. */
+function rulesIn({ tagName, childNodes }: Element): Rule[] {
+  if (tagName !== 'style') return [];
+  const css = childNodes
+    .map((node) => ('value' in node ? node.value : ''))
+    .join('')
+    .replace(/\/\*[^]*?\*\/|@[^{};]*(;|\{([^{}]*\{[^{}]*\})*[^{}]*\})/g, '');
+  return [...css.matchAll(/([^{}]+)\{([^{}]*)\}/g)].flatMap(([, selectors, declarations]) =>
+    selectors!.split(',').flatMap((selector): Rule[] => {
+      const [, tag, rest] = /^\s*([\w-]+|\*|)((?:[.#][\w-]+)*)\s*$/.exec(selector) ?? [];
+      if (tag === undefined) return [];
+      const names = (sign: RegExp): readonly string[] => rest!.match(sign) ?? [];
+      return [
+        {
+          tag: tag.replace('*', '').toLowerCase(),
+          ids: names(/(?<=#)[\w-]+/g),
+          classes: names(/(?<=\.)[\w-]+/g),
+          declarations: declarations!,
+        },
+      ];
+    }),
+  );
+}
+
+/** All declarations for an element, the strongest last. */
+function styleOf(element: Element, rules: readonly Rule[]): string {
+  const id = attribute(element, 'id');
+  const classes = (attribute(element, 'class') ?? '').split(/\s+/);
+  return rules
+    .filter(
+      (rule) =>
+        (rule.tag === '' || rule.tag === element.tagName) &&
+        rule.ids.every((name) => name === id) &&
+        rule.classes.every((name) => classes.includes(name)),
+    )
+    .sort(
+      (a, b) =>
+        a.ids.length - b.ids.length ||
+        a.classes.length - b.classes.length ||
+        Number(a.tag !== '') - Number(b.tag !== ''),
+    )
+    .map(({ declarations }) => declarations)
+    .concat(attribute(element, 'style') ?? '')
+    .join(';');
+}
+
 /** Of its style, else of its attributes. */
 function sizeOf(element: Element, style: string): Size | null {
   const width = pixels(declared(style, 'width')) ?? whole(attribute(element, 'width'));
@@ -175,6 +238,7 @@ const whole = (value: string | null): number | null =>
 /** The last value of a property in a style; null for none. */
 function declared(style: string, property: string): string | null {
   const values = style
+    .replace(/\/\*[^]*?\*\//g, '')
     .split(';')
     .map((part) => part.split(/:(.*)/s))
     .filter(([name = '']) => name.trim().toLowerCase() === property);

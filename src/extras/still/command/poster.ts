@@ -1,7 +1,7 @@
 // A poster's file: what it was drawn from stands in it, so that it is drawn again only when that has
 // changed.
 import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { withText } from '../../png/chunks.js';
 import { PngTextError, textIn } from '../../png/read-text.js';
@@ -62,28 +62,26 @@ export async function staleness(png: Uint8Array, source: PosterSource): Promise<
   const stamp = await stampOf(png);
   const { markup, size, background, base, version } = source;
   if (stamp === null) return 'was not made by this command';
-  if (stamp.version !== version) return `was made by version ${stamp.version}`;
+  if (stamp.version !== version) return `was made by version ${String(stamp.version)}`;
   if (stamp.markup !== hashOf(markup)) return 'shows other markup';
   if (stamp.width !== size.width || stamp.height !== size.height) return 'has another size';
   if (JSON.stringify(stamp.background) !== JSON.stringify(background)) {
     return 'has another background';
   }
-  const changed = Object.entries(stamp.files).find(([name, hash]) => {
-    try {
-      return hashOf(readFileSync(fileURLToPath(new URL(name, base)))) !== hash;
-    } catch {
-      return true;
-    }
-  });
+  const changed = Object.entries(stamp.files ?? {}).find(
+    ([name, hash]) => hashOfFile(name, base) !== hash,
+  );
   return changed === undefined ? null : `shows another ${changed[0]}`;
 }
 
 /** Whether the command has made this file: no other is written over. */
 export const isPoster = async (png: Uint8Array): Promise<boolean> => (await stampOf(png)) !== null;
 
-async function stampOf(png: Uint8Array): Promise<Stamp | null> {
+/** It may be a stranger's: its values can be anything. */
+async function stampOf(png: Uint8Array): Promise<Partial<Stamp> | null> {
   try {
-    return JSON.parse(await textIn(png, KEYWORD)) as Stamp;
+    const stamp = JSON.parse(await textIn(png, KEYWORD)) as Partial<Stamp> | null;
+    return typeof stamp === 'object' ? stamp : null;
   } catch (error) {
     if (error instanceof PngTextError || error instanceof SyntaxError) return null;
     throw error;
@@ -92,6 +90,16 @@ async function stampOf(png: Uint8Array): Promise<Stamp | null> {
 
 const hashOf = (data: Uint8Array | string): string =>
   createHash('sha256').update(data).digest('hex');
+
+/** Null for what is no file on this disk: a device may never end. */
+function hashOfFile(name: string, base: URL): string | null {
+  try {
+    const path = fileURLToPath(new URL(name, base));
+    return statSync(path).isFile() ? hashOf(readFileSync(path)) : null;
+  } catch {
+    return null;
+  }
+}
 
 /** Below the base without what the machine's path is. */
 const relative = (base: URL, { href }: URL): string => {

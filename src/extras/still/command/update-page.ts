@@ -1,5 +1,5 @@
 // Brings the posters of a page up to date, and says what was done.
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { cssColor } from '../css-colors.js';
@@ -16,8 +16,11 @@ export interface Settings {
   readonly version: string;
 }
 
-export const say = (line: string): boolean => process.stdout.write(`${line}\n`);
-export const complain = (line: string): boolean => process.stderr.write(`${line}\n`);
+export const say = (line: string): boolean => process.stdout.write(`${printable(line)}\n`);
+export const complain = (line: string): boolean => process.stderr.write(`${printable(line)}\n`);
+
+/** Without what terminals obey: pages quote anything. */
+const printable = (line: string): string => line.replaceAll(/\p{Cc}/gu, '\ufffd');
 
 const messageOf = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
@@ -55,8 +58,13 @@ export async function updatePage(file: string, settings: Settings): Promise<bool
       isWell = false;
     }
   }
-  if (edits.length > 0 && !settings.check) {
-    writeFileSync(file, edited(text, edits));
+  try {
+    if (edits.length > 0 && !settings.check) {
+      writeFileSync(file, edited(text, edits));
+    }
+  } catch (error) {
+    complain(`${file}:${reasonOf(error)}`);
+    return false;
   }
   return isWell;
 }
@@ -66,6 +74,7 @@ function reasonOf(error: unknown): string {
   const code = (error as { readonly code?: string }).code;
   if (code === 'ENOENT') return ' there is no such file.';
   if (code === 'EISDIR') return ' is a folder: name the pages in it.';
+  if (code === 'EACCES') return ' this user may not read or write it.';
   if (code === 'ERR_ENCODING_INVALID_ENCODED_DATA') return ' is not UTF-8.';
   const message = messageOf(error);
   return /^\d/.test(message) ? message : ` ${message}`;
@@ -94,7 +103,9 @@ async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Mad
   }
   const size = viewer.size ?? settings.size ?? viewer.posterSize;
   if (size === null) {
-    throw new Error('the viewer has no size in pixels: use --size 760x420.');
+    throw new Error(
+      'the viewer has no size in pixels, by its style, a rule in <style> or its attributes width and height: use --size 760x420.',
+    );
   }
   const source: PosterSource = {
     markup: viewer.markup,
@@ -126,6 +137,7 @@ async function updateViewer(viewer: PageViewer, place: ViewerPlace): Promise<Mad
     say(`${at} ${name} is up to date.`);
   } else {
     const start = performance.now();
+    mkdirSync(dirname(path), { recursive: true });
     writeFileSync(path, await drawPoster(source, (message) => complain(`${at} ${message}`)));
     const { width, height } = source.size;
     const seconds = ((performance.now() - start) / 1000).toFixed(1);
@@ -167,9 +179,10 @@ class Targets {
 
   constructor(file: string, { viewers, base }: Page) {
     const page = pathToFileURL(resolve(file));
-    this.base = base === null ? page : new URL(base, page);
+    // Browsers, too, take no notice of a base that is no address.
+    this.base = base !== null && URL.canParse(base, page) ? new URL(base, page) : page;
     this.#folder = dirname(resolve(file));
-    this.#stem = basename(file).replace(/\.[^.]*$/, '');
+    this.#stem = basename(file).replace(/\.html$/, '');
     this.#taken = new Set(viewers.map(({ poster }) => poster ?? ''));
   }
 
@@ -183,7 +196,11 @@ class Targets {
       return { path: path !== null && (await isOwn(path)) ? path : null, src: poster };
     }
     for (let i = 1; ; i++) {
-      const words = [this.#stem, name.replaceAll(/[^\w-]+/g, '-'), ...(i > 1 ? [i] : [])];
+      const words = [
+        this.#stem,
+        name.replaceAll(/[^\p{L}\p{N}_-]+/gu, '-').slice(0, 50),
+        ...(i > 1 ? [i] : []),
+      ];
       const path = join(this.#folder, `${words.join('.')}.png`);
       const src = relative(fileURLToPath(new URL('.', this.base)), path).replaceAll('\\', '/');
       const address = src.split('/').map(encodeURIComponent).join('/');
