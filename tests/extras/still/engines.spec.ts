@@ -1,159 +1,155 @@
-// The same bytes in Node and in a page, and what the screen shows within one code. Scenes of the
-// site; without textures. A release run takes all of them.
-import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+// The same bytes in each engine: the package's code draws the same scenes in Node and in pages. A
+// release run takes all scenes and all engines.
+import { execFile } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 import { build, type Rolldown } from 'vite';
-import { decodeImage } from '../../../src/extras/still/images.js';
-import { still } from '../../../src/extras/still/index.js';
-import { firstOf, fullOr } from '../../support/repeats.js';
-import { expect, pixels, test } from '../../support/test.js';
+import { outputFolder } from '../../../.ci/output-folder.mjs';
+import { fullOr } from '../../support/repeats.js';
+import { expect, type Site, test } from '../../support/test.js';
+import { STARTS } from '../../release/tabs.js';
+import { modelScenes, siteScenes } from './scenes.js';
 
-/** Pixels of a scene: small, so that the slow ones among them take a second. */
+/** Small, so that the slow ones among the scenes take a second. */
 const SIZE = { width: 152, height: 84 };
 
-interface SiteScene {
-  readonly name: string;
-  readonly markup: string;
-  readonly base: URL;
-}
-
-/** The viewers of a page of the site, without models. Each begins a line. */
-function scenesOf(path: string): SiteScene[] {
-  const file = fileURLToPath(new URL(`../../../demo/${path}`, import.meta.url));
-  const found = readFileSync(file, 'utf8').match(/^ *<phong-viewer\b[^]*?<\/phong-viewer>/gm) ?? [];
-  return found
-    .filter((markup) => !/ src=|<script|view="triangles"/.test(markup))
-    .map((markup, i) => ({ name: `${path} ${i}`, markup, base: pathToFileURL(file) }));
-}
-
-const PAGES = [
-  'scenes/spot.html',
-  'scenes/exponents.html',
-  'scenes/room.html',
-  'scenes/colours.html',
-  'guide/see.md',
-  'guide/light.md',
-  'guide/models.md',
-  'guide/reference.md',
-  'guide/camera.md',
-  'scenes/lesson.html',
-  'scenes/product.html',
-  'scenes/compare.html',
-  'scenes/lamp.html',
-  'scenes/sun.html',
-  'scenes/camera-light.html',
+const SCENES = [
+  ...siteScenes(fullOr(Infinity, 5), fullOr(Infinity, 2)),
+  ...modelScenes().slice(0, fullOr(Infinity, 2)),
 ];
-const SCENES = firstOf(PAGES, 5).flatMap((path) => scenesOf(path).slice(0, fullOr(30, 2)));
 
-/** The code of stills as one script for a page: the same source. */
-async function pageCode(): Promise<string> {
+/** Draws a scene: the SHA-256 of its pixels and of its PNG. */
+type Digest = (markup: string, base: string) => Promise<string>;
+
+/** A module that puts it into the global object. */
+const entry = (still: string): string => `
+  import { still } from ${JSON.stringify(still)};
+  const digest = async (bytes) => {
+    const sum = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+    return Array.from(sum, (byte) => byte.toString(16).padStart(2, '0')).join('');
+  };
+  globalThis.digestOf = async (markup, base) => {
+    const size = ${JSON.stringify(SIZE)};
+    const { pixels, png } = await still(markup, { ...size, base, warn: () => {} });
+    return (await digest(pixels)) + ' ' + (await digest(png));
+  };`;
+
+const STILL = join(outputFolder('dist'), 'still.js');
+
+/** The same code as one script for pages. */
+async function pageScript(): Promise<string> {
   const result = await build({
     configFile: false,
     logLevel: 'error',
     plugins: [
       {
-        name: 'without-decoders',
-        enforce: 'pre',
-        resolveId: (name) => (/^\.\/(draco|ktx2-worker|meshopt)\.js$/.test(name) ? '\0none' : null),
-        load: (id) => (id === '\0none' ? 'export {};' : null),
+        name: 'entry',
+        resolveId: (name) => (name === 'entry' ? '\0entry' : null),
+        load: (id) => (id === '\0entry' ? entry(STILL) : null),
       },
     ],
     build: {
       write: false,
       target: 'es2022',
       minify: false,
-      lib: {
-        entry: fileURLToPath(new URL('../../../src/extras/still/index.ts', import.meta.url)),
-        formats: ['es'],
-      },
       rolldownOptions: {
+        input: 'entry',
         external: /^(node:|pngjs|jpeg-js)/,
-        output: { codeSplitting: false },
+        output: { codeSplitting: false, format: 'es' },
       },
     },
   });
   const [{ output }] = [result].flat() as Rolldown.RolldownOutput[] as [Rolldown.RolldownOutput];
-  return output[0].code.replace(/export \{ still \};?\s*$/, 'globalThis.still = still;');
+  return output[0].code;
 }
 
 /** Lets the test's own script run. */
 const OPEN = "script-src 'self' 'unsafe-inline'";
 
-const sha = (bytes: Uint8Array): string => createHash('sha256').update(bytes).digest('hex');
-
-test('a still has the same bytes in Node and in a page', async ({ page, mount }) => {
-  test.setTimeout(fullOr(1_200_000, 120_000));
-  await mount('<phong-viewer alt="" geometry="box"></phong-viewer>', { csp: OPEN });
-  await page.addScriptTag({ type: 'module', content: await pageCode() });
-  await page.waitForFunction(() => 'still' in globalThis);
-  for (const { name, markup, base } of SCENES) {
-    const here = await still(markup, { ...SIZE, base, threads: 1 });
-    const there = await page.evaluate(
-      async ([text, size, address]) => {
-        const draw = (globalThis as unknown as { still: typeof still }).still;
-        const { pixels: found, png } = await draw(text, { ...size, base: address });
-        return [[...found], [...png]];
-      },
-      [markup, SIZE, base.href] as const,
-    );
-    expect(sha(Uint8Array.from(there[0]!)), name).toBe(sha(here.pixels));
-    expect(sha(Uint8Array.from(there[1]!)), name).toBe(sha(here.png));
+/** Draws the scenes in Node, on all cores, and writes what it found as JSON. */
+const inNodeScript = (base: string): string => `
+  ${entry(pathToFileURL(STILL).href)}
+  const found = [];
+  for (const markup of ${JSON.stringify(SCENES.map(({ markup }) => markup))}) {
+    found.push(await digestOf(markup, ${JSON.stringify(base)}));
   }
+  console.log(JSON.stringify({ version: process.version, found }));`;
+
+const run = promisify(execFile);
+let code: string;
+let folder: string;
+let here: Promise<readonly string[]> | undefined;
+
+/** In this Node, or in one of another version, which npx fetches. */
+async function inNode(base: string, version?: number): Promise<readonly string[]> {
+  const file = join(folder, 'draw.mjs');
+  writeFileSync(file, inNodeScript(base));
+  const [command, ...before] =
+    version === undefined ? [process.execPath] : ['npx', '-y', `node@${version}`];
+  const { stdout } = await run(command!, [...before, file], { cwd: folder });
+  const answer = JSON.parse(stdout) as { readonly version: string; readonly found: string[] };
+  console.log(`Node ${answer.version}`);
+  if (version !== undefined) {
+    expect(answer.version).toMatch(new RegExp(`^v${version}\\.`));
+  }
+  return answer.found;
+}
+
+/** Compares with this Node, scene by scene. */
+async function expectSame(site: Site, found: readonly string[]): Promise<void> {
+  const expected = await (here ??= inNode(site.origin));
+  const named = (digests: readonly string[]): readonly string[] =>
+    SCENES.map(({ name }, i) => `${name}: ${digests[i]!}`);
+  expect(named(found)).toEqual(named(expected));
+}
+
+// One worker: what this Node draws is drawn once.
+test.describe.configure({ mode: 'default', timeout: fullOr(1_800_000, 120_000) });
+
+test.beforeAll(async () => {
+  code = await pageScript();
+  folder = mkdtempSync(join(tmpdir(), 'engines-'));
 });
 
-test('the screen shows a still, nearly all of it within one code', async ({ page, mount }) => {
-  test.setTimeout(fullOr(1_200_000, 120_000));
-  for (const { name, markup, base } of SCENES) {
-    const { pixels: truth } = await still(markup, { ...SIZE, base, threads: 1 });
-    const resting = markup.replace(/ auto-rotate="[^"]*"/, '');
-    await mount(resting.replace('<phong-viewer', '<phong-viewer loading="eager"'), SIZE);
-    const drawn = await pixels(page.locator('phong-viewer').first(), { ...SIZE, samples: 256 });
-    let [shown, within, squares] = [0, 0, 0];
-    for (let i = 0; i < truth.length; i += 4) {
-      if (truth[i + 3] === 0 && drawn.data[i + 3] === 0) continue;
-      shown += 1;
-      // Premultiplied: where little is covered, colours are rounded away.
-      const errors = [0, 1, 2].map(
-        (k) => (truth[i + k]! * truth[i + 3]! - drawn.data[i + k]! * drawn.data[i + 3]!) / 255,
-      );
-      within += Number(errors.every((error) => Math.abs(error) <= 1.5));
-      squares += errors.reduce((sum, error) => sum + error * error, 0);
+test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const draw = ({ markup, base }: { readonly markup: string; readonly base: string }) =>
+  (globalThis as unknown as { digestOf: Digest }).digestOf(markup, base);
+
+test('a still has the same bytes in Node and in Chromium', async ({ page, site }) => {
+  await page.goto(site.page('', { csp: OPEN }));
+  await page.addScriptTag({ type: 'module', content: code });
+  await page.waitForFunction(() => 'digestOf' in globalThis);
+  const found: string[] = [];
+  for (const { markup } of SCENES) {
+    found.push(await page.evaluate(draw, { markup, base: site.origin }));
+  }
+  await expectSame(site, found);
+});
+
+for (const version of [20, 22, 24]) {
+  test(`@release a still has the same bytes in Node ${version}`, async ({ site }) => {
+    await expectSame(site, await inNode(site.origin, version));
+  });
+}
+
+for (const [name, start] of Object.entries(STARTS)) {
+  test(`@release a still has the same bytes in ${name}`, async ({ site }) => {
+    const tab = await start();
+    console.log(tab.browser);
+    try {
+      const head = `<script type="module">${code.replaceAll('</script', '<\\/script')}</script>`;
+      await tab.open(site.page('', { csp: OPEN, head }));
+      const found: string[] = [];
+      for (const { markup } of SCENES) {
+        found.push(await tab.run(draw, { markup, base: site.origin }));
+      }
+      await expectSame(site, found);
+    } finally {
+      await tab.close();
     }
-    const share = within / shown;
-    const rmse = Math.sqrt(squares / (3 * shown));
-    if (process.env['STILL_REPORT'] !== undefined) {
-      console.log(name, share.toFixed(4), rmse.toFixed(3));
-    }
-    // Pictures this small are a third outline, where both have errors of a code.
-    expect.soft(share, name).toBeGreaterThan(0.91);
-    expect.soft(rmse, name).toBeLessThan(1);
-  }
-});
-
-test('a JPEG has the colours that the browser decodes, within four codes', async ({
-  page,
-  mount,
-}) => {
-  await mount('<phong-viewer alt="" geometry="box"></phong-viewer>');
-  for (const name of ['spider/SpiderTex.jpg', 'spider/drkwood2.jpg', 'spider/engineflare1.jpg']) {
-    const file = new URL(`../../../demo/assets/models/real/${name}`, import.meta.url);
-    const bytes = readFileSync(file);
-    const { data } = await decodeImage({ bytes: Uint8Array.from(bytes), type: 'image/jpeg' });
-    const there = await page.evaluate(async (text) => {
-      const file = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-      const image = await createImageBitmap(new Blob([file]), { colorSpaceConversion: 'none' });
-      const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
-      context.drawImage(image, 0, 0);
-      return [...context.getImageData(0, 0, image.width, image.height).data];
-    }, bytes.toString('base64'));
-    const errors = there.map((code, i) => Math.abs(code - data[i]!));
-    // Their transforms round differently. Chroma between its samples would be off by up to 77.
-    expect(
-      errors.reduce((most, error) => Math.max(most, error), 0),
-      name,
-    ).toBeLessThanOrEqual(4);
-    const within = errors.filter((error) => error <= 1).length / errors.length;
-    expect(within, name).toBeGreaterThan(0.97);
-  }
-});
+  });
+}
