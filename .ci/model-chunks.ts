@@ -5,7 +5,7 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/(viewer\/model\/model-budget|extras\/models\/(slices|limits|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
+    test: /\/src\/(phong\/model\/model-budget|extras\/models\/(slices|limits|encodings|model-reader|image|stl\/stl-kind|decoders\/decoder-thread|ktx2\/decode-ktx2))\.ts$/,
   },
   // What helpers and comparison have in common with the panel. Before its rows, which would take it
   // with them.
@@ -14,6 +14,8 @@ export const modelChunks = [
     name: 'round-number',
     test: /\/src\/(viewer\/element\/viewer\/history|phong\/math\/round-number)\.ts$/,
   },
+  // What <phong-control>, <phong-probe> and <phong-exercise> have in common.
+  { name: 'extra-element', test: /\/src\/viewer\/element\/extra-element\.ts$/ },
   // What <phong-control> has in common with the panel.
   {
     name: 'panel-rows',

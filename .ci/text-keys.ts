@@ -1,18 +1,16 @@
-// Vite plugin: in a build an import of the table of texts gives its keys alone. The translations
-// are files of their own.
+// Vite plugin: an import of the viewer's table of texts gives the keys of all tables, and no text.
+// The translations are files of their own.
 
 import type { Plugin } from 'vite';
+import { TEXT_KEYS } from './texts.mjs';
 
 export const textKeys = (): Plugin => ({
   name: 'text-keys',
-  apply: 'build',
   enforce: 'pre',
-  transform(code, id) {
+  transform(_code, id) {
     if (!id.endsWith('/fields/texts.json')) return null;
-    const keysOf = (part: object) => Object.fromEntries(Object.keys(part).map((key) => [key, 0]));
-    const sections = Object.values(JSON.parse(code) as Record<string, object>);
     return {
-      code: JSON.stringify({ '': keysOf(Object.assign({}, ...sections) as object) }),
+      code: JSON.stringify({ '': Object.fromEntries(TEXT_KEYS.map((key) => [key, 0])) }),
       map: null,
     };
   },

@@ -2,23 +2,29 @@
 // Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it
 // to import; and the type of their keys. A step of `npm run build`, after the types.
 
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { outputFolder } from './output-folder.mjs';
 
+const src = fileURLToPath(new URL('../src/', import.meta.url));
+
+/** Each folder of an extra may have a table. */
+const files = [
+  'viewer/element/fields/texts.json',
+  'phong/mistakes/texts.json',
+  ...readdirSync(join(src, 'extras')).map((name) => `extras/${name}/texts.json`),
+].filter((file) => existsSync(join(src, file)));
+
 /**
  * By heading, then by key. @type {Readonly<Record<string, Readonly<Record<string,
- * Readonly<Record<string, string>>>>>>}
+ * Readonly<Record<string, string>>>>>>[]}
  */
-const sections = JSON.parse(
-  readFileSync(
-    fileURLToPath(new URL('../src/viewer/element/fields/texts.json', import.meta.url)),
-    'utf8',
-  ),
-);
+const tables = files.map((file) => JSON.parse(readFileSync(join(src, file), 'utf8')));
 
-const table = Object.assign({}, ...Object.values(sections));
+const table = Object.assign({}, ...tables.flatMap((sections) => Object.values(sections)));
+
+export const TEXT_KEYS = Object.keys(table);
 
 export const LANGUAGES = Object.keys(table['en'] ?? {});
 
@@ -53,9 +59,12 @@ export default texts;
     writeFileSync(join(target, `${name}.js`), `export default ${json};\n`);
     writeFileSync(join(target, `${name}.d.ts`), module);
   }
-  const keys = Object.keys(table).map((key) => JSON.stringify(key));
+  const types = join(outputFolder('dist'), 'types/viewer');
+  const keys = TEXT_KEYS.map((key) => JSON.stringify(key));
   writeFileSync(
-    join(outputFolder('dist'), 'types/viewer/element/fields/text-key.d.ts'),
+    join(types, 'element/fields/text-key.d.ts'),
     `export type TextKey = ${keys.join(' | ')};\n`,
   );
+  // It names the tables.
+  writeFileSync(join(types, 'extras.d.ts'), 'export {};\n');
 }

@@ -11,37 +11,20 @@ export type {
   ProbeDetail,
 } from './element/elements.js';
 export type { CreatePanel } from './element/extra-code.js';
-export type { ControlValues } from './element/fields/control-properties.js';
+export { ExtraElement } from './element/extra-element.js';
 export { cssColor } from './element/fields/css-color.js';
-export type { ExerciseValues } from './element/fields/exercise-properties.js';
-export { defineProperties, FieldBinding } from './element/fields/field-binding.js';
-export type { ProbeValues } from './element/fields/probe-properties.js';
-export {
-  localNumber,
-  phrase,
-  textsAround,
-  type ViewerText,
-  type ViewerTexts,
-} from './element/fields/texts.js';
-export {
-  GUI_FOLDERS,
-  HELPERS,
-  VIEWER_FIELDS,
-  type ViewerValues,
-} from './element/fields/viewer-fields.js';
+export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
+export { GUI_FOLDERS, HELPERS, VIEWER_FIELDS } from './element/fields/viewer-fields.js';
 export type { MistakeTests } from './element/inspect.js';
-export { fieldsOf, hostOf, sceneMeshes } from './element/internals.js';
-export { default as ownText } from './element/page/own-text.css?inline';
+export { fieldsOf, hostOf, sceneMeshes, type ValuesByTag } from './element/internals.js';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles } from './element/page/style-sheets.js';
-export { PhongControl } from './element/phong-control.js';
-export { PhongExercise } from './element/phong-exercise.js';
 export { lightName } from './element/phong-light.js';
-export { PhongProbe } from './element/phong-probe.js';
 export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';
-export { historyOf, type Undoable, valuesOf } from './element/viewer/history.js';
+export { historyOf, type Subject } from './element/viewer/history.js';
+export type { ExtraRows } from './element/panel-rows.js';
 export { PANEL_PLACE } from './element/viewer/viewer-panel.js';
 export { reportMissing } from './model/provided-code.js';
 export { type LoadOptions, modelCode, readerCode } from './model/request-model.js';

@@ -1,6 +1,11 @@
-// The one table of extras: what is fetched, when, and how. Nothing else in this folder knows an
-// extra: the code that uses one says what it needs of it (`extraCode`), and without its row here it
-// is not there. Imported by the package's entry before everything that takes long to run.
+// The one table of extras: what is fetched, when, and how; the rows of the panel and the texts that
+// they bring. Nothing else in this folder knows an extra: the code that uses one says what it needs
+// of it (`extraCode`), and without its row here it is not there. Imported by the package's entry before everything that takes long to run.
+import type compareTexts from '../extras/compare/texts.json';
+import type exerciseTexts from '../extras/exercise/texts.json';
+import type overlayTexts from '../extras/overlay/texts.json';
+import type panelTexts from '../extras/panel/texts.json';
+import type probeTexts from '../extras/probe/texts.json';
 import {
   comparisonCode,
   controlCode,
@@ -11,6 +16,7 @@ import {
   pictureCode,
   probeCode,
 } from './element/extra-code.js';
+import { panelRows } from './element/panel-rows.js';
 import { extraKinds } from './element/viewer/extra-host.js';
 import { lazyCode } from '../phong/lazy-code.js';
 import { modelCode, readerCode } from './model/request-model.js';
@@ -57,3 +63,16 @@ extraKinds.push(
     first: true,
   },
 );
+
+// In the panel, beside its own.
+panelRows.push(lazyCode(() => import('../extras/overlay/show-rows.js'), 'the control panel'));
+
+declare module './element/fields/text-key.js' {
+  interface TextTables {
+    readonly compare: typeof compareTexts;
+    readonly exercise: typeof exerciseTexts;
+    readonly overlay: typeof overlayTexts;
+    readonly panel: typeof panelTexts;
+    readonly probe: typeof probeTexts;
+  }
+}

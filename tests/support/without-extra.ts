@@ -38,12 +38,25 @@ export function tableWithout(gone: ReadonlySet<string>): string {
   const isGone = (node: ts.Node): boolean =>
     [...gone].some((name) => node.getText().includes(`'../extras/${name}/`));
   const cuts: ts.Node[] = [];
+  /** Types of the tables of texts that go. */
+  const types: string[] = [];
   for (const statement of file.statements) {
-    if (!ts.isExpressionStatement(statement) || !ts.isCallExpression(statement.expression)) {
-      continue;
+    if (ts.isImportDeclaration(statement) && isGone(statement)) {
+      cuts.push(statement);
+      types.push(`typeof ${statement.importClause?.name?.text ?? ''};`);
+    } else if (ts.isModuleDeclaration(statement)) {
+      const [tables] = (statement.body as ts.ModuleBlock).statements as unknown as [
+        ts.InterfaceDeclaration,
+      ];
+      cuts.push(
+        ...tables.members.filter((member) => types.some((type) => member.getText().includes(type))),
+      );
+    } else if (ts.isExpressionStatement(statement) && ts.isCallExpression(statement.expression)) {
+      const { expression: called, arguments: rows } = statement.expression;
+      const isList = /\.push$/.test(called.getText());
+      const isLeft = isList && rows.some((row) => !isGone(row));
+      cuts.push(...(isLeft ? [...rows] : [statement]).filter(isGone));
     }
-    const rows = statement.expression.arguments.filter(ts.isObjectLiteralExpression);
-    cuts.push(...(rows.length > 0 ? rows : [statement]).filter(isGone));
   }
   let left = code;
   for (const node of cuts.reverse()) {

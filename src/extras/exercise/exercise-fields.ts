@@ -8,7 +8,9 @@ import {
 } from '../../phong/fields/field.js';
 import type { Fields } from '../../phong/fields/field-store.js';
 import { KINDS, TERMS } from '../../phong/light/light-state.js';
-import type { ExerciseValues } from '../../viewer/extra.js';
+import type { ValuesByTag } from '../../viewer/extra.js';
+
+export type ExerciseValues = ValuesByTag['phong-exercise'];
 
 export const EXERCISE_FIELDS: Fields<ExerciseValues> = {
   for: textField(),

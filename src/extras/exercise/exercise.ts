@@ -1,25 +1,18 @@
 // What a <phong-exercise> does: it shows an editor, runs the function when somebody presses *run*,
 // and says what the judge found. Loaded with the first one on a page.
 import { html, nothing, render, type TemplateResult } from 'lit';
-import { FieldStore } from '../../phong/fields/field-store.js';
 import { KINDS, type LightKind } from '../../phong/light/light-state.js';
 import {
-  addStyles,
-  defineProperties,
-  type ExerciseValues,
-  FieldBinding,
+  ExtraElement,
   hostOf,
   localNumber,
-  ownText,
-  PhongExercise,
   type PhongViewer,
   phrase,
-  textsAround,
   type ViewerText,
   type ViewerTexts,
 } from '../../viewer/extra.js';
 import { check, type Failure, type Verdict } from './check.js';
-import { EXERCISE_FIELDS } from './exercise-fields.js';
+import { EXERCISE_FIELDS, type ExerciseValues } from './exercise-fields.js';
 import styles from './exercise.css?inline';
 import { kindOf } from '../../phong/mistakes/judge.js';
 import { paint } from './paint.js';
@@ -28,58 +21,13 @@ import { type SceneName, SCENES, type Task } from '../../phong/mistakes/sheet.js
 import { GIVEN_GLSL, solutionFor, STARTING_GLSL } from './solution.js';
 import { sentencesFor } from './words.js';
 
-const exercises = new WeakMap<PhongExercise, Exercise>();
-
-defineProperties(PhongExercise.prototype, EXERCISE_FIELDS);
-Object.defineProperty(PhongExercise.prototype, 'value', {
-  configurable: true,
-  get(this: PhongExercise) {
-    return own(this).value;
-  },
-  set(this: PhongExercise, value: unknown) {
-    own(this).value = String(value);
-  },
-});
-for (const key of ['form', 'validity', 'validationMessage', 'willValidate'] as const) {
-  Object.defineProperty(PhongExercise.prototype, key, {
-    configurable: true,
-    get(this: PhongExercise) {
-      return own(this).internals[key];
-    },
-  });
-}
-for (const key of ['checkValidity', 'reportValidity'] as const) {
-  Object.defineProperty(PhongExercise.prototype, key, {
-    configurable: true,
-    value(this: PhongExercise) {
-      return own(this).internals[key]();
-    },
-  });
-}
-
-function own(element: PhongExercise): Exercise {
-  const exercise = exercises.get(element) ?? new Exercise(element);
-  exercises.set(element, exercise);
-  return exercise;
-}
-
-/** The exercise has come to the page, or is disabled. */
-export const follow = (element: PhongExercise): void => own(element).connect();
-
-/** The form around it is reset. */
-export const reset = (element: PhongExercise): void => own(element).startAgain();
-
 /** What a run has shown. */
 interface Shown {
   readonly verdict: Verdict;
   readonly picture: PicturePoints | null;
 }
 
-class Exercise {
-  readonly #element: PhongExercise;
-  readonly #root: ShadowRoot;
-  readonly internals: ElementInternals;
-  readonly #values: Readonly<ExerciseValues>;
+class Exercise extends ExtraElement<ExerciseValues> {
   /** What was written; null while it is the text to begin with. */
   #written: string | null = null;
   #running = false;
@@ -92,52 +40,36 @@ class Exercise {
   #shown: Shown | null = null;
   #wasRight = false;
 
-  constructor(element: PhongExercise) {
-    this.#element = element;
-    this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
-    this.internals = element.attachInternals();
-    const binding = new FieldBinding(element, new FieldStore<ExerciseValues>(EXERCISE_FIELDS));
-    this.#values = binding.store.values;
-    for (const name of element.getAttributeNames()) {
-      binding.attributeChanged(name, element.getAttribute(name));
-    }
-    binding.upgrade();
-    if (Object.hasOwn(element, 'value')) {
-      this.#written = element.value;
-      Reflect.deleteProperty(element, 'value');
-    }
-    binding.store.listen(() => this.#render());
-    new MutationObserver((records) => {
-      for (const { target, attributeName } of records) {
-        if (target === element && attributeName !== null) {
-          binding.attributeChanged(attributeName, element.getAttribute(attributeName));
-        }
-      }
-      this.#render();
-    }).observe(element, { childList: true, subtree: true, characterData: true, attributes: true });
+  constructor(element: HTMLElement) {
+    super(element, EXERCISE_FIELDS, [ExtraElement.block, styles]);
   }
 
-  connect(): void {
-    addStyles(this.#root, ownText);
-    addStyles(this.#root, styles);
+  protected override declared(): void {
     this.#render();
-    void customElements.whenDefined('phong-viewer').then(() => this.#followTexts());
+    this.found();
   }
 
   /** The viewer and its texts may come later. */
-  #followTexts(): void {
+  protected override found(): void {
     const viewer = this.#viewer;
-    if (viewer !== null && viewer !== this.#followed) {
-      this.#followed = viewer;
-      let { texts } = viewer;
-      const hostUpdated = (): void => {
-        if (viewer.texts === texts) return;
-        ({ texts } = viewer);
-        this.#render();
-      };
-      viewer.addController({ hostUpdated });
-    }
+    if (viewer === null || viewer === this.#followed) return;
+    this.#followed = viewer;
+    let { texts } = viewer;
+    const hostUpdated = (): void => {
+      if (viewer.texts === texts) return;
+      ({ texts } = viewer);
+      this.#render();
+    };
+    viewer.addController({ hostUpdated });
     this.#render();
+  }
+
+  protected override left(): void {
+    // What was written stays.
+  }
+
+  protected override complain(): void {
+    // A run says what is missing.
   }
 
   get value(): string {
@@ -151,7 +83,7 @@ class Exercise {
 
   /** The text to begin with, without the indentation that all its lines share. */
   get #given(): string {
-    const script = this.#element.querySelector<HTMLScriptElement>('script[type="text/plain"]');
+    const script = this.element.querySelector<HTMLScriptElement>('script[type="text/plain"]');
     if (script === null) return STARTING_GLSL;
     const lines = script.text.replace(/^\s*\n|\s+$/g, '').split('\n');
     const depths = lines.map((line) => line.search(/\S/)).filter((depth) => depth >= 0);
@@ -159,13 +91,11 @@ class Exercise {
   }
 
   get #viewer(): PhongViewer | null {
-    const tree = this.#element.getRootNode() as Document | ShadowRoot;
-    const found = this.#values.for === '' ? null : tree.getElementById(this.#values.for.trim());
-    return found?.matches('phong-viewer:defined') === true ? (found as PhongViewer) : null;
+    return this.viewerById(this.values.for);
   }
 
   get #texts(): ViewerTexts | null {
-    return textsAround(this.#element, this.#viewer?.texts ?? null);
+    return this.textsOf(this.#viewer);
   }
 
   #say(text: string, values: Readonly<Record<string, string | number>> = {}): string {
@@ -178,7 +108,7 @@ class Exercise {
   }
 
   #task(lights: readonly LightKind[]): Task {
-    const { terms, kinds } = this.#values;
+    const { terms, kinds } = this.values;
     const reflection = this.#viewer?.reflection ?? 'phong';
     return { terms, kinds: kinds ?? KINDS.filter((kind) => lights.includes(kind)), reflection };
   }
@@ -186,7 +116,7 @@ class Exercise {
   startAgain(): void {
     this.#written = null;
     this.#failure = null;
-    this.#root.querySelector('textarea')!.value = this.#given;
+    this.root.querySelector('textarea')!.value = this.#given;
     this.#render();
   }
 
@@ -209,7 +139,7 @@ class Exercise {
     const viewer = this.#viewer;
     if (viewer === null) {
       this.#problem = this.#say('There is no phong-viewer with the id {id}.', {
-        id: JSON.stringify(this.#values.for),
+        id: JSON.stringify(this.values.for),
       });
       return;
     }
@@ -239,7 +169,7 @@ class Exercise {
     }
     const { right, mistakes, share } = isVerdict ? result : NO_VERDICT;
     if (scene === null) {
-      this.#element.dispatchEvent(
+      this.element.dispatchEvent(
         new CustomEvent('check', { detail: { right, mistakes, share, source } }),
       );
     }
@@ -248,9 +178,9 @@ class Exercise {
   #render(): void {
     const { value } = this;
     const isMissing =
-      this.#values.required && (this.#written === null || this.#written.trim() === '');
-    render(this.#template(value), this.#root);
-    const area = this.#root.querySelector('textarea')!;
+      this.values.required && (this.#written === null || this.#written.trim() === '');
+    render(this.#template(value), this.root);
+    const area = this.root.querySelector('textarea')!;
     this.internals.setFormValue(value);
     this.internals.setValidity(
       { valueMissing: isMissing },
@@ -258,7 +188,7 @@ class Exercise {
       area,
     );
     if (this.#shown !== null) {
-      paint(this.#root, this.#shown.verdict.colors, this.#shown.picture);
+      paint(this.root, this.#shown.verdict.colors, this.#shown.picture);
     }
   }
 
@@ -285,7 +215,7 @@ class Exercise {
             autocapitalize="off"
             autocomplete="off"
             aria-describedby="faults"
-            ?disabled=${this.#element.matches(':disabled')}
+            ?disabled=${this.element.matches(':disabled')}
             aria-invalid=${faults.length > 0}
             .value=${value}
             @input=${this.#input}
@@ -342,7 +272,7 @@ class Exercise {
     const { stop } = this.#failure ?? {};
     const failed = stop === undefined ? this.#problem : this.#say(STOPS[stop]);
     if (failed !== '') return html`<p>${failed}</p>`;
-    const { hint } = this.#values;
+    const { hint } = this.values;
     if (this.#shown === null || this.#failure !== null || hint === 'none') return nothing;
     const { verdict } = this.#shown;
     const say = (text: string, values?: Readonly<Record<string, string | number>>): string =>
@@ -365,7 +295,7 @@ class Exercise {
   #pictures(): TemplateResult | typeof nothing {
     const { picture } = this.#shown ?? {};
     if (picture === undefined || picture === null) return nothing;
-    const { hint } = this.#values;
+    const { hint } = this.values;
     const { width, height } = picture;
     const canvas = (id: string, label: string): TemplateResult =>
       html`<canvas
@@ -410,12 +340,12 @@ class Exercise {
   }
 
   readonly #divide = ({ target }: Event): void => {
-    const exact = this.#root.querySelector<HTMLElement>('.split')!;
+    const exact = this.root.querySelector<HTMLElement>('.split')!;
     exact.style.setProperty('--at', `${(target as HTMLInputElement).value}%`);
   };
 
   #solution(): TemplateResult | typeof nothing {
-    const { solution, kinds } = this.#values;
+    const { solution, kinds } = this.values;
     if (!solution || !this.#wasRight) return nothing;
     const lights = this.#viewer?.lights ?? [];
     const task = this.#task(kinds ?? kindsOf(lights));
@@ -425,6 +355,14 @@ class Exercise {
     </details>`;
   }
 }
+
+const own = ExtraElement.codeOf('phong-exercise', EXERCISE_FIELDS, Exercise);
+
+/** The exercise has come to the page, or is disabled. */
+export const follow = (element: HTMLElement): void => own(element).start();
+
+/** The form around it is reset. */
+export const reset = (element: HTMLElement): void => own(element).startAgain();
 
 /** 41208 as 41 208: the same in every language. */
 const grouped = (value: number): string =>

@@ -2,8 +2,9 @@
 import type { Term } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { MISTAKES } from '../../phong/mistakes/mistakes.js';
-import type { ExerciseValues, ViewerText } from '../../viewer/extra.js';
+import type { ViewerText } from '../../viewer/extra.js';
 import type { Verdict } from './check.js';
+import type { ExerciseValues } from './exercise-fields.js';
 import type { Region } from '../../phong/mistakes/judge.js';
 
 type Say = (text: ViewerText, values?: Readonly<Record<string, string | number>>) => string;

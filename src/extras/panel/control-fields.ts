@@ -1,7 +1,9 @@
 // The fields of a <phong-control>.
 import { choiceField, numberField, optional, textField } from '../../phong/fields/field.js';
 import type { Fields } from '../../phong/fields/field-store.js';
-import type { ControlValues } from '../../viewer/extra.js';
+import type { ValuesByTag } from '../../viewer/extra.js';
+
+export type ControlValues = ValuesByTag['phong-control'];
 
 export const CONTROL_FIELDS: Fields<ControlValues> = {
   for: textField(),

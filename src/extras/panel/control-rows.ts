@@ -5,7 +5,7 @@ import type { Field } from '../../phong/fields/field.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import type { Bound } from './bound.js';
 import { InputRow } from './input-row.js';
-import { label, type Say, show } from './label.js';
+import { label, show, type Say } from './label.js';
 import {
   type AnyRow,
   declared,

@@ -3,23 +3,17 @@
 import { GUI } from 'lil-gui';
 import {
   addStyles,
-  type ControlValues,
-  defineProperties,
-  FieldBinding,
+  ExtraElement,
   fieldsOf,
   historyOf,
-  ownText,
-  PhongControl,
   type PhongViewer,
   phrase,
-  textsAround,
-  type Undoable,
   type ViewerTexts,
 } from '../../viewer/extra.js';
-import { CONTROL_FIELDS } from './control-fields.js';
+import { CONTROL_FIELDS, type ControlValues } from './control-fields.js';
 import { clip } from '../../phong/fields/clip.js';
 import type { Field } from '../../phong/fields/field.js';
-import { FieldStore, sameValue } from '../../phong/fields/field-store.js';
+import { sameValue } from '../../phong/fields/field-store.js';
 import { nearest } from '../../phong/fields/nearest.js';
 import { bound, type Bound } from './bound.js';
 import { rowOf, stepper } from './control-rows.js';
@@ -32,113 +26,51 @@ import { listenForUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
 import { attributeOf } from '../../phong/fields/attribute-text.js';
 
+export { takeRows } from './viewer-rows.js';
+
 const ROWS = {
   'phong-viewer': VIEWER_ROWS,
   'phong-light': LIGHT_ROWS,
   'phong-mesh': MESH_ROWS,
 } as unknown as Readonly<Record<string, Rows<Editable>>>;
 
-/** Milliseconds in which a missing element may come with a later script. */
-const PATIENCE = 2000;
-
 /** Of a control on a line of its own; one in a line of text goes on as the text does. */
-const LINE = `:host { display: block; writing-mode: horizontal-tb } ${ownText}`;
+const LINE = `:host { display: block; writing-mode: horizontal-tb } ${ExtraElement.block}`;
 
-const controls = new WeakMap<PhongControl, Control>();
-const warned = new Set<string>();
-
-defineProperties(PhongControl.prototype, CONTROL_FIELDS);
-
-/** The control has come to the page. It sees by itself when it leaves. */
-export function follow(element: PhongControl): void {
-  const control = controls.get(element) ?? new Control(element);
-  controls.set(element, control);
-  control.stop();
-  if (element.isConnected) {
-    control.start();
-  }
-}
-
-class Control {
-  readonly #element: PhongControl;
-  readonly #binding: FieldBinding<ControlValues>;
-  readonly #root: ShadowRoot;
-  readonly #attributes = new MutationObserver((records) => this.#changed(records));
-  readonly #elements = new MutationObserver(() => this.#find());
+class Control extends ExtraElement<ControlValues> {
   /** What is edited; empty while it is waited for. */
   #targets: readonly Editable[] | null = null;
   #texts: ViewerTexts | null = null;
-  /** Those of the viewer. */
-  #given: ViewerTexts | null = null;
+  /** The viewer's own. */
+  #given: Pick<PhongViewer, 'texts'> | null = null;
   #gui: GUI | null = null;
   #stops: (() => void)[] = [];
-  #timer = 0;
   /** Takes away the styles of a control on a line of its own. */
   #removeLine = (): void => undefined;
   /** Ids that an element has had. */
   readonly #met = new Set<string>();
 
-  constructor(element: PhongControl) {
-    this.#element = element;
-    this.#binding = new FieldBinding(element, new FieldStore(CONTROL_FIELDS));
-    this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
+  constructor(element: HTMLElement) {
+    super(element, CONTROL_FIELDS, [styles]);
     Object.defineProperty(element, 'texts', { get: () => this.#texts }); // for the labels
-    const all = { childList: true, subtree: true, attributes: true, characterData: true };
-    this.#attributes.observe(element, all); // also while it is not on the page
-    for (const name of element.getAttributeNames()) {
-      this.#binding.attributeChanged(name, element.getAttribute(name));
-    }
-    this.#binding.upgrade();
-    this.#binding.store.listen(() => this.#rebuild());
   }
 
-  start(): void {
-    const element = this.#element;
-    addStyles(this.#root, styles);
-    for (const root of new Set([element.getRootNode(), element.ownerDocument])) {
-      this.#elements.observe(root, {
-        childList: true,
-        subtree: true,
-        attributeFilter: ['id', 'lang'],
-      });
-    }
-    this.#rebuild();
+  protected override declared(): void {
+    this.#targets = null;
+    this.found();
   }
 
-  stop(): void {
-    this.#elements.disconnect();
-    clearTimeout(this.#timer);
+  protected override left(): void {
     this.#clear();
     this.#targets = null;
   }
 
-  #changed(records: readonly MutationRecord[]): void {
-    const element = this.#element;
-    for (const { target, attributeName } of records) {
-      if (target === element && attributeName !== null) {
-        this.#binding.attributeChanged(attributeName, element.getAttribute(attributeName));
-      }
-    }
-    if (records.some(({ type }) => type !== 'attributes')) {
-      this.#rebuild();
-    }
-  }
-
   get #ids(): readonly string[] {
-    return this.#element.for.split(/\s+/).filter((id) => id !== '');
+    return this.values.for.split(/\s+/).filter((id) => id !== '');
   }
 
-  #byId(id: string): Element | null {
-    const root = this.#element.getRootNode() as Document | ShadowRoot;
-    return root.getElementById(id) ?? this.#element.ownerDocument.getElementById(id);
-  }
-
-  #find(): void {
-    if (!this.#element.isConnected) {
-      this.stop();
-      return;
-    }
-    const found = this.#ids.map((id) => this.#byId(id));
+  protected override found(): void {
+    const found = this.#ids.map((id) => this.byId(id));
     for (const one of found) {
       if (one !== null) {
         this.#met.add(one.id);
@@ -147,45 +79,38 @@ class Control {
     const targets = found.filter(
       (one) => one !== null && one.localName in ROWS && viewerOf(one) !== null,
     );
-    const { en } = textsAround(this.#element, this.#given) ?? {};
+    const { en } = this.textsOf(this.#given) ?? {};
     if (!sameValue(targets, this.#targets) || en !== this.#texts?.en) {
       this.#build(targets as Editable[]);
     }
   }
 
-  #rebuild(): void {
-    this.#targets = null;
-    this.#find();
-    clearTimeout(this.#timer);
-    if (this.#element.isConnected) {
-      this.#timer = window.setTimeout(() => this.#complain(), PATIENCE);
-    }
-  }
-
-  #complain(): void {
-    const { for: ids, attribute } = this.#element;
+  protected override complain(): void {
+    const { for: ids, attribute } = this.values;
     const tag = `<phong-control for="${clip(ids)}" attribute="${clip(attribute)}">`;
     if (ids.trim() === '') {
-      warn(`${tag}: write for="…", the id of a viewer, a light or a mesh.`);
+      this.warn(`${tag}: write for="…", the id of a viewer, a light or a mesh.`);
     }
     const known = Array.from(document.querySelectorAll(Object.keys(ROWS).join()), (one) => one.id);
     for (const id of this.#ids) {
-      const found = this.#byId(id);
+      const found = this.byId(id);
       const meant = nearest(id, known);
       const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
       if (found === null) {
         if (!this.#met.has(id)) {
-          warn(`${tag}: no element has the id "${clip(id)}".${hint}`);
+          this.warn(`${tag}: no element has the id "${clip(id)}".${hint}`);
         }
       } else if (!(found.localName in ROWS)) {
-        warn(`${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`);
+        this.warn(
+          `${tag}: <${found.localName} id="${clip(id)}"> is no viewer, light or mesh.${hint}`,
+        );
       } else if (viewerOf(found) !== null && keyOf(found as Editable, attribute) === undefined) {
         const word = nearest(attribute, attributesOf(found as Editable));
         const cure =
           word === undefined
             ? 'Write attribute="…", one of its attributes.'
             : `Did you mean "${word}"?`;
-        warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}". ${cure}`);
+        this.warn(`${tag}: <${found.localName}> has no attribute "${clip(attribute)}". ${cure}`);
       }
     }
   }
@@ -197,19 +122,20 @@ class Control {
     this.#stops = [];
     this.#gui?.destroy();
     this.#gui = null;
-    this.#root.replaceChildren(document.createElement('slot'));
+    this.root.replaceChildren(document.createElement('slot'));
   }
 
   #build(targets: readonly Editable[]): void {
     this.#clear();
     this.#targets = targets;
-    const { attribute, component, values, min, max, step, type } = this.#element;
+    const { attribute, component, values, min, max, step, type } = this.values;
     const having = targets.filter((target) => keyOf(target, attribute) !== undefined);
     const [element] = having;
     if (element === undefined) return;
     const key = keyOf(element, attribute)!;
     const viewer = viewerOf(element)!;
-    this.#texts = textsAround(this.#element, (this.#given = viewer.texts));
+    this.#given = { texts: viewer.texts };
+    this.#texts = this.textsOf(this.#given);
     const field = (
       fieldsOf(element as PhongViewer).store.fields as Readonly<Record<string, Field<unknown>>>
     )[key]!;
@@ -218,14 +144,14 @@ class Control {
     const range = new SceneRange(viewer);
     const axis = component === null ? null : axisOf(component);
     const scale = (travel: SliderScale) => travel.within(min, max, step);
-    const inText = type === null ? isInText(this.#element) : type === 'number';
+    const inText = type === null ? isInText(this.element) : type === 'number';
     const box = document.createElement('span');
     box.className = inText ? 'text' : 'line';
     this.#removeLine();
     if (!inText) {
-      this.#removeLine = addStyles(this.#root, LINE);
+      this.#removeLine = addStyles(this.root, LINE);
     }
-    this.#root.replaceChildren(box);
+    this.root.replaceChildren(box);
     const gui = (this.#gui = new GUI({ container: box, injectStyles: false }));
     const sources = having.map((target) => row.source?.(target) ?? declared(target, key));
     row.add(
@@ -233,15 +159,14 @@ class Control {
       { element, viewer, range, title: () => '', scale, axis },
       joined(having, sources) as never,
     );
-    dress(gui, key, this.#element);
+    dress(gui, key, this.element);
     this.#listen(gui, having, range);
   }
 
   #listen(gui: GUI, targets: readonly Editable[], range: SceneRange): void {
     const refresh = (): void => {
-      const { texts } = viewerOf(targets[0]!) ?? { texts: null };
-      if (texts !== this.#given) {
-        this.#rebuild();
+      if (viewerOf(targets[0]!)?.texts !== this.#given?.texts) {
+        this.declared();
         return;
       }
       for (const control of gui.controllers) {
@@ -271,15 +196,12 @@ class Control {
   }
 }
 
+const own = ExtraElement.codeOf('phong-control', CONTROL_FIELDS, Control);
+
+export const follow = (element: HTMLElement): void => own(element).start();
+
 const axisOf = (component: NonNullable<ControlValues['component']>): 0 | 1 | 2 =>
   ({ x: 0, y: 1, z: 2, kc: 0, kl: 1, kq: 2 } as const)[component];
-
-function warn(message: string): void {
-  if (!warned.has(message)) {
-    console.warn(message);
-  }
-  warned.add(message);
-}
 
 /**
  * The viewer that shows `element`, through shadow trees; null if it is not defined yet or stands
@@ -308,19 +230,13 @@ function joined(elements: readonly Editable[], sources: readonly Source[]): Boun
     (next) => {
       for (const viewer of new Set(viewers)) {
         const own = sources.filter((_, i) => viewers[i] === viewer);
-        const subject = together(own.map((source) => source.subject));
-        historyOf(viewer).edit(subject, () => own.forEach((source) => source.set(next)), value);
+        const subjects = own.map(({ subject }) => subject);
+        historyOf(viewer).edit(subjects, () => own.forEach((source) => source.set(next)), value);
       }
     },
   );
   return value;
 }
-
-const together = (subjects: readonly Undoable<unknown>[]): Undoable<readonly unknown[]> => ({
-  read: () => subjects.map((subject) => subject.read()),
-  same: (a, b) => subjects.every((subject, i) => subject.same(a[i], b[i])),
-  restore: (from, to) => subjects.forEach((subject, i) => subject.restore(from[i], to[i])),
-});
 
 /** The unit in a row's name, as it is written behind a number. */
 const UNIT = /\s*°$/;
@@ -328,7 +244,7 @@ const UNIT = /\s*°$/;
 /**
  * What the panel's rows lack outside of it: parts, the author's label, units, and what is printed.
  */
-function dress(gui: GUI, key: string, element: PhongControl): void {
+function dress(gui: GUI, key: string, element: HTMLElement): void {
   const rows = gui.controllers;
   const box = gui.domElement;
   const hasLabel = element.textContent.trim() !== '' || element.firstElementChild !== null;

@@ -1,13 +1,7 @@
 // The panel's row of files: opens a model, saves the picture, copies the markup. Works under a
 // strict Content-Security-Policy.
 import type { GUI } from 'lil-gui';
-import {
-  historyOf,
-  modelCode,
-  type PhongViewer,
-  valuesOf,
-  type ViewerText,
-} from '../../viewer/extra.js';
+import { historyOf, modelCode, type PhongViewer, type ViewerText } from '../../viewer/extra.js';
 import { ButtonRow } from './button-row.js';
 import { label } from './label.js';
 
@@ -20,9 +14,7 @@ const RESULT_MS = 2000;
 export function addFiles(gui: GUI, viewer: PhongViewer): () => void {
   const row = new ButtonRow(gui, 'Files');
   const open = row.add('open model…', () =>
-    chooseModel(viewer, (file) =>
-      historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file), file),
-    ),
+    chooseModel(viewer, (file) => historyOf(viewer).edit(viewer, () => (viewer.src = file), file)),
   );
   row.add('save PNG', () => {
     savePicture(viewer).catch(warnOf);

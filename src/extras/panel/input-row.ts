@@ -4,7 +4,7 @@ import { Controller, type GUI } from 'lil-gui';
 import type { ViewerText } from '../../viewer/extra.js';
 import { sameValue } from '../../phong/fields/field-store.js';
 import { accepted, bound, type Bound } from './bound.js';
-import { label, nameRow, type Say, show } from './label.js';
+import { label, nameRow, show, type Say } from './label.js';
 
 /** An input of a row; `update` shows the value. */
 export interface RowInput {

@@ -7,7 +7,6 @@ import {
   lightName,
   type PhongLight,
   type PhongViewer,
-  valuesOf,
 } from '../../viewer/extra.js';
 import { isSpot, kindOf } from '../../phong/light/light-features.js';
 import {
@@ -58,7 +57,7 @@ const kind: Row<unknown, PhongLight> = {
     );
     const value = edited(
       viewer,
-      valuesOf(light),
+      light,
       () => kindOf(valuesIn(light)),
       (next) => {
         const { store } = fieldsOf(light);
@@ -110,7 +109,7 @@ function addSwitch(
   box.type = 'checkbox';
   box.className = 'switch';
   box.addEventListener('change', () =>
-    historyOf(viewer).edit(valuesOf(light), () => (light.active = box.checked)),
+    historyOf(viewer).edit(light, () => (light.active = box.checked)),
   );
   $title.after(box);
   return {

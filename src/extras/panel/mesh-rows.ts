@@ -7,7 +7,6 @@ import {
   type PhongMesh,
   type PhongViewer,
   sceneMeshes,
-  valuesOf,
 } from '../../viewer/extra.js';
 import {
   SURFACE_FIELDS,
@@ -35,9 +34,7 @@ import { linear, logarithmic } from './travel.js';
 const modelFile: Row<MeshValues['src'], PhongMesh> = {
   add: (gui, { element: mesh, viewer }) =>
     new ButtonRow(gui, 'Model').add('choose model file…', () =>
-      chooseModel(viewer, (file) =>
-        historyOf(viewer).edit(valuesOf(mesh), () => (mesh.src = file), file),
-      ),
+      chooseModel(viewer, (file) => historyOf(viewer).edit(mesh, () => (mesh.src = file), file)),
     ),
 };
 
@@ -48,7 +45,7 @@ export const SURFACE_ROWS = {
   shininess: number('shininess', logarithmic(1, 1e6)),
   // To the defaults; for a model, to the values in its file.
   resetMaterial: button('reset material', ({ element, viewer }) =>
-    historyOf(viewer).edit(valuesOf(element), () => {
+    historyOf(viewer).edit(element, () => {
       const binding = fieldsOf(element as PhongMesh);
       for (const key of Object.keys(SURFACE_FIELDS) as (keyof SurfaceValues)[]) {
         binding.set(key, null);

@@ -23,6 +23,8 @@ import { SceneRange } from './travel.js';
 import { addUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-rows.js';
 
+export { takeRows } from './viewer-rows.js';
+
 /**
  * In viewers narrower than this, the panel starts closed, because it would hide the picture.
  * `text`: in font sizes; `column`: upper limit in CSS pixels, the width from which the panel stands
@@ -137,6 +139,7 @@ function addFolders(
   for (const name of GUI_FOLDERS) {
     groups[name].open(open.includes(name));
   }
+  show.gui.show(Object.keys(rowsIn('Show', VIEWER_ROWS)).length > 0);
   let meshList: readonly PhongMesh[] = [];
   return {
     update(change) {

@@ -7,8 +7,7 @@ import {
   type PhongLight,
   type PhongMesh,
   type PhongViewer,
-  type Undoable,
-  valuesOf,
+  type Subject,
   type ViewerText,
 } from '../../viewer/extra.js';
 import type { Vec3 } from '../../phong/math/vector.js';
@@ -45,7 +44,7 @@ export interface RowContext<E> {
 
 /** Where the value of a row is kept. */
 export interface Source {
-  readonly subject: Undoable<unknown>;
+  readonly subject: Subject;
   readonly get: () => unknown;
   /** Throws RangeError or TypeError for a value that the element refuses. */
   readonly set: (value: unknown) => void;
@@ -56,7 +55,7 @@ const storeOf = (element: Editable) =>
 
 /** The declared value of an element. It is written through the property, which checks it. */
 export const declared = (element: Editable, key: string): Source => ({
-  subject: valuesOf(element),
+  subject: element,
   get: () => storeOf(element).values[key],
   set: (value) => Reflect.set(element, key, value),
 });
@@ -130,7 +129,7 @@ export function addRows<E extends Editable>(
 /** A value whose writes can be undone. Writes of one gesture are one step. */
 export function edited<T>(
   viewer: PhongViewer,
-  subject: Undoable<unknown>,
+  subject: Subject,
   get: () => T,
   set: (value: T) => void,
 ): Bound<T> {

@@ -2,17 +2,14 @@
 // and its own surface.
 import type { Pose } from '../../phong/camera/orbit.js';
 import {
+  type ExtraRows,
   fieldsOf,
-  HELPERS,
   historyOf,
   type PhongViewer,
-  type ViewerValues,
+  type ValuesByTag,
 } from '../../viewer/extra.js';
 import { REFLECTIONS, SHADINGS } from '../../phong/material/material-values.js';
 import { TERMS } from '../../phong/light/light-state.js';
-import { VIEWS } from '../../phong/material/views.js';
-import type { Say } from './label.js';
-import { LIGHTS } from './light-rows.js';
 import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-rows.js';
 import {
   button,
@@ -25,10 +22,13 @@ import {
   oneOf,
   readout,
   type Row,
+  type Rows,
   type RowTable,
   vector,
 } from './rows.js';
 import { linear, logarithmic, numberText } from './travel.js';
+
+type ViewerValues = ValuesByTag['phong-viewer'];
 
 /**
  * Edits the camera as it is now, not the declared values, as a drag does: reset returns to what is
@@ -50,7 +50,7 @@ const ofCamera = <K extends keyof Pose>(
   }),
 });
 
-export const VIEWER_ROWS = {
+const OWN_ROWS = {
   ...inFolder('Camera', {
     theta: ofCamera('theta', number('θ azimuth °', linear(-180, 180, 1))),
     phi: ofCamera('phi', number('φ polar °', linear(0, 180, 1))),
@@ -78,12 +78,11 @@ export const VIEWER_ROWS = {
     antialias: oneOf('antialias', ['edges', 'full']),
     samples: number('samples', linear(16, 1024, 1), 'Per pixel, with antialias full'),
   }),
-  ...inFolder('Show', {
-    view: oneOf('view', VIEWS),
-    viewLight: oneName('view light', lightNames, lightText),
-    helpers: flags(HELPERS, (helper) => `show ${helper}`),
-    probe: flag('probe'),
-  }),
+  // Brought by the extra that shows them.
+  view: NO_ROW,
+  viewLight: NO_ROW,
+  helpers: NO_ROW,
+  probe: NO_ROW,
   ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.
   src: NO_ROW,
@@ -104,21 +103,18 @@ export const VIEWER_ROWS = {
   gui: NO_ROW,
 } satisfies RowTable<ViewerValues, PhongViewer, 'eye' | 'resetCamera' | 'resetMaterial'>;
 
+/** With those that other extras bring. */
+export const VIEWER_ROWS: Rows<PhongViewer> = { ...OWN_ROWS };
+
+export function takeRows(rows: ExtraRows): void {
+  Object.assign(
+    VIEWER_ROWS,
+    inFolder('Show', rows({ flag, flags, oneOf, oneName }) as Rows<never>),
+  );
+}
+
 /** Rounded to a thousandth of the distance, which removes rounding noise. */
 function eyeText({ camera: { eye, radius } }: PhongViewer): string {
   const unit = 10 ** (Math.floor(Math.log10(radius)) - 3);
   return eye.map((n) => numberText(Math.round(n / unit) * unit, unit)).join(', ');
-}
-
-/** Values of `view-light`; a name that no light has is kept while it is selected. */
-function lightNames({ lights, viewLight }: PhongViewer): readonly string[] {
-  return [...new Set(['', ...lights.map((light, i) => LIGHTS.title(light, i, null)), viewLight])];
-}
-
-/** Lights without a name have a number, in the page's words. */
-function lightText(name: string, { lights }: PhongViewer, say: Say): string {
-  if (name === '') return say('all, or the first');
-  const index = lights.findIndex((light, i) => LIGHTS.title(light, i, null) === name);
-  const named = lights[index] === undefined || fieldsOf(lights[index]).store.values.name !== '';
-  return named ? name : say('light {number}', { number: String(index + 1) });
 }

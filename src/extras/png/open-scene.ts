@@ -2,13 +2,7 @@
 // stranger, so the playground's rules apply: its markup is parsed into a document that runs and
 // fetches nothing, only lights, meshes and their own attributes are built, and they load files of
 // the page's site only.
-import {
-  fieldsOf,
-  historyOf,
-  type PhongViewer,
-  type Undoable,
-  valuesOf,
-} from '../../viewer/extra.js';
+import { fieldsOf, historyOf, type PhongViewer } from '../../viewer/extra.js';
 import { SIGNATURE } from './chunks.js';
 import { markupIn, PngTextError } from './read-text.js';
 
@@ -46,8 +40,7 @@ export async function sceneOpener(file: Blob): Promise<((viewer: HTMLElement) =>
 
 function open(viewer: PhongViewer, declared: Element, children: readonly Element[]): void {
   const history = historyOf(viewer);
-  const subjects = [history.children, valuesOf(viewer), history.camera] as Undoable<unknown>[];
-  history.edit(together(subjects), () => {
+  history.edit([history.children, viewer, history.camera], () => {
     for (const child of [...viewer.lights, ...viewer.meshes]) {
       child.remove();
     }
@@ -62,12 +55,6 @@ function open(viewer: PhongViewer, declared: Element, children: readonly Element
     viewer.resetCamera();
   });
 }
-
-const together = (subjects: readonly Undoable<unknown>[]): Undoable<readonly unknown[]> => ({
-  read: () => subjects.map((subject) => subject.read()),
-  same: (a, b) => subjects.every((subject, i) => subject.same(a[i], b[i])),
-  restore: (from, to) => subjects.forEach((subject, i) => subject.restore(from[i], to[i])),
-});
 
 /** An element of the page with the attributes that it knows. */
 function built({ localName, attributes }: Element): HTMLElement {

@@ -5,13 +5,12 @@ import {
   addStyles,
   type FragmentExplanation,
   hostOf,
-  type PhongProbe,
   type PhongViewer,
 } from '../../viewer/extra.js';
 import { SLOP } from '../../phong/camera/kept-drag.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { Projection } from '../overlay/drawing/projection.js';
-import { askedOf, formOf } from './probe-fields.js';
+import { askedOf, formOf, type ProbeValues } from './probe-fields.js';
 import { seededFragment, seededNumbers } from './seeded.js';
 import { zoomOf } from '../../phong/camera/gesture.js';
 
@@ -40,7 +39,7 @@ export class FollowedPoint {
   /** Null if no surface is there; undefined before the first explanation. */
   fragment: FragmentExplanation | null | undefined;
   readonly #viewer: PhongViewer;
-  readonly #element: PhongProbe;
+  readonly #values: Readonly<ProbeValues>;
   readonly #changed: (error?: Error) => void;
   readonly #listening = new AbortController();
   readonly #ring = Object.assign(document.createElement('div'), {
@@ -58,9 +57,13 @@ export class FollowedPoint {
   #again = false;
 
   /** `changed` is called after each explanation, with the error that it ended in. */
-  constructor(viewer: PhongViewer, element: PhongProbe, changed: (error?: Error) => void) {
+  constructor(
+    viewer: PhongViewer,
+    values: Readonly<ProbeValues>,
+    changed: (error?: Error) => void,
+  ) {
     this.#viewer = viewer;
-    this.#element = element;
+    this.#values = values;
     this.#changed = changed;
     void viewer.updateComplete
       .then(() => this.#listen())
@@ -101,12 +104,12 @@ export class FollowedPoint {
 
   /** The markup says which point. */
   get #isDeclared(): boolean {
-    return this.#element.at !== null || this.#element.seed !== '';
+    return this.#values.at !== null || this.#values.seed !== '';
   }
 
   /** Questions stay at their point while the mouse moves. */
   get #isStill(): boolean {
-    return formOf(this.#element) === 'ask';
+    return formOf(this.#values) === 'ask';
   }
 
   #listen(): void {
@@ -175,7 +178,7 @@ export class FollowedPoint {
 
   async #explain(): Promise<FragmentExplanation | null> {
     const viewer = this.#viewer;
-    const { at, seed, ask } = this.#element;
+    const { at, seed, ask } = this.#values;
     const place = this.#place;
     if (seed !== '') {
       const fragment = await (at === null ? this.#explainSeeded(seed, ask) : this.#at(at));

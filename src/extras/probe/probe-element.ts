@@ -2,23 +2,16 @@
 // table, as equations or as questions, and is a control of forms. Loaded with the first one on a
 // page.
 import {
-  addStyles,
   type AnswerDetail,
-  defineProperties,
-  FieldBinding,
+  ExtraElement,
   fieldsOf,
   type FragmentExplanation,
-  ownText,
-  PhongProbe,
   type PhongViewer,
   phrase,
-  type ProbeValues,
-  textsAround,
   type ViewerTexts,
 } from '../../viewer/extra.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { clip } from '../../phong/fields/clip.js';
-import { FieldStore } from '../../phong/fields/field-store.js';
 import { nearest } from '../../phong/fields/nearest.js';
 import { LightState } from '../../phong/light/light-state.js';
 import { NO_SURFACE, probeSum } from '../overlay/probe/sum.js';
@@ -36,38 +29,14 @@ import { judge, type Question, questionOf, sumQuestion, type Verdict } from './a
 import { CopyButtons } from './copy-buttons.js';
 import { CHANNELS, type Equation, equationsOf, givenOf, isGrey, titleOf } from './equations.js';
 import { FollowedPoint } from './followed-point.js';
-import { defineFormMembers } from './form-members.js';
 import { mathOf } from './math.js';
 import styles from './probe-element.css?inline';
-import { askedOf, formOf, isAsked, PROBE_FIELDS } from './probe-fields.js';
-
-/** Milliseconds in which a missing viewer may come with a later script. */
-const PATIENCE = 2000;
+import { askedOf, formOf, isAsked, PROBE_FIELDS, type ProbeValues } from './probe-fields.js';
 
 /** From so many em on a table has room for decimals, so that its rows add up. */
 const WIDE = 48;
 
 const SEPARATOR = '; ';
-
-const probes = new WeakMap<PhongProbe, Probe>();
-const warned = new Set<string>();
-
-defineProperties(PhongProbe.prototype, PROBE_FIELDS);
-
-const own = (element: PhongProbe): Probe => {
-  const probe = probes.get(element) ?? new Probe(element);
-  probes.set(element, probe);
-  return probe;
-};
-
-defineFormMembers(PhongProbe.prototype, own);
-
-/** The probe has come to the page, or is disabled. It sees by itself when it leaves. */
-export const follow = (element: PhongProbe): void => own(element).start();
-
-export const reset = (element: PhongProbe): void => {
-  own(element).value = '';
-};
 
 interface Attempt {
   typed: string;
@@ -77,15 +46,9 @@ interface Attempt {
   shown: boolean;
 }
 
-class Probe {
-  readonly internals: ElementInternals;
-  readonly #element: PhongProbe;
-  readonly #binding: FieldBinding<ProbeValues>;
-  readonly #root: ShadowRoot;
+class Probe extends ExtraElement<ProbeValues> {
   readonly #place = Object.assign(document.createElement('div'), { className: 'place' });
   readonly #table = new SumTable(() => this.#render());
-  readonly #attributes = new MutationObserver((records) => this.#changed(records));
-  readonly #page = new MutationObserver(() => this.#find());
   readonly #attempts = new Map<string, Attempt>();
   /** Typed, or assigned before there was a question. */
   #initial: string[] = [];
@@ -93,7 +56,6 @@ class Probe {
   #viewer: PhongViewer | null = null;
   #point: FollowedPoint | null = null;
   #texts: ViewerTexts | null = null;
-  #patience = 0;
   #isWide = false;
   readonly #width = new ResizeObserver(() => {
     const { fontSize } = getComputedStyle(this.#place);
@@ -105,12 +67,9 @@ class Probe {
   });
   readonly #copy = new CopyButtons();
 
-  constructor(element: PhongProbe) {
-    this.#element = element;
-    this.internals = element.attachInternals();
-    this.#binding = new FieldBinding(element, new FieldStore(PROBE_FIELDS));
-    this.#root = element.attachShadow({ mode: 'open', delegatesFocus: true });
-    this.#root.append(this.#place);
+  constructor(element: HTMLElement) {
+    super(element, PROBE_FIELDS, [ExtraElement.block, tableStyles, styles]);
+    this.root.append(this.#place);
     this.internals.role = 'group';
     this.#width.observe(this.#place);
     // To the page's shortcuts the target is no field.
@@ -119,28 +78,6 @@ class Probe {
         event.stopPropagation();
       }
     });
-    this.#attributes.observe(element, { attributes: true }); // also while it is not on the page
-    for (const name of element.getAttributeNames()) {
-      this.#binding.attributeChanged(name, element.getAttribute(name));
-    }
-    if (Object.hasOwn(element, 'value')) {
-      this.#initial = String(Reflect.get(element, 'value') as unknown).split(SEPARATOR);
-      Reflect.deleteProperty(element, 'value');
-    }
-    this.#binding.upgrade();
-    this.#binding.store.listen(() => this.#declared());
-  }
-
-  start(): void {
-    const element = this.#element;
-    if (!element.isConnected) return;
-    for (const text of [ownText, tableStyles, styles]) {
-      addStyles(this.#root, text);
-    }
-    for (const root of new Set([element.getRootNode(), element.ownerDocument])) {
-      this.#page.observe(root, { childList: true, subtree: true, attributeFilter: ['id', 'lang'] });
-    }
-    this.#declared();
   }
 
   get value(): string {
@@ -159,73 +96,59 @@ class Probe {
       : this.#shownKeys.map((key) => this.#attempts.get(key)!.typed.trim());
   }
 
-  #changed(records: readonly MutationRecord[]): void {
-    for (const { attributeName } of records) {
-      if (attributeName !== null) {
-        this.#binding.attributeChanged(attributeName, this.#element.getAttribute(attributeName));
-      }
-    }
-  }
-
-  #declared(): void {
-    this.#find();
+  protected override declared(): void {
+    this.found();
     this.#render();
     this.#point?.update();
-    clearTimeout(this.#patience);
-    if (this.#element.isConnected && this.#viewer === null) {
-      this.#patience = window.setTimeout(() => this.#complain(), PATIENCE);
+  }
+
+  protected override found(): void {
+    const viewer = this.viewerById(this.values.for);
+    if (viewer !== this.#viewer) {
+      this.#follow(viewer);
+    } else if (this.textsOf(viewer)?.en !== this.#texts?.en) {
+      this.#render();
     }
   }
 
-  /** After any change of the page's tree, ids and languages. */
-  #find(): void {
-    const element = this.#element;
-    const root = element.getRootNode() as Document | ShadowRoot;
-    const id = element.for.trim();
-    const one = !element.isConnected
-      ? null
-      : (root.getElementById(id) ?? element.ownerDocument.getElementById(id));
-    const viewer = one?.matches('phong-viewer:defined') === true ? (one as PhongViewer) : null;
-    if (!element.isConnected) {
-      this.#page.disconnect();
-      clearTimeout(this.#patience);
-    }
-    if (viewer !== this.#viewer) {
-      this.#point?.stop();
-      this.#viewer = viewer;
-      this.#point = viewer && new FollowedPoint(viewer, element, (error) => this.#explained(error));
-      this.#render();
-    } else if (textsAround(element, viewer?.texts ?? null)?.en !== this.#texts?.en) {
-      this.#render();
-    }
+  protected override left(): void {
+    this.#follow(null);
+  }
+
+  #follow(viewer: PhongViewer | null): void {
+    this.#point?.stop();
+    this.#viewer = viewer;
+    this.#point =
+      viewer && new FollowedPoint(viewer, this.values, (error) => this.#explained(error));
+    this.#render();
   }
 
   #explained(error?: Error): void {
     if (error !== undefined) {
-      warn(error.message);
+      this.warn(error.message);
     }
     this.#render();
   }
 
-  #complain(): void {
-    const { for: id } = this.#element;
+  protected override complain(): void {
+    const { for: id } = this.values;
     const tag = `<phong-probe for="${clip(id)}">`;
     if (this.#viewer !== null) return;
     if (id.trim() === '') {
-      warn('<phong-probe>: write for="…", the id of a viewer.');
+      this.warn('<phong-probe>: write for="…", the id of a viewer.');
       return;
     }
-    const viewers = this.#element.ownerDocument.querySelectorAll('phong-viewer');
+    const viewers = this.element.ownerDocument.querySelectorAll('phong-viewer');
     const meant = nearest(
       id,
       Array.from(viewers, (viewer) => viewer.id),
     );
     const hint = meant === undefined ? '' : ` Did you mean "${clip(meant)}"?`;
-    warn(`${tag}: no viewer has the id "${clip(id)}".${hint}`);
+    this.warn(`${tag}: no viewer has the id "${clip(id)}".${hint}`);
   }
 
   #render(): void {
-    this.#texts = textsAround(this.#element, this.#viewer?.texts ?? null);
+    this.#texts = this.textsOf(this.#viewer);
     this.internals.ariaLabel = phrase(this.#texts, 'Probe');
     this.#shownKeys = [];
     render(this.#template(), this.#place);
@@ -239,7 +162,7 @@ class Probe {
     if (viewer === null || fragment === undefined) return nothing;
     if (fragment === null) return html`<p class="note">${phrase(texts, NO_SURFACE)}</p>`;
     const linear = viewer.colorInterpolation === 'linear';
-    const form = formOf(this.#element);
+    const form = formOf(this.values);
     const halfway = isHalfway(fragment, viewer);
     const gouraud = isGouraud(fragment, viewer);
     // Corners' terms and unlit surfaces have no equation at the point: the table shows them.
@@ -292,15 +215,15 @@ class Probe {
   ): TemplateResult {
     const lines = equations.filter(({ term }) => term !== 'sum');
     const sum = equations[equations.length - 1]!;
-    const asked = askedOf(this.#element.ask);
+    const asked = askedOf(this.values.ask);
     const named = lines.filter(
       (line) => asked !== null && line.term === asked.term && isAsked(asked, line),
     );
     const isSum = asked?.term === 'sum';
     const isAll = asked === null || (!isSum && named.length === 0);
     if (isAll && asked !== null) {
-      warn(
-        `<phong-probe ask="${clip(this.#element.ask)}">: no light of the viewer adds such a term here; everything is asked.`,
+      this.warn(
+        `<phong-probe ask="${clip(this.values.ask)}">: no light of the viewer adds such a term here; everything is asked.`,
       );
     }
     // One channel, in which most is to be seen.
@@ -347,7 +270,7 @@ class Probe {
       Object.assign(attempt, { expected, verdict: null, shown: false });
     }
     const { verdict, shown } = attempt;
-    const disabled = this.#element.matches(':disabled');
+    const disabled = this.element.matches(':disabled');
     const submit = (event: Event): void => {
       event.preventDefault();
       attempt.verdict = judge(attempt.typed, question, texts);
@@ -363,7 +286,7 @@ class Probe {
         mistake,
       };
       this.#render();
-      this.#element.dispatchEvent(new CustomEvent('answer', { detail }));
+      this.element.dispatchEvent(new CustomEvent('answer', { detail }));
     };
     const show = (): void => {
       attempt.shown = !attempt.shown;
@@ -381,7 +304,7 @@ class Probe {
           size="7"
           aria-label=${title}
           aria-invalid=${verdict === null ? nothing : String(!verdict.correct)}
-          ?required=${this.#element.required}
+          ?required=${this.values.required}
           ?disabled=${disabled}
           .value=${attempt.typed}
           @input=${input}
@@ -418,7 +341,7 @@ class Probe {
 
   /** The form's entries, one for each answer, and whether one is missing. */
   #writeForm(): void {
-    const { name, required } = this.#element;
+    const { name, required } = this.values;
     const typed = this.#typed();
     const data = new FormData();
     for (const text of typed) {
@@ -426,7 +349,7 @@ class Probe {
     }
     this.internals.setFormValue(name === '' ? null : data);
     const missing = required && typed.some((text) => text === '');
-    const empty = Array.from(this.#root.querySelectorAll<HTMLInputElement>('form input')).find(
+    const empty = Array.from(this.root.querySelectorAll<HTMLInputElement>('form input')).find(
       (input) => input.value.trim() === '',
     );
     if (missing && empty !== undefined) {
@@ -443,9 +366,11 @@ const valueMissing = (): string => {
   return input.validationMessage || 'required';
 };
 
-function warn(message: string): void {
-  if (!warned.has(message)) {
-    console.warn(message);
-  }
-  warned.add(message);
-}
+const own = ExtraElement.codeOf('phong-probe', PROBE_FIELDS, Probe);
+
+/** The probe has come to the page, or is disabled. */
+export const follow = (element: HTMLElement): void => own(element).start();
+
+export const reset = (element: HTMLElement): void => {
+  own(element).value = '';
+};

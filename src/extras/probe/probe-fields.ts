@@ -1,5 +1,5 @@
 // The values that a <phong-probe> declares: which point it explains, and how.
-import type { PhongLight, ProbeValues } from '../../viewer/extra.js';
+import type { PhongLight, ValuesByTag } from '../../viewer/extra.js';
 import {
   choiceField,
   type Field,
@@ -11,6 +11,8 @@ import {
 } from '../../phong/fields/field.js';
 import type { Fields } from '../../phong/fields/field-store.js';
 import { LIMITS, type Term } from '../../phong/light/light-state.js';
+
+export type ProbeValues = ValuesByTag['phong-probe'];
 
 const ASKED = 'sum, or ambient, diffuse or specular and the name of a light';
 

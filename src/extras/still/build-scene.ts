@@ -14,7 +14,6 @@ import type { MeshState } from '../../phong/model/mesh-fields.js';
 import type { ContentPart } from '../../phong/model/model.js';
 import { sampledSegments } from '../../phong/model/shapes/segments.js';
 import { createGeometry } from '../../phong/model/shapes/shapes.js';
-import type { ViewerValues } from '../../viewer/extra.js';
 import type {
   CastMaterial,
   CastObject,
@@ -24,7 +23,7 @@ import type {
   Quantity,
   TrueShape,
 } from './cast-scene.js';
-import type { Declared, Warn } from './markup.js';
+import type { Declared, ViewerValues, Warn } from './markup.js';
 import { meshShape } from './mesh-shape.js';
 import { modelOf, type ModelPlace } from './models.js';
 import { columnsOf, isFlattened } from './triangles.js';

@@ -5,9 +5,11 @@ import type { Field } from '../../phong/fields/field.js';
 import { FieldStore } from '../../phong/fields/field-store.js';
 import { LightState, type LightValues } from '../../phong/light/light-state.js';
 import { MESH_FIELDS, type MeshValues } from '../../phong/model/mesh-fields.js';
-import { VIEWER_FIELDS, type ViewerValues } from '../../viewer/extra.js';
+import { type ValuesByTag, VIEWER_FIELDS } from '../../viewer/extra.js';
 import { cssColor } from './css-colors.js';
 import { attributeOf, parseText, valueWarning } from '../../phong/fields/attribute-text.js';
+
+export type ViewerValues = ValuesByTag['phong-viewer'];
 
 export type Warn = (message: string) => void;
 

@@ -3,8 +3,8 @@
 import { clip } from '../../phong/fields/clip.js';
 import type { MeshState } from '../../phong/model/mesh-fields.js';
 import { type Content, ModelError } from '../../phong/model/model.js';
-import { readerCode, type ViewerValues } from '../../viewer/extra.js';
-import type { Warn } from './markup.js';
+import { readerCode } from '../../viewer/extra.js';
+import type { ViewerValues, Warn } from './markup.js';
 import { nameOf } from '../../phong/fields/file-names.js';
 
 // As the table of extras does for pages.

@@ -5,13 +5,11 @@ import { extraCode } from '../model/provided-code.js';
 import type {
   FragmentExplanation,
   PhongCompare,
-  PhongControl,
-  PhongProbe,
-  PhongExercise,
   PhongViewer,
   PictureOptions,
   ShadeOptions,
 } from './elements.js';
+import type { ExtraRows } from './panel-rows.js';
 import type { MistakeTests } from './inspect.js';
 import type { ViewerSnapshot } from './viewer/extra-host.js';
 
@@ -28,21 +26,23 @@ export interface Panel {
 /** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
 export type CreatePanel = (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
 
-export const panelCode = /* @__PURE__ */ extraCode<{ readonly createPanel: CreatePanel }>(
-  'the control panel',
-);
+export const panelCode = /* @__PURE__ */ extraCode<{
+  readonly createPanel: CreatePanel;
+  readonly takeRows: (rows: ExtraRows) => void;
+}>('the control panel');
 
 export const controlCode = /* @__PURE__ */ extraCode<{
-  readonly follow: (control: PhongControl) => void;
+  readonly takeRows: (rows: ExtraRows) => void;
+  readonly follow: (element: HTMLElement) => void;
 }>('<phong-control>');
 
 export const probeCode = /* @__PURE__ */ extraCode<{
-  readonly follow: (probe: PhongProbe) => void;
-  readonly reset: (probe: PhongProbe) => void;
+  readonly follow: (element: HTMLElement) => void;
+  readonly reset: (element: HTMLElement) => void;
 }>('<phong-probe>');
 export const exerciseCode = /* @__PURE__ */ extraCode<{
-  readonly follow: (exercise: PhongExercise) => void;
-  readonly reset: (exercise: PhongExercise) => void;
+  readonly follow: (element: HTMLElement) => void;
+  readonly reset: (element: HTMLElement) => void;
 }>('<phong-exercise>');
 
 /** Lays out the viewers of a comparison. */

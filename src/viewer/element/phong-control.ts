@@ -5,6 +5,7 @@ import { reportMissing } from '../model/provided-code.js';
 import { controlCode } from './extra-code.js';
 import type { ControlProperties } from './fields/control-properties.js';
 import { Base } from './child-element.js';
+import { withRows } from './panel-rows.js';
 
 // The accessors come from the table of fields.
 interface ControlElement extends ControlProperties {
@@ -24,7 +25,7 @@ interface ControlElement extends ControlProperties {
  */
 class ControlElement extends Base implements PublicControl {
   connectedCallback(): void {
-    controlCode().then(({ follow }) => follow(this), reportMissing);
+    withRows(controlCode).then(({ follow }) => follow(this), reportMissing);
   }
 }
 

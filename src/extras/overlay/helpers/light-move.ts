@@ -15,14 +15,7 @@ import {
   type Vec3,
 } from '../../../phong/math/vector.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
-import {
-  fieldsOf,
-  historyOf,
-  type PhongLight,
-  type PhongViewer,
-  type Undoable,
-  valuesOf,
-} from '../../../viewer/extra.js';
+import { fieldsOf, historyOf, type PhongLight, type PhongViewer } from '../../../viewer/extra.js';
 import { type Point, type Projection, type Ray } from '../drawing/projection.js';
 import {
   DIRECTIONAL_AT,
@@ -60,8 +53,8 @@ type Change = Partial<Pick<LightValues, (typeof MOVED)[number]>>;
 interface Move {
   readonly light: PhongLight;
   readonly byKeys: boolean;
-  readonly subject: Undoable<ReadonlyMap<string, unknown>>;
-  readonly before: ReadonlyMap<string, unknown>;
+  /** The step of undo that it will be. */
+  readonly edit: ReturnType<ReturnType<typeof historyOf>['begin']>;
   anchor: Anchor;
   /** The light's values since the last step. */
   last: Readonly<LightValues>;
@@ -114,13 +107,11 @@ export class LightMove {
   start(light: PhongLight, part: HandlePart, byKeys: boolean): boolean {
     const anchor = this.#move === null ? this.#anchor(light, part) : null;
     if (anchor === null) return false;
-    const subject = valuesOf(light);
     const { values: last } = anchor;
     this.#move = {
       light,
       byKeys,
-      subject,
-      before: subject.read(),
+      edit: historyOf(this.#viewer).begin(light),
       anchor,
       last,
       along: false,
@@ -150,18 +141,13 @@ export class LightMove {
   }
 
   restore(): void {
-    const move = this.#move;
-    if (move !== null) {
-      move.subject.restore(move.subject.read(), move.before);
-    }
+    this.#move?.edit.restore();
   }
 
   end(): void {
     const move = this.#move;
     this.#move = null;
-    if (move !== null) {
-      historyOf(this.#viewer).record(move.subject, move.before);
-    }
+    move?.edit.end();
   }
 
   #go(move: Move, travel: Point, along: boolean): void {

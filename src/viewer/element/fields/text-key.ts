@@ -1,7 +1,14 @@
-// The keys of texts.json, all sections in one. The table itself is not in the package: the build
-// (.ci/texts.mjs) writes the type of this file anew, with the keys alone.
-import type table from './texts.json';
+// The keys of all texts. The tables themselves are not in the package: the build (.ci/texts.mjs)
+// writes the type of this file anew, with the keys alone.
+import type mistakes from '../../../phong/mistakes/texts.json';
+import type own from './texts.json';
 
-type Sections = typeof table;
+/** Of each folder that has texts. The table of extras adds those of extras (`viewer/extras.ts`). */
+export interface TextTables {
+  readonly viewer: typeof own;
+  readonly mistakes: typeof mistakes;
+}
 
-export type TextKey = { [S in keyof Sections]: keyof Sections[S] }[keyof Sections];
+type KeysIn<Sections> = { [S in keyof Sections]: keyof Sections[S] }[keyof Sections];
+
+export type TextKey = { [T in keyof TextTables]: KeysIn<TextTables[T]> }[keyof TextTables];

@@ -8,12 +8,15 @@ import { writtenPose } from '../../../phong/camera/written-pose.js';
 import type { Pose } from '../../../phong/camera/orbit.js';
 import type { CameraPlacement } from './camera.js';
 
-export interface Undoable<S> {
+interface Undoable<S> {
   read(): S;
   same(a: S, b: S): boolean;
   /** Puts back what differs between the two states, and leaves everything else as it is now. */
   restore(from: S, to: S): void;
 }
+
+/** What an edit changes: the declared values of an element, or what else can be put back. */
+export type Subject = PhongLight | PhongMesh | PhongViewer | Undoable<unknown>;
 
 interface Step {
   readonly subject: Undoable<unknown>;
@@ -52,21 +55,35 @@ class History {
    * Records what `write` changes as one step. Edits with the same `gesture` are one step until
    * {@link seal}.
    */
-  edit<S>(subject: Undoable<S>, write: () => void, gesture: object | null = null): void {
-    const before = subject.read();
+  edit(
+    subject: Subject | readonly Subject[],
+    write: () => void,
+    gesture: object | null = null,
+  ): void {
+    const { end } = this.begin(subject, gesture);
     try {
       write();
     } finally {
-      this.record(subject, before, gesture);
+      end();
     }
   }
 
-  /** Records what has changed since `before` was read as one step, if anything has. */
-  record<S>(subject: Undoable<S>, before: S, gesture: object | null = null): void {
-    const after = subject.read();
-    if (!subject.same(before, after)) {
-      this.#add({ subject, before, after, gesture });
-    }
+  /**
+   * An edit that lasts: `restore` puts back what was before, `end` records what has changed as one
+   * step, if anything has.
+   */
+  begin(subjects: Subject | readonly Subject[], gesture: object | null = null) {
+    const subject = together(subjects instanceof Array ? subjects : [subjects]);
+    const before = subject.read();
+    return {
+      restore: (): void => subject.restore(subject.read(), before),
+      end: (): void => {
+        const after = subject.read();
+        if (!subject.same(before, after)) {
+          this.#add({ subject, before, after, gesture });
+        }
+      },
+    };
   }
 
   /** Ends the gesture: the next edit is a step of its own. */
@@ -147,10 +164,19 @@ export function historyOf(viewer: PhongViewer): History {
   return history;
 }
 
+function together(all: readonly Subject[]): Undoable<readonly unknown[]> {
+  const subjects = all.map((one) => ('restore' in one ? one : valuesOf(one)));
+  return {
+    read: () => subjects.map((subject) => subject.read()),
+    same: (a, b) => subjects.every((subject, i) => subject.same(a[i], b[i])),
+    restore: (from, to) => subjects.forEach((subject, i) => subject.restore(from[i], to[i])),
+  };
+}
+
 /** Given values by key; a key without one has its default. */
 type Given = ReadonlyMap<string, unknown>;
 
-export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoable<Given> {
+function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Undoable<Given> {
   const binding = fieldsOf(element as PhongViewer);
   const { store } = binding;
   const keys = Object.keys(store.fields) as (keyof typeof store.values)[];

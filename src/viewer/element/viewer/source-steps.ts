@@ -1,7 +1,7 @@
 // Changes of a source as steps of undo: a drop, and its end. Fetched with the first of them. A file
 // of its own, because a part that others import cannot be fetched again after a failure.
 import type { PhongMesh, PhongViewer } from '../elements.js';
-import { historyOf, valuesOf } from './history.js';
+import { historyOf } from './history.js';
 
 /** Shows a dropped model, or opens the scene of a picture. */
 export function showDropped(
@@ -9,7 +9,7 @@ export function showDropped(
   dropped: Blob | ((viewer: HTMLElement) => void),
 ): void {
   if (dropped instanceof Blob) {
-    historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = dropped), dropped);
+    historyOf(viewer).edit(viewer, () => (viewer.src = dropped), dropped);
   } else {
     dropped(viewer);
   }

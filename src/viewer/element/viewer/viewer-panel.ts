@@ -4,6 +4,7 @@ import { reportMissing } from '../../model/provided-code.js';
 import type { PhongViewer } from '../elements.js';
 import { type Panel, type PanelChange, panelCode } from '../extra-code.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
+import { withRows } from '../panel-rows.js';
 import { isInClosed } from '../page/closed.js';
 import type { ViewerContext } from './viewer-context.js';
 
@@ -51,7 +52,7 @@ export class ViewerPanel {
     const waits = !this.#painted && this.#values.loading !== 'eager' && isInClosed(this.#viewer);
     this.#waiting = waits ? place : null;
     if (waits) return;
-    const code = await panelCode().catch(reportMissing);
+    const code = await withRows(panelCode).catch(reportMissing);
     if (this.#panel === null) {
       place.removeAttribute(PANEL_PLACE.open);
     }
