@@ -25,3 +25,25 @@ export function lazyCode<T>(
       });
     }));
 }
+
+/** Milliseconds after a failed request of {@link fasterCode} before the next one. */
+const PAUSE = 30_000;
+
+/**
+ * For code without which everything is the same, but slower. The returned function gives null until
+ * the code is there. Its first call requests it; nothing is said of failures.
+ */
+export function fasterCode<T>(code: () => Promise<T>): () => T | null {
+  let present: T | null = null;
+  let requested = -Infinity;
+  return () => {
+    if (present === null && performance.now() > requested + PAUSE) {
+      requested = performance.now();
+      code().then(
+        (loaded) => (present = loaded),
+        () => undefined,
+      );
+    }
+    return present;
+  };
+}

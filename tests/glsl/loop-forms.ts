@@ -9,9 +9,9 @@ import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
 import {
   type Form,
   FORMS,
-  generalVariant,
   specialisedVariant,
-} from '../../src/phong/material/program/variant.js';
+} from '../../src/phong/material/program/special-variant.js';
+import { generalVariant } from '../../src/phong/material/program/variant.js';
 import { DEFAULT_STYLE, type Reflection } from '../../src/phong/material/material-values.js';
 import { TERMS } from '../../src/phong/light/light-state.js';
 import { lightWith, pack, type StressCase, type Variant } from '../stress/case.js';

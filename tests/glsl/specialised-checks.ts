@@ -6,11 +6,8 @@ import { LARGEST_MILD_CUTOFF, LARGEST_MILD_POWER } from '../../src/phong/light/p
 import { emptyPack, type PackedLights, packLights } from '../../src/phong/light/pack-lights.js';
 import { type LightValues, type Term, TERMS } from '../../src/phong/light/light-state.js';
 import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
-import {
-  type Form,
-  generalVariant,
-  specialisedVariant,
-} from '../../src/phong/material/program/variant.js';
+import { type Form, specialisedVariant } from '../../src/phong/material/program/special-variant.js';
+import { generalVariant } from '../../src/phong/material/program/variant.js';
 import { DEFAULT_STYLE, type Reflection } from '../../src/phong/material/material-values.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/phong/math/vector.js';
 import { shade } from '../../src/phong/reference/equation.js';

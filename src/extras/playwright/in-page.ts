@@ -6,9 +6,10 @@ import type { PhongViewer } from '../../viewer/index.js';
 export { judgeInPage } from './judge-in-page.js';
 
 /**
- * A specialised program is requested after 20 equal frames; 10 more let it compile and take over.
+ * A specialised program is requested after 20 equal frames, if its code is there, which is fetched
+ * after 10. 20 more let the code arrive, and the program compile and take over.
  */
-const QUIET_FRAMES = 30;
+const QUIET_FRAMES = 40;
 
 /**
  * Upper bound of the wait for a program that is being compiled, in frames: five seconds. A driver

@@ -1,9 +1,7 @@
 // The lights that each mesh is drawn with: all, or those whose cones reach its bounds, culled where
-// lights or mesh have changed. Meshes that the same lights reach share one buffer; many narrow
-// spots on one mesh get a light grid.
+// lights or mesh have changed. Meshes that the same lights reach share one buffer.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
 import { type Box, cullLights } from '../light/cull-lights.js';
-import { divideLights, LEAST_DIVIDED } from '../light/light-grid.js';
 import { selectLights } from '../light/pack-lights.js';
 import type { Vec3 } from '../math/vector.js';
 import { LightBuffer } from './light-buffer.js';
@@ -21,8 +19,6 @@ interface Subset {
 export class MeshLights {
   readonly all: LightBuffer;
   readonly #subsets = new Map<string, Subset>();
-  /** Those that the last frame used. */
-  readonly #grids = new Set<MeshLightGrid>();
   readonly #culled = new WeakMap<Mesh, CulledLights>();
   #frame = 0;
   #origin: Vec3 = [0, 0, 0];
@@ -43,11 +39,6 @@ export class MeshLights {
       subset.buffer.dispose();
       this.#subsets.delete(key);
     }
-    for (const grid of this.#grids) {
-      if (grid.frame === this.#frame) continue;
-      grid.dispose();
-      this.#grids.delete(grid);
-    }
     this.#frame += 1;
     this.#origin = origin;
   }
@@ -61,16 +52,9 @@ export class MeshLights {
     return subset.buffer;
   }
 
-  /** The same lights divided into a grid; null where that is not worth it. */
-  gridOf(mesh: Mesh): LightBuffer | null {
-    if (this.all.packed.counts.spot < LEAST_DIVIDED) return null;
-    const lights = this.of(mesh);
-    if (lights.packed.counts.spot < LEAST_DIVIDED) return null;
-    const culled = this.#culledFor(mesh);
-    const grid = (culled.grid ??= new MeshLightGrid());
-    grid.frame = this.#frame;
-    this.#grids.add(grid);
-    return grid.of(lights, culled.box);
+  /** The bounds of `mesh` in shading space; null where it has none. Another object after a change. */
+  boxOf(mesh: Mesh): Box | null {
+    return this.#culledFor(mesh).box;
   }
 
   /** How many lights reach any of these meshes; all of them where there are no meshes. */
@@ -102,9 +86,6 @@ export class MeshLights {
     this.all.dispose();
     for (const { buffer } of this.#subsets.values()) {
       buffer.dispose();
-    }
-    for (const grid of this.#grids) {
-      grid.dispose();
     }
   }
 
@@ -167,7 +148,6 @@ class CulledLights {
   mask = NO_MASK;
   /** The revision of all lights that they were culled from. */
   source = -1;
-  grid: MeshLightGrid | null = null;
   #geometry: BufferGeometry | null = null;
   /** The geometry's bounds: another object when its vertices have changed. */
   #bounds: Box3 | null = null;
@@ -191,54 +171,6 @@ class CulledLights {
     this.box = boundsOf(this.#mesh, origin);
     this.#bounds = geometry.boundingBox;
     return true;
-  }
-}
-
-/**
- * Most frames to skip after failed divisions. One can cost 27 ms (43 wide spots), in every frame
- * that moves lights.
- */
-const MOST_SKIPPED = 63;
-
-/** One mesh's grid. Divides again when the lights change; backs off while dividing does not pay. */
-class MeshLightGrid {
-  /** The last frame that used it. */
-  frame = 0;
-  readonly #buffer = new LightBuffer();
-  /** What it was divided for. */
-  #source = -1;
-  #box: Box | null = null;
-  #divided = false;
-  #skips = 0;
-  /** Doubles with each failure. */
-  #nextSkips = 0;
-
-  of(lights: LightBuffer, box: Box | null): LightBuffer | null {
-    if (lights.revision !== this.#source || box !== this.#box) {
-      this.#source = lights.revision;
-      this.#box = box;
-      this.#divided = false;
-      if (this.#skips > 0) {
-        this.#skips -= 1;
-      } else if (box !== null) {
-        this.#divide(lights, box);
-      }
-    }
-    return this.#divided ? this.#buffer : null;
-  }
-
-  /** Frees what the GPU holds; the next draw sends it again. */
-  dispose(): void {
-    this.#buffer.dispose();
-  }
-
-  #divide({ packed }: LightBuffer, box: Box): void {
-    this.#divided = divideLights(packed, box, this.#buffer.packed);
-    if (this.#divided) {
-      this.#buffer.changed();
-    }
-    this.#nextSkips = this.#divided ? 0 : Math.min(2 * this.#nextSkips + 1, MOST_SKIPPED);
-    this.#skips = this.#nextSkips;
   }
 }
 

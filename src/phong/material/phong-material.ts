@@ -28,8 +28,8 @@ import {
 } from './material-values.js';
 import type { Term } from '../light/light-state.js';
 import { normalMatrix } from './normal-matrix.js';
-import { compiles, variantParameters } from './program/program-cache.js';
 import { MaterialPrograms } from './program/material-programs.js';
+import { compiles, variantParameters } from './program/three-programs.js';
 import type { Variant } from './program/variant.js';
 
 const DEFAULT_SURFACE: SurfaceValues = {

@@ -16,6 +16,7 @@ import { PhongLighting } from '../../phong/material/lighting.js';
 import type { ShadingStyle } from '../../phong/material/material-values.js';
 import type { PictureView } from '../../phong/material/views.js';
 import { Budget } from '../../phong/model/budget.js';
+import { fasterCode, lazyCode } from '../../phong/lazy-code.js';
 import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from '../../phong/geometry/bounds.js';
 import { Frame } from './frame.js';
@@ -26,6 +27,16 @@ import type { Part } from './mesh/parts.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { copyFrame, drawnObjects, type SceneSnapshot } from './scene-snapshot.js';
+
+const specialCode = /* @__PURE__ */ fasterCode(
+  /* @__PURE__ */ lazyCode(
+    () => import('../../phong/material/program/special-programs.js'),
+    'specialised programs',
+  ),
+);
+
+/** So many frames are motion. Fewer are a picture that gets its files, its size and its shapes. */
+const MOTION = 10;
 
 export class Picture {
   readonly scene = new Scene();
@@ -46,6 +57,8 @@ export class Picture {
   /** The version whose lights were sent last. */
   #lit = -1;
   #drawCalls = 0;
+  /** Frames drawn, for {@link MOTION}. */
+  #frames = 0;
   /** The version of the lighting's needs whose programs are there. */
   #needs = -1;
 
@@ -234,11 +247,23 @@ export class Picture {
     // The samples of one picture have its lights, and count as no frames for programs.
     if (frame.samples === 1 || this.#lit !== this.#version) {
       lighting.updateFrame(frame.shading, frame.camera);
+      this.#specialise();
     }
     this.#lit = this.#version;
     lighting.space.mapBias.value = mapBiasOf(frame.samples);
     renderer.render(scene, frame.camera);
     this.#drawCalls = renderer.info.render.calls;
+  }
+
+  /** Specialised programs are used from the next frame on, once their code is there. */
+  #specialise(): void {
+    const { lighting } = this;
+    this.#frames += 1;
+    if (lighting.special !== null || this.#frames < MOTION) return;
+    const code = specialCode();
+    if (code !== null) {
+      lighting.special = new code.SpecialPrograms(lighting, MOTION);
+    }
   }
 
   /**

@@ -11,7 +11,8 @@ import { isIntegerPower, isMildPower } from '../../../src/phong/light/precision.
 import { TERMS } from '../../../src/phong/light/light-state.js';
 import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
 import { DEFAULT_STYLE } from '../../../src/phong/material/material-values.js';
-import { generalVariant, specialisedVariant } from '../../../src/phong/material/program/variant.js';
+import { specialisedVariant } from '../../../src/phong/material/program/special-variant.js';
+import { generalVariant } from '../../../src/phong/material/program/variant.js';
 import type { WayName } from '../accuracy-chart.mjs';
 import hoistedGlsl from './hoisted.glsl?raw';
 

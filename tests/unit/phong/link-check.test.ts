@@ -2,7 +2,7 @@
 // lists of the others stay as they are.
 import type { WebGLRenderer } from 'three';
 import { expect, it, vi } from 'vitest';
-import { checkLinks } from '../../../src/phong/material/program/program-cache.js';
+import { checkLinks } from '../../../src/phong/material/program/three-programs.js';
 
 /** A renderer whose programs have linked, or have not. */
 function drawn(links: boolean) {

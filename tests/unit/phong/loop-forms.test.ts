@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { LIGHT_FEATURES } from '../../../src/phong/light/light-layout.js';
 import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
-import { FORMS } from '../../../src/phong/material/program/variant.js';
+import { FORMS } from '../../../src/phong/material/program/special-variant.js';
 import { LIGHT_LOOP_GLSL } from '../../../src/phong/material/program/source.js';
 import { freshProgramsFor, programsFor } from '../../glsl/loop-forms.js';
 import { LOOP_MARK, markOf } from '../../glsl/loop-mark.js';

@@ -8,13 +8,9 @@ import type { PhongLighting } from '../lighting.js';
 import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../material-values.js';
 import type { Term } from '../../light/light-state.js';
 import type { Draw } from './program-cache.js';
-import {
-  type Form,
-  generalVariant,
-  type MaterialTerms,
-  specialisedVariant,
-  type Variant,
-} from './variant.js';
+import type { DrawnMaterial } from './special-programs.js';
+import type { MaterialTerms } from './special-variant.js';
+import { generalVariant, type Variant } from './variant.js';
 
 export class MaterialPrograms {
   readonly #lighting: PhongLighting;
@@ -27,10 +23,8 @@ export class MaterialPrograms {
   #mildShininess = true;
   /** The general variant and what it was made for; null after a change of style or surface. */
   #general: { variant: Variant; declared: number; capacity: number; linear: boolean } | null = null;
-  /** What a specialised program depends on besides its lights. */
-  #materialKey = '';
-  /** The last key, so that draws build no text. */
-  #last = { materialKey: '', form: '', lights: '' as string | number, key: '' };
+  /** What a specialised program is made from besides its lights; belongs to the general variant. */
+  #drawn: DrawnMaterial | null = null;
 
   constructor(lighting: PhongLighting, look: BaseLook) {
     this.#lighting = lighting;
@@ -66,15 +60,8 @@ export class MaterialPrograms {
     const lights = lighting.meshLights.of(draw.mesh);
     const general = this.general;
     const hasOne = this.#look.unlit || (lighting.packing.view?.program ?? null) !== null;
-    if (hasOne) return { variant: general, lights };
-    const grid = lighting.meshLights.gridOf(draw.mesh);
-    const form = lighting.needs.formFor(lights, grid, lighting.packing.changed);
-    const special =
-      form &&
-      lighting.programs.choose(this.#keyOf(form, lights), draw, () =>
-        specialisedVariant(general, this.#terms, form, lights.packed),
-      );
-    return special ? { variant: special, lights: grid ?? lights } : { variant: general, lights };
+    const special = hasOne ? null : lighting.special?.forDraw(draw, this.#drawn!, lights);
+    return special ?? { variant: general, lights };
   }
 
   /**
@@ -96,23 +83,8 @@ export class MaterialPrograms {
     const material = { look: this.#look, style, linear, mildShininess: this.#mildShininess };
     const variant = generalVariant(material, declared, capacity);
     this.#general = { variant, declared, capacity, linear };
-    this.#materialKey = `${variant.key} ${terms.join()} ${String(integerShininess)}`;
+    const key = `${variant.key} ${terms.join()} ${String(integerShininess)}`;
+    this.#drawn = { key, general: variant, terms: this.#terms, last: null };
     return variant;
-  }
-
-  /**
-   * Inlined numbers are those of one revision of the lights; other forms depend on counts and
-   * features alone.
-   */
-  #keyOf(form: Form, { revision, featureKey }: LightBuffer): string {
-    const lights = form === 'inlined' ? revision : featureKey;
-    const materialKey = this.#materialKey;
-    const last = this.#last;
-    if (last.materialKey === materialKey && last.form === form && last.lights === lights) {
-      return last.key;
-    }
-    const key = `${materialKey} ${form} ${lights}`;
-    this.#last = { materialKey, form, lights, key };
-    return key;
   }
 }

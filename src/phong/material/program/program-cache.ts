@@ -1,15 +1,14 @@
 // The program that draws a mesh: the general one first; a specialised one, compiled in the
 // background, once the same lights and material were drawn for a while. One cache for each
 // PhongLighting; it counts programs, not meshes.
+import { type Camera, GLSL3, type Mesh, RawShaderMaterial, type WebGLRenderer } from 'three';
 import {
-  type Camera,
-  GLSL3,
-  type Material,
-  Mesh,
-  RawShaderMaterial,
-  type WebGLProgram as ThreeProgram,
-  type WebGLRenderer,
-} from 'three';
+  compiles,
+  compilingPrograms,
+  programOf,
+  reportLinkFailure,
+  variantParameters,
+} from './three-programs.js';
 import type { Variant } from './variant.js';
 
 /**
@@ -60,11 +59,6 @@ interface Probe {
   readonly renderer: WebGLRenderer;
 }
 
-/**
- * Programs compiled in the background and not drawn yet. A query of their link status could block.
- */
-const compilingPrograms = new WeakSet<object>();
-
 /** Take-overs of the page so far: see {@link ProgramCache.begin}. */
 let takeOvers = 0;
 
@@ -76,6 +70,12 @@ export class ProgramCache {
   /** The first draw in this frame that asked for a program. */
   #request: { entry: Entry; draw: Draw; specialise: () => Variant } | null = null;
   #compiling: Entry | null = null;
+  /** Frames that count as drawn with each key of the first frame. */
+  readonly #drawn: number;
+
+  constructor(drawn: number) {
+    this.#drawn = drawn;
+  }
 
   /** Before each frame: starts or ends the compilation of one program. */
   begin(): void {
@@ -130,7 +130,8 @@ export class ProgramCache {
       disposeOf(entry);
       this.#entries.delete(other);
     }
-    const entry: Entry = { state: { name: 'general', frames: 0 }, frame: -1 };
+    const frames = this.#frame === 1 ? this.#drawn : 0;
+    const entry: Entry = { state: { name: 'general', frames }, frame: this.#frame - 1 };
     this.#entries.set(key, entry);
     return entry;
   }
@@ -189,19 +190,6 @@ export class ProgramCache {
   }
 }
 
-export const variantParameters = ({ defines, vertexShader, fragmentShader }: Variant) => ({
-  // Without a prototype: three.js would define what a page added to Object.prototype.
-  defines: Object.assign(Object.create(null) as object, defines),
-  vertexShader,
-  fragmentShader,
-});
-
-/** Compiles the material's program in the background, where the browser can. False: it is there. */
-export function compiles(material: Material, renderer: WebGLRenderer, camera: Camera): boolean {
-  renderer.compile(new Mesh(undefined, material), camera);
-  return programOf({ renderer, material })?.isReady() === false;
-}
-
 function disposeOf({ state }: Entry): void {
   if (!('probe' in state)) return;
   const { renderer, material } = state.probe;
@@ -214,65 +202,4 @@ function disposeOf({ state }: Entry): void {
     }
   }
   material.dispose();
-}
-
-/** What three.js's types leave out. */
-type Program = ThreeProgram & {
-  readonly program: WebGLProgram;
-  /** According to KHR_parallel_shader_compile; always true without that extension. */
-  isReady(): boolean;
-  /** Locations by name; always the same object. */
-  getAttributes(): object;
-};
-
-const programOf = ({
-  renderer,
-  material,
-}: {
-  renderer: WebGLRenderer;
-  material: Material;
-}): Program | undefined =>
-  (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
-
-const checked = new WeakSet<Program>();
-
-/**
- * Call after drawing: the browser then knows the link status without blocking. Reports each failed
- * program once, in place of three.js's own check (`checkShaderErrors`), which reads three logs of
- * each program and blocks for each.
- */
-export function checkLinks(renderer: WebGLRenderer): void {
-  const gl = renderer.getContext();
-  for (const program of (renderer.info.programs ?? []) as Program[]) {
-    if (checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
-    checked.add(program);
-    if (gl.isContextLost()) continue;
-    if (gl.getProgramParameter(program.program, gl.LINK_STATUS) !== true) {
-      reportLinkFailure(gl, program.program);
-    }
-    // V8 (Chromium 156) compiles three.js's loop over a program's attributes again and again once a
-    // page has used two programs, unless nothing can be added to them: 0.4 µs a mesh, a quarter of
-    // the script of 2,000 boxes.
-    else {
-      Object.preventExtensions(program.getAttributes());
-    }
-  }
-}
-
-/**
- * Reports a program that does not link to the page's error handlers, with the driver's logs. Not
- * where the context was lost meanwhile: then no program links.
- */
-function reportLinkFailure(
-  gl: WebGLRenderingContext | WebGL2RenderingContext,
-  program: WebGLProgram,
-): void {
-  const shaders = gl.getAttachedShaders(program) ?? [];
-  const logs = [
-    gl.getProgramInfoLog(program),
-    ...shaders.map((shader) => gl.getShaderInfoLog(shader)),
-  ];
-  if (gl.isContextLost()) return;
-  const text = logs.filter((log) => log !== null && log !== '').join('\n');
-  reportError(new Error(`PhongMaterial: a program does not link: ${text}`));
 }

@@ -4,14 +4,6 @@ import type { WebGLRenderer } from 'three';
 import { declaredFeatures } from '../../light/light-features.js';
 import type { LightSet } from '../../light/light-set.js';
 import { type Device, deviceOf } from '../device.js';
-import type { LightBuffer } from '../light-buffer.js';
-import type { Form } from './variant.js';
-
-/**
- * Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two
- * cores).
- */
-const MOST_INLINED = 16;
 
 export class ProgramNeeds {
   readonly #lights: LightSet;
@@ -49,6 +41,11 @@ export class ProgramNeeds {
     this.#declared |= declaredFeatures(values);
   }
 
+  /** What {@link renderer} draws on. */
+  get device(): Device | null {
+    return this.#device;
+  }
+
   /** What drew last; null: nothing, or it is to be sent everything again. */
   get renderer(): WebGLRenderer | null {
     return this.#device?.renderer ?? null;
@@ -70,18 +67,5 @@ export class ProgramNeeds {
     while (rows > (capacities[this.#capacity] ?? Infinity)) {
       this.#capacity += 1;
     }
-  }
-
-  /**
-   * The form of a specialised program for these lights; null if the general program is best.
-   * `change`: they differ from those of the frame before.
-   */
-  formFor({ packed }: LightBuffer, grid: LightBuffer | null, change: boolean): Form | null {
-    if (this.#device === null) return null;
-    if (grid !== null) return 'grid';
-    const { software, capacities } = this.#device;
-    // Inlined numbers that change in every frame would make a key each, for nothing.
-    if (software) return packed.sent <= MOST_INLINED && !change ? 'inlined' : null;
-    return this.#capacity < capacities.length ? 'counted' : null;
   }
 }

@@ -4,7 +4,6 @@ import attenuation from '../../../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../../../shaders/diffuse_lobe.glsl?raw';
 import fileSurface from '../../../../shaders/file_surface.glsl?raw';
 import guard from '../../../../shaders/guard.glsl?raw';
-import lightGrid from '../../../../shaders/light_grid.glsl?raw';
 import lightLoop from '../../../../shaders/light_loop.glsl?raw';
 import lightRows from '../../../../shaders/light_rows.glsl?raw';
 import nearestCode from '../../../../shaders/nearest_code.glsl?raw';
@@ -39,7 +38,7 @@ const where = (condition: string, ...chunks: readonly string[]): string =>
   [`#if ${condition}`, ...chunks, '#endif'].join('\n');
 
 /** The light loop, and what a fragment makes of it. */
-const loopWith = (surface: string): string =>
+const loopWith = (surface: string, grid = ''): string =>
   [
     CONSTANTS,
     guard,
@@ -54,7 +53,7 @@ const loopWith = (surface: string): string =>
     '#endif',
     lightRows,
     lightStructs(),
-    where('defined(HAS_LIGHT_GRID)', lightGrid),
+    grid,
     lightLoop,
     surface,
   ].join('\n');
@@ -89,16 +88,20 @@ const texts = new Map<string, Shaders>();
 /**
  * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights:
  * the other one leaves out the loop's text, which compilers would parse in vain. `surface` is a
- * text in place of surface_color.
+ * text in place of surface_color, `grid` that of light_grid where the lights are in one.
  */
-export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceColor): Shaders {
-  const key = `${String(lit)} ${surface}`;
+export function shadersOf(
+  lit: 'vertex' | 'fragment' | null,
+  surface = surfaceColor,
+  grid = '',
+): Shaders {
+  const key = `${String(lit)} ${surface}${grid}`;
   let shaders = texts.get(key);
   if (shaders === undefined) {
     const head = (stage: 'vertex' | 'fragment'): string =>
       [
         'precision highp float;\nprecision highp int;',
-        stage === lit ? loopWith(surface) : UNLIT,
+        stage === lit ? loopWith(surface, grid) : UNLIT,
       ].join('\n');
     const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
     shaders = {

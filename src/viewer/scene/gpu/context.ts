@@ -2,7 +2,7 @@
 // drawing, closed at the end.
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
 import { deviceOf } from '../../../phong/material/device.js';
-import { checkLinks } from '../../../phong/material/program/program-cache.js';
+import { checkLinks } from '../../../phong/material/program/three-programs.js';
 import { SAFE_SIDE, type Size } from '../../../phong/math/region.js';
 import type { AtlasLimit } from './atlas.js';
 
