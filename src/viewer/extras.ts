@@ -62,6 +62,10 @@ extraKinds.push(
     load: lazyCode(() => import('../extras/compare/camera-group.js'), 'linked cameras'),
     first: true,
   },
+  {
+    wanted: ({ droppable }) => droppable,
+    load: lazyCode(() => import('./element/viewer/drops.js'), 'dropped files'),
+  },
 );
 
 // In the panel, beside its own.

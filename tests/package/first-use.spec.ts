@@ -25,13 +25,15 @@ const explain =
       y,
     ] as const);
 
-const drawOften: Act = (viewer) =>
-  viewer.evaluate(async (element: PhongViewer) => {
-    for (let frame = 0; frame < 6; frame++) {
-      element.requestRender();
-      await element.ready;
-    }
-  });
+const draw =
+  (frames: number): Act =>
+  (viewer) =>
+    viewer.evaluate(async (element: PhongViewer, count) => {
+      for (let frame = 0; frame < count; frame++) {
+        element.requestRender();
+        await element.ready;
+      }
+    }, frames);
 
 const readOnce: Act = (viewer) =>
   viewer.evaluate(
@@ -60,7 +62,8 @@ const model = (name: string): Act => set({ src: `/fixtures/models/${name}` });
  * chunk that an earlier use fetched is not fetched again.
  */
 const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
-  ['a picture drawn again and again', drawOften, ''],
+  ['a picture drawn again and again', draw(6), ''],
+  ['a picture that moves', draw(6), 'special-programs'],
   ['changes of lights, camera and shading', set({ theta: 5, fov: 40, shading: 'gouraud' }), ''],
   ['toHTML, camera and stats', readOnce, ''],
   ['a sphere', set({ geometry: 'sphere' }), ''],
@@ -68,7 +71,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['a pyramid', set({ geometry: 'pyramid' }), ''],
   ['a teapot', set({ geometry: 'teapot' }), 'teapot'],
   ['toBlob', capture, 'picture-blob'],
-  ['shadeAt beside the shape', explain(1, 1), 'pick shade-at'],
+  ['shadeAt beside the shape', explain(1, 1), 'pick shade-at triangle-bvh'],
   ['shadeAt on the shape', explain(75, 50), 'reference'],
   ['shadeAt once more', explain(76, 50), ''],
   ['a view of normals', set({ view: 'normals' }), 'legend'],
@@ -76,6 +79,7 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['no view', set({ viewLight: '' }), ''],
   ['a drag', drag, ''],
   ['auto-rotate', set({ autoRotate: 5 }), ''],
+  ['dropped files', set({ droppable: true }), 'drops'],
   ['a camera group', set({ cameraGroup: 'all' }), 'camera-group'],
   ['a comparison', addAfter('<phong-compare></phong-compare>'), 'comparison followed-drag'],
   ['the panel', set({ gui: true }), 'panel panel-rows round-number'],

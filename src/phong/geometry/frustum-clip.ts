@@ -4,7 +4,7 @@
 import type { ShadingFrame } from '../material/shading-space.js';
 import type { Vec3 } from '../math/vector.js';
 import { type Ball, stretch } from './bounds.js';
-import type { BoxList, Position } from './triangle-bvh.js';
+import type { Position } from './triangle-bvh.js';
 
 /** What is in view: its sides have slopes ±`slopeX` and ±`slopeY` from its axis. */
 export interface Frustum {
@@ -58,7 +58,7 @@ function writeRow(
   to[at + 3] = x * dx + y * dy + z * dz;
 }
 
-const coordinate = (m: ClipRows, row: number, x: number, y: number, z: number): number =>
+export const coordinate = (m: ClipRows, row: number, x: number, y: number, z: number): number =>
   m[row]! * x + m[row + 1]! * y + m[row + 2]! * z + m[row + 3]!;
 
 export const depthOf = (m: ClipRows, x: number, y: number, z: number): number =>
@@ -86,36 +86,6 @@ export function sphereDepth(
   if (across - slopeX * depth > reach * Math.sqrt(1 + slopeX * slopeX)) return before;
   if (upward - slopeY * depth > reach * Math.sqrt(1 + slopeY * slopeY)) return before;
   return depth - reach;
-}
-
-/** False only if a box of the object's own space has nothing in view before this depth. */
-export function boxIsInView(m: ClipRows, boxes: BoxList, at: number, before: number): boolean {
-  const cx = boxes[at]!;
-  const cy = boxes[at + 1]!;
-  const cz = boxes[at + 2]!;
-  const w = depthOf(m, cx, cy, cz);
-  if (w - extent(m, 0, 0, boxes, at) >= before) return false;
-  const x = coordinate(m, 0, cx, cy, cz);
-  const y = coordinate(m, 4, cx, cy, cz);
-  return !(
-    x - w > extent(m, 0, -1, boxes, at) ||
-    -x - w > extent(m, 0, 1, boxes, at) ||
-    y - w > extent(m, 4, -1, boxes, at) ||
-    -y - w > extent(m, 4, 1, boxes, at)
-  );
-}
-
-/**
- * How much w plus `share` of a coordinate changes from a box's centre to a corner, and a little for
- * rounding.
- */
-function extent(m: ClipRows, row: number, share: number, boxes: BoxList, at: number): number {
-  const sum =
-    Math.abs(m[8]! + share * m[row]!) * boxes[at + 3]! +
-    Math.abs(m[9]! + share * m[row + 1]!) * boxes[at + 4]! +
-    Math.abs(m[10]! + share * m[row + 2]!) * boxes[at + 5]!;
-  // Far more than float64 loses, 1e-16 of each product.
-  return sum + 1e-12 * (sum + Math.abs(m[11]!) + Math.abs(m[row + 3]!));
 }
 
 /** x, y and w. */

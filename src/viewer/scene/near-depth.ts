@@ -15,19 +15,25 @@ import { PhongMaterial } from '../../phong/material/phong-material.js';
 import { hasMovingVertices } from '../../phong/geometry/geometry-size.js';
 import { boundsOf, newBall, writeBall } from '../../phong/geometry/bounds.js';
 import {
-  boxIsInView,
   depthOf,
   sphereDepth,
   triangleDepth,
   type Frustum,
   writeModelViewProjection,
 } from '../../phong/geometry/frustum-clip.js';
-import {
-  type BoxList,
-  type BvhQuery,
-  type Position,
-  queryBvh,
-} from '../../phong/geometry/triangle-bvh.js';
+import type { Position } from '../../phong/geometry/triangle-bvh.js';
+import type { InViewQuery } from '../../phong/geometry/triangles-in-view.js';
+import { fasterCode, lazyCode } from '../../phong/lazy-code.js';
+
+/** Corners of 4,096 triangles. To read fewer in each frame takes a quarter of a millisecond. */
+const LARGE = 3 * 4096;
+
+const skippingCode = /* @__PURE__ */ fasterCode(
+  /* @__PURE__ */ lazyCode(
+    () => import('../../phong/geometry/triangles-in-view.js'),
+    'large geometries near the eye',
+  ),
+);
 
 /**
  * Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond
@@ -48,11 +54,11 @@ export function nearestDepth(root: Object3D, view: Frustum, limit: number): numb
   return search.nearest;
 }
 
-class NearestSearch implements BvhQuery {
+class NearestSearch implements InViewQuery {
   view!: Frustum;
   nearest = 0;
   /** From the present object's own space to clip coordinates. */
-  readonly #matrix = new Float64Array(12);
+  readonly matrix = new Float64Array(12);
   #position!: Position;
   #index: BufferAttribute | null = null;
 
@@ -71,10 +77,10 @@ class NearestSearch implements BvhQuery {
     const { elements } = object.matrixWorld;
     const least = sphereDepth(this.view, elements, ball, this.nearest);
     if (least >= this.nearest) return;
-    writeModelViewProjection(this.view, elements, this.#matrix);
+    writeModelViewProjection(this.view, elements, this.matrix);
     const { isInstancedMesh, isSprite } = object as Partial<InstancedMesh> & { isSprite?: boolean };
     if (isSprite === true) {
-      this.#consider(depthOf(this.#matrix, ball.x, ball.y, ball.z)); // it faces the eye
+      this.#consider(depthOf(this.matrix, ball.x, ball.y, ball.z)); // it faces the eye
     } else if (!hasKnownVertices(object)) {
       this.#consider(Math.max(least, unknownDepth(this.view)));
     } else if (isInstancedMesh === true) {
@@ -95,7 +101,7 @@ class NearestSearch implements BvhQuery {
         .fromArray(instanceMatrix.array, 16 * i)
         .premultiply(matrixWorld);
       if (sphereDepth(this.view, elements, ball, this.nearest) >= this.nearest) continue;
-      writeModelViewProjection(this.view, elements, this.#matrix);
+      writeModelViewProjection(this.view, elements, this.matrix);
       this.#geometry(geometry, object);
     }
   }
@@ -116,15 +122,14 @@ class NearestSearch implements BvhQuery {
       if (isLineLoop === true) {
         this.#triangle(0, 0, count - 1);
       }
-    } else if (hasMovingVertices(geometry)) {
+      return;
+    }
+    const skipping = count > LARGE && !hasMovingVertices(geometry) ? skippingCode() : null;
+    if (skipping === null) {
       this.visit(0, count);
     } else {
-      queryBvh(geometry, this);
+      skipping.visitInView(geometry, this);
     }
-  }
-
-  meets(boxes: BoxList, at: number): boolean {
-    return boxIsInView(this.#matrix, boxes, at, this.nearest);
   }
 
   visit(first: number, end: number): boolean {
@@ -139,7 +144,7 @@ class NearestSearch implements BvhQuery {
     const i = index === null ? a : index.getX(a);
     const j = index === null ? b : index.getX(b);
     const k = index === null ? c : index.getX(c);
-    this.nearest = triangleDepth(this.#matrix, this.view, this.#position, i, j, k, this.nearest);
+    this.nearest = triangleDepth(this.matrix, this.view, this.#position, i, j, k, this.nearest);
   }
 
   /** NaN is ignored. */

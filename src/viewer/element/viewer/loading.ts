@@ -1,14 +1,13 @@
-// What a viewer loads: its own mesh and its children's, with their progress, events and errors, and
-// files dropped on it.
+// What a viewer loads: its own mesh and its children's, with their progress, events and errors.
 import type { ReactiveController } from 'lit';
 import { stage } from '../../scene/gpu/stage.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import { lazyCode } from '../../../phong/lazy-code.js';
 import { reportMissing } from '../../model/provided-code.js';
-import { type CrossOrigin, modelCode } from '../../model/request-model.js';
+import type { CrossOrigin } from '../../model/request-model.js';
 import type { Picture } from '../../scene/picture.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';
-import type { LoadDetail, PhongViewer } from '../elements.js';
+import type { LoadDetail } from '../elements.js';
 import { sceneMeshes } from '../internals.js';
 import type { ViewerContext } from './viewer-context.js';
 import { isInClosed } from '../page/closed.js';
@@ -16,7 +15,7 @@ import { elementOf } from './children.js';
 import type { EventQueue } from './event-queue.js';
 import type { ViewerFailure } from './failure.js';
 
-const stepsCode = /* @__PURE__ */ lazyCode(() => import('./source-steps.js'), 'undo');
+export const stepsCode = /* @__PURE__ */ lazyCode(() => import('./source-steps.js'), 'undo');
 
 /** Loads that take less show no progress bar, ms: it would only flicker. */
 const BAR_DELAY = 300;
@@ -65,7 +64,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
         }
       }
     });
-    takeDrops(viewer);
   }
 
   /** Something that belongs to the first picture is on its way. */
@@ -328,45 +326,3 @@ const isWanted = ({ values }: SceneMesh): boolean => values.src !== '' || values
 
 /** The code of its shape is being fetched. */
 const awaitsShape = ({ load, values }: SceneMesh): boolean => load.pending && values.src === '';
-
-/**
- * Files that are dropped on a `droppable` viewer become its model. What the browser offers only
- * during the event is taken here; the code that reads models decides which of them is the model.
- */
-function takeDrops(viewer: PhongViewer): void {
-  let drops = 0;
-  /** A page's own handler comes first, and may have taken the files. */
-  const takes = (event: DragEvent): DataTransfer | null => {
-    const { dataTransfer, defaultPrevented } = event;
-    if (!viewer.droppable || defaultPrevented || dataTransfer?.types.includes('Files') !== true) {
-      return null;
-    }
-    event.preventDefault();
-    return dataTransfer;
-  };
-  viewer.addEventListener('dragover', (event) => {
-    const transfer = takes(event);
-    if (transfer !== null) {
-      transfer.dropEffect = 'copy';
-    }
-  });
-  viewer.addEventListener('drop', (event) => {
-    const transfer = takes(event);
-    if (transfer === null) return;
-    const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry()).filter(
-      (entry) => entry !== null,
-    );
-    const files = [...transfer.files];
-    const drop = ++drops; // of two in a row, the later one counts
-    viewer.focus({ preventScroll: true }); // as after a press: Escape removes a message
-    modelCode()
-      .then(({ droppedModel }) => droppedModel(entries, files))
-      .then(async (model) => {
-        const { showDropped } = await stepsCode();
-        if (drop === drops && model !== null) {
-          showDropped(viewer, model);
-        }
-      })
-      .catch((error: unknown) => console.warn(`<phong-viewer droppable>: ${String(error)}`));
-  });
-}
