@@ -8,6 +8,7 @@ import { licences } from '../licences/plugin.js';
 import { basisTranscoder } from '../basis-transcoder.js';
 import { decoderWorkers } from '../decoder-workers.js';
 import { dracoDecoder } from '../draco-decoder.js';
+import { minifiedAgain } from '../minified-again.js';
 import { modelChunks } from '../model-chunks.js';
 import { nativeMath } from '../native-math.js';
 import { outputFolder } from '../output-folder.mjs';
@@ -29,6 +30,7 @@ export default defineConfig({
     strippedGlsl(),
     textKeys(),
     licences(),
+    minifiedAgain(),
     retriedImports(),
     decoderWorkers({
       plugins: () => [dracoDecoder(), basisTranscoder(), licences({ listed: false })],
