@@ -38,8 +38,8 @@ export class PhongLighting {
 
   /**
    * Call before each frame: takes whatever changed about the lights. The frame's eye is relative to
-   * the origin, more precise than world coordinates. `camera` is the one that stands there: vertices are then placed by the
-   * frame, not by its matrices.
+   * the origin, more precise than world coordinates. `camera` is the one that stands there:
+   * vertices are then placed by the frame, not by its matrices.
    */
   updateFrame(frame: ShadingFrame, camera: Camera | null = null): void {
     const { space, packing, needs } = this;

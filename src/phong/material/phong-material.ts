@@ -52,7 +52,7 @@ type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
 /**
  * Draws opaque or blended 8-bit colour: the sum is clamped to 0–1 and rounded to the nearest code,
- * whatever the target. Call {@link PhongLighting.update} before each frame. A raw material, because
+ * whatever the target. Call the lighting's `update` before each frame. A raw material, because
  * three.js's key for its programs then leaves out `side`: culling back faces in one draw and not in
  * the next compiles nothing.
  */

@@ -6,8 +6,7 @@ import { PerspectiveCamera } from 'three';
 import { expect, it } from 'vitest';
 import { LightSet } from '../../../src/phong/light/light-set.js';
 import { LightState } from '../../../src/phong/light/light-state.js';
-import { PhongLighting } from '../../../src/phong/material/lighting.js';
-import type { ShadingFrame } from '../../../src/phong/material/shading-space.js';
+import { PhongLighting, type ShadingFrame } from '../../../src/phong/core.js';
 import { anyLight } from '../arbitraries.js';
 
 const SEED = 1;
