@@ -6,20 +6,25 @@ import {
   type FragmentExplanation,
   hostOf,
   type PhongViewer,
+  phrase,
 } from '../../viewer/extra.js';
 import { SLOP } from '../../phong/camera/kept-drag.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import { Projection } from '../overlay/drawing/projection.js';
+import { ARROWS, type Point, Projection } from '../overlay/drawing/projection.js';
+import { KEYS } from '../overlay/probe/sum.js';
 import { askedOf, formOf, type ProbeValues } from './probe-fields.js';
 import { seededFragment, seededNumbers } from './seeded.js';
 import { zoomOf } from '../../phong/camera/gesture.js';
 
-/** Where the pointer is, as `shadeAt` takes it. */
-interface Place {
-  readonly x: number;
-  readonly y: number;
+/** Where the pointer is, or a key has moved the ring to, as `shadeAt` takes it. */
+interface Place extends Point {
   readonly pins: boolean;
+  /** A step of the keyboard: on to the next surface. */
+  readonly step?: Point;
 }
+
+/** Moves the points of all probes that follow a viewer. Dispatched at its surface. */
+const STEP = 'probe-step';
 
 const RING = `.pointed {
   position: absolute;
@@ -30,6 +35,9 @@ const RING = `.pointed {
   border: 2px solid #fff;
   border-radius: 50%;
   outline: 1px solid #000;
+}
+.pointed:focus-visible {
+  outline: 3px solid #000;
 }
 .pointed[hidden] {
   display: none;
@@ -44,7 +52,7 @@ export class FollowedPoint {
   readonly #listening = new AbortController();
   readonly #ring = Object.assign(document.createElement('div'), {
     className: 'pointed',
-    ariaHidden: 'true',
+    role: 'application',
     hidden: true,
   });
   /** The last point of the user. */
@@ -154,10 +162,8 @@ export class FollowedPoint {
         },
         { signal: this.#listening.signal },
       );
-    const go = ({ offsetX: x, offsetY: y }: MouseEvent, pins: boolean): void => {
-      this.#place = { x, y, pins };
-      this.update();
-    };
+    const go = ({ offsetX: x, offsetY: y }: MouseEvent, pins: boolean): void =>
+      this.#go({ x, y, pins });
     on('pointerdown', ({ clientX: x, clientY: y }) => {
       pressed = { x, y };
     });
@@ -174,6 +180,37 @@ export class FollowedPoint {
     on('keydown', ({ key }) => {
       this.#isPinned &&= key !== 'Escape';
     });
+    const { signal } = this.#listening;
+    surface.addEventListener(STEP, (event) => this.#go((event as CustomEvent<Place>).detail), {
+      signal,
+    });
+    this.#ring.addEventListener('keydown', (event) => {
+      const arrow = ARROWS[event.key];
+      const { fragment } = this;
+      if (event.key === 'Escape' && this.#isPinned) {
+        this.#isPinned = false;
+        event.preventDefault();
+      }
+      if (arrow === undefined || !fragment || event.ctrlKey || event.altKey || event.metaKey)
+        return;
+      const pixels = (event.shiftKey ? 10 : 1) * zoomOf(this.#ring.parentElement!);
+      const step = { x: arrow[0] * pixels, y: arrow[1] * pixels };
+      const from = this.#place ?? this.#pixelOf(fragment.p);
+      const detail: Place | null = from && {
+        x: from.x + step.x,
+        y: from.y + step.y,
+        pins: true,
+        step,
+      };
+      surface.dispatchEvent(new CustomEvent(STEP, { detail }));
+      event.preventDefault();
+    });
+  }
+
+  #go(place: Place): void {
+    if (this.#isDeclared || this.#viewer.probe) return;
+    this.#place = place;
+    this.update();
   }
 
   async #explain(): Promise<FragmentExplanation | null> {
@@ -186,9 +223,8 @@ export class FollowedPoint {
     }
     if (place !== null) {
       this.#place = null;
-      const { x, y, pins } = place;
-      const fragment = await viewer.shadeAt(x, y);
-      if (pins) {
+      const fragment = await this.#surfaceFrom(place);
+      if (place.pins) {
         this.#isPinned = fragment !== null;
       }
       this.#point = fragment?.p ?? this.#point;
@@ -216,8 +252,21 @@ export class FollowedPoint {
     if (near !== null) return near;
     const { width, height } = this.#size;
     const zoom = zoomOf(this.#ring.parentElement!);
-    const pixel = point === null ? { x: width / 2, y: height / 2 } : this.#placeOf(point);
-    return pixel === null ? null : viewer.shadeAt(pixel.x * zoom, pixel.y * zoom);
+    const pixel =
+      point === null ? { x: (width / 2) * zoom, y: (height / 2) * zoom } : this.#pixelOf(point);
+    return pixel === null ? null : viewer.shadeAt(pixel.x, pixel.y);
+  }
+
+  /** What is there; with a step, the first surface on the way to the edge of the picture. */
+  async #surfaceFrom({ x, y, step }: Place): Promise<FragmentExplanation | null> {
+    if (step === undefined) return this.#viewer.shadeAt(x, y);
+    const { width, height } = this.#size;
+    const zoom = zoomOf(this.#ring.parentElement!);
+    for (; x > 0 && y > 0 && x < width * zoom && y < height * zoom; x += step.x, y += step.y) {
+      const fragment = await this.#viewer.shadeAt(x, y);
+      if (fragment !== null) return fragment;
+    }
+    return this.fragment ?? null;
   }
 
   /** Of the layer over the picture, CSS pixels. */
@@ -226,9 +275,16 @@ export class FollowedPoint {
     return { width: Math.max(offsetWidth, 1), height: Math.max(offsetHeight, 1) };
   }
 
-  #placeOf(point: Vec3): { readonly x: number; readonly y: number } | null {
+  #placeOf(point: Vec3): Point | null {
     const { camera: pose, fov } = this.#viewer;
     return new Projection({ pose, fov, ...this.#size }).pointInside(point);
+  }
+
+  /** As `shadeAt` takes it. */
+  #pixelOf(point: Vec3): Point | null {
+    const zoom = zoomOf(this.#ring.parentElement!);
+    const at = this.#placeOf(point);
+    return at && { x: at.x * zoom, y: at.y * zoom };
   }
 
   #mark(): void {
@@ -237,7 +293,16 @@ export class FollowedPoint {
       fragment === null || fragment === undefined || this.#viewer.probe
         ? null
         : this.#placeOf(fragment.p);
-    this.#ring.hidden = at === null;
+    const { texts } = this.#viewer;
+    const isFirst = this.#ring.parentElement!.querySelector('[class=pointed]') === this.#ring;
+    Object.assign(this.#ring, {
+      hidden: at === null,
+      // The keys move all rings that follow.
+      tabIndex: isFirst && !this.#isDeclared ? 0 : -1,
+      ariaLabel: phrase(texts, 'Probe'),
+      ariaRoleDescription: phrase(texts, 'cross-hair'),
+      ariaDescription: phrase(texts, KEYS),
+    });
     this.#ring.style.translate = at === null ? '' : `${at.x.toFixed(1)}px ${at.y.toFixed(1)}px`;
   }
 }

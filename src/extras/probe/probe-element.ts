@@ -347,7 +347,7 @@ class Probe extends ExtraElement<ProbeValues> {
     for (const text of typed) {
       data.append(name, text);
     }
-    this.internals.setFormValue(name === '' ? null : data);
+    this.internals.setFormValue(name === '' ? null : data, this.value);
     const missing = required && typed.some((text) => text === '');
     const empty = Array.from(this.root.querySelectorAll<HTMLInputElement>('form input')).find(
       (input) => input.value.trim() === '',
@@ -371,6 +371,7 @@ const own = ExtraElement.codeOf('phong-probe', PROBE_FIELDS, Probe);
 /** The probe has come to the page, or is disabled. */
 export const follow = (element: HTMLElement): void => own(element).start();
 
-export const reset = (element: HTMLElement): void => {
-  own(element).value = '';
+/** What a reset of the form, or the way back to the page, gives it. */
+export const restore = (element: HTMLElement, answers: string): void => {
+  own(element).value = answers;
 };

@@ -38,7 +38,7 @@ export const controlCode = /* @__PURE__ */ extraCode<{
 
 export const probeCode = /* @__PURE__ */ extraCode<{
   readonly follow: (element: HTMLElement) => void;
-  readonly reset: (element: HTMLElement) => void;
+  readonly restore: (element: HTMLElement, answers: string) => void;
 }>('<phong-probe>');
 export const exerciseCode = /* @__PURE__ */ extraCode<{
   readonly follow: (element: HTMLElement) => void;

@@ -36,7 +36,11 @@ class ProbeElement extends Base implements PublicProbe {
   }
 
   formResetCallback(): void {
-    probeCode().then(({ reset }) => reset(this), reportMissing);
+    this.formStateRestoreCallback('');
+  }
+
+  formStateRestoreCallback(answers: string): void {
+    probeCode().then(({ restore }) => restore(this, answers), reportMissing);
   }
 }
 

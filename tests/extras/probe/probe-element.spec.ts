@@ -77,6 +77,63 @@ test('follows the mouse and a pin, questions the pin alone, and Escape takes the
   await expect.poll(() => facts(ask)).not.toBe(asked);
 });
 
+test('the arrow keys move its ring over the surface, for all probes of the viewer, and Escape lets go', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene() + probe('as="formula"') + probe('as="ask"'), size);
+  const [formula, ask] = [page.locator('phong-probe').first(), page.locator('phong-probe').last()];
+  const shown = (): Promise<string> => formulas(line(formula, 'lamp · diffuse'));
+  const facts = line(ask, 'lamp · diffuse').locator('.facts');
+  await expect(facts).toBeVisible();
+  const [first, asked] = [await shown(), await facts.textContent()];
+  const ring = viewer.getByRole('application', { name: 'Probe' });
+  await expect(ring.and(page.locator('[tabindex="0"]')), 'one stop for both').toHaveCount(1);
+  await ring.first().focus();
+  await page.keyboard.press('Shift+ArrowRight');
+  await expect.poll(shown).not.toBe(first);
+  await expect(facts).not.toHaveText(asked!);
+  const right = await shown();
+  await page.keyboard.press('Shift+ArrowLeft');
+  await expect.poll(shown).toBe(first);
+  for (let i = 0; i < 10; i++) {
+    await page.keyboard.press('ArrowRight');
+  }
+  await expect.poll(shown).toBe(right);
+  await page.mouse.move(140, 105);
+  await page.mouse.move(141, 105);
+  expect(await shown(), 'pinned').toBe(right);
+  await page.keyboard.press('Escape');
+  await page.mouse.move(135, 106);
+  await expect.poll(shown).not.toBe(right);
+});
+
+test.describe('with a finger', () => {
+  test.use({ hasTouch: true });
+
+  test('follows a tap', async ({ page, mount }) => {
+    const viewer = await mount(scene() + probe('as="ask"'), size);
+    const facts = line(page, 'lamp · diffuse').locator('.facts');
+    await expect(facts).toBeVisible();
+    const before = await facts.textContent();
+    const { x, y } = (await viewer.boundingBox())!;
+    await page.touchscreen.tap(x + 165, y + 100);
+    await expect(facts).not.toHaveText(before!);
+  });
+});
+
+test('has its answers again after a way back to the page', async ({ page, mount }) => {
+  await mount(`${scene()}<form>${probe('at="0 0 0" as="ask" name="q"')}</form>`, size);
+  const fields = page.getByRole('textbox');
+  await fields.nth(1).fill('0,078');
+  const address = page.url();
+  await page.goto('about:blank');
+  await page.goBack();
+  await expect(page).toHaveURL(address);
+  await expect(fields.nth(1)).toHaveValue('0,078');
+  await expect(fields.first()).toHaveValue('');
+});
+
 test('judges by keyboard, marks right and wrong by more than words, and keeps the focus', async ({
   page,
   mount,

@@ -17,7 +17,7 @@ import { SvgLayer } from '../drawing/svg-layer.js';
 import { drawingOf, figureOf, markOf, type Surroundings, trianglePlaces } from './figure.js';
 import { ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
-import { type Sum, probeSum, fragmentText } from './sum.js';
+import { type Sum, probeSum, fragmentText, KEYS } from './sum.js';
 import { isGouraud, isHalfway, rowOf, type SumContent } from './sum-table.js';
 import tableStyles from './sum-table.css?inline';
 import { create, write } from '../drawing/dom.js';
@@ -34,9 +34,6 @@ export interface ProbedPoint {
 
 /** Milliseconds between two announcements. */
 const PAUSE = 1000;
-
-const KEYS =
-  'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export class ProbeView {
   /** What is drawn, below boxes and notices. */

@@ -177,6 +177,10 @@ export const FILTERED =
   'The picture averages the texture here; these numbers read it at one point, so they can differ.';
 export const HIDDEN = 'Another surface hides the point.';
 export const OUTSIDE = 'The point is outside the picture.';
+/** What a cross-hair says of itself. */
+export const KEYS =
+  'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
+
 export const NO_SURFACE = 'No surface there.';
 
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
