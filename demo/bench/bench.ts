@@ -1,6 +1,6 @@
 // The page of the bench: measures in the visitor's browser what accuracy costs, and shows it as a
 // sentence, a plot and a table; below, the same of named machines. ?seconds=20 measures each
-// exponent for longer or shorter.
+// exponent for longer or shorter, ?exponent=32 that one only.
 import '../page.js';
 import {
   type Accuracy,
@@ -8,6 +8,7 @@ import {
   accuracyRows,
   accuracySentence,
   accuracySvg,
+  EXPONENTS,
   placeOf,
 } from '../../tests/bench/accuracy-chart.mjs';
 import { measureAccuracy, rendererHere } from './measure.js';
@@ -31,7 +32,11 @@ const machines = part('machines');
 const box = part<HTMLTextAreaElement>('json');
 
 /** For each exponent. A slow machine takes longer. */
-const SECONDS = Number(new URLSearchParams(location.search).get('seconds') ?? 8);
+const asked = new URLSearchParams(location.search);
+const SECONDS = Number(asked.get('seconds') ?? 8);
+const exponents = EXPONENTS.filter((exponent) => {
+  return String(exponent) === (asked.get('exponent') ?? String(exponent));
+});
 
 /** Plots are drawn anew for the width that there is: their letters keep their size. */
 const plots = new Map<Element, Accuracy>();
@@ -83,7 +88,7 @@ async function run(): Promise<void> {
   const begun = performance.now();
   const holder = easel.querySelector<HTMLElement>('.canvas')!;
   try {
-    const accuracy = await measureAccuracy(holder, 1000 * SECONDS, signal, (_, done) => {
+    const accuracy = await measureAccuracy(holder, 1000 * SECONDS, exponents, signal, (_, done) => {
       bar.value = done;
       say(`Measuring: ${(100 * done).toFixed(0)} %`);
     });

@@ -6,7 +6,6 @@ import { rendererName } from '../../tests/bench/pages/timing.js';
 import {
   type Accuracy,
   type AccuracyPoint,
-  EXPONENTS,
   type ErrorPicture,
   MAGNIFIED,
   PICTURED,
@@ -40,11 +39,12 @@ export function rendererHere(): string {
 
 /**
  * `holder` has to be on screen. `progress` gets what has been measured so far and the share that is
- * done, 0 to 1, after each round. @param ms for each exponent
+ * done, 0 to 1, after each round. @param ms for each exponent @param exponents of the highlight
  */
 export async function measureAccuracy(
   holder: HTMLElement,
   ms: number,
+  exponents: readonly number[],
   signal: AbortSignal,
   progress: (accuracy: Accuracy, done: number) => void,
 ): Promise<Accuracy> {
@@ -58,10 +58,10 @@ export async function measureAccuracy(
     const about = { renderer, browser: navigator.userAgent, date, size: [...size] };
     return { ...about, points: [...points, ...more], pictures };
   };
-  for (const [i, exponent] of EXPONENTS.entries()) {
+  for (const [i, exponent] of exponents.entries()) {
     const front = openFront(holder, exponent, size, software);
     try {
-      const errors = await front.errors();
+      const errors = await front.errors(signal);
       if (exponent === PICTURED.exponent) {
         pictures.push(...PICTURED.ways.map((way) => ({ way, png: pngOf(errors[way]) })));
       }
@@ -76,7 +76,7 @@ export async function measureAccuracy(
           time: rounded(median(pairedRatios(times[way], times[PLAIN_WAY]))),
           error: rounded(largest(errors[way])),
         }));
-        progress(so(last), (i + done) / EXPONENTS.length);
+        progress(so(last), (i + done) / exponents.length);
       });
       points.push(...last);
     } finally {

@@ -10,7 +10,7 @@ import { type Variant, variantsOf } from './variants.js';
 export interface Front {
   readonly hasTimer: boolean;
   /** Of every channel of a square picture of ERROR_SIDE, rows from the bottom, against float64. */
-  errors(): Promise<Record<WayName, Float64Array>>;
+  errors(signal: AbortSignal): Promise<Record<WayName, Float64Array>>;
   /** Draws frames; milliseconds by the clock. */
   draw(way: WayName, frames: number): Promise<number>;
   /** Milliseconds by the GPU's timer. */
@@ -48,8 +48,8 @@ export function openFront(
   };
   return {
     hasTimer: hasTimer(gl),
-    async errors() {
-      const truth = await floorTruth(floor, ERROR_SIDE, pace());
+    async errors(signal) {
+      const truth = await floorTruth(floor, ERROR_SIDE, pace(signal));
       return eachWay(drawers, (draw) => errorsOf(floatsOf(gl, draw), truth));
     },
     draw: (way, frames) => clockFrames(gl, frameOf(way), frames),
@@ -149,10 +149,11 @@ function floatsOf(gl: WebGL2RenderingContext, draw: Drawer): Float64Array {
   return data;
 }
 
-/** Gives the page a turn whenever a task has lasted long. */
-function pace(): () => Promise<void> {
+/** Gives the page a turn whenever a task has lasted long; throws once `signal` is aborted. */
+function pace(signal: AbortSignal): () => Promise<void> {
   let last = performance.now();
   return async () => {
+    signal.throwIfAborted();
     if (performance.now() - last < TASK_MS) return;
     await new Promise((resolve) => setTimeout(resolve));
     last = performance.now();
