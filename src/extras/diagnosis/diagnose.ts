@@ -3,7 +3,12 @@
 import { clip } from '../../phong/fields/clip.js';
 import { nearest } from '../../phong/fields/nearest.js';
 import { radians } from '../../phong/math/angle.js';
-import { fieldsOf, type MistakeTests, type PhongLight } from '../../viewer/extra.js';
+import {
+  fieldsOf,
+  type MistakeTests,
+  type PhongLight,
+  type PhongViewer,
+} from '../../viewer/extra.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
 /** Not for the inside of a viewer. */
@@ -79,7 +84,7 @@ function diagnoseUnits(element: Element, tests: MistakeTests): void {
     const degrees = Number(((values['aperture'] as number) / radians(1)).toPrecision(4));
     warn(
       `<${element.localName} aperture="${clip(text('aperture'))}"> is a cone narrower than a degree. ` +
-        `Angles are in degrees: for radians write aperture="${String(degrees)}".`,
+        `Angles are in degrees: for radians write aperture="${degrees}".`,
     );
   }
 }
@@ -119,6 +124,9 @@ function diagnoseSize(element: Element, tests: MistakeTests): void {
     warn(`<${tag}> has display: ${display}, which has no size. Write display: block.`);
     return;
   }
+  // What had a size, such as a part of a page that closes, is no mistake.
+  const { stats } = element as Partial<PhongViewer>;
+  if (Number(stats?.frames) > 0) return;
   const side = element.clientHeight === 0 ? 'height' : 'width';
   // What is declared, not its pixels; Firefox does not say it.
   const { computedStyleMap } = element as Partial<Element>;
@@ -150,9 +158,9 @@ function diagnoseContent(viewer: Element): void {
   const misplaced = viewer.querySelector(':is(phong-light, phong-mesh) > [slot]:not([slot=""])');
   if (misplaced !== null) {
     const { localName, slot, parentElement } = misplaced;
+    const around = parentElement!.localName;
     warn(
-      `<${clip(localName)} slot="${clip(slot)}"> is inside a <${parentElement?.localName ?? ''}>, so it is not shown. ` +
-        `Write </${parentElement?.localName ?? ''}> before it.`,
+      `<${clip(localName)} slot="${clip(slot)}"> is inside a <${around}>, so it is not shown. Write </${around}> before it.`,
     );
   }
   const cut = cutByMarkdown(viewer);

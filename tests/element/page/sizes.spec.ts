@@ -95,9 +95,14 @@ test('is right when shown after it was 0 × 0 or not displayed, at the start or 
   const expected = await (await mount(box, size)).screenshot();
   for (const hidden of ['width: 0; height: 0', 'height: 0', 'display: none']) {
     const css = `phong-viewer.gone { ${hidden} }`;
-    const viewer = await mount(box.replace(' ', ' class="gone" '), { ...size, css });
+    const gone = box.replace(' ', ' class="gone" ');
+    const viewer = await mount(gone, { ...size, css, waitForReady: false });
     const shown = async (): Promise<void> => {
-      await viewer.evaluate((element) => element.removeAttribute('class'));
+      // At once: whatever stays without a size is warned of.
+      await viewer.evaluate(async (element: PhongViewer) => {
+        await element.ready;
+        element.removeAttribute('class');
+      });
       await expect.poll(() => canvasSize(viewer)).toEqual([90, 60]);
       await nextFrame(page);
       expect(Buffer.compare(await viewer.screenshot(), expected), hidden).toBe(0);

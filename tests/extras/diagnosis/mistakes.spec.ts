@@ -121,6 +121,11 @@ test('a viewer without a size is named with the cause, unless something around i
     `<phong-viewer alt="" geometry="box" style="${style}"></phong-viewer>`;
   const hint = (side: string): string => `Set a ${side} in CSS, such as ${side}: 300px.`;
   const flat = (side: string): string => `<phong-viewer> has the ${side} 0, so nothing is seen.`;
+  const openAndClose = `customElements.whenDefined('phong-viewer').then(async () => {
+    await lid.ready;
+    lid.style.height = '40px';
+    lid.addEventListener('render', () => (lid.style.height = 0), { once: true });
+  })`;
   const boxes: readonly (readonly [markup: string, warning?: string])[] = [
     [box('height: 100%'), `${flat('height')} height: 100% is 0, as the element around it has no height. ${hint('height')}`], // oxfmt-ignore
     [box('height: auto'), `${flat('height')} height: auto is 0, as it has no content. ${hint('height')}`], // oxfmt-ignore
@@ -137,6 +142,7 @@ test('a viewer without a size is named with the cause, unless something around i
     [`<details><summary>More</summary>${box('height: 100%')}</details>`],
     [`<div style="content-visibility: hidden">${box('height: 100%')}</div>`],
     [box('height: auto; aspect-ratio: 2')],
+    [`${box('height: 0" id="lid')}<script>${openAndClose}</script>`],
   ];
   const wanted = boxes.flatMap(([, warning]) => warning ?? []).sort();
   const warnings = claim(consoleGuard, wanted.length);
