@@ -135,6 +135,7 @@ export class ProbeView {
 
   dispose(): void {
     clearTimeout(this.#pause);
+    this.#unsaid = false;
     this.#room.dispose();
     this.root.remove();
     this.place.remove();
@@ -157,7 +158,9 @@ export class ProbeView {
     this.#pause = undefined;
     if (!this.#unsaid) return;
     this.#unsaid = false;
-    this.#pause = window.setTimeout(this.#say, PAUSE);
+    // With the next frame: what a timer writes, the next reading of a size would lay out.
+    const view = this.#host.viewer.ownerDocument.defaultView;
+    this.#pause = window.setTimeout(() => view?.requestAnimationFrame(this.#say), PAUSE);
     const { fragment = null, message = '' } = this.shown ?? {};
     write(
       this.#region,
