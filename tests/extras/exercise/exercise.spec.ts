@@ -1,6 +1,7 @@
 // Does <phong-exercise> run what learners write, and say what is wrong with it?
 
 import type { Locator, Page } from '@playwright/test';
+import { firstOf, fullOr } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { REFUSED_ONES, RIGHT, RIGHT_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
 
@@ -64,9 +65,9 @@ test('wrong functions are named by the mistake in their code', async ({ mount, p
   test.setTimeout(600_000);
   const one = await mountOne(page, mount);
   const all = Object.entries(WRONG_ONES).flatMap(([ids, forms]) =>
-    Object.entries(forms).map(([form, source]) => ({ ids, form, source })),
+    firstOf(Object.entries(forms), 1).map(([form, source]) => ({ ids, form, source })),
   );
-  expect(all.length + Object.keys(RIGHT_ONES).length).toBeGreaterThan(70);
+  expect(all.length + Object.keys(RIGHT_ONES).length).toBeGreaterThan(fullOr(70, 40));
   const missed: string[] = [];
   for (const { ids, form, source } of all) {
     const { right, mistakes } = await checkOf(one, source);

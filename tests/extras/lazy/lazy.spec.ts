@@ -221,17 +221,22 @@ test('a poster by the command differs from the picture that takes over only at o
   page,
   site,
 }) => {
-  const scene = `<phong-viewer antialias="full" samples="256" style="width:300px;height:200px;background:#123" geometry="torus"><phong-light position="1 2 2"></phong-light></phong-viewer>`;
-  const options = { width: 300, height: 200, threads: 1, background: [17, 34, 51] } as const;
+  const scene = `<phong-viewer antialias="full" samples="64" style="width:150px;height:100px;background:#123" geometry="torus"><phong-light position="1 2 2"></phong-light></phong-viewer>`;
+  const options = { width: 150, height: 100, threads: 1, background: [17, 34, 51] } as const;
   const { png } = await still(scene, options);
   await page.route('**/poster.png', (route) => route.fulfill({ body: Buffer.from(png) }));
   const markup = scene
     .replace(
       '><phong-light',
-      '><img slot="poster" src="/poster.png" width="300" height="200" alt=""><phong-light',
+      '><img slot="poster" src="/poster.png" width="150" height="100" alt=""><phong-light',
     )
     .replace(/ style="[^"]*"/, '');
-  await page.goto(site.page(markup, { css: `${css} phong-viewer { background: #123 }`, head }));
+  await page.goto(
+    site.page(markup, {
+      css: `${css} phong-viewer { background: #123; width: 150px; height: 100px }`,
+      head,
+    }),
+  );
   const viewer = page.locator('phong-viewer');
   await expect(page.locator('[slot=poster]')).toBeVisible();
   const before = await shot(viewer);
