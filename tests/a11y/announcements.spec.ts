@@ -1,4 +1,5 @@
-// What is announced to a screen reader? Only what the user did, once the motion has ended.
+// What is announced to a screen reader, where it takes layout? Only what the user did, once the
+// motion has ended; unit/elements/announcements.test.ts has keys, the wheel and scripts.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -15,75 +16,25 @@ const A_WHILE = 1500;
 
 const region = (viewer: Locator): Locator => viewer.locator('.reader > [aria-live]');
 
-test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({
+test('a drag is announced politely, with the resulting camera; auto-rotate is not', async ({
   page,
   mount,
 }) => {
-  const viewer = await mount(scene());
-  await expect(region(viewer)).toHaveCount(0);
-  await page.keyboard.press('Tab');
-  await page.keyboard.press('ArrowLeft');
-  await expect(region(viewer)).toHaveAttribute('aria-live', 'polite');
-  await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.');
-  await page.mouse.move(300, 200);
-  await page.mouse.wheel(0, 100);
-  await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.42.');
-  await drag(page, [300, 200], [50, 0]);
-  await expect(region(viewer)).toHaveText('Camera: azimuth 5°, polar angle 70°, distance 4.42.');
-  await page.keyboard.press('Home');
-  await expect(region(viewer)).toHaveText('Camera: azimuth 30°, polar angle 70°, distance 4.');
-  await expect(region(viewer)).toHaveCount(1);
-});
-
-test('a motion of many steps is announced once, when it has ended', async ({ mount }) => {
-  const viewer = await mount(scene());
-  const texts = await viewer.evaluateHandle(async (element: PhongViewer) => {
-    const list: string[] = [];
-    const reader = element.shadowRoot!.querySelector('.reader')!;
-    new MutationObserver(() => {
-      const text = reader.querySelector('[aria-live]')?.textContent ?? '';
-      if (text !== '' && text !== list.at(-1)) {
-        list.push(text);
-      }
-    }).observe(reader, { subtree: true, childList: true, characterData: true });
-    const surface = element.shadowRoot!.querySelector('.surface')!;
-    for (let i = 0; i < 30; i++) {
-      surface.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
-      await new Promise(requestAnimationFrame);
-    }
-    return list;
-  });
-  const once = ['Camera: azimuth −180°, polar angle 70°, distance 4.'];
-  await expect.poll(() => texts.evaluate((list) => [...list])).toEqual(once);
-});
-
-test('scripts and auto-rotate announce nothing, not even together with user input', async ({
-  page,
-  mount,
-}) => {
-  const viewer = await mount(scene());
+  const viewer = await mount(scene('auto-rotate="20"'));
   await viewer.evaluate(async (element: PhongViewer) => {
-    element.theta = 10;
-    element.lights[0]!.active = false;
-    element.append(document.createElement('phong-light'));
-    element.resetCamera();
-    element.autoRotate = 20;
     const end = element.stats.frames + 5;
     while (element.stats.frames < end) {
       await new Promise(requestAnimationFrame);
     }
     element.autoRotate = 0;
+    element.resetCamera();
   });
   await page.waitForTimeout(A_WHILE);
   await expect(region(viewer)).toHaveCount(0);
-  await viewer.evaluate((element: PhongViewer) => {
-    element.theta = 30;
-    element.lights[1]!.diffuse = '#f00';
-    element
-      .shadowRoot!.querySelector('.surface')!
-      .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
-  });
-  await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.');
+  await drag(page, [300, 200], [50, 0]);
+  await expect(region(viewer)).toHaveAttribute('aria-live', 'polite');
+  await expect(region(viewer)).toHaveText('Camera: azimuth 0°, polar angle 70°, distance 4.');
+  await expect(region(viewer)).toHaveCount(1);
 });
 
 test('changes by the panel are announced; changes by a script meanwhile are not', async ({

@@ -17,8 +17,8 @@ import { modelScenes, siteScenes } from './scenes.js';
 const SIZE = { width: 152, height: 84 };
 
 const SCENES = [
-  ...siteScenes(fullOr(Infinity, 5), fullOr(Infinity, 2)),
-  ...modelScenes().slice(0, fullOr(Infinity, 2)),
+  ...siteScenes(fullOr(Infinity, 5), fullOr(Infinity, 1)),
+  ...modelScenes().slice(0, fullOr(Infinity, 1)),
 ];
 
 /** Draws a scene: the SHA-256 of its pixels and of its PNG. */
