@@ -1,13 +1,11 @@
 // Does toHTML write the current scene, so that its markup gives the same picture and the same
-// markup again?
+// markup again? unit/elements/to-html.test.ts has what takes no picture.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
-import { assign, drag, type PhongViewer, shownBy } from '../support/viewer.js';
+import { drag, type PhongViewer, shownBy } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
-const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
-const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>`;
 
 const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" terms="ambient diffuse" orbit="false" color-interpolation="linear" antialias="full" auto-rotate="0">
     <phong-mesh name="a&quot;b" geometry="torus" rotation="10 20 30" kd="hsl(20 80% 60%)" shininess="7"></phong-mesh>
@@ -42,57 +40,6 @@ test('toHTML gives the same picture, and the same markup again', async ({ page, 
     expect(text).toContain(part);
   }
   expect(text).not.toContain('<more>');
-});
-
-test('toHTML keeps id, class, style, wrappers and the order of the children', async ({
-  page,
-  mount,
-}) => {
-  const markup = `<phong-viewer id="scene" class="a b" style="color: red" alt="A ball" theta="20" phi="70" radius="auto" target="auto">
-  <phong-light id="first" name="one"></phong-light>
-  <div id="rig" class="rig" style="color: blue">
-    <section>
-      <phong-mesh class="ball" geometry="sphere"></phong-mesh>
-    </section>
-    <phong-light style="--x: 1" position="0 1 0 1"></phong-light>
-  </div>
-  <phong-mesh geometry="box" position="1 0 0"></phong-mesh>
-</phong-viewer>`;
-  const viewer = await mount(markup, { ...size, csp: '' });
-  expect(await html(viewer)).toBe(markup);
-  await viewer.evaluate((element) => {
-    element.append(Object.assign(document.createElement('p'), { textContent: 'of the page' }));
-    element.querySelector('.ball')!.replaceWith(document.createElement('my-ball'));
-    const ball = document.createElement('phong-mesh');
-    element.querySelector('my-ball')!.attachShadow({ mode: 'closed' }).append(ball);
-  });
-  expect(await html(viewer)).toBe(
-    markup.replace(
-      '<phong-mesh class="ball" geometry="sphere"></phong-mesh>',
-      '<div>\n        <phong-mesh></phong-mesh>\n      </div>',
-    ),
-  );
-  await page.evaluate(() => document.querySelector('my-ball')!.remove());
-});
-
-test('toHTML writes auto until the camera moves, and as many digits as the picture needs', async ({
-  page,
-  mount,
-}) => {
-  const viewer = await mount(box, size);
-  expect(await html(viewer)).toContain('theta="30" phi="70" radius="auto" target="auto"');
-  await assign(viewer, { target: [0, 0.5, 0] });
-  expect(await html(viewer)).toContain('radius="auto" target="0 0.5 0"');
-  await drag(page, [60, 40], [37, 11]);
-  expect(await html(viewer)).not.toContain('auto');
-  const light = viewer.locator('phong-light');
-  await assign(light, { position: [0.1 + 0.2, 1 / 3, 1e-7 / 3, 1], cutoff: 100 / 3 });
-  expect(await html(viewer)).toContain('position="0.3 0.33333333 3.3333333e-8 1"');
-  expect(await html(viewer)).toContain('cutoff="33.3333333"');
-  // Far from the origin a coordinate keeps the digits that count at the camera's distance.
-  await assign(viewer, { radius: 4, target: [1e6 + 1 / 3, 0, 0] });
-  expect(await html(viewer)).toContain('target="1000000.3333333 0 0"');
-  await roundTrip(page, viewer);
 });
 
 /** Two frames, in which events that wait for one arrive. */

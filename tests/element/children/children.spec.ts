@@ -250,31 +250,6 @@ test('the head-light shines only without any phong-light, and is not in lights o
   expect(sent).toEqual([0]);
 });
 
-test('lights are listed at once, frozen, and unnamed ones are named by their place', async ({
-  mount,
-}) => {
-  const plain = '<phong-light></phong-light>';
-  const viewer = await mount(scene(plain, red, '<phong-mesh></phong-mesh>', plain), size);
-  const facts = await viewer.evaluate((element: PhongViewer) => {
-    const names = (): string => element.lights.map(({ name }) => name).join();
-    const { lights } = element;
-    const facts = [lights === element.lights, Object.isFrozen(lights), names()];
-    lights[0]?.remove();
-    facts.push(names());
-    element.lights[0]?.removeAttribute('name');
-    element.prepend(document.createElement('phong-light'));
-    return [...facts, names(), lights.length];
-  });
-  expect(facts).toEqual([
-    true,
-    true,
-    'light 1,red,light 3',
-    'red,light 2',
-    'light 1,light 2,light 3',
-    3,
-  ]);
-});
-
 test('of meshes at one place the last one in document order is visible, with any program', async ({
   page,
   mount,

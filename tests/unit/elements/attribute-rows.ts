@@ -57,6 +57,7 @@ const vector = (attribute: string, fallback: unknown, limit: number, low = -limi
   },
 });
 
+/** By numbers: only a browser reads CSS colours (element/attributes). */
 const color = (attribute: string, fallback: unknown): Row => ({
   attribute,
   fallback,
@@ -64,35 +65,8 @@ const color = (attribute: string, fallback: unknown): Row => ({
     '1 2 3': [1, 2, 3],
     '12.5': [12.5, 12.5, 12.5],
     '300, 0, 1e6': [300, 0, 1e6],
-    '#fc8': [255, 204, 136],
-    '#FFCC8880': [255, 204, 136],
-    RebeccaPurple: [102, 51, 153],
-    'rgb(10 20 30 / 50%)': [10, 20, 30],
-    'hsl(120 100% 50%)': [0, 255, 0],
-    'hwb(0 0% 0%)': [255, 0, 0],
-    'color(srgb 1 0.5 0)': [255, 127.5, 0],
-    'oklch(0 0 0)': [0, 0, 0],
-    transparent: [0, 0, 0],
   },
-  bad: [
-    '',
-    'currentColor',
-    'color-mix(in srgb, currentColor, red)',
-    'nocolor',
-    '#12',
-    '1 2',
-    'rgb(1,2',
-    'inherit',
-    'var(--x)',
-    'red; blue',
-    'url(x)',
-    '-1 0 0',
-    '1e7',
-    '0 0 1e999',
-    'color(display-p3 1 0 0)',
-    'oklch(0.7 0.4 140)',
-    'color(srgb 1.5 0 0)',
-  ],
+  bad: ['', '1 2', '-1 0 0', '1e7', '0 0 1e999', 'nocolor'],
   refused: {
     RangeError: [[1, 2, -1], [1, 2, 2e6]], // oxfmt-ignore
     TypeError: [[1, 2], 'nocolor', {}],
