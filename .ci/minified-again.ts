@@ -15,8 +15,8 @@ export const minifiedAgain = (): Plugin => ({
       const { code } = await minify(file.code, {
         module: format === 'es',
         ecma: 2020,
-        // Lists of expressions are shorter than statements, but not as a server sends them.
-        compress: { sequences: false },
+        // Lists of expressions, and constants on the left, are not shorter as a server sends them.
+        compress: { lhs_constants: false, sequences: false },
         format: { ascii_only: true, comments: /^!/ },
       });
       file.code = code ?? file.code;

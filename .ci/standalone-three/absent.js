@@ -84,6 +84,9 @@ export const WebGLUniformsGroups = function () {
   return { update: () => refuse('uniform groups'), bind() {}, dispose() {} };
 };
 
+/** The frustums of a camera of several views, as WebXR has. */
+export const FrustumArray = function () {};
+
 /** WebXR: the viewer starts no session. */
 export class WebXRManager {
   enabled = false;

@@ -12,6 +12,7 @@ import type { Plugin } from 'vite';
  * absent.js says why it can go. A replacement below 1 kB is not worth its line here.
  */
 const replaced: ReadonlySet<string> = new Set([
+  'math/FrustumArray.js',
   'renderers/shaders/DFGLUTData.js',
   'renderers/shaders/ShaderChunk.js',
   'renderers/shaders/ShaderLib.js',

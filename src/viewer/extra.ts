@@ -21,7 +21,7 @@ export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';
 export { addStyles } from './element/page/style-sheets.js';
 export { lightName } from './element/phong-light.js';
-export { lightNameText, lightText, meshTitle } from './element/viewer/description.js';
+export { lightNameText, lightText } from './element/viewer/description.js';
 export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-host.js';
 export { historyOf, type Subject } from './element/viewer/history.js';
 export type { ExtraRows } from './element/panel-rows.js';

@@ -5,7 +5,7 @@ import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import type { LoopForm } from './loop-forms.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
-import { kindFeatures } from '../../src/phong/light/light-features.js';
+import { kindFeatures } from '../../src/phong/light/kind-features.js';
 import { KINDS } from '../../src/phong/light/light-state.js';
 import { GRID, HEADER, ROWS } from '../../src/phong/light/light-layout.js';
 import type { PackedLights } from '../../src/phong/light/pack-lights.js';

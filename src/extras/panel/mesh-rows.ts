@@ -3,7 +3,6 @@ import type { MeshValues } from '../../phong/model/mesh-fields.js';
 import {
   fieldsOf,
   historyOf,
-  meshTitle,
   type PhongMesh,
   type PhongViewer,
   sceneMeshes,
@@ -17,6 +16,7 @@ import {
 import { ButtonRow } from './button-row.js';
 import type { ChildKind } from './folders.js';
 import { chooseModel } from './files-row.js';
+import { meshTitle } from './mesh-title.js';
 import {
   button,
   color,

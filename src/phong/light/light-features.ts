@@ -2,7 +2,7 @@
 // lights given, which PhongLighting accumulates for the general program.
 import { isBlack } from '../math/color.js';
 import { FEATURES_OF, LIGHT_FEATURES } from './light-layout.js';
-import { KINDS, type LightKind, type LightValues } from './light-state.js';
+import type { LightKind, LightValues } from './light-state.js';
 import { isIntegerPower, LEAST_EXPONENT } from './precision.js';
 
 type Values = Readonly<LightValues>;
@@ -61,23 +61,4 @@ export function unionOf(a: number, b: number): number {
     power === b >> LIGHT_FEATURES.powerShift && ((a ^ b) & LIGHT_FEATURES.decay) === 0;
   const decay = samePower ? power << LIGHT_FEATURES.powerShift : LIGHT_FEATURES.decay;
   return ((a | b) & BITS) | decay;
-}
-
-/** Lights in the order of KINDS; a mask each. */
-interface SortedLights {
-  readonly counts: Readonly<Record<LightKind, number>>;
-  readonly features: ArrayLike<number>;
-}
-
-/** The features that any light of each kind needs; 0 without one. */
-export function kindFeatures({ counts, features }: SortedLights): Record<LightKind, number> {
-  const all: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
-  let light = 0;
-  for (const kind of KINDS) {
-    for (let i = 0; i < counts[kind]; i++, light++) {
-      const own = features[light]!;
-      all[kind] = i === 0 ? own : unionOf(all[kind], own);
-    }
-  }
-  return all;
 }

@@ -2,8 +2,6 @@
 // they fit, a float texture beyond. Sends only what changed.
 import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
-import { kindFeatures } from '../light/light-features.js';
-import { KINDS } from '../light/light-state.js';
 import { emptyPack, type PackedLights } from '../light/pack-lights.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
@@ -22,7 +20,6 @@ export class LightBuffer {
    * unchanged.
    */
   #written = 0;
-  #featureKey = '';
   #revision = 0;
   /**
    * three.js uses it unchanged. A texture of three's own would query the anisotropy limit, which
@@ -41,14 +38,6 @@ export class LightBuffer {
 
   /** The last revision that was counted as an upload; kept by MeshLights. */
   counted = -1;
-
-  /**
-   * The counts and features of each kind of light, as text: what a specialised program on a GPU
-   * depends on.
-   */
-  get featureKey(): string {
-    return this.#featureKey;
-  }
 
   /**
    * Increases whenever a number changes, and is no other buffer's. What is made from the lights
@@ -91,9 +80,6 @@ export class LightBuffer {
       from: from < to ? Math.min(from, firstRow) : firstRow,
       to: Math.max(to, endRow),
     };
-    const { counts } = this.packed;
-    const masks = kindFeatures(this.packed);
-    this.#featureKey = KINDS.flatMap((kind) => [counts[kind], masks[kind]]).join();
   }
 
   /** Sends changed rows to the texture and returns it. */

@@ -4,7 +4,7 @@
 import { type Fields, FieldStore } from '../../phong/fields/field-store.js';
 import type { PhongViewer } from './elements.js';
 import { defineProperties, FieldBinding } from './fields/field-binding.js';
-import { textsAround, type ViewerTexts } from './fields/texts.js';
+import type { ViewerTexts } from './fields/texts.js';
 import ownText from './page/own-text.css?inline';
 import { addStyles } from './page/style-sheets.js';
 
@@ -185,4 +185,16 @@ function defineFormMembers(prototype: HTMLElement, own: (of: HTMLElement) => For
       own(this).value = String(value);
     },
   });
+}
+
+/**
+ * The texts of an element in a part of the page that has a language of its own: its numbers are in
+ * that, and in an English part its words are the built-in ones.
+ */
+function textsAround(element: Element, texts: ViewerTexts | null): ViewerTexts | null {
+  const part = element.closest('[lang]');
+  const lang = part?.getAttribute('lang') ?? '';
+  if (lang === '' || part === element.ownerDocument.documentElement) return texts;
+  const isForeign = texts?.en !== undefined && !/^en\b/.test(texts.en) && /^en\b/.test(lang);
+  return { ...(isForeign ? null : texts), en: lang };
 }

@@ -3,10 +3,10 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { kindFeatures } from '../../../src/phong/light/kind-features.js';
 import {
   declaredFeatures,
   featuresOf,
-  kindFeatures,
   kindOf,
   unionOf,
 } from '../../../src/phong/light/light-features.js';

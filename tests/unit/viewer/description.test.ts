@@ -7,8 +7,8 @@ import {
   lightCountText,
   lightsText,
   lightText,
-  meshTitle,
 } from '../../../src/viewer/element/viewer/description.js';
+import { meshTitle } from '../../../src/extras/panel/mesh-title.js';
 import { phrase } from '../../../src/viewer/element/fields/texts.js';
 import { LightState, type LightValues } from '../../../src/phong/light/light-state.js';
 

@@ -3,7 +3,9 @@
 // The elements fetch this file with motion: few frames are drawn as well without it.
 import type { Mesh } from 'three';
 import type { Box } from '../../light/cull-lights.js';
+import { kindFeatures } from '../../light/kind-features.js';
 import { divideLights, LEAST_DIVIDED } from '../../light/light-grid.js';
+import { KINDS } from '../../light/light-state.js';
 import { LightBuffer } from '../light-buffer.js';
 import type { PhongLighting } from '../lighting.js';
 import { type Draw, ProgramCache } from './program-cache.js';
@@ -99,12 +101,25 @@ export class SpecialPrograms {
  * Inlined numbers are those of one revision of the lights; other forms depend on counts and
  * features alone.
  */
-function keyOf(material: DrawnMaterial, form: Form, { revision, featureKey }: LightBuffer): string {
-  const lights = form === 'inlined' ? revision : featureKey;
+function keyOf(material: DrawnMaterial, form: Form, buffer: LightBuffer): string {
+  const lights = form === 'inlined' ? buffer.revision : featureKeyOf(buffer);
   const { last } = material;
   if (last?.form === form && last.lights === lights) return last.key;
   const key = `${material.key} ${form} ${lights}`;
   material.last = { form, lights, key };
+  return key;
+}
+
+const featureKeys = new WeakMap<LightBuffer, { readonly revision: number; readonly key: string }>();
+
+/** The counts and features of each kind of light, as text. */
+function featureKeyOf(buffer: LightBuffer): string {
+  const { revision, packed } = buffer;
+  const known = featureKeys.get(buffer);
+  if (known?.revision === revision) return known.key;
+  const masks = kindFeatures(packed);
+  const key = KINDS.flatMap((kind) => [packed.counts[kind], masks[kind]]).join();
+  featureKeys.set(buffer, { revision, key });
   return key;
 }
 

@@ -1,7 +1,7 @@
 // Specialised variants: derived from a material's general variant for the lights that a mesh is drawn
 // with now.
 import lightGrid from '../../../../shaders/light_grid.glsl?raw';
-import { kindFeatures } from '../../light/light-features.js';
+import { kindFeatures } from '../../light/kind-features.js';
 import { HEADER, ROWS } from '../../light/light-layout.js';
 import { KINDS, type LightKind, type Term } from '../../light/light-state.js';
 import { forEachLight, type PackedLights } from '../../light/pack-lights.js';

@@ -90,18 +90,6 @@ export function localNumber(number: string, texts: ViewerTexts | null): string {
   return number.replace(/[\d.]/g, (sign) => own[9 - Number(sign)] ?? own[10]!);
 }
 
-/**
- * The texts of an element in a part of the page that has a language of its own: its numbers are in
- * that, and in an English part its words are the built-in ones.
- */
-export function textsAround(element: Element, texts: ViewerTexts | null): ViewerTexts | null {
-  const part = element.closest('[lang]');
-  const lang = part?.getAttribute('lang') ?? '';
-  if (lang === '' || part === element.ownerDocument.documentElement) return texts;
-  const isForeign = texts?.en !== undefined && !/^en\b/.test(texts.en) && /^en\b/.test(lang);
-  return { ...(isForeign ? null : texts), en: lang };
-}
-
 function signsOf(lang: string): readonly string[] {
   try {
     // A page's first formatter takes 10 to 20 ms.

@@ -2,8 +2,6 @@
 // camera, lights and meshes in words, in degrees and scene units.
 import { kindOf } from '../../../phong/light/light-features.js';
 import type { LightValues } from '../../../phong/light/light-state.js';
-import { fileName } from '../../../phong/fields/file-names.js';
-import type { MeshValues } from '../../../phong/model/mesh-fields.js';
 import { localNumber, phrase, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState, PhongViewer } from '../elements.js';
 import { fieldsOf } from '../internals.js';
@@ -52,25 +50,6 @@ export function lightText(texts: ViewerTexts | null, name: string, values: Light
   );
   return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
 }
-
-type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
-
-/**
- * A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts
- * from 0.
- */
-export function meshTitle(
-  texts: ViewerTexts | null,
-  { name, src, geometry }: MeshNames,
-  index: number,
-): string {
-  const file = typeof src === 'string' ? fileOf(src) : fileName(src);
-  const shape = src === '' && geometry !== null ? phrase(texts, geometry) : '';
-  return name || file || shape || phrase(texts, 'mesh {number}', { number: String(index + 1) });
-}
-
-/** `teapot.glb` from `models/teapot.glb?v=2`. */
-const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
 /**
  * Not as a literal: browsers would keep the whole first file at two bytes for each character
