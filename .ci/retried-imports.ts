@@ -10,7 +10,7 @@
 import type { Plugin, Rolldown } from 'vite';
 
 /** A function of `lazyCode` in minified code that imports a chunk. */
-const loader = /\(\)=>import\(([`"])(\.\.?\/[^`"$]+)\1\)/g;
+const loader = /\(\)=>import\(`(\.\.?\/[^`$]+)`\)/g;
 
 /**
  * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import
@@ -19,7 +19,7 @@ const loader = /\(\)=>import\(([`"])(\.\.?\/[^`"$]+)\1\)/g;
  * @param beside the files that are requested with the first attempt, by a name from the import.
  */
 export function retried(code: string, beside: (path: string) => readonly string[]): string {
-  return code.replace(loader, (_, _quote, path: string) => {
+  return code.replace(loader, (_, path: string) => {
     const plain = `import(\`${path}\`)`;
     const again = `import(/*webpackIgnore:true*//*@vite-ignore*/\`${path}?\`+n)`;
     const first = beside(path).map((file) => `$ahead(\`${file}\`)`);

@@ -30,8 +30,8 @@ export default defineConfig({
     strippedGlsl(),
     textKeys(),
     licences(),
-    minifiedAgain(),
     retriedImports(),
+    minifiedAgain(),
     decoderWorkers({
       plugins: () => [dracoDecoder(), basisTranscoder(), licences({ listed: false })],
     }),
