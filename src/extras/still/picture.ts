@@ -2,10 +2,10 @@
 //
 // First nine points of each pixel are taken: corners, middles of sides, and the middle; neighbours
 // share them, so that they cost four samples a pixel. If all are of one piece (one object, one
-// side, the same lights' cones and horizons), and Simpson's rule agrees with a rule of lower order
-// to a quarter of a code, its mean is right to some hundredths. A curve that enters between two of
-// the points, half a pixel apart, and leaves again cuts off 0.01 / r of the pixel, r being its
-// radius in pixels. Not where highlights may be that narrow.
+// side, the same lights' cones and horizons), Simpson's rule agrees with a rule of lower order to a
+// quarter of a code, and nothing bends much, its mean is right to some hundredths. A curve that
+// enters between two of the points, half a pixel apart, and leaves again cuts off 0.01 / r of the
+// pixel, r being its radius in pixels. Not where highlights may be that narrow.
 //
 // All other pixels take 16, 64, 256 or 1,024 samples, the more the colours vary, at the places where
 // the screen takes that many: its picture differs by rounding where it draws the same surface. Where
@@ -27,6 +27,12 @@ const isEnough = (count: number, range: number, isSmooth: boolean): boolean =>
 
 /** Most codes between Simpson's rule and that of lower order. */
 const AGREEMENT = 0.25;
+
+/**
+ * Most codes of a second difference through the middle. Both rules give the same where two colours
+ * meet between two columns of the points, or two rows: up to a third of their difference off.
+ */
+const MOST_BEND = 3;
 
 /**
  * The mean over each pixel's square of what the equation writes there, clamped and encoded but not
@@ -111,6 +117,9 @@ function bySimpson(
     const corners = top[left]! + top[right]! + bottom[left]! + bottom[right]!;
     const sides = top[center]! + bottom[center]! + middle[left]! + middle[right]!;
     const value = (corners + 4 * sides + 16 * middle[center]!) / 36;
+    const twice = 2 * middle[center]!;
+    if (Math.abs(middle[left]! + middle[right]! - twice) > MOST_BEND) return false;
+    if (Math.abs(top[center]! + bottom[center]! - twice) > MOST_BEND) return false;
     // Without the sides it is exact for polynomials of the second degree.
     if (Math.abs(value - (corners + 8 * middle[center]!) / 12) > AGREEMENT) return false;
     mean[k] = value;

@@ -92,6 +92,46 @@ test('the drag that asks for the elements turns the viewer by what the pointer h
   expect((await camera())[0]! - 30).toBeCloseTo(2 * (theta! - 30), 6);
 });
 
+test('a finger’s drag that asks for the elements turns the viewer too, and the page still scrolls', async ({
+  page,
+  site,
+}) => {
+  const long = `${css} .far { height: 3000px }`;
+  await page.goto(site.page(`${figure()}<div class="far"></div>`, { css: long, head }));
+  let send = (): void => undefined;
+  await page.route(`**/${ELEMENTS}`, async (route) => {
+    await new Promise<void>((resolve) => (send = resolve));
+    await route.continue();
+  });
+  const cdp = await page.context().newCDPSession(page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number, y?: number) =>
+    cdp.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: x === undefined ? [] : [{ x, y: y! }],
+    });
+  await touch('touchStart', 150, 100);
+  for (let x = 160; x <= 210; x += 10) {
+    await touch('touchMove', x, 100);
+  }
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(0);
+  send();
+  await waitForPicture(page);
+  const theta = (): Promise<number> =>
+    page.evaluate(() => document.querySelector<PhongViewer>('phong-viewer')!.camera.theta);
+  await expect.poll(theta).not.toBe(30);
+  const turned = await theta();
+  await touch('touchMove', 270, 100);
+  await expect.poll(async () => (await theta()) - 30).toBeCloseTo(2 * (turned - 30), 6);
+  await touch('touchEnd');
+  // Up and down the finger scrolls, over a viewer too.
+  await touch('touchStart', 150, 200);
+  for (let y = 190; y >= 100; y -= 10) {
+    await touch('touchMove', 150, y);
+  }
+  await touch('touchEnd');
+  await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
+});
+
 test('a drag that ends before the elements are there counts too', async ({ page, site }) => {
   await page.goto(site.page(figure(), { css, head }));
   let send = (): void => undefined;

@@ -105,6 +105,38 @@ describe('a picture by the ray caster', () => {
     expect(edges).toBeLessThan(6);
   });
 
+  it('has the mean of two colours that meet between two columns or rows of the nine points', () => {
+    const size = 5;
+    const slope = 1 / pixelsOf(size);
+    for (const share of [0.1, 0.3, 0.7, 0.9]) {
+      for (const turned of [false, true]) {
+        // The first texel ends so far into the middle pixel.
+        const edge = (share - 0.5) * slope;
+        const across = [-1, 1, -1, 1].map((side) => edge + 4 * side);
+        const down = [-4, -4, 4, 4];
+        const [x, y] = turned ? [down, across] : [across, down];
+        const shape = {
+          kind: 'triangles',
+          positions: x.flatMap((at, i) => [at, y[i]!, 0]),
+          normals: x.flatMap(() => [0, 0, 1]),
+          uvs: [[0, 0.5, 1, 0.5, 0, 0.5, 1, 0.5]],
+          index: [0, 1, 2, 1, 3, 2],
+        } as const;
+        const texture = {
+          width: 2,
+          height: 1,
+          data: [0, 0, 0, 255, 240, 240, 240, 255],
+          wrapS: 'clamp',
+          nearest: true,
+        } as const;
+        const scene = sceneOf(1, { shape, material: { ...UNLIT, texture } });
+        const found = castHere(scene, { width: size, height: size });
+        const middle = found[4 * (2 * size + 2)]!;
+        expect(Math.abs(middle - 240 * (1 - share)), `${share}`).toBeLessThan(1);
+      }
+    }
+  });
+
   it('is the same from threads and from disk', async () => {
     const scene = sceneOf(1.6, solid('cone'), await torusOfTriangles());
     const options = { width: 24, height: 18, samples: 16 };

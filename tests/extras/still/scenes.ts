@@ -63,8 +63,8 @@ export const siteScenes = (pages = PAGES.length, most = Infinity): Scene[] =>
       .slice(0, most);
   });
 
-export const modelScenes = (): Scene[] =>
-  MODELS.map((src) => ({
+export const modelScenes = (models = MODELS): Scene[] =>
+  models.map((src) => ({
     name: src,
     markup: `<phong-viewer src="${src}"><phong-light position="1 2 2"></phong-light></phong-viewer>`,
   }));
