@@ -26,8 +26,6 @@ export type { Extra, ExtraHost, ViewerSnapshot } from './element/viewer/extra-ho
 export { historyOf, type Subject } from './element/viewer/history.js';
 export type { ExtraRows } from './element/panel-rows.js';
 export { PANEL_PLACE } from './element/viewer/viewer-panel.js';
-export { reportMissing } from './model/provided-code.js';
 export { type LoadOptions, modelCode, readerCode } from './model/request-model.js';
-export { NoWebGL2Error, stage } from './scene/gpu/stage.js';
-export type { OwnDrawn, SceneSnapshot } from './scene/scene-snapshot.js';
+export { stage } from './scene/gpu/stage.js';
 export type { SampledViewport } from './scene/still-picture.js';

@@ -1,5 +1,8 @@
 // What a viewer is to its meshes, and meshes in it.
-import type { Scene } from 'three';
+import { BoxGeometry, Matrix4, type Scene } from 'three';
+import { vi } from 'vitest';
+import { PLAIN_LOOK } from '../../src/phong/material/file-surface.js';
+import type { Content } from '../../src/phong/model/model.js';
 import { FieldStore } from '../../src/phong/fields/field-store.js';
 import { LightSet } from '../../src/phong/light/light-set.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/phong/model/mesh-fields.js';
@@ -38,3 +41,17 @@ export function meshOf(host: MeshHost, scene: Scene, values: Partial<MeshValues>
   set(values);
   return { mesh, set };
 }
+
+/** A content of as many parts, which look different. */
+export const content = (parts: number) => ({
+  parts: Array.from({ length: parts }, (_, i) => ({
+    name: '',
+    geometry: new BoxGeometry(),
+    matrix: new Matrix4(),
+    surface: {},
+    sides: 'single' as const,
+    look: { ...PLAIN_LOOK, opacity: 1 - i / parts },
+  })),
+  motion: null,
+  dispose: vi.fn<Content['dispose']>(),
+});

@@ -1,7 +1,7 @@
 // A verdict in sentences, as much of it as the exercise's `hint` allows.
 import type { Term } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import { MISTAKES } from '../../phong/mistakes/mistakes.js';
+import { MISTAKES, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import type { ViewerText } from '../../viewer/extra.js';
 import type { Verdict } from './check.js';
 import type { ExerciseValues } from './exercise-fields.js';
@@ -30,7 +30,7 @@ export function sentencesFor(
 ): string[] {
   const { right, rightPixels, pixels, mistakes, worst, scene } = verdict;
   const count = { right: rightPixels, count: pixels };
-  if (hint === 'verdict') return [say(right ? 'Right.' : 'Not right yet.')];
+  if (hint === 'verdict') return [say(right ? NO_MISTAKE : 'Not right yet.')];
   if (right) {
     return [
       rightPixels === pixels

@@ -25,7 +25,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../../phong/math/vector.js';
-import type { OwnDrawn, SceneSnapshot } from '../../viewer/extra.js';
+import type { OwnDrawn, SceneSnapshot } from '../../phong/geometry/scene-snapshot.js';
 import type { PixelSlopes } from './sample.js';
 import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
 import {

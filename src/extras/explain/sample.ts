@@ -15,7 +15,7 @@ import { isDecodable } from '../../phong/material/decoded-texture.js';
 import { srgbDecode } from '../../phong/math/color.js';
 import type { Vec4 } from '../../phong/math/vector.js';
 import { type TriangleHit, type TrianglePoint, weightsBeside } from './ray-triangles.js';
-import { NoWebGL2Error } from '../../viewer/extra.js';
+import { NoWebGL2Error } from '../../phong/material/device.js';
 
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
 

@@ -21,7 +21,7 @@ import {
   type Vec3,
   type Vec4,
 } from '../../phong/math/vector.js';
-import type { OwnDrawn } from '../../viewer/extra.js';
+import type { OwnDrawn } from '../../phong/geometry/scene-snapshot.js';
 import type { TriangleHit, TrianglePoint } from './ray-triangles.js';
 import { interpolated, isMinified, type PixelSlopes, sampleAt, decodedAt } from './sample.js';
 

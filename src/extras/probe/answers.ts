@@ -8,7 +8,7 @@ import {
   type ViewerTexts,
 } from '../../viewer/extra.js';
 import { add, cross, normalize, perpendicular, scale, subtract } from '../../phong/math/vector.js';
-import { type Form, MISTAKES, type MistakeId } from '../../phong/mistakes/mistakes.js';
+import { type Form, MISTAKES, type MistakeId, NO_MISTAKE } from '../../phong/mistakes/mistakes.js';
 import { isLeftOut, SLIPS, type SlipId } from '../../phong/mistakes/slips.js';
 import { evaluate, type Given } from '../../phong/mistakes/steps.js';
 import { decimals, degreesText, rounded, shortNumber } from '../overlay/probe/sum.js';
@@ -265,7 +265,7 @@ export function judge(typed: string, question: Question, texts: ViewerTexts | nu
   // A bare 0 is an answer, not a rounded one.
   if (isNear(expected) && !(value === 0 && isCoarse(expected))) {
     const correct = !isCoarse(expected);
-    const text = phrase(texts, correct ? 'Right.' : 'Right so far: give more digits.');
+    const text = phrase(texts, correct ? NO_MISTAKE : 'Right so far: give more digits.');
     return { value, correct, mistake: correct ? null : 'digits', text };
   }
   const wrong = diagnosis(number, isNear, question);

@@ -8,6 +8,10 @@ import type { WebGLRenderer } from 'three';
 const CAPACITIES = [200, 1000] as const;
 const RESERVED = 24;
 
+export class NoWebGL2Error extends Error {
+  override readonly name = 'NoWebGL2Error';
+}
+
 export interface Device {
   readonly renderer: WebGLRenderer;
   /** A software renderer. An unknown name means a GPU. */

@@ -402,6 +402,9 @@ export const MISTAKES = {
   },
 } as const satisfies Readonly<Record<string, Mistake>>;
 
+/** Said where there is none. */
+export const NO_MISTAKE = 'Right.';
+
 export type MistakeId = keyof typeof MISTAKES;
 
 /** In the order of the table. */

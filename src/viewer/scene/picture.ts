@@ -26,7 +26,11 @@ import { Levels } from './mesh/levels.js';
 import type { Part } from './mesh/parts.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
-import { copyFrame, drawnObjects, type SceneSnapshot } from './scene-snapshot.js';
+import {
+  copyFrame,
+  drawnObjects,
+  type SceneSnapshot,
+} from '../../phong/geometry/scene-snapshot.js';
 
 const specialCode = /* @__PURE__ */ fasterCode(
   /* @__PURE__ */ lazyCode(

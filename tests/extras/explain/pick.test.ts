@@ -25,7 +25,7 @@ import {
   copyFrame,
   drawnObjects,
   type SceneSnapshot,
-} from '../../../src/viewer/scene/scene-snapshot.js';
+} from '../../../src/phong/geometry/scene-snapshot.js';
 import {
   cornersOf,
   distanceAlong,

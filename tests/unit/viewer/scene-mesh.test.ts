@@ -1,26 +1,10 @@
 // Do meshes claim the triangles of what they show and free what they no longer show? What happens
 // without memory, and with thousands of materials? In which order are a scene's objects drawn?
-import { BoxGeometry, type BufferGeometry, Matrix4, Mesh, Scene } from 'three';
+import { type BufferGeometry, Mesh, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { PLAIN_LOOK } from '../../../src/phong/material/file-surface.js';
-import type { Content } from '../../../src/phong/model/model.js';
 import type { MeshValues } from '../../../src/phong/model/mesh-fields.js';
 import type { SceneMesh } from '../../../src/viewer/scene/mesh/scene-mesh.js';
-import { meshHost, meshOf } from '../scene-host.js';
-
-/** A content of as many parts, which look different. */
-const content = (parts: number) => ({
-  parts: Array.from({ length: parts }, (_, i) => ({
-    name: '',
-    geometry: new BoxGeometry(),
-    matrix: new Matrix4(),
-    surface: {},
-    sides: 'single' as const,
-    look: { ...PLAIN_LOOK, opacity: 1 - i / parts },
-  })),
-  motion: null,
-  dispose: vi.fn<Content['dispose']>(),
-});
+import { content, meshHost, meshOf } from '../scene-host.js';
 
 const url = new URL('https://shop.example/a.glb');
 
@@ -51,32 +35,6 @@ it.each([1, 2])(
     expect(first.dispose).not.toHaveBeenCalled();
   },
 );
-
-it('makes the materials of 400 looks before the model arrives, in more than one task', async () => {
-  const host = meshHost();
-  const { materials } = host.picture;
-  const { mesh } = meshOf(host, new Scene());
-  let tasks = 0;
-  const counting = setInterval(() => (tasks += 1));
-  let made = 0;
-  const acquire = materials.acquire.bind(materials);
-  vi.spyOn(materials, 'acquire').mockImplementation((appearance) => {
-    // As slow as on a phone.
-    for (const end = performance.now() + 0.25; performance.now() < end;) {}
-    made += 1;
-    return acquire(appearance);
-  });
-  const model = content(400);
-  await mesh.prepare(model, new AbortController().signal);
-  clearInterval(counting);
-  expect(made).toBe(400);
-  expect(tasks).toBeGreaterThan(2);
-  const release = vi.spyOn(materials, 'release');
-  mesh.arrived(model, host.picture.budget.claim(mesh), url, true);
-  expect(release).toHaveBeenCalledTimes(400);
-  mesh.dispose();
-  expect(release).toHaveBeenCalledTimes(800);
-});
 
 /** A sphere of 64 segments, and its flat copy. */
 const SMOOTH = 3968;

@@ -1,6 +1,7 @@
 // Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis
 // meets one. Nothing waits for them: marks are drawn as before until the answers are known.
-import type { ExtraHost, SceneSnapshot } from '../../../viewer/extra.js';
+import type { SceneSnapshot } from '../../../phong/geometry/scene-snapshot.js';
+import type { ExtraHost } from '../../../viewer/extra.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { pick } from '../../explain/pick.js';
 import type { RaySearch } from '../../explain/ray-triangles.js';

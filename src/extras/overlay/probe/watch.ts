@@ -1,10 +1,5 @@
 // Reports the point of `probe-at` where no probe shows it.
-import {
-  type Extra,
-  type ExtraHost,
-  type ProbeDetail,
-  reportMissing,
-} from '../../../viewer/extra.js';
+import { type Extra, type ExtraHost, type ProbeDetail } from '../../../viewer/extra.js';
 import { projectionOf } from '../drawing/projection.js';
 import { zoomOf } from '../../../phong/camera/gesture.js';
 
@@ -18,7 +13,7 @@ export function create(host: ExtraHost): Extra {
     isBusy = true;
     const explained = viewer.explain(probeAt).catch((error: unknown) => {
       if (!isReported) {
-        reportMissing(error);
+        console.warn(`<phong-viewer>: ${(error as Error).message}`);
       }
       isReported = true;
     });

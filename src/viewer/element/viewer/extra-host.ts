@@ -2,7 +2,7 @@
 // what the viewer asks of it. Types, and the list that the table of extras fills.
 import type { LightValues } from '../../../phong/light/light-state.js';
 import type { Vec3 } from '../../../phong/math/vector.js';
-import type { SceneSnapshot } from '../../scene/scene-snapshot.js';
+import type { SceneSnapshot } from '../../../phong/geometry/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type {
   CameraSource,

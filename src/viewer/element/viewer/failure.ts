@@ -4,7 +4,7 @@ import { clipMessage } from '../../../phong/fields/clip.js';
 import { isOutOfMemory } from '../../../phong/model/limits.js';
 import { ModelError } from '../../../phong/model/model.js';
 import { nameOf } from '../../../phong/fields/file-names.js';
-import { NoWebGL2Error } from '../../scene/gpu/stage.js';
+import { NoWebGL2Error } from '../../../phong/material/device.js';
 import type { SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { ViewerErrorDetail } from '../elements.js';
 import type { ViewerErrorCode } from '../fields/texts.js';

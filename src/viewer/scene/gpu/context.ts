@@ -1,14 +1,10 @@
 // The page's one WebGL 2 context, its canvas and three.js's renderer: opened with the first
 // drawing, closed at the end.
 import { getConsoleFunction, type RenderItem, setConsoleFunction, WebGLRenderer } from 'three';
-import { deviceOf } from '../../../phong/material/device.js';
+import { deviceOf, NoWebGL2Error } from '../../../phong/material/device.js';
 import { checkLinks } from '../../../phong/material/program/three-programs.js';
 import { SAFE_SIDE, type Size } from '../../../phong/math/region.js';
 import type { AtlasLimit } from './atlas.js';
-
-export class NoWebGL2Error extends Error {
-  override readonly name = 'NoWebGL2Error';
-}
 
 /**
  * The method that is called on every picture. `repaint`: the next drawing tries to open a refused

@@ -5,10 +5,9 @@ import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopiedPicture, screenPixels } from './atlas-copies.js';
 import { type Region, SAFE_SIDE, type Size, tilesOf } from '../../../phong/math/region.js';
 import { type AtlasLayout, layOutAtlas } from './atlas.js';
-import { NoWebGL2Error, SharedContext } from './context.js';
+import { NoWebGL2Error } from '../../../phong/material/device.js';
+import { SharedContext } from './context.js';
 import { pace } from './pace.js';
-
-export { NoWebGL2Error } from './context.js';
 
 /**
  * Frames in a row that may use less than 1/spare of the canvas before it shrinks: half a second of

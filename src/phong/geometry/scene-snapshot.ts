@@ -2,9 +2,9 @@
 // Values that are overwritten are copied, except animated vertices and the page's own objects:
 // these count as they are when it runs.
 import type { BufferGeometry, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
-import { smoothGeometry } from '../../phong/material/flat-geometry.js';
-import type { ShadingFrame } from '../../phong/material/shading-space.js';
-import { PhongMaterial } from '../../phong/material/phong-material.js';
+import { smoothGeometry } from '../material/flat-geometry.js';
+import type { ShadingFrame } from '../material/shading-space.js';
+import { PhongMaterial } from '../material/phong-material.js';
 
 /** How the Phong material shades an object. */
 export type DrawnLook = Readonly<
