@@ -40,6 +40,8 @@ class Pace {
   /** What drawing took before the share was lowered; 0 once that has helped. */
   #before = 0;
   #inFrame = false;
+  /** What draws the present frame, if its drawing is measured. */
+  #measured: WebGLRenderer | null = null;
   #largest = 0;
 
   /** Of the pixels a side, for a picture that moves. */
@@ -52,20 +54,23 @@ class Pace {
     this.#largest = Math.max(this.#largest, share);
     if (this.#inFrame) return;
     this.#inFrame = true;
-    const measures = this.#begin(performance.now());
-    if (measures) {
+    if (this.#begin(performance.now())) {
+      this.#measured = renderer;
       waitFor(renderer);
     }
-    queueMicrotask(() => {
-      this.#inFrame = false;
-      if (measures) {
-        const sent = performance.now();
-        waitFor(renderer);
-        this.#end(performance.now() - sent, sent);
-      }
-      this.#largest = 0;
-    });
+    queueMicrotask(this.#endFrame);
   }
+
+  readonly #endFrame = (): void => {
+    this.#inFrame = false;
+    if (this.#measured !== null) {
+      const sent = performance.now();
+      waitFor(this.#measured);
+      this.#measured = null;
+      this.#end(performance.now() - sent, sent);
+    }
+    this.#largest = 0;
+  };
 
   /** True: its drawing is to be measured. */
   #begin(now: number): boolean {
