@@ -10,7 +10,6 @@ import type {
   ShadeOptions,
 } from './elements.js';
 import type { ExtraRows } from './panel-rows.js';
-import type { MistakeTests } from './inspect.js';
 import type { ViewerSnapshot } from './viewer/extra-host.js';
 
 /** What has changed, so that a panel updates only that. */
@@ -77,6 +76,17 @@ interface PictureCode {
 }
 
 export const pictureCode = /* @__PURE__ */ extraCode<PictureCode>('toBlob');
+
+/** What is known of an element, for the code that explains mistakes. */
+export interface MistakeTests {
+  strayAttributes(element: Element): string[];
+  dimValues(element: Element): readonly string[];
+  wrappedViewer(compare: Element): Element | null;
+  isFlat(element: Element): boolean;
+  isCollapsed(element: Element): boolean;
+  isNamed(element: PhongViewer): boolean;
+  registryAround(element: Element): object | null;
+}
 
 export const diagnosisCode = /* @__PURE__ */ extraCode<{
   readonly diagnose: (suspects: readonly Element[], tests: MistakeTests) => void;

@@ -6,7 +6,7 @@ import type { LightValues } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { registryAround } from './child-registry.js';
 import type { ElementClass, PhongViewer } from './elements.js';
-import { diagnosisCode } from './extra-code.js';
+import { diagnosisCode, type MistakeTests } from './extra-code.js';
 import { bindingOf } from './fields/field-binding.js';
 import { lookForTexts } from './page/page-texts.js';
 import { isCollapsed, isPainted } from './page/visibility.js';
@@ -109,8 +109,7 @@ const isFlat = (element: Element): boolean =>
   element.clientWidth * element.clientHeight === 0 &&
   (element.getClientRects().length > 0 || getComputedStyle(element).display === 'contents');
 
-/** What is known of an element, for the code that explains mistakes. */
-const TESTS = {
+const TESTS: MistakeTests = {
   strayAttributes,
   dimValues,
   wrappedViewer,
@@ -119,8 +118,6 @@ const TESTS = {
   isNamed,
   registryAround,
 };
-
-export type MistakeTests = typeof TESTS;
 
 function isSuspect(element: Element): boolean {
   if (!element.isConnected) return false; // it is tested when it comes back
