@@ -54,12 +54,7 @@ export class FieldBinding<V extends object> {
   attributeChanged(attribute: string, text: string | null): boolean {
     const key = keysOf(this.store.fields).get(attribute) as (keyof V & string) | undefined;
     if (key === undefined) return false;
-    if (text === null) {
-      this.store.set(key, null);
-    } else {
-      this.#setOrWarn(key, text);
-    }
-    this.#assigned?.(key, this.store);
+    this.#setOrWarn(key, text);
     return true;
   }
 
@@ -77,19 +72,7 @@ export class FieldBinding<V extends object> {
    * nothing.
    */
   set(key: keyof V & string, value: unknown): void {
-    const field = this.store.field(key);
-    const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
-    if (typed === undefined && typeof value === 'string') {
-      throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));
-    }
-    try {
-      this.store.set(key, typed);
-    } catch (error) {
-      if (error instanceof Error) {
-        error.message = this.#about(key, error.message);
-      }
-      throw error;
-    }
+    this.#put(key, value);
     this.#assigned?.(key, this.store);
   }
 
@@ -105,23 +88,34 @@ export class FieldBinding<V extends object> {
       const value: unknown = Reflect.get(this.#element, key);
       Reflect.deleteProperty(this.#element, key);
       this.#setOrWarn(key, value);
-      this.#assigned?.(key, this.store);
     }
   }
 
   #setOrWarn(key: keyof V & string, value: unknown): void {
-    const field = this.store.fields[key];
-    const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
-    if (typed !== undefined || value === undefined) {
-      try {
-        this.store.set(key, typed);
-        return;
-      } catch {
-        // The warning below says what the error says.
-      }
+    try {
+      this.#put(key, value);
+    } catch {
+      // The warning says what the error says.
+      this.store.set(key, null);
+      this.#warn(key, value);
     }
-    this.store.set(key, null);
-    this.#warn(key, value);
+    this.#assigned?.(key, this.store);
+  }
+
+  #put(key: keyof V & string, value: unknown): void {
+    const field = this.store.field(key);
+    const typed = typeof value === 'string' ? parseText(value, field, cssColor) : value;
+    if (typed === undefined && typeof value === 'string') {
+      throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));
+    }
+    try {
+      this.store.set(key, typed);
+    } catch (error) {
+      if (error instanceof Error) {
+        error.message = this.#about(key, error.message);
+      }
+      throw error;
+    }
   }
 
   /** One warning per element, attribute and value. */

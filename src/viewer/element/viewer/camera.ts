@@ -152,11 +152,9 @@ export class ViewerCamera implements ReactiveController {
     const plays = picture.animations.playing && this.mayMove; // in this order: a media query takes 0.2 µs
     if (plays) {
       picture.animations.step(now);
+      picture.invalidate();
     } else {
       picture.animations.rest();
-    }
-    if (plays) {
-      picture.invalidate();
     }
     if (!this.turning) {
       this.#turntable.rest();
