@@ -1,7 +1,7 @@
 // Finds elements that may hold a mistake of their author that nothing else reports. Each is tested
-// once, after the task or the parsing that connected it. The tests are cheap and coarse; the code
-// that knows the mistakes and their cures is fetched only if one fails. The page's own texts are
-// looked for at the same time.
+// once, after the task or the parsing that connected it, and after the page's first picture. The
+// tests are cheap and coarse; the code that knows the mistakes and their cures is fetched only if
+// one fails. The page's own texts are looked for before that picture, whose label may be one.
 import type { LightValues } from '../../phong/light/light-state.js';
 import type { Vec3 } from '../../phong/math/vector.js';
 import { registryAround } from './child-registry.js';
@@ -14,6 +14,7 @@ import { isNamed } from './viewer/description.js';
 
 const waiting = new Set<Element>();
 const tested = new WeakSet<Element>();
+let searched = false;
 
 /**
  * Tests `element` once, at the end of the task, or once the document is parsed. `again`: tests a
@@ -73,22 +74,33 @@ const wrappedViewer = (compare: Element): Element | null =>
 const FOREIGN =
   /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_|data-|aria-|(?!ar)\w\w?-)|[^\p{L}\d\p{Pi}\p{Pf}-]/u;
 
+/** The page's first search waits for the frame of its first picture. One not shown has no frames. */
 function inspectSoon(): void {
   setTimeout(() => {
-    const elements = [...waiting];
-    waiting.clear();
     lookForTexts();
-    const boxes = elements.filter(
-      (element) => !tested.has(element) && BOXES.includes(element.localName) && element.isConnected,
-    );
-    report(elements.filter(isSuspect));
-    // A name changes no picture, so the report must not compete with the first one. By then the
-    // page is laid out.
-    const viewer = boxes.find(isViewer);
-    void viewer?.ready.then(() =>
-      report(boxes.filter((box) => (isViewer(box) && !isNamed(box)) || isFlat(box))),
-    );
+    if (searched || document.hidden) {
+      inspectAll();
+    } else {
+      requestAnimationFrame(() => setTimeout(inspectAll));
+    }
   });
+}
+
+function inspectAll(): void {
+  searched = true;
+  const elements = [...waiting];
+  waiting.clear();
+  lookForTexts();
+  const boxes = elements.filter(
+    (element) => !tested.has(element) && BOXES.includes(element.localName) && element.isConnected,
+  );
+  report(elements.filter(isSuspect));
+  // A name changes no picture, so the report must not compete with the first one. By then the
+  // page is laid out.
+  const viewer = boxes.find(isViewer);
+  void viewer?.ready.then(() =>
+    report(boxes.filter((box) => (isViewer(box) && !isNamed(box)) || isFlat(box))),
+  );
 }
 
 function report(suspects: readonly Element[]): void {
