@@ -108,7 +108,8 @@ const OPEN: Readonly<Record<string, string>> = { '(': ')', '[': ']', '{': '}' };
 class Reading {
   readonly #tokens: Token[] = [];
   readonly #bodies = new Map<string, Body[]>();
-  readonly #macros = new Set<string>();
+  /** Each with its parameters. */
+  readonly #macros = new Map<string, ReadonlySet<string>>();
   /** Numbers by name: constants that nothing else is called like. */
   readonly #numbers = new Map<string, number>();
   /** The partner of each brace and bracket, by index. */
@@ -159,8 +160,9 @@ class Reading {
       throw new Refused(DEFINE, number);
     }
     if (name === 'shade' || this.#macros.has(name)) throw new Refused(DEFINE, number);
-    this.#macros.add(name);
-    this.#bodies.set(name, [{ tokens, line: number }]);
+    const [list = ''] = /^\([^)]*\)/.exec(rest) ?? [];
+    this.#macros.set(name, new Set(list.match(/\w+/g)));
+    this.#bodies.set(name, [{ tokens: tokens.slice(tokensOf(list, 0).length), line: number }]);
     const value = rest.trim().replace(/^\((.*)\)$/, '$1');
     if (/^-?[\d.]/.test(value) && tokensOf(value.replace('-', ''), 0).length === 1) {
       this.#numbers.set(name, parseFloat(value));
@@ -291,9 +293,14 @@ class Reading {
 
   #costIn(tokens: readonly Token[]): { turns: number; cost: number } {
     const all = { turns: 1, cost: 0 };
-    const plus = ({ turns, cost }: { turns: number; cost: number }, line: number, times = 1) => {
+    const plus = (
+      { turns, cost }: { turns: number; cost: number },
+      line: number,
+      times = 1,
+      copies = 1,
+    ) => {
       all.turns = Math.max(all.turns, times * turns);
-      all.cost += times * (1 + cost);
+      all.cost += times * copies * (1 + cost);
       if (all.turns > MOST_TURNS) {
         const most = MOST_TURNS.toLocaleString('en');
         throw new Refused('Loops inside each other may run {most} times at most.', line, { most });
@@ -315,9 +322,28 @@ class Reading {
         i = end;
       } else if (this.#bodies.has(text) && tokens[i - 1]?.text !== '.') {
         plus(this.#costOf(text), line);
+        if (!this.#macros.has(text)) continue;
+        // A macro repeats what it is given, and macros in it do so again.
+        const copies = this.#copiesOf(text);
+        const isCall = tokens[i + 1]?.text === '(';
+        if (!isCall && copies > 1) throw new Refused(DEFINE, line);
+        if (isCall) {
+          const end = closing(tokens, i + 1);
+          plus(this.#costIn(tokens.slice(i + 2, end)), line, 1, copies);
+          i = end;
+        }
       }
     }
     return all;
+  }
+
+  /** Most copies that a macro makes of what it is given; it is no part of itself. */
+  #copiesOf(name: string): number {
+    const parameters = this.#macros.get(name);
+    if (parameters === undefined) return 1;
+    const words = this.#bodies.get(name)![0]!.tokens.map(({ text }) => text);
+    const own = words.filter((word) => parameters.has(word)).length;
+    return words.reduce((copies, word) => copies * this.#copiesOf(word), Math.max(own, 1));
   }
 
   /** How often a loop runs; null where that cannot be read from its head. */
@@ -357,7 +383,7 @@ class Reading {
   /** Whether the loop's variable may change in the body, macros included. */
   #isWritten(name: string, body: readonly Token[]): boolean {
     const writers = this.#tokens.some(({ text }) => WRITERS.test(text));
-    const inMacro = [...this.#macros].some((macro) =>
+    const inMacro = [...this.#macros.keys()].some((macro) =>
       this.#bodies
         .get(macro)!
         .some(({ tokens }) =>

@@ -1,6 +1,7 @@
 // Says what is wrong with a lighting function, from its colours alone: nothing, one or two usual
 // mistakes that explain the colours, or where they differ. Pure; runs in Node as in pages.
 import { KINDS, type LightKind, type Term, TERMS } from '../light/light-state.js';
+import { radians } from '../math/angle.js';
 import { add, clamp, dot, map, normalize, subtract, type Vec3 } from '../math/vector.js';
 import { both, type Form, formsOf, MISTAKE_IDS, type MistakeId } from './mistakes.js';
 import { evaluate, type Given, sumOfTerms, type Values, valuesAt } from './steps.js';
@@ -26,8 +27,15 @@ const LEAST = 1e-7;
 /** From here on float32 may have no number. */
 const LARGEST = 1e37;
 
-export const sumAt = (at: Case, form?: Form): Vec3 =>
-  at.reduce<Vec3>((sum, given) => add(sum, sumOfTerms(evaluate(given, form))), [0, 0, 0]);
+/** With `isClamped`, of a function that keeps its own result between 0 and 1. */
+export const sumAt = (at: Case, form?: Form, isClamped = false): Vec3 =>
+  at.reduce<Vec3>(
+    (sum, given) => {
+      const color = sumOfTerms(evaluate(given, form));
+      return add(sum, isClamped ? map(color, unit) : color);
+    },
+    [0, 0, 0],
+  );
 
 const exact = new WeakMap<Case, Vec3>();
 
@@ -65,7 +73,7 @@ export function jumps(at: Case, form?: Form): boolean {
     isMoved(
       here,
       sumAt(
-        at.map((given) => shifted(given, sign * SHIFT)),
+        at.map((given) => shifted(given, sign)),
         form,
       ),
     ),
@@ -74,11 +82,18 @@ export function jumps(at: Case, form?: Form): boolean {
 
 const SHIFT = 2e-5;
 
+/** SwiftShader's cos() is off by 1.8e-4 at 25 radians. */
+const COSINE = 2e-4;
+
 const isMoved = (a: Vec3, b: Vec3): boolean =>
   a.some((x, k) => !(Math.abs(x - b[k]!) < 2 * STEP * Math.max(1, Math.abs(x))));
 
-function shifted(given: Given, by: number): Given {
+function shifted(given: Given, sign: number): Given {
   const { p, normal, eye, light } = given;
+  const by = sign * SHIFT;
+  const { aperture } = light;
+  // What the cosine of a cone's edge may be off, as an angle; a cone of half a degree is a point.
+  const edge = COSINE / Math.max(Math.sin(radians(aperture)), 0.01) / radians(1);
   const reach = Math.hypot(...subtract(eye, p));
   const [x, y, z] = light.position;
   const L = normalize(light.position[3] === 1 ? subtract([x, y, z], p) : [x, y, z]);
@@ -87,6 +102,7 @@ function shifted(given: Given, by: number): Given {
   const length = Math.hypot(...normal);
   return {
     ...given,
+    light: { ...light, aperture: aperture < 180 ? aperture + sign * edge : aperture },
     p: add(p, [by * reach, -0.7 * by * reach, 0.4 * by * reach]),
     normal: [turned[0] * length, turned[1] * length, turned[2] * length],
   };
@@ -104,10 +120,15 @@ export interface Judged {
   readonly isSheet: boolean;
 }
 
-/** A picture shows sums that are clamped; the sheet's are not. */
+/**
+ * A picture shows sums that are clamped. The sheet's are not; but a function may clamp what it
+ * returns, since no picture shows that: the sum of the lamps reaches 1 where one of them does.
+ */
 export function compare(cases: readonly Case[], colors: Colors, isSheet = false): Judged {
   const isFine = (found: Vec3, right: Vec3): boolean =>
-    isSheet ? isWithinStep(found, right) : isWithinStep(map(found, unit), map(right, unit));
+    isSheet
+      ? isWithinStep(found, right) || isWithinStep(found, map(right, unit))
+      : isWithinStep(map(found, unit), map(right, unit));
   const all = cases.flatMap((at, i) => (isFine(colorAt(colors, i), exactAt(at)) ? [] : [i]));
   // Where much is wrong, the few points at which the equation jumps count for nothing.
   const isFew = !isSheet && all.length < 0.2 * cases.length;
@@ -129,11 +150,16 @@ export function mistakesIn(judged: readonly Judged[]): readonly MistakeId[] {
     const defined = cases.filter((_, i) => !isUndefined(colorAt(colors, i)));
     if (defined.length < DEFINED * cases.length) return [];
   }
-  const single = best(
-    judged,
-    FORMS.map(({ id, form }) => ({ ids: [id], form })),
-  );
+  const singles = FORMS.map(({ id, form }) => ({ ids: [id], form }));
+  // What is 255 times as bright says nothing once it is clamped.
+  const clamped = judged.every(isClamped)
+    ? singles.filter(({ ids: [id] }) => id !== 'scale-255')
+    : [];
+  const single = best(judged, singles) ?? best(judged, clamped, true);
   if (single !== null) return single;
+  // Many pairs take all light away.
+  if (judged.every(({ colors }) => Array.from(colors).every((x) => Math.abs(x) <= LEAST)))
+    return [];
   const pairs: Candidate[] = [];
   for (const [i, first] of FORMS.entries()) {
     for (const second of FORMS.slice(i + 1)) {
@@ -153,13 +179,19 @@ interface Candidate {
 
 const FORMS = MISTAKE_IDS.flatMap((id) => formsOf(id).map((form) => ({ id, form })));
 
-function best(judged: readonly Judged[], candidates: readonly Candidate[]) {
+/** Whether all is between 0 and 1, where the right colours are not. */
+const isClamped = ({ cases, colors, isSheet }: Judged): boolean =>
+  !isSheet ||
+  (cases.some((at) => exactAt(at).some((x) => x > 1)) &&
+    cases.every((_, i) => colorAt(colors, i).every((x) => !(x < 0 || x > 1))));
+
+function best(judged: readonly Judged[], candidates: readonly Candidate[], areClamped = false) {
   let found: readonly MistakeId[] | null = null;
   let least = Infinity;
   for (const { ids, form } of candidates) {
     let strays = 0;
     for (const part of judged) {
-      strays += straysOf(part, form);
+      strays += straysOf(part, form, areClamped);
       if (strays >= least) break;
     }
     if (strays < least) {
@@ -170,13 +202,13 @@ function best(judged: readonly Judged[], candidates: readonly Candidate[]) {
 }
 
 /** How many cases a form does not explain; Infinity where these are too many. */
-function straysOf(part: Judged, form: Form): number {
+function straysOf(part: Judged, form: Form, areClamped: boolean): number {
   const { cases, colors, wrong, count, isSheet } = part;
   const differs = (i: number): boolean => {
     const found = colorAt(colors, i);
     return (
       !isUndefined(found) &&
-      !isSame(found, sumAt(cases[i]!, form)) &&
+      !isSame(found, sumAt(cases[i]!, form, areClamped)) &&
       (isSheet || !jumps(cases[i]!, form))
     );
   };

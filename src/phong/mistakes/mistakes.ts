@@ -16,6 +16,7 @@ import {
 } from '../math/vector.js';
 import {
   angleOf,
+  BLACK,
   falloff,
   type Given,
   isPositional,
@@ -44,13 +45,23 @@ const attenuated = (
   att: (so, given) => (isPositional(given) ? 1 / denominator(so, given) : 1),
 });
 
-/** The cone with another test of the angle, in radians. A light without a cone has none still. */
+/** The cone with its edge at another angle, in radians, found by the angle or by its cosine. */
 const coned = (
-  isInside: (angle: number, aperture: number) => boolean,
-): Pick<Steps, 'isInside'> => ({
-  isInside: (so, { light }) =>
-    light.aperture >= 180 || dot(so.A, so.A) === 0 || isInside(angleOf(so), light.aperture),
-});
+  edgeOf: (aperture: number) => number,
+  // 180 degrees are no cone, or an edge like others.
+  withoutCone: readonly number[] = [180, Infinity],
+): readonly Form[] =>
+  [true, false].flatMap((isCosine) =>
+    withoutCone.map((none): Form => ({
+      isInside: ({ L }, { light }) => {
+        const angle = angleOf({ L, A: normalize(light.axis) });
+        const edge = edgeOf(light.aperture);
+        return (
+          light.aperture >= none || (isCosine ? Math.cos(angle) >= Math.cos(edge) : angle <= edge)
+        );
+      },
+    })),
+  );
 
 /** The cone by the cosine of two vectors, which their lengths change. */
 const byCosine = (
@@ -87,16 +98,20 @@ const capped: readonly Form[] = [
   },
 ];
 
-const plus = (k: Vec3, i: Vec3): Vec3 => add(k, i);
+/** With the exponent that makes the highlight about as large as with the other cosine. */
+const asLarge = (asked: Given['reflection'], by: number): Form => ({
+  lobe: ({ cosine }, { material, reflection }) =>
+    power(cosine, material.shininess * (reflection === asked ? by : 1)),
+});
 
-const ambientPlus: Form = { ambient: (_, { material, light }) => plus(material.ka, light.ambient) };
+const ambientPlus: Form = { ambient: (_, { material, light }) => add(material.ka, light.ambient) };
 const diffusePlus: Form = {
   diffuse: ({ att, lambert }, { material, light }) =>
-    scale(plus(material.kd, light.diffuse), att * lambert),
+    scale(add(material.kd, light.diffuse), att * lambert),
 };
 const specularPlus: Form = {
   specular: ({ att, spec }, { material, light }) =>
-    scale(plus(material.ks, light.specular), att * spec),
+    scale(add(material.ks, light.specular), att * spec),
 };
 
 /** All terms times a number. */
@@ -204,6 +219,10 @@ export const MISTAKES = {
         c: ({ L }, { light }) => dot(L, negate(light.axis)),
         ...byCosine(({ L }, { light }) => [L, light.axis]),
       },
+      {
+        c: ({ L }, { light }) => clamp(dot(L, negate(light.axis)), -1, 1),
+        ...byCosine(({ L }, { light }) => [L, light.axis]),
+      },
       byCosine(({ L }, { light }) => [L, light.axis]),
     ],
   },
@@ -214,6 +233,10 @@ export const MISTAKES = {
       { lambert: ({ NoL }) => Math.max(-NoL, 0) },
       { lambert: ({ NoL }) => Math.max(-NoL, 0), spec: ({ NoL, lobe }) => (NoL < 0 ? lobe : 0) },
       { A: (so, given) => negate(RIGHT.A(so, given)) },
+      {
+        L: (so, given) => negate(RIGHT.L(so, given)),
+        A: (so, given) => negate(RIGHT.A(so, given)),
+      },
       // Places only, or directions only.
       { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? -1 : 1) },
       { L: (so, given) => scale(RIGHT.L(so, given), isPositional(given) ? 1 : -1) },
@@ -228,19 +251,19 @@ export const MISTAKES = {
     forms: [{ cosine: (so, given) => RIGHT.cosine({ ...so, V: negate(so.V) }, given) }],
   },
   'eye-at-origin': {
-    sentence: 'V points to the origin, as if the eye were there: V = eye − p.',
-    forms: [{ V: (_, { p }) => normalize(negate(p)) }],
+    sentence: 'V lacks the eye, or p: V = eye − p.',
+    forms: [{ V: (_, { p }) => normalize(negate(p)) }, { V: (_, { eye }) => normalize(eye) }],
   },
   'blinn-for-phong': {
     sentence: 'The highlight is N·H (Blinn–Phong) where R·V (Phong) is asked for.',
-    forms: [{ cosine: NoH }],
+    forms: [{ cosine: NoH }, { cosine: NoH, ...asLarge('phong', 4) }],
   },
   'phong-for-blinn': {
     sentence: 'The highlight is R·V (Phong) where N·H (Blinn–Phong) is asked for.',
-    forms: [{ cosine: RoV }],
+    forms: [{ cosine: RoV }, { cosine: RoV, ...asLarge('blinn-phong', 1 / 4) }],
   },
   'times-for-power': {
-    sentence: 'The exponent is multiplied by: it is a power, not a factor.',
+    sentence: 'The exponent is multiplied by, or missing: the cosine is raised to it.',
     forms: [
       { lobe: ({ cosine }, { material }) => Math.max(cosine, 0) * material.shininess },
       { lobe: ({ cosine }) => Math.max(cosine, 0) },
@@ -248,7 +271,14 @@ export const MISTAKES = {
   },
   'exponent-on-diffuse': {
     sentence: 'The diffuse term is raised to the exponent: only the highlight has one.',
-    forms: [{ lambert: ({ NoL }, { material }) => power(NoL, material.shininess) }],
+    forms: [
+      { lambert: ({ NoL }, { material }) => power(NoL, material.shininess) },
+      // In the place of the highlight.
+      {
+        lambert: ({ NoL }, { material }) => power(NoL, material.shininess),
+        lobe: ({ cosine }) => Math.max(cosine, 0),
+      },
+    ],
   },
   'specular-times-cosine': {
     sentence: 'The highlight is multiplied by N·L: only the diffuse term is.',
@@ -268,12 +298,20 @@ export const MISTAKES = {
   },
   'no-ambient': {
     sentence: 'The ambient term is missing: Ka · Ia.',
-    forms: [{ ambient: () => [0, 0, 0] }],
+    forms: [
+      { ambient: () => BLACK },
+      // Where the surface turns away.
+      { ambient: (so, given) => (so.NoL > 0 ? RIGHT.ambient(so, given) : BLACK) },
+    ],
   },
   'no-attenuation': {
-    sentence: 'The attenuation is missing: 1 / max(kc + kl·d + kq·d², 1) for a light at a place.',
+    sentence:
+      'The attenuation, or the distance in it, is missing: 1 / max(kc + kl·d + kq·d², 1) for a light at a place.',
     forms: [
       { att: () => 1 },
+      // With the length of L, which is 1.
+      attenuated((_, { light: { attenuation: k } }) => Math.max(k[0] + k[1] + k[2], 1)),
+      attenuated((_, { light: { attenuation: k } }) => k[0] + k[1] + k[2]),
       {
         diffuse: ({ lambert }, { material, light }) =>
           scale(multiply(material.kd, light.diffuse), lambert),
@@ -289,6 +327,9 @@ export const MISTAKES = {
     forms: [
       attenuated(({ d }, { light: { attenuation: k } }) => Math.max(k[0] + k[1] * d + k[2] * d, 1)),
       attenuated(({ d }, { light: { attenuation: k } }) => k[0] + k[1] * d + k[2] * d),
+      attenuated(({ d }, { light: { attenuation: k } }) =>
+        Math.max(k[0] + k[1] * d + k[2] * 2 * d, 1),
+      ),
     ],
   },
   'attenuation-not-clamped': {
@@ -333,17 +374,15 @@ export const MISTAKES = {
   },
   'aperture-in-radians': {
     sentence: 'The aperture is used as radians: it is in degrees.',
-    forms: [
-      coned((angle, aperture) => Math.cos(angle) >= Math.cos(aperture)),
-      coned((angle, aperture) => angle <= aperture),
-    ],
+    forms: coned((aperture) => aperture),
   },
   'whole-aperture': {
     sentence:
       'The aperture is taken for the whole angle of the cone, or doubled: it is the angle from the axis to the edge.',
     forms: [
-      coned((angle, aperture) => angle <= radians(aperture) / 2),
-      coned((angle, aperture) => angle <= 2 * radians(aperture)),
+      ...coned((aperture) => radians(aperture) / 2),
+      // The double of 180 would be black under a plain lamp, like much else.
+      ...coned((aperture) => 2 * radians(aperture), [180]),
     ],
   },
   'ambient-outside-cone': {

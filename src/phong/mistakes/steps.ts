@@ -87,7 +87,7 @@ type Step<K extends keyof Values> = (so: Readonly<Values>, given: Given) => Valu
 
 export type Steps = { readonly [K in keyof Values]: Step<K> };
 
-const BLACK: Vec3 = [0, 0, 0];
+export const BLACK: Vec3 = [0, 0, 0];
 
 export const isPositional = ({ light }: Given): boolean => light.position[3] === 1;
 
@@ -98,7 +98,7 @@ export const placeOf = ({ light: { position } }: Given): Vec3 => [
 ];
 
 /** Angle off the spot's axis in radians. */
-export const angleOf = ({ L, A }: Readonly<Values>): number =>
+export const angleOf = ({ L, A }: Readonly<Pick<Values, 'L' | 'A'>>): number =>
   Math.atan2(length(cross(L, negate(A))), dot(L, negate(A)));
 
 const isSpot = ({ A, L }: Readonly<Values>): boolean => dot(A, A) > 0 && dot(L, L) > 0;

@@ -125,6 +125,11 @@ export const RIGHT_ONES: Readonly<Record<string, string>> = {
     'light.position.w != 0.0',
   ]),
   'an old-fashioned max': changed([DIFFUSE, '(NoL > 0.0 ? NoL : 0.0)']),
+  'its result between 0 and 1': changed([SUM, `clamp(${SUM}, 0.0, 1.0)`]),
+  'in Portuguese, with words of precision': `precision mediump float;
+// Iluminação de Phong: a cor de um ponto, com a luz «light»
+const lowp float UM = 1.0;
+${changed([DIFFUSE, 'max(NoL, UM - 1.0)'])}`,
   'with a power by hand': changed([LOBE, 'exp(m.shininess * log(max(dot(R, V), 1e-30)))']),
 };
 
@@ -148,6 +153,7 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'no-gate': {
     'no if': changed([GATE, '{']),
+    'with a clamped result': changed([GATE, '{'], [SUM, `clamp(${SUM}, 0.0, 1.0)`]),
     'in short': inShort('* lit ', ''),
   },
   'half-lambert': {
@@ -176,11 +182,16 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'axis-not-unit': {
     all: changed(['normalize(light.axis)', 'light.axis']),
     'in a function': inLong(' / length(lamp.axis)', ''),
+    'with a clamped cosine': changed(
+      ['normalize(light.axis)', 'light.axis'],
+      ['dot(L, -A)', 'clamp(dot(L, -A), -1.0, 1.0)'],
+    ),
   },
   'light-reversed': {
     'p minus place': changed(['light.position.xyz - p;', 'p - light.position.xyz;']),
     all: changed(['toLight / d', '-toLight / d']),
     'the axis': changed(['dot(L, -A)', 'dot(L, A)']),
+    'all but the cone': changed(['toLight / d', '-toLight / d'], ['dot(L, -A)', 'dot(L, A)']),
     diffuse: changed([DIFFUSE, 'max(dot(N, -L), 0.0)']),
   },
   'view-reversed': {
@@ -188,16 +199,29 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
     'reflect(L, N)': changed(['reflect(-L, N)', 'reflect(L, N)']),
     'R by hand': inShort('2.0 * dot(N, L) * N - L', 'L - 2.0 * dot(N, L) * N'),
   },
-  'eye-at-origin': { 'minus p': changed(['normalize(eye - p)', 'normalize(-p)']) },
+  'eye-at-origin': {
+    'minus p': changed(['normalize(eye - p)', 'normalize(-p)']),
+    'without p': changed(['normalize(eye - p)', 'normalize(eye)']),
+  },
   'blinn-for-phong': {
     'half vector': changed(['dot(R, V)', 'dot(N, normalize(L + V))']),
     'in short': inShort('dot(V, R)', 'dot(N, normalize(L + V))'),
+    'with four times the exponent': changed(
+      ['dot(R, V)', 'dot(N, normalize(L + V))'],
+      ['m.shininess)', '4.0 * m.shininess)'],
+    ),
   },
   'times-for-power': {
     times: changed([LOBE, 'max(dot(R, V), 0.0) * m.shininess']),
     'no exponent': changed([LOBE, 'max(dot(R, V), 0.0)']),
   },
-  'exponent-on-diffuse': { pow: changed([DIFFUSE, `pow(${DIFFUSE}, m.shininess)`]) },
+  'exponent-on-diffuse': {
+    pow: changed([DIFFUSE, `pow(${DIFFUSE}, m.shininess)`]),
+    'in place of the highlight': changed(
+      [DIFFUSE, `pow(${DIFFUSE}, m.shininess)`],
+      [LOBE, 'max(dot(R, V), 0.0)'],
+    ),
+  },
   'specular-times-cosine': {
     times: changed([LOBE, `NoL * ${LOBE}`]),
     bracket: changed(
@@ -209,14 +233,19 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   'ambient-attenuated': {
     'all of it': changed([SUM, 'decay * att * (ambient + diffuse + specular)']),
   },
-  'no-ambient': { missing: changed([SUM, 'decay * att * (diffuse + specular)']) },
+  'no-ambient': {
+    missing: changed([SUM, 'decay * att * (diffuse + specular)']),
+    'on the far side': changed([SUM, `NoL > 0.0 ? ${SUM} : vec3(0.0)`]),
+  },
   'no-attenuation': {
     missing: changed([SUM, 'decay * (ambient + diffuse + specular)']),
+    'by the length of L': changed(['toLight / d', 'toLight / d; d = length(L)']),
     'diffuse without': changed([SUM, 'decay * (ambient + diffuse + att * specular)']),
     'specular without': changed([SUM, 'decay * (ambient + att * diffuse + specular)']),
   },
   'distance-not-squared': {
     'd once': changed(['light.attenuation.z * d * d', 'light.attenuation.z * d']),
+    'd twice': changed(['light.attenuation.z * d * d', 'light.attenuation.z * (d + d)']),
   },
   'attenuation-not-clamped': {
     'no max': changed([
@@ -241,9 +270,14 @@ export const WRONG_ONES: Readonly<Record<string, Readonly<Record<string, string>
   },
   'aperture-in-radians': {
     cos: changed([CONE, 'c < cos(light.aperture)']),
+    'of every light': changed([`light.aperture < 180.0 && ${CONE}`, 'c < cos(light.aperture)']),
   },
   'whole-aperture': {
     half: changed([CONE, 'c < cos(radians(light.aperture / 2.0))']),
+    'of every light': changed([
+      `light.aperture < 180.0 && ${CONE}`,
+      'c < cos(radians(light.aperture / 2.0))',
+    ]),
   },
   'no-cone': {
     missing: changed([`light.aperture < 180.0 && ${CONE}`, 'false']),
@@ -318,6 +352,7 @@ export const UNUSUAL_ONES: Readonly<Record<string, string>> = {
   'the normal': `${HEAD} return normalize(normal); }`,
   'a power of negative numbers': changed(['max(dot(R, V), 0.0)', 'dot(R, V)']),
   'half as bright': changed([SUM, `0.5 * ${SUM}`]),
+  white: `${HEAD} return vec3(1.0); }`,
   'a toon': changed([SUM, `floor(4.0 * ${SUM}) / 4.0`]),
   'another falloff': changed([
     '1.0 / max(light.attenuation.x',
@@ -396,6 +431,14 @@ ${HEAD} return vec3(f30()); }`,
   'an open comment': [`${RIGHT}\n/* and the rest`, 'A comment is not closed'],
   'a brace too many': [`${RIGHT} }`, 'Braces or brackets do not match'],
   'a brace too few': [RIGHT.slice(0, -1), 'Braces or brackets do not match'],
+  'a macro that doubles what it is given': [
+    `#define D(x) ((x)+(x))\n${HEAD} return ${'D('.repeat(24)}p${')'.repeat(24)}; }`,
+    'The function does too much',
+  ],
+  'a macro that is given to a macro': [
+    `#define D(x) ((x)+(x))\n#define C(f, x) f(f(f(x)))\n${HEAD} return C(D, p); }`,
+    'only #define is allowed',
+  ],
   'joined lines': [`#define X \\\n 1.0\n${RIGHT}`, 'This character is not allowed'],
   'too long': [`${RIGHT}\n${'//'.padEnd(25_000, 'x')}`, 'The text is too long'],
   'a wrong name': [RIGHT.replace('max(NoL', 'max(NoX'), 'Line 19: '],

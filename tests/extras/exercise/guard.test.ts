@@ -38,6 +38,11 @@ it.each([
   expect(checked(`${HEAD} float x = 0.0; ${loop} return vec3(x); }`)).toHaveProperty('glsl');
 });
 
+it('lets through a macro in what the same macro is given', () => {
+  const source = `#define MOST(a, b) ((a) > (b) ? (a) : (b))\n${HEAD} return vec3(MOST(p.x, MOST(p.y, p.z))); }`;
+  expect(checked(source)).toHaveProperty('glsl');
+});
+
 it('keeps each line in its place, without comments', () => {
   const reading = checked(`// one\n/* two\nthree */ float x = 1.0;\n${RIGHT}`);
   expect('glsl' in reading ? reading.glsl.split('\n').slice(0, 4) : []).toEqual([

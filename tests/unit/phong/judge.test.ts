@@ -59,7 +59,7 @@ describe('from the colours at the sheet', () => {
     let named = 0;
     for (const [i, a] of forms.entries()) {
       for (const [k, b] of forms.entries()) {
-        const isTaken = k > i && a.id !== b.id && (i * 31 + k) % 41 === 0;
+        const isTaken = k > i && a.id !== b.id && (i * 31 + k) % 97 === 0;
         const isOfBlinn = a.id === 'phong-for-blinn' || b.id === 'phong-for-blinn';
         const form = isTaken && !isOfBlinn ? both(a.form, b.form) : undefined;
         if (form === undefined) continue;
@@ -100,6 +100,25 @@ describe('from the colours at the sheet', () => {
     );
     expect(isRight(found)).toBe(false);
     expect(mistakesIn([found])).toEqual([]);
+  });
+
+  it.each([
+    [['directional'], TERMS],
+    [['point'], TERMS],
+    [['spot'], TERMS],
+    [['directional'], ['diffuse']],
+    [['point'], ['diffuse', 'specular']],
+    [['spot'], ['specular']],
+  ] as const)('nor is any of them named under %s lights with %s terms', (kinds, terms) => {
+    const cases = casesOf({ kinds, terms, reflection: 'phong' });
+    for (const [name, of] of Object.entries(nonsense)) {
+      const found = compare(
+        cases,
+        colorsOf(cases, ([given]) => of(given!)),
+        true,
+      );
+      expect([name, ...mistakesIn([found])]).toEqual([name]);
+    }
   });
 
   it('a function that differs without a name is described by terms, lights and region', () => {
