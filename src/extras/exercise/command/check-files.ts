@@ -65,8 +65,8 @@ async function checkFiles(args: readonly string[]): Promise<number> {
   for (const file of positionals) {
     if (!existsSync(file)) throw new Error(`There is no file ${file}.`);
   }
-  const { server, address } = await serve(page);
   const browser = await launch(values.browser);
+  const { server, address } = await serve(page);
   let isWell = true;
   try {
     let open = await openPage(browser, address, values.exercise);
