@@ -181,7 +181,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
       this.values.required && (this.#written === null || this.#written.trim() === '');
     render(this.#template(value), this.root);
     const area = this.root.querySelector('textarea')!;
-    this.internals.setFormValue(value);
+    this.internals.setFormValue(value, this.#written ?? '');
     this.internals.setValidity(
       { valueMissing: isMissing },
       isMissing ? this.#say('Write the function first.') : '',
@@ -193,7 +193,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
   }
 
   #template(value: string): TemplateResult {
-    const lines = value.split('\n').length;
+    const lines = Math.min(value.split('\n').length, MOST_LINES);
     const faults = this.#faults();
     const bad = new Set(faults.map(({ line }) => line));
     const help = this.#say(
@@ -336,6 +336,7 @@ class Exercise extends ExtraElement<ExerciseValues> {
             </figure>`
           : nothing
       }
+      ${picture.isGouraud ? html`<p>${this.#say(GOURAUD)}</p>` : nothing}
     </div>`;
   }
 
@@ -361,8 +362,21 @@ const own = ExtraElement.codeOf('phong-exercise', EXERCISE_FIELDS, Exercise);
 /** The exercise has come to the page, or is disabled. */
 export const follow = (element: HTMLElement): void => own(element).start();
 
-/** The form around it is reset. */
-export const reset = (element: HTMLElement): void => own(element).startAgain();
+/** The page has come back, with what was written; empty: with nothing, or the form is reset. */
+export const restore = (element: HTMLElement, written: string): void => {
+  const exercise = own(element);
+  if (written === '') {
+    exercise.startAgain();
+  } else {
+    exercise.value = written;
+  }
+};
+
+/** A longer text scrolls: each line number is an element. */
+const MOST_LINES = 500;
+
+const GOURAUD =
+  'The viewer shades at the corners of triangles (Gouraud); these pictures do at each pixel.' satisfies ViewerText;
 
 /** 41208 as 41 208: the same in every language. */
 const grouped = (value: number): string =>

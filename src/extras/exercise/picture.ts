@@ -23,6 +23,10 @@ export interface PicturePoints {
   readonly axes: readonly [Vec3, Vec3, Vec3];
   /** Colours are summed in linear light, and encoded when they are shown. */
   readonly linear: boolean;
+  /** What the surface of each case adds to the sum itself. */
+  readonly emissive: readonly Vec3[];
+  /** The viewer evaluates the equation at corners only: its picture is another. */
+  readonly isGouraud: boolean;
 }
 
 /** Enough for a picture of 300 × 200. */
@@ -48,6 +52,7 @@ export async function pointsOf(
   const axes = [right, up, back] as const;
   const cases: Case[] = [];
   const pixels: number[] = [];
+  const emissive: Vec3[] = [];
   const exponents = new Set<number>();
   // All surfaces of a viewer are shaded in one space.
   const linear = scene.objects.some(({ phong }) => phong?.linear === true);
@@ -77,13 +82,25 @@ export async function pointsOf(
       };
       cases.push(lamps.map((light) => ({ ...given, light })));
       pixels.push(row * width + column);
+      emissive.push(unitColor(surface.emissive, linear));
     }
     if (performance.now() > end) {
       await new Promise((resolve) => setTimeout(resolve));
       end = performance.now() + SLICE;
     }
   }
-  return { width, height, cases, pixels, exponents: [...exponents], axes, linear };
+  const isGouraud = scene.objects.some(({ phong }) => phong?.style.shading === 'gouraud');
+  return {
+    width,
+    height,
+    cases,
+    pixels,
+    exponents: [...exponents],
+    axes,
+    linear,
+    emissive,
+    isGouraud,
+  };
 }
 
 function hitAt(scene: Parameters<typeof pick>[0], column: number, row: number): SeenHit | null {
@@ -105,6 +122,10 @@ function shadedPoint(hit: SeenHit) {
   };
 }
 
+/** A colour as it is summed, with 1 as full. */
+const unitColor = (color: Vec3, linear: boolean): Vec3 =>
+  map(color, (k) => Math.fround(linear ? srgbDecode(k / 255) : k / 255));
+
 /** A light in world space, with 1 as full; one without a cone or decay has some axis. */
 function lampOf(
   light: ViewerSnapshot['lights'][number]['values'],
@@ -117,12 +138,10 @@ function lampOf(
   const axis = isCamera ? along(axes, light.axis) : light.axis;
   const place: Vec3 = isCamera ? add(w === 1 ? eye : [0, 0, 0], along(axes, [x, y, z])) : [x, y, z];
   const isAxis = dot(axis, axis) > 0;
-  const color = (c: Vec3): Vec3 =>
-    map(c, (k) => Math.fround(linear ? srgbDecode(k / 255) : k / 255));
   return {
-    ambient: color(light.ambient),
-    diffuse: color(light.diffuse),
-    specular: color(light.specular),
+    ambient: unitColor(light.ambient, linear),
+    diffuse: unitColor(light.diffuse, linear),
+    specular: unitColor(light.specular, linear),
     position: [...map(place, Math.fround), w],
     axis: isAxis ? map(axis, Math.fround) : [0, 0, -1],
     aperture: isAxis ? Math.fround(light.aperture) : 180,

@@ -12,6 +12,7 @@ void main() {
 /**
  * What a learner's text stands behind. The power of a negative number is undefined in GLSL, and some
  * drivers give that of its amount: here it is not a number.
+ * Words of less precision are those of phones, where half floats would make a right function wrong.
  */
 const PRELUDE = `#version 300 es
 precision highp float;
@@ -70,6 +71,8 @@ void main() {
   exerciseResult = uvec4(floatBitsToUint(sum), 1u);
 }
 #define pow exercisePow
+#define mediump highp
+#define lowp highp
 `;
 
 const LINES = PRELUDE.split('\n').length - 1;
@@ -86,6 +89,10 @@ const TILE = 64;
 
 /** Milliseconds of drawing, after which no further tile is drawn. */
 const PATIENCE = 2000;
+
+/** Side of a sample of a tile, and its milliseconds: in software a tile then takes PATIENCE. */
+const SAMPLE = 8;
+const MOST_SAMPLE = PATIENCE * (SAMPLE / TILE) ** 2;
 
 /** Milliseconds for one tile, after which drivers give up themselves. */
 const WATCHDOG = 20_000;
@@ -134,6 +141,7 @@ export class Program {
     let done = 0;
     // Drivers finish a program in its first frame: one pixel, which does not count.
     await this.#draw(0, 0, 1, 1);
+    if (await this.#isSlow()) return { colors, done };
     for (let y = 0; y < height; y += TILE) {
       for (let x = 0; x < width; x += TILE) {
         if (this.#drawn > PATIENCE) return { colors, done };
@@ -160,6 +168,22 @@ export class Program {
   /** Browsers keep few contexts, so none waits for the next run. */
   dispose(): void {
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  /** A frame that runs cannot be stopped, so a few pixels say how long a tile would take. */
+  async #isSlow(): Promise<boolean> {
+    const timed = async (side: number): Promise<number> => {
+      const start = performance.now();
+      await this.#draw(0, 0, side, side);
+      return performance.now() - start;
+    };
+    let took = 0;
+    // One pixel tells what a frame takes without them. Now and then a machine is busy.
+    for (let i = 0; i < 5; i++) {
+      took = (await timed(SAMPLE)) - (await timed(1));
+      if (took < MOST_SAMPLE || took > PATIENCE / 4) break;
+    }
+    return took >= MOST_SAMPLE;
   }
 
   /** The page goes on while the GPU draws. */

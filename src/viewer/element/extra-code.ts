@@ -41,7 +41,7 @@ export const probeCode = /* @__PURE__ */ extraCode<{
 }>('<phong-probe>');
 export const exerciseCode = /* @__PURE__ */ extraCode<{
   readonly follow: (element: HTMLElement) => void;
-  readonly reset: (element: HTMLElement) => void;
+  readonly restore: (element: HTMLElement, written: string) => void;
 }>('<phong-exercise>');
 
 /** Lays out the viewers of a comparison. */

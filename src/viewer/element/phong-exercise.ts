@@ -40,7 +40,11 @@ class ExerciseElement extends Base implements PublicExercise {
   }
 
   formResetCallback(): void {
-    exerciseCode().then(({ reset }) => reset(this), reportMissing);
+    this.formStateRestoreCallback('');
+  }
+
+  formStateRestoreCallback(written: string): void {
+    exerciseCode().then(({ restore }) => restore(this, written), reportMissing);
   }
 }
 

@@ -3,6 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { axeOn } from '../../support/axe.js';
+import { patch } from '../../support/gltf.js';
 import { readyTexts } from '../../support/texts.js';
 import { expect, strictPolicy, test } from '../../support/test.js';
 import { RIGHT, WRONG_ONES } from './functions.js';
@@ -12,6 +13,7 @@ const lamp = `<phong-viewer id="v" alt="A torus under a lamp" geometry="torus">
   <phong-light position="1 1 1" ambient="40" attenuation="1 0 0.5"></phong-light></phong-viewer>`;
 const exercise = (attributes: string, source: string): string =>
   `<phong-exercise for="v" ${attributes}><script type="text/plain">\n${source}\n</script></phong-exercise>`;
+const GLOWING = patch({ material: { emissiveFactor: [0.2, 0.1, 0] } });
 const NO_CLAMP = WRONG_ONES['no-clamp']!['plain dot']!;
 
 const textArea = (page: Page): Locator =>
@@ -112,6 +114,51 @@ test('is a control of a form: value, required, reset, disabled', async ({ mount,
   expect(await valid()).toBe(false);
   await page.locator('fieldset').evaluate((f: HTMLFieldSetElement) => (f.disabled = true));
   await expect(textArea(page)).toBeDisabled();
+});
+
+test('what was written is there again when the page comes back', async ({ mount, page }) => {
+  await mount(lamp + exercise('name="phong"', NO_CLAMP), { css });
+  await textArea(page).fill(RIGHT);
+  await page.goto('about:blank');
+  await page.goBack();
+  await expect(textArea(page)).toHaveValue(RIGHT);
+  // Nothing written: the page's text, which may be another by then.
+  await page.getByRole('button', { name: 'Start again' }).click();
+  await page.goto('about:blank');
+  await page.goBack();
+  await expect(textArea(page)).toHaveValue(NO_CLAMP);
+  expect(
+    await page.locator('phong-exercise').evaluate((one: HTMLElement) => {
+      one.setAttribute('required', '');
+      return (one as HTMLElement & { checkValidity(): boolean }).checkValidity();
+    }),
+  ).toBe(false);
+});
+
+test('the picture has the light that a surface gives off, and says what Gouraud shading is', async ({
+  mount,
+  page,
+}) => {
+  await mount(
+    `<phong-viewer id="v" alt="A shape that glows" shading="gouraud" src="${GLOWING}">
+    <phong-light position="1 1 1" ambient="0" diffuse="0" specular="0"></phong-light></phong-viewer>${exercise('', RIGHT)}`,
+    { css },
+  );
+  await runFirst(page);
+  const shown = await page.locator('phong-exercise').evaluate((element) => {
+    const canvas = element.shadowRoot!.querySelector<HTMLCanvasElement>('#own')!;
+    const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+    const colors = new Set<string>();
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] === 255) {
+        colors.add(data.slice(i, i + 3).join(' '));
+      }
+    }
+    return [...colors];
+  });
+  // 0.2, 0.1 and 0 in linear light.
+  expect(shown).toEqual(['124 89 0']);
+  await expect(page.getByText('The viewer shades at the corners of triangles')).toBeVisible();
 });
 
 test('several on a page, by keyboard, under a strict policy, in Portuguese, on a phone', async ({
