@@ -82,7 +82,7 @@ export async function pointsOf(
       };
       cases.push(lamps.map((light) => ({ ...given, light })));
       pixels.push(row * width + column);
-      emissive.push(unitColor(surface.emissive, linear));
+      emissive.push(linear ? map(surface.emissive, srgbDecode) : surface.emissive);
     }
     if (performance.now() > end) {
       await new Promise((resolve) => setTimeout(resolve));
