@@ -21,10 +21,10 @@ const checkOf = (tab: Tab, source: string): Promise<string> =>
   tab.run(async (text) => {
     await customElements.whenDefined('phong-exercise');
     const exercise = document.querySelector<HTMLElement & { value: string }>('phong-exercise')!;
-    while (exercise.shadowRoot?.querySelector('button') == null) {
+    while ((exercise.shadowRoot?.querySelector('button') ?? null) === null) {
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
-    const root = exercise.shadowRoot;
+    const root = exercise.shadowRoot!;
     exercise.value = text;
     const checked = new Promise<CustomEvent<Check>>((resolve) => {
       exercise.addEventListener('check', (event) => resolve(event as CustomEvent<Check>), {
