@@ -7,7 +7,9 @@ import { kindFeatures } from '../../light/kind-features.js';
 import { divideLights, LEAST_DIVIDED } from '../../light/light-grid.js';
 import { KINDS } from '../../light/light-state.js';
 import { LightBuffer } from '../light-buffer.js';
-import type { PhongLighting } from '../lighting.js';
+import type { LightPacking } from '../light-packing.js';
+import type { MeshLights } from '../mesh-lights.js';
+import type { ProgramNeeds } from './program-needs.js';
 import { type Draw, ProgramCache } from './program-cache.js';
 import { type Form, type MaterialTerms, specialisedVariant } from './special-variant.js';
 import type { Variant } from './variant.js';
@@ -28,9 +30,16 @@ export interface DrawnMaterial {
   last: { readonly form: Form; readonly lights: string | number; readonly key: string } | null;
 }
 
+/** The picture that they are for. */
+interface SpecialLighting {
+  readonly meshLights: MeshLights;
+  readonly needs: ProgramNeeds;
+  readonly packing: LightPacking;
+}
+
 /** Those of one picture. */
 export class SpecialPrograms {
-  readonly #lighting: PhongLighting;
+  readonly #lighting: SpecialLighting;
   readonly #cache: ProgramCache;
   readonly #gridOf = new WeakMap<Mesh, MeshLightGrid>();
   /** Those that the last frame used. */
@@ -38,7 +47,7 @@ export class SpecialPrograms {
   #frame = 0;
 
   /** `drawn`: frames that were drawn before, with what is drawn in the first frame. */
-  constructor(lighting: PhongLighting, drawn = 0) {
+  constructor(lighting: SpecialLighting, drawn = 0) {
     this.#lighting = lighting;
     this.#cache = new ProgramCache(drawn);
   }
