@@ -82,11 +82,11 @@ const uses: readonly (readonly [what: string, act: Act, chunks: string])[] = [
   ['dropped files', set({ droppable: true }), 'drops'],
   ['a camera group', set({ cameraGroup: 'all' }), 'camera-group'],
   ['a comparison', addAfter('<phong-compare></phong-compare>'), 'comparison followed-drag'],
-  ['the panel', set({ gui: true }), 'panel panel-rows round-number'],
+  ['the panel', set({ gui: true }), 'panel panel-rows round-number show-rows'],
   [
     'a control',
     addAfter('<phong-control for="turned" attribute="theta"></phong-control>'),
-    'control',
+    'control extra-element',
   ],
   ['a model', model('textured.glb'), 'model-content model-shared read-gltf'],
   ['an STL file', model('coloured.stl'), 'model-triangles read-stl'],
