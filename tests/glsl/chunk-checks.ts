@@ -3,6 +3,7 @@
 import { TEXTURE_ROWS_LOG2 } from '../../src/phong/light/light-layout.js';
 import { LARGEST_MILD_CUTOFF, LIMIT_OPEN } from '../../src/phong/light/precision.js';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
+import { WHOLE_LOOP_GLSL } from './loop-mark.js';
 import { srgbDecode, srgbEncode } from '../../src/phong/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/phong/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
@@ -261,7 +262,7 @@ export function checkChunks(
   edit: Edit | null,
   { cases, only, everyLight }: Extent,
 ): Checked[] {
-  const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
+  const glsl = onDriver(edited(`${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
     (defines.some((define) => define.startsWith('LIGHT_STORAGE')) ? '' : head('STORAGE_OWN')) +
     defines.map((define) => `#define ${define}\n`).join('') +

@@ -15,10 +15,10 @@ export function markOf(glsl: string): string {
 }
 
 /** The shipped loop, with what programs with a light grid add. */
-const LOOP = LIGHT_LOOP_GLSL.replace(
+export const WHOLE_LOOP_GLSL = LIGHT_LOOP_GLSL.replace(
   lightLoop,
   (loop) => `#if defined(HAS_LIGHT_GRID)\n${lightGrid}\n#endif\n${loop}`,
 );
 
 /** Of the shipped loop, and of the exponents that its cheaper power is used for. */
-export const LOOP_MARK = markOf(`${LOOP} ${LARGEST_MILD_POWER}`);
+export const LOOP_MARK = markOf(`${WHOLE_LOOP_GLSL} ${LARGEST_MILD_POWER}`);

@@ -9,7 +9,8 @@ import { kindFeatures } from '../../src/phong/light/kind-features.js';
 import { KINDS } from '../../src/phong/light/light-state.js';
 import { GRID, HEADER, ROWS } from '../../src/phong/light/light-layout.js';
 import type { PackedLights } from '../../src/phong/light/pack-lights.js';
-import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/phong/material/program/source.js';
+import { ENCODING_GLSL } from '../../src/phong/material/program/source.js';
+import { WHOLE_LOOP_GLSL } from './loop-mark.js';
 import { srgbDecode } from '../../src/phong/math/color.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';
 
@@ -43,7 +44,7 @@ int maskOf(int i) { return int(lightRow(firstMask + i).x); }
 `;
 
 function loopSource(defines: readonly string[], driver: Driver, edit: Edit | null): string {
-  const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
+  const text = edited(`${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
   return `${defines.map((define) => `#define ${define}`).join('\n')}\n${OWN_ROWS}\n${onDriver(text, driver)}`;
 }
 
