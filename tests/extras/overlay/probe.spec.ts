@@ -639,8 +639,9 @@ test('rests: no frame and no timer while nothing happens', async ({ page, mount 
   await page.mouse.move(280, 130);
   await page.mouse.click(280, 130);
   await expect(box(viewer)).toHaveClass(/pinned/);
-  await page.waitForTimeout(1500); // the pause after an announcement
-  expect(await spentIn(page, 500)).toEqual(NOTHING);
+  await expect // once the announcement has been cleared
+    .poll(() => spentIn(page, 500), { timeout: 10_000 })
+    .toEqual(NOTHING);
 });
 
 test('never throws when lights, meshes and the viewer are removed under the mouse', async ({
