@@ -109,6 +109,7 @@ const lasts: Record<string, Last> = {
   'one viewer': [box()],
   'four viewers': [kinds.join('')],
   'forty viewers': [box().repeat(40)],
+  '128 viewers': [box().repeat(128)],
   'a viewer that was dragged and turned by keys': [
     box(),
     async (page) => {
