@@ -3,7 +3,12 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { attributeOf, formatValue, parseText } from '../../../src/phong/fields/attribute-text.js';
+import {
+  attributeOf,
+  formatValue,
+  parseText,
+  valueWarning,
+} from '../../../src/phong/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../../src/viewer/element/fields/viewer-fields.js';
 import { sameValue } from '../../../src/phong/fields/field-store.js';
 import {
@@ -283,4 +288,28 @@ it('any text gives an accepted value, a TypeError or RangeError, or counts as ma
     }),
     { numRuns: 2000 },
   );
+});
+
+describe('the warning about a value', () => {
+  const warning = (value: unknown, field: Field<unknown>): string =>
+    valueWarning('phong-viewer', 'autoRotate', value, field);
+
+  it.each([
+    [vector, 'far', /auto-rotate="far": expected .+; using 0 0 0 instead\.$/],
+    [
+      choiceField('flat', ['gouraud', 'flat']),
+      ' GOURAUDD',
+      /using flat instead\. Did you mean "gouraud"\?$/,
+    ],
+    [choiceField('flat', ['gouraud', 'flat']), 'toon', /using flat instead\.$/],
+    [choiceField('flat', ['gouraud', 'flat']), ['gouraud'], /using flat instead\.$/],
+    [textField(), 'a', /using none instead\.$/],
+    [MESH_FIELDS.shading, 'a', /using none instead\.$/],
+  ])('names what was expected and what is used: %#', (field, value, text) => {
+    expect(warning(value, field)).toMatch(text);
+  });
+});
+
+it('words are separated by blanks, commas or both', () => {
+  expect(parseText('a,,b ,\n c', subsetField(['a', 'b', 'c']))).toEqual(['a', 'b', 'c']);
 });
