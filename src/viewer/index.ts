@@ -39,7 +39,8 @@ if (page !== undefined && page.contentType !== 'text/html') {
     }
   }
 }
-endEarly();
+// Meshes request their models in microtasks.
+setTimeout(endEarly);
 
 export {
   PhongCompare,

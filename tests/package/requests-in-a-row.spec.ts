@@ -49,3 +49,19 @@ for (const [model, rows] of [
     expect(starts).toHaveLength(rows);
   });
 }
+
+for (const [where, markup] of [
+  ['the viewer', '<phong-viewer src="/fixtures/models/coloured.ply"></phong-viewer>'],
+  [
+    'a mesh',
+    '<phong-viewer><phong-mesh src="/fixtures/models/coloured.ply"></phong-mesh></phong-viewer>',
+  ],
+] as const) {
+  test(`a model that ${where} of the page names is requested once`, async ({ page }) => {
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+    await page.goto(allowing.page(markup, { csp: wasmPolicy, head }));
+    await allReady(page);
+    expect(asked.filter((path) => path.endsWith('.ply'))).toHaveLength(1);
+  });
+}
