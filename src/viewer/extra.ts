@@ -10,11 +10,11 @@ export type {
   PictureOptions,
   ProbeDetail,
 } from './element/elements.js';
-export type { CreatePanel, MistakeTests } from './element/extra-code.js';
+export type { MistakeTests } from './element/extra-code.js';
 export { ExtraElement } from './element/extra-element.js';
 export { cssColor } from './element/fields/css-color.js';
 export { localNumber, phrase, type ViewerText, type ViewerTexts } from './element/fields/texts.js';
-export { GUI_FOLDERS, HELPERS, VIEWER_FIELDS } from './element/fields/viewer-fields.js';
+export { VIEWER_FIELDS } from './element/fields/viewer-fields.js';
 export { fieldsOf, hostOf, sceneMeshes, type ValuesByTag } from './element/internals.js';
 export { default as panelColumn } from './element/page/panel-column.css?inline';
 export { CORNER_MARKS, pictureBox } from './element/page/picture-box.js';

@@ -1,12 +1,7 @@
 // The rows that edit in the panel what lies over the picture.
 import { VIEWS } from '../../phong/material/views.js';
-import {
-  type ExtraRows,
-  fieldsOf,
-  HELPERS,
-  lightName,
-  type PhongViewer,
-} from '../../viewer/extra.js';
+import { HELPERS } from '../../phong/fields/viewer-words.js';
+import { type ExtraRows, fieldsOf, lightName, type PhongViewer } from '../../viewer/extra.js';
 
 export const rows: ExtraRows = ({ flag, flags, oneName, oneOf }) => ({
   view: oneOf('view', VIEWS),

@@ -1,10 +1,9 @@
 // The control panel: its folders, and which change refreshes which. It writes declared values and
 // the camera, and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
+import { GUI_FOLDERS } from '../../phong/fields/viewer-words.js';
 import {
   addStyles,
-  type CreatePanel,
-  GUI_FOLDERS,
   PANEL_PLACE,
   panelColumn,
   type PhongMesh,
@@ -35,16 +34,18 @@ const WIDE = { text: 40, column: PANEL_PLACE.wide } as const;
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelColumn + panelStyles + controls;
 
-type Panel = ReturnType<CreatePanel>;
+const CHANGES = ['lights', 'camera', 'viewer', 'meshes'] as const;
+type Change = (typeof CHANGES)[number];
 
 interface Content {
-  readonly update: Panel['update'];
+  readonly update: (change: Change) => void;
   /** A folder was opened. */
   refreshVisible(): void;
   dispose(): void;
 }
 
-export const createPanel: CreatePanel = (viewer, place, root): Panel => {
+/** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
+export function createPanel(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
   const removeStyles = addStyles(root, STYLES);
   const gui = newRoot(place);
   const range = new SceneRange(viewer);
@@ -65,12 +66,12 @@ export const createPanel: CreatePanel = (viewer, place, root): Panel => {
   });
   viewer.addEventListener('load', loaded);
   const stopWaiting = openIfWide(gui, viewer);
-  for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) {
+  for (const change of CHANGES) {
     content.update(change);
   }
   markOpen(place, gui);
   return {
-    update(change) {
+    update(change: Change) {
       if (texts !== viewer.texts) {
         ({ texts } = viewer);
         relabel(gui.domElement);
@@ -87,7 +88,7 @@ export const createPanel: CreatePanel = (viewer, place, root): Panel => {
       removeStyles();
     },
   };
-};
+}
 
 /** All folders, or only the rows that `gui` lists. */
 function contentOf(viewer: PhongViewer, gui: GUI, range: SceneRange): Content {

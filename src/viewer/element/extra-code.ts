@@ -22,11 +22,9 @@ export interface Panel {
   dispose(): void;
 }
 
-/** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
-export type CreatePanel = (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
-
 export const panelCode = /* @__PURE__ */ extraCode<{
-  readonly createPanel: CreatePanel;
+  /** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
+  readonly createPanel: (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
   readonly takeRows: (rows: ExtraRows) => void;
 }>('the control panel');
 

@@ -13,7 +13,7 @@ import {
 import { LANGUAGES } from '../../../.ci/texts.mjs';
 import { ERROR_TEXTS, readyTexts, VIEWER_TEXTS } from '../../support/texts.js';
 import type { PhongViewerProps } from '../../../src/viewer/element/template-types.js';
-import { HELPERS } from '../../../src/viewer/element/fields/viewer-fields.js';
+import { HELPERS } from '../../../src/phong/fields/viewer-words.js';
 import { KINDS, TERMS } from '../../../src/phong/light/light-state.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })

@@ -24,15 +24,12 @@ import {
 import type { Vec3 } from '../../../phong/math/vector.js';
 import { MESH_FIELDS, SHAPE_FIELDS } from '../../../phong/model/mesh-fields.js';
 import { attributeOf } from '../../../phong/fields/attribute-text.js';
+import { GUI_FOLDERS, type Helper, HELPERS } from '../../../phong/fields/viewer-words.js';
 import type { Inputs, ShapeProperties, ValuesOf } from './properties.js';
 
 export type Loading = 'auto' | 'eager' | 'lazy';
 type ColorInterpolation = 'srgb' | 'linear';
 type Antialias = 'edges' | 'full';
-
-/** What can be drawn over the picture. */
-export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
-export type Helper = (typeof HELPERS)[number];
 
 export interface ViewerProperties extends ShapeProperties {
   /**
@@ -181,9 +178,6 @@ export interface ViewerProperties extends ShapeProperties {
 
 export type ViewerValues = ValuesOf<ViewerProperties>;
 type Accepted = Inputs<ViewerValues>;
-
-/** Folders of the panel that `gui` can open. */
-export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
 /**
  * Attributes that `gui` can list: those of all elements that the panel edits. The panel warns of
