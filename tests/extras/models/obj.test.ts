@@ -124,6 +124,15 @@ describe('the geometry of an OBJ file', () => {
     expect(warnings).toEqual([]);
   });
 
+  it('may have its words in capitals', async () => {
+    const model = await loadFiles({
+      'a.obj': `MTLLIB a.mtl\n${`${QUAD}vn 0 1 0\n`.toUpperCase()}USEMTL Oak\nF 1//1 2//1 3//1\n`,
+      'a.mtl': 'NEWMTL Oak\nKD 1 0 0',
+    });
+    expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 1, 0]);
+    expect(model.parts).toMatchObject([{ name: 'Oak', surface: { kd: [255, 0, 0] } }]);
+  });
+
   it('is one part per object and material, named after the object', async () => {
     const faces = 'f 1 2 3\nf 1 3 4\n';
     const table = `o table\nusemtl oak\n${faces}usemtl iron\n${faces}usemtl oak\n${faces}`;

@@ -126,7 +126,7 @@ class ObjReader {
   #statement(): void {
     const scanner = this.#scanner;
     if (scanner.peek() === HASH) return;
-    const word = scanner.word();
+    const word = scanner.word().toLowerCase();
     switch (word) {
       case 'v':
         this.#vertex();
