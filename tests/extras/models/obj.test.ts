@@ -365,7 +365,13 @@ describe('the materials of an OBJ file', () => {
     // The equation cannot take these.
     ['Kd spectral red.rfl', { kd: undefined }],
     ['Kd xyz 1 1 1', { kd: undefined }],
-    ['Kd -1 2 1e9', { kd: [0, 510, 1e6] }],
+    ['Kd -1 2 16\nKe 0 0 1e9', { kd: [0, 510, 4080], emissive: [0, 0, 1e6 / 255] }],
+    // A library with more counts to 255.
+    [
+      'Kd 255 128 0\nKs 51\nKe 1 2 3',
+      { ka: [255, 128, 0], kd: [255, 128, 0], ks: [51, 51, 51], emissive: [1, 2, 3] },
+    ],
+    ['Ka 20\nmap_Kd x.png', { ka: [20, 20, 20], kd: [255, 255, 255] }],
     ['Kd nan 0 0', { kd: undefined }],
     ['Ke 0.8 0.4 0', { emissive: [0.8, 0.4, 0], emissiveMap: null }],
     ['Kd 1 1 1\nKe 0 0 0\nmap_Ke x.png', { emissive: [0, 0, 0], emissiveMap: null }],

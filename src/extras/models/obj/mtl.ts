@@ -88,10 +88,15 @@ export async function readMtl(
     }
     ({ at } = scanner);
   }
+  const most = [...materials.values()].flatMap(({ colors: { ka, kd } }) => [ka ?? [], kd ?? []]);
+  const full = most.some((color) => color.some((c) => c > MOST_FRACTION)) ? 255 : 1;
   return new Map(
-    await slices.map([...materials], ([name, draft]) => [name, finished(draft)] as const),
+    await slices.map([...materials], ([name, draft]) => [name, finished(draft, full)] as const),
   );
 }
+
+/** A library with a Ka or Kd above this counts to 255. Less may be a bright colour. */
+const MOST_FRACTION = 16;
 
 /** Longest name of a material in bytes, as in the OBJ file. */
 const NAME_LENGTH = 256;
@@ -263,11 +268,12 @@ function takeOptions(text: string, options: Options): string {
 const finite = (value: number, fallback: number): number =>
   Number.isFinite(value) ? value : fallback;
 
-function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMaterial {
+/** @param full what Ka, Kd and Ks have at full intensity. */
+function finished({ colors, maps, shininess, opacity, leftOut }: Draft, full = 1): MtlMaterial {
   const map = maps.map_kd ?? null;
   const keMap = maps.map_ke ?? null;
   // A texture without a colour is shown as it is.
-  const kd = colors.kd ?? (map === null ? undefined : WHITE);
+  const kd = colors.kd ?? (map === null ? undefined : scale(WHITE, full));
   const ka = colors.ka ?? kd;
   // `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for
   // plain surfaces. As an exponent it would add all of Ks to every lit point.
@@ -278,9 +284,9 @@ function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMate
   }
   return {
     surface: {
-      ...(ka && { ka: scale(ka, 255) }),
-      ...(kd && { kd: scale(kd, 255) }),
-      ...(ks && { ks: scale(ks, 255) }),
+      ...(ka && { ka: scale(ka, 255 / full) }),
+      ...(kd && { kd: scale(kd, 255 / full) }),
+      ...(ks && { ks: scale(ks, 255 / full) }),
       ...(shininess !== undefined && { shininess }),
     },
     opacity,
