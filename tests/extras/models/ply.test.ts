@@ -203,6 +203,18 @@ describe('a PLY file', () => {
       null,
     ],
     [
+      'its vertices, whole numbers of 16 bits, which count to 255 where none is above that',
+      `${mesh(4, 2, rgb('ushort', ['Red', 'Green', 'Blue', 'Alpha']))}0 0 0 255 0 0 255\n1 0 0 0 0 255 255\n1 1 0 9 9 9 255\n0 1 0 1 1 1 255\n3 0 1 2\n3 0 2 3\n`,
+      [RED, BLUE, GREY],
+      null,
+    ],
+    [
+      'its vertices, whole numbers of 16 bits, which count to 65535 where one is above 255',
+      `${mesh(4, 2, rgb('uint16', ['diffuse_r', 'diffuse_g', 'diffuse_b']))}0 0 0 65535 0 0\n1 0 0 0 0 65535\n1 1 0 2313 2313 2313\n0 1 0 256 0 0\n3 0 1 2\n3 0 2 3\n`,
+      [RED, BLUE, GREY],
+      null,
+    ],
+    [
       'its faces where its vertices have all the same',
       both('9 9 9'),
       OF_FACES,

@@ -7,13 +7,14 @@ import { TextScanner } from '../text/text-scanner.js';
 import {
   CornerLists,
   FULL,
+  fullOf,
   type Growing,
-  MOST_FRACTION,
   NONE,
   NOT_THERE,
   pushColor,
   toFractions,
   UNSTATED,
+  WIDE,
   wrongCoordinate,
 } from '../triangles/corner-lists.js';
 import { Polygons } from '../triangles/triangulate.js';
@@ -45,17 +46,26 @@ export async function readRows(
 }
 
 /**
- * The numbers of a row that are used, by property. x y z come first, then the normal, then the
- * colour.
+ * The numbers of a row that are used, by property in any spelling. x y z come first, then the
+ * normal, then the colour.
  */
-const SLOTS: ReadonlyMap<string, number> = new Map([
-  ...['x', 'y', 'z', 'nx', 'ny', 'nz', 'red', 'green', 'blue', 'alpha'].map(
-    (name, slot) => [name, slot] as const,
-  ),
-  ...['r', 'g', 'b', 'a'].map((name, i) => [name, 6 + i] as const),
-  ...['diffuse_red', 'diffuse_green', 'diffuse_blue'].map((name, i) => [name, 6 + i] as const),
-]);
+const SLOTS: ReadonlyMap<string, number> = new Map(
+  [
+    ['x', 'px', 'posx'],
+    ['y', 'py', 'posy'],
+    ['z', 'pz', 'posz'],
+    ['nx', 'normalx'],
+    ['ny', 'normaly'],
+    ['nz', 'normalz'],
+    ['red', 'r', 'diffuse_red', 'diffuse_r'],
+    ['green', 'g', 'diffuse_green', 'diffuse_g'],
+    ['blue', 'b', 'diffuse_blue', 'diffuse_b'],
+    ['alpha', 'a'],
+  ].flatMap((names, slot) => names.map((name) => [name, slot] as const)),
+);
 const [PLACE, NORMAL, COLOR, ALPHA, UNUSED] = [0, 3, 6, 9, 10] as const;
+
+const slotOf = (name: string): number | undefined => SLOTS.get(name.toLowerCase());
 
 type Row = Float64Array;
 
@@ -105,7 +115,7 @@ class PlyRows {
     row[ALPHA] = 1;
     const taker = this.#takerOf(element, row);
     const columns = element.properties.map(({ name, type, countType }) => {
-      const slot = SLOTS.get(name) ?? UNUSED;
+      const slot = slotOf(name) ?? UNUSED;
       return {
         type,
         countType,
@@ -163,8 +173,9 @@ class PlyRows {
 
   async finish(): Promise<CornerLists> {
     this.#chooseColors();
-    await toFractions(this.#lists.colors, this.#slices);
-    await toFractions(this.#lists.faceColors, this.#slices);
+    for (const { list, wide } of [this.#ofVertices, this.#ofFaces]) {
+      await toFractions(list, this.#slices, wide);
+    }
     const { count } = this.#lists.places;
     const highest = this.#highestVertex;
     if (highest >= count) {
@@ -178,14 +189,21 @@ class PlyRows {
 
   #takerOf({ name, count, properties }: PlyElement, row: Row): RowTaker {
     const found = new Set(
-      properties.map((property) => (property.countType === null ? SLOTS.get(property.name) : -1)),
+      properties.map((property) => (property.countType === null ? slotOf(property.name) : -1)),
     );
     const has = (first: number): boolean => [0, 1, 2].every((i) => found.has(first + i));
+    const wide = properties.every(
+      (property) => slotOf(property.name) !== COLOR || property.type.full === WIDE,
+    );
     if (name === 'vertex') {
       if (!has(PLACE)) throw new Error('its vertices have no x, y and z');
+      this.#ofVertices.wide = wide;
       return this.#vertices(row, has(NORMAL), has(COLOR));
     }
-    if (name === 'face') return this.#faces(row, has(COLOR));
+    if (name === 'face') {
+      this.#ofFaces.wide = wide;
+      return this.#faces(row, has(COLOR));
+    }
     if (name === 'tristrips') return this.#strips();
     if (count > 0) {
       this.#leftOut.feature(`the element ${clip(name, 40)}`);
@@ -292,6 +310,8 @@ class PlyRows {
 /** Colours of vertices or of faces. */
 class Colors {
   readonly list: Growing<Float32Array>;
+  /** Whether they are whole numbers of 16 bits. */
+  wide = false;
   /** Whether they are not all the same. */
   differ = false;
   readonly #first: number;
@@ -310,7 +330,7 @@ class Colors {
   }
 
   get hasAlpha(): boolean {
-    return this.#leastAlpha < (this.#mostAlpha > MOST_FRACTION ? 255 : 1);
+    return this.#leastAlpha < fullOf(this.#mostAlpha, this.wide);
   }
 
   push(row: Row): void {

@@ -193,10 +193,26 @@ export function pushColor(
 }
 
 /** Floats above this are taken for bytes. A little more than 1 is rounding, or a bright colour. */
-export const MOST_FRACTION = 2;
+const MOST_FRACTION = 2;
 
-/** Colours as fractions, clamped to 0–1: a file with a channel above 2 counts to 255. */
-export async function toFractions(colors: Growing<Float32Array>, slices: Slices): Promise<void> {
+/** Full intensity of whole numbers of 16 bits. */
+export const WIDE = 65535;
+
+/**
+ * Full intensity of channels of which this is the largest: a float above 2 counts to 255, and so do
+ * `wide` ones, which were divided by {@link WIDE}, where none is above 255.
+ */
+export function fullOf(most: number, wide = false): number {
+  if (wide) return most * WIDE < 255.5 ? 255 / WIDE : 1; // half a step for float32
+  return most > MOST_FRACTION ? 255 : 1;
+}
+
+/** Colours as fractions, clamped to 0–1. */
+export async function toFractions(
+  colors: Growing<Float32Array>,
+  slices: Slices,
+  wide = false,
+): Promise<void> {
   const { array } = colors;
   let most = 0;
   await slices.over(colors.length, (from, to) => {
@@ -204,7 +220,7 @@ export async function toFractions(colors: Growing<Float32Array>, slices: Slices)
       most = Math.max(most, array[i]!);
     }
   });
-  const full = most > MOST_FRACTION ? 255 : 1;
+  const full = fullOf(most, wide);
   await slices.over(colors.length, (from, to) => {
     for (let i = from; i < to; i += 1) {
       array[i] = array[i] === FULL ? 1 : Math.min(array[i]! / full, 1);
