@@ -58,6 +58,11 @@ describe('a binary STL file', () => {
 
   it.each([
     ['begin with `solid`', binary([{}], 'solid but binary\n facet'), 1],
+    [
+      'begin as a text does, with bytes after its last triangle',
+      new Uint8Array([...binary([{}], 'solid\nfacet normal 0 0 1'), 1, 2]),
+      1,
+    ],
     ['have bytes after its last triangle', new Uint8Array([...binary([{}]), 1, 2, 3]), 1],
     ['have triangles after a count of 0', binary([{}, {}], '', 0), 2],
   ])('may %s', async (_, bytes, triangles) => {

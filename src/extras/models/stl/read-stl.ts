@@ -13,12 +13,12 @@ import type { ModelBudget } from '../../../phong/model/model-budget.js';
 import { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
-import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
+import { holdsTriangles, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 
 export const read: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal, budget);
   const leftOut = new LeftOut();
-  const asText = !isBinaryStl(bytes) && isTextStl(bytes);
+  const asText = !holdsTriangles(bytes) && isTextStl(bytes);
   if (asText) {
     budget.add({ text: bytes.byteLength });
   }

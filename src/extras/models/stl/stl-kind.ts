@@ -9,12 +9,21 @@ export const STL_HEADER = 84;
  */
 export const STL_TRIANGLE = 50;
 
-/** Whether the size is exactly that of the triangles it claims. */
-export function isBinaryStl(bytes: Uint8Array): boolean {
-  if (bytes.byteLength < STL_HEADER + STL_TRIANGLE) return false;
-  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(STL_HEADER - 4, true);
-  return bytes.byteLength === STL_HEADER + count * STL_TRIANGLE;
+/** The triangles that its header claims, if it has them; a text's letters would claim 1e8. */
+function claimed(bytes: Uint8Array): number {
+  if (bytes.byteLength < STL_HEADER + STL_TRIANGLE) return 0;
+  return new DataView(bytes.buffer, bytes.byteOffset).getUint32(STL_HEADER - 4, true);
 }
+
+const sizeOf = (triangles: number): number => STL_HEADER + triangles * STL_TRIANGLE;
+
+/** Whether the size is exactly that of the triangles it claims. */
+export const isBinaryStl = (bytes: Uint8Array): boolean =>
+  claimed(bytes) > 0 && bytes.byteLength === sizeOf(claimed(bytes));
+
+/** Whether an STL file is binary by that, with other bytes behind or without. */
+export const holdsTriangles = (bytes: Uint8Array): boolean =>
+  claimed(bytes) > 0 && bytes.byteLength >= sizeOf(claimed(bytes));
 
 /** Comments before `solid`, which some programs write although the format has none. */
 const TEXT =
