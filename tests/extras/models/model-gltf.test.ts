@@ -62,6 +62,25 @@ describe('attributes', () => {
     expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
   });
 
+  it('may be interleaved and sparse, beside others of the same view', async () => {
+    const values = new Float32Array([0, 0, 0, 0, 0, 2, 9, 9, 9, 0, 0, 2, 0, 1, 0, 0, 0, 2]);
+    const sparse = {
+      count: 1,
+      indices: { bufferView: 1, componentType: UBYTE },
+      values: { bufferView: 2 },
+    };
+    const model = await gltf(
+      [values, new Uint8Array([1]), new Float32Array([1, 0, 0])],
+      [
+        { ...POSITION, sparse },
+        { ...POSITION, byteOffset: 12 },
+      ],
+      { ...mesh({ POSITION: 0, NORMAL: 1 }), strides: [24] },
+    );
+    expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
+    expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
+  });
+
   it('must be as many as there are vertices, and triangles must name vertices that exist', async () => {
     const fewer = view(0, 'VEC3', FLOAT, 2);
     await expect(

@@ -19,6 +19,8 @@ export interface BufferView {
   readonly byteStride: number | undefined;
   /** Null if its bytes are not compressed. */
   readonly meshopt: MeshoptView | null;
+  /** Where a view is made of a part of these bytes: its elements, one behind another. */
+  readonly elements?: Run & { readonly stride: number };
 }
 
 /** What the document says about numbers. Only {@link Accessors.read} gives access to them. */
@@ -37,16 +39,18 @@ export interface Accessor {
 export class Accessors {
   readonly #entries: readonly Entry[];
   readonly #budget: ModelBudget;
-  readonly #read = new Set<Entry>();
+  /** With the view that stands for its own, if one does. */
+  readonly #read = new Map<Entry, number | undefined>();
 
   constructor(entries: readonly Entry[], budget: ModelBudget) {
     this.#entries = entries;
     this.#budget = budget;
   }
 
+  /** @param views gets one for each sparse accessor among others, which the parser cannot read. */
   static async of(
     json: JsonObject,
-    views: readonly BufferView[],
+    views: BufferView[],
     budget: ModelBudget,
     slices: Slices,
   ): Promise<Accessors> {
@@ -71,9 +75,9 @@ export class Accessors {
   read({ index }: Accessor): void {
     const entry = this.#entries[index]!;
     if (this.#read.has(entry)) return;
-    entry.requireBytes();
+    const view = entry.requireBytes();
     this.#budget.add({ values: Math.ceil(entry.ownBytes / 4) });
-    this.#read.add(entry);
+    this.#read.set(entry, view);
   }
 
   /** For the parser. Call it when everything that is needed was read. */
@@ -81,17 +85,19 @@ export class Accessors {
     return slices.map(this.#entries, (entry) => {
       // The parser looks up the types of attributes that Draco data hold.
       const { definition } = entry;
-      return this.#read.has(entry)
-        ? definition
-        : { ...definition, count: 0, bufferView: undefined, sparse: undefined };
+      if (!this.#read.has(entry)) {
+        return { ...definition, count: 0, bufferView: undefined, sparse: undefined };
+      }
+      const bufferView = this.#read.get(entry);
+      return bufferView === undefined ? definition : { ...definition, bufferView, byteOffset: 0 };
     });
   }
 }
 
 interface Entry extends Accessor {
   readonly definition: JsonObject;
-  /** Throws if the views hold fewer bytes than claimed. */
-  readonly requireBytes: () => void;
+  /** Throws if the views hold fewer bytes than claimed. Gives the view to read in its own's place. */
+  readonly requireBytes: () => number | undefined;
   /**
    * Bytes that are allocated beside the copies of its views: zeros without a view, and sparse
    * values put in place.
@@ -116,7 +122,7 @@ export function readBufferViews(
   json: JsonObject,
   buffers: number,
   slices: Slices,
-): Promise<readonly BufferView[]> {
+): Promise<BufferView[]> {
   return slices.map(objectsAt(json['bufferViews'], 'bufferViews'), (view, i) => {
     const what = `bufferViews[${String(i)}]`;
     const byteStride = view['byteStride'] || undefined; // some exporters write 0 for "packed"
@@ -130,7 +136,7 @@ export function readBufferViews(
   });
 }
 
-function entryOf(accessor: JsonObject, index: number, views: readonly BufferView[]): Entry {
+function entryOf(accessor: JsonObject, index: number, views: BufferView[]): Entry {
   const what = `accessors[${String(index)}]`;
   const components = COMPONENTS.get(accessor['type']);
   const unit = COMPONENT_BYTES.get(accessor['componentType']);
@@ -142,15 +148,14 @@ function entryOf(accessor: JsonObject, index: number, views: readonly BufferView
   const elements = { view: accessor['bufferView'], offset, count, item: components * unit, unit };
   const sparse =
     accessor['sparse'] === undefined ? null : sparseRuns(accessor['sparse'], elements, what);
-  const requireBytes = (): void => {
+  const requireBytes = (): number | undefined => {
     const stride = requireView(elements, views, what);
-    if (sparse === null) return;
-    if (stride !== elements.item) {
-      throw new Error(`${what} is sparse and interleaved, which is not supported`);
-    }
-    for (const run of sparse) {
+    for (const run of sparse ?? []) {
       requireView(run, views, what);
     }
+    if (sparse === null || stride === elements.item) return undefined;
+    const view = views[Number(elements.view)]!;
+    return views.push({ ...view, byteStride: undefined, elements: { ...elements, stride } }) - 1;
   };
   return {
     index,

@@ -8,6 +8,7 @@ import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
 import type { MeshoptView } from './accessors.js';
+import { Slices } from '../slices.js';
 import { isDataUri } from '../../../phong/fields/file-names.js';
 
 export type GltfBytes = ReturnType<typeof gltfBytes>;
@@ -59,13 +60,25 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
         requireDecoders(source, 'meshopt');
       }
       const bytes = await slice(index);
-      const length = meshopt ? meshopt.count * meshopt.stride : bytes.byteLength;
+      const whole = meshopt ? meshopt.count * meshopt.stride : bytes.byteLength;
+      const elements = view?.elements;
+      const length = elements ? elements.count * elements.item : whole;
       const size = length + (view?.byteStride ?? 0);
       copied += size;
       // Views may overlap or be compressed, so a small file can claim any size.
       requireAtMost(copied, LIMITS.bytes, 'bytes once they are unpacked');
       const copy = new Uint8Array(size);
-      copy.set(meshopt ? await unpacked(bytes, meshopt) : bytes);
+      const plain = meshopt ? await unpacked(bytes, meshopt) : bytes;
+      if (elements) {
+        const { offset, item, stride, count } = elements;
+        await new Slices(source.signal).over(count, (from, to) => {
+          for (let i = from; i < to; i += 1) {
+            copy.set(plain.subarray(offset + i * stride, offset + i * stride + item), i * item);
+          }
+        });
+      } else {
+        copy.set(plain);
+      }
       return copy.buffer;
     },
     image: async (index: number): Promise<FileBytes> => {
