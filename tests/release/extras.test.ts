@@ -14,7 +14,7 @@ import {
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
-import { describe, expect, it } from 'vitest';
+import { afterAll, describe, expect, it } from 'vitest';
 import {
   EXTRAS,
   repository,
@@ -51,18 +51,26 @@ function copyWithout(gone: ReadonlySet<string>): string {
   return copy;
 }
 
-/** Whether all that a file imports is there, in turn. */
-function isWhole(file: string, seen = new Set<string>()): boolean {
+/** Whether all that a file of the copy imports is there, in turn, by the package's name too. */
+function isWhole(copy: string, file: string, seen = new Set<string>()): boolean {
   if (seen.has(file)) return true;
   seen.add(file);
   if (!file.endsWith('.ts')) return true;
   const code = readFileSync(file, 'utf8');
-  return [...code.matchAll(/(?:from|import\() ?'(\.[^'?]*)/g)].every(([, specifier = '']) => {
+  const specifiers = [...code.matchAll(/(?:from|import\() ?'((?:\.|phong-viewer\/)[^'?]*)/g)];
+  return specifiers.every(([, specifier = '']) => {
+    if (!specifier.startsWith('.')) {
+      return Object.hasOwn(exportsOf(copy), specifier.replace('phong-viewer', '.'));
+    }
     const path = resolve(dirname(file), specifier);
     const found = [path.replace(/\.js$/, '.ts'), path].find((one) => existsSync(one));
-    return found !== undefined && isWhole(found, seen);
+    return found !== undefined && isWhole(copy, found, seen);
   });
 }
+
+const exportsOf = (copy: string): object =>
+  (JSON.parse(readFileSync(join(copy, 'package.json'), 'utf8')) as { readonly exports: object })
+    .exports;
 
 /**
  * Tests of the viewer and of the extras that are left. What lies below cannot differ, and others are
@@ -73,7 +81,7 @@ function testsIn(copy: string): readonly string[] {
   return folders.flatMap((folder) =>
     (readdirSync(join(copy, folder), { recursive: true }) as string[])
       .map((name) => join(folder, name))
-      .filter((name) => name.endsWith('.test.ts') && isWhole(join(copy, name))),
+      .filter((name) => name.endsWith('.test.ts') && isWhole(copy, join(copy, name))),
   );
 }
 
@@ -90,34 +98,41 @@ function run(copy: string, ...args: readonly string[]): string {
   return status === 0 ? '' : stdout + stderr;
 }
 
-describe.each(EXTRAS)('without %s', (name) => {
+/** All of them, or the one that `npx vitest run tests/release/extras.test.ts -t 'without panel'` names. */
+describe.each(EXTRAS)('without %s, the rest', { timeout: 900_000 }, (name) => {
   const gone = withDependents(name);
+  let copy = '';
 
-  it('the rest compiles, builds and passes its tests', { timeout: 900_000 }, () => {
-    expect(typeErrors(gone)).toEqual([]);
-    const copy = copyWithout(gone);
-    try {
-      for (const [config, mode] of [
-        ['lib', 'index'],
-        ['standalone', 'production'],
-      ] as const) {
-        const file = `.ci/vite/${config}.config.ts`;
-        expect(
-          run(copy, 'node_modules/vite/bin/vite.js', 'build', '--config', file, '--mode', mode),
-        ).toBe('');
-      }
-      expect(run(copy, '.ci/manifest.mjs')).toBe('');
-      const { exports } = JSON.parse(readFileSync(join(copy, 'package.json'), 'utf8')) as {
-        readonly exports: object;
-      };
-      for (const each of gone) {
-        expect(JSON.stringify(exports)).not.toContain(`extras/${each}/`);
-      }
-      const tests = testsIn(copy);
-      expect(tests.length).toBeGreaterThan(15);
-      expect(run(copy, 'node_modules/vitest/vitest.mjs', 'run', ...tests)).toBe('');
-    } finally {
+  afterAll(() => {
+    if (copy !== '') {
       rmSync(copy, { recursive: true });
     }
+  });
+
+  it('compiles', () => {
+    expect(typeErrors(gone)).toEqual([]);
+  });
+
+  it('builds, and has no entry of it', () => {
+    copy = copyWithout(gone);
+    for (const [config, mode] of [
+      ['lib', 'index'],
+      ['standalone', 'production'],
+    ] as const) {
+      const file = `.ci/vite/${config}.config.ts`;
+      expect(
+        run(copy, 'node_modules/vite/bin/vite.js', 'build', '--config', file, '--mode', mode),
+      ).toBe('');
+    }
+    expect(run(copy, '.ci/manifest.mjs')).toBe('');
+    for (const each of gone) {
+      expect(JSON.stringify(exportsOf(copy))).not.toContain(`extras/${each}/`);
+    }
+  });
+
+  it('passes its tests', () => {
+    const tests = testsIn(copy);
+    expect(tests.length).toBeGreaterThan(15);
+    expect(run(copy, 'node_modules/vitest/vitest.mjs', 'run', ...tests)).toBe('');
   });
 });

@@ -3,6 +3,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import { VIEWER_ROWS } from '../../src/extras/panel/viewer-rows.js';
+import { VIEWER_FIELDS } from '../../src/viewer/element/fields/viewer-fields.js';
+import { panelRows } from '../../src/viewer/element/panel-rows.js';
 import {
   brokenImports,
   EXTRAS,
@@ -57,6 +60,14 @@ describe('the door of extras', () => {
       .filter((name) => !imported.includes(name));
     expect(unused).toEqual([]);
   });
+});
+
+it('every value of the viewer has a row in the panel, is said to have none, or an extra brings one', async () => {
+  const left = Object.keys(VIEWER_FIELDS).filter((key) => !Object.hasOwn(VIEWER_ROWS, key));
+  const brought = await Promise.all(panelRows.map((load) => load()));
+  const row = () => ({ add: () => undefined });
+  const kit = { flag: row, flags: row, oneOf: row, oneName: row };
+  expect(brought.flatMap(({ rows }) => Object.keys(rows(kit))).sort()).toEqual(left.sort());
 });
 
 describe('an extra', () => {

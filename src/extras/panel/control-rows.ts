@@ -70,7 +70,7 @@ export const stepper = (
       show(output, text.replace(/[\w-]+/g, (word) => say(word as ViewerText)) || NOTHING);
     };
     const [back, forward] = [stepTo('back'), stepTo('forward')];
-    const row = new InputRow(gui, bound, 'steps', nameOf(key), [
+    const row = new InputRow(gui, bound, 'steps', nameOf(key, own), [
       back,
       { input: output, update },
       forward,
@@ -102,18 +102,8 @@ const SCALES: Readonly<Record<string, SliderScale>> = {
   pixelRatio: linear(0.25, 4, 0.25),
 };
 
-/** Names that are not the attribute's. */
-const NAMES: Readonly<Record<string, ViewerText>> = {
-  theta: 'θ azimuth °',
-  phi: 'φ polar °',
-  fov: 'fov °',
-  aperture: 'aperture °',
-  rotation: 'rotation °',
-  colorInterpolation: 'colour space',
-  viewLight: 'view light',
-};
-
-const nameOf = (key: string): ViewerText => NAMES[key] ?? (attributeOf(key) as ViewerText);
+const nameOf = (key: string, own: AnyRow<Editable> | null): ViewerText =>
+  own?.label ?? (attributeOf(key) as ViewerText);
 
 /** The panel's row, or what the kind of the field asks for. */
 export function rowOf(
@@ -122,7 +112,7 @@ export function rowOf(
   own: AnyRow<Editable> | null,
 ): AnyRow<Editable> {
   if (own !== null && SCALES[key] === undefined) return own;
-  const name = nameOf(key);
+  const name = nameOf(key, own);
   if (choices !== undefined) return oneOf(name, choices as readonly ViewerText[]);
   if (kind === 'number') {
     const row: Row<number, Editable> = number(name, SCALES[key] ?? linear(0, 1));

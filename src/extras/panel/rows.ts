@@ -61,6 +61,8 @@ export const declared = (element: Editable, key: string): Source => ({
 });
 
 export interface Row<T, E> {
+  /** The row's name, where it has one. */
+  readonly label?: ViewerText;
   /** Adds the controls to the folder. `value` reads and writes the field. */
   readonly add: (gui: GUI, place: RowContext<E>, value: Bound<T>) => void;
   /** Where the value is; the declared one, if left out. */
@@ -167,6 +169,7 @@ export const number = <E>(
   travel: SliderScale | ((place: RowContext<E>) => SliderScale),
   hint?: ViewerText,
 ): Row<number, E> => ({
+  label,
   add: (gui, place, value) => {
     const control = addNumber(gui, value, label, () =>
       scaled(place, typeof travel === 'function' ? travel(place) : travel),
@@ -183,6 +186,7 @@ export const vector = <E>(
   travel: SliderScale | ((place: RowContext<E>, axis: Axis) => SliderScale),
   components?: ComponentNames,
 ): Row<Vec3, E> => ({
+  label,
   add: (gui, place, value) => {
     const travelOf = (axis: Axis): SliderScale =>
       scaled(place, typeof travel === 'function' ? travel(place, axis) : travel);
@@ -198,10 +202,12 @@ export const vector = <E>(
 
 /** `usual`: the end of the brightness slider; 1 is 255. */
 export const color = (label: ViewerText, usual: number): Row<Vec3, unknown> => ({
+  label,
   add: (gui, _, value) => addColor(gui, value, label, usual),
 });
 
 export const flag = (label: ViewerText): Row<boolean, unknown> => ({
+  label,
   add: (gui, _, value) => nameRow(gui.add(value, 'value'), label),
 });
 
@@ -225,6 +231,7 @@ export const flags = <T extends string>(
 
 /** A line of text; empty, it shows the folder's title. */
 export const text = (label: ViewerText): Row<string, unknown> => ({
+  label,
   add: (gui, place, value) => addText(gui, value, label, () => place.title()),
 });
 
@@ -234,6 +241,7 @@ export const oneOf = <T extends ViewerText | null>(
   words: readonly T[],
   hint?: ViewerText,
 ): Row<T, unknown> => ({
+  label,
   add: (gui, _, value) => {
     const textOf = (word: T, say: Say): string => say(word ?? 'as viewer');
     const control = addSelect(gui, value, label, () => words, textOf);
@@ -249,6 +257,7 @@ export const oneName = <E>(
   values: (element: E) => readonly string[],
   textOf: (name: string, element: E, say: Say) => string,
 ): Row<string, E> => ({
+  label,
   add: (gui, { element }, value) => {
     const valuesNow = (): readonly string[] => values(element);
     addSelect(gui, value, label, valuesNow, (name, say) => textOf(name, element, say));

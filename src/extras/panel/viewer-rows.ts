@@ -30,6 +30,9 @@ import { linear, logarithmic, numberText } from './travel.js';
 
 type ViewerValues = ValuesByTag['phong-viewer'];
 
+/** Those whose rows no other extra brings. */
+type OwnValues = Omit<ViewerValues, keyof ReturnType<ExtraRows>>;
+
 /**
  * Edits the camera as it is now, not the declared values, as a drag does: reset returns to what is
  * declared. Writes throw RangeError, as the properties do, for values outside the field's domain.
@@ -78,11 +81,6 @@ const OWN_ROWS = {
     antialias: oneOf('antialias', ['edges', 'full']),
     samples: number('samples', linear(16, 1024, 1), 'Per pixel, with antialias full'),
   }),
-  // Brought by the extra that shows them.
-  view: NO_ROW,
-  viewLight: NO_ROW,
-  helpers: NO_ROW,
-  probe: NO_ROW,
   ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.
   src: NO_ROW,
@@ -101,7 +99,7 @@ const OWN_ROWS = {
   probeAt: NO_ROW,
   cameraGroup: NO_ROW,
   gui: NO_ROW,
-} satisfies RowTable<ViewerValues, PhongViewer, 'eye' | 'resetCamera' | 'resetMaterial'>;
+} satisfies RowTable<OwnValues, PhongViewer, 'eye' | 'resetCamera' | 'resetMaterial'>;
 
 /** With those that other extras bring. */
 export const VIEWER_ROWS: Rows<PhongViewer> = { ...OWN_ROWS };

@@ -31,9 +31,15 @@ export interface RowKit {
   ) => PanelRow<string>;
 }
 
+/**
+ * The viewer's values whose rows extras bring. One that no extra brings fails in Node; the panel has
+ * a row or `NO_ROW` for all others, or does not compile.
+ */
+type Brought = 'view' | 'viewLight' | 'helpers' | 'probe';
+
 /** Rows of the folder *Show*, by their fields. */
 export type ExtraRows = (kit: RowKit) => {
-  readonly [K in keyof ViewerValues]?: PanelRow<ViewerValues[K]>;
+  readonly [K in Brought]?: PanelRow<ViewerValues[K]>;
 };
 
 /** Filled by the table of extras. */
