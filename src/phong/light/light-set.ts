@@ -1,5 +1,6 @@
 // Which lights there are, in which order, and whether anything about them has changed.
 import { sameValue } from '../fields/field-store.js';
+import { Signal } from '../fields/signal.js';
 import type { LightState, LightValues } from './light-state.js';
 
 /** The lights of one picture, in order. */
@@ -7,16 +8,20 @@ export class LightSet {
   readonly #lights: LightState[] = [];
   readonly #values: Readonly<LightValues>[] = [];
   readonly #listeners = new Map<LightState, (key: keyof LightValues) => void>();
-  readonly #changed: (light: LightState | null) => void;
   #version = 0;
   #kindVersion = 0;
 
   /**
-   * `changed` is called after each change: with the light, or null when lights were added, removed
-   * or reordered.
+   * Given after each change, hundreds of times a frame: with the light that was written to, or null
+   * when lights were added, removed or reordered.
    */
-  constructor(changed: (light: LightState | null) => void = () => undefined) {
-    this.#changed = changed;
+  readonly changed = new Signal<LightState | null>();
+
+  /** `changed` listens to it. */
+  constructor(changed?: (light: LightState | null) => void) {
+    if (changed !== undefined) {
+      this.changed.listen(changed);
+    }
   }
 
   /** Increments with every change. Lights packed for an older version are out of date. */
@@ -90,6 +95,6 @@ export class LightSet {
       this.#kindVersion += 1;
     }
     this.#version += 1;
-    this.#changed(light);
+    this.changed.emit(light);
   }
 }

@@ -124,11 +124,11 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   constructor() {
     super();
-    const { signals } = this.#context;
+    const { signals, lightSet } = this.#context;
     this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
     signals.awaited = () => this.#loading.awaited || this.#extras.awaited;
     signals.layoutNeeded.listen(() => this.#visibility.look());
-    signals.lightChanged.listen((light) => this.#events.enqueueLight(light));
+    lightSet.changed.listen((light) => this.#events.enqueueLight(light));
     signals.cameraMoved.listen(({ source, linked }) => {
       // The first framing is not a move.
       if (this.hasUpdated) {

@@ -69,6 +69,7 @@ export class Picture {
   /** `changed`: another version is to be drawn. `fitted`: `auto` has moved the camera. */
   constructor(lights: LightSet, changed: () => void, fitted: () => void) {
     this.lighting = new PhongLighting(lights);
+    lights.changed.listen(() => this.invalidate(true));
     this.materials = new SharedMaterials(this.lighting);
     this.#changed = changed;
     this.#fitted = fitted;

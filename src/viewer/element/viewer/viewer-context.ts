@@ -3,7 +3,6 @@ import { sizeOnPage } from '../../scene/gpu/atlas-copies.js';
 import type { FieldStore } from '../../../phong/fields/field-store.js';
 import { Signal } from '../../../phong/fields/signal.js';
 import { LightSet } from '../../../phong/light/light-set.js';
-import type { LightState } from '../../../phong/light/light-state.js';
 import type { Picture } from '../../scene/picture.js';
 import { Viewport, ViewportSignals } from '../../scene/viewport.js';
 import type { CameraSource, PhongLight, PhongViewer } from '../elements.js';
@@ -20,8 +19,6 @@ export interface CameraMove {
 export class ViewerSignals extends ViewportSignals {
   /** Lights and meshes must be in document order now: a frame begins. */
   readonly orderNeeded = new Signal();
-  /** A light was written to, or (null) lights came, went or changed places. Hundreds a frame. */
-  readonly lightChanged = new Signal<LightState | null>();
   /** The lights that the `light-change` names that is about to be dispatched. */
   readonly lightsReported = new Signal<readonly PhongLight[]>();
   /** Meshes came, went, changed places or were written to. */
@@ -37,7 +34,7 @@ export class ViewerContext {
   readonly viewer: PhongViewer;
   readonly store: FieldStore<ViewerValues>;
   readonly signals = new ViewerSignals();
-  readonly lightSet = new LightSet((light) => this.signals.lightChanged.emit(light));
+  readonly lightSet = new LightSet();
   readonly viewport: Viewport;
   readonly picture: Picture;
 
@@ -46,8 +43,7 @@ export class ViewerContext {
     this.viewer = viewer;
     this.store = store;
     this.viewport = new Viewport(holder, this.lightSet, this.signals);
-    const picture = (this.picture = this.viewport.picture);
-    this.signals.lightChanged.listen(() => picture.invalidate(true));
+    this.picture = this.viewport.picture;
     this.signals.viewChanged.listen((view) => this.#follow(view));
   }
 

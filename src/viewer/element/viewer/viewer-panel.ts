@@ -19,7 +19,7 @@ export class ViewerPanel {
   #waiting: HTMLElement | null = null;
   #painted = false;
 
-  constructor({ viewer, signals, store }: ViewerContext) {
+  constructor({ viewer, signals, store, lightSet }: ViewerContext) {
     this.#viewer = viewer;
     this.#values = store.values;
     signals.viewChanged.listen(({ painted }) => {
@@ -28,7 +28,7 @@ export class ViewerPanel {
         void this.toggle(this.#wanted, this.#waiting);
       }
     });
-    signals.lightChanged.listen(() => this.changed('lights'));
+    lightSet.changed.listen(() => this.changed('lights'));
     signals.meshesChanged.listen(() => this.changed('meshes'));
     signals.cameraMoved.listen(() => this.changed('camera'));
     signals.fitted.listen(() => this.changed('camera'));
