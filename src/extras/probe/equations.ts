@@ -7,7 +7,12 @@ import {
   phrase,
   type ViewerTexts,
 } from '../../viewer/extra.js';
-import { LIGHT_FIELDS, type LightValues, type Term } from '../../phong/light/light-state.js';
+import {
+  LIGHT_FIELDS,
+  type LightValues,
+  type Term,
+  type ShadedValue,
+} from '../../phong/light/light-state.js';
 import { cosDegrees } from '../../phong/math/angle.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
 import { add, clamp, map, multiply, type Vec3 } from '../../phong/math/vector.js';
@@ -100,13 +105,6 @@ export function equationsOf(
   });
   return [...lines, sumLine(lines, fragment, linear, texts)];
 }
-
-type Values = typeof LIGHT_FIELDS;
-
-/** The values of a light that enter the equation. */
-type ShadedValue = {
-  [K in keyof Values]: Values[K]['shading'] extends string ? never : K;
-}[keyof Values];
 
 type FactorOf = (at: TermAt) => Factor | null;
 

@@ -212,6 +212,13 @@ export const LIGHT_FIELDS = {
   space: { ...choiceField<LightSpace>('world', LIGHT_SPACES), shading: 'select' },
 } as const satisfies { readonly [K in keyof LightValues]: LightField<LightValues[K]> };
 
+type Values = typeof LIGHT_FIELDS;
+
+/** The values that enter the equation. */
+export type ShadedValue = {
+  [K in keyof Values]: Values[K]['shading'] extends string ? never : K;
+}[keyof Values];
+
 /** One light. Every write is checked and notifies the listener, its LightSet. */
 export class LightState extends FieldStore<LightValues> {
   /** Throws as {@link FieldStore.set} does. Values that are not given have their defaults. */

@@ -2,7 +2,7 @@
 // mistake is a step that is written wrongly, so one evaluation serves the right equation, every
 // mistake, and two mistakes at once. World space, float64; 1 is full.
 import { LEAST_EXPONENT, NEAREST } from '../light/precision.js';
-import type { Term } from '../light/light-state.js';
+import type { LightValues, ShadedValue, Term } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import {
   add,
@@ -15,24 +15,12 @@ import {
   scale,
   subtract,
   type Vec3,
-  type Vec4,
 } from '../math/vector.js';
 
 /** One lamp at one point, as a learner's function is given it. */
 export interface Given {
-  readonly light: {
-    readonly ambient: Vec3;
-    readonly diffuse: Vec3;
-    readonly specular: Vec3;
-    /** w 0: the vector that points to the light; w 1: its place. */
-    readonly position: Vec4;
-    /** Any length; zero: neither cone nor decay. */
-    readonly axis: Vec3;
-    /** Half-angle in degrees; 180: no cone. */
-    readonly aperture: number;
-    readonly cutoff: number;
-    readonly attenuation: Vec3;
-  };
+  /** Without an axis, or with aperture 180 and cutoff 0, it has neither cone nor decay. */
+  readonly light: Readonly<Pick<LightValues, ShadedValue>>;
   readonly material: {
     readonly ka: Vec3;
     readonly kd: Vec3;

@@ -1,6 +1,8 @@
 // Are hostile and broken sources refused before anything is compiled, and all others let through?
 import { describe, expect, it } from 'vitest';
 import { checked } from '../../../src/extras/exercise/guard.js';
+import { GIVEN_GLSL } from '../../../src/extras/exercise/solution.js';
+import { LIGHT_FIELDS } from '../../../src/phong/light/light-state.js';
 import { REFUSED_ONES, RIGHT, RIGHT_ONES, UNUSUAL_ONES, WRONG_ONES } from './functions.js';
 
 const HEAD = 'vec3 shade(Light light, Material m, vec3 p, vec3 normal, vec3 eye) {';
@@ -17,6 +19,14 @@ describe('is refused with its reason:', () => {
         : '',
     ).toContain(reason);
   });
+});
+
+it('the function gets every value of a light that enters the equation', () => {
+  const struct = /struct Light \{[^}]*/.exec(GIVEN_GLSL)?.[0] ?? '';
+  const values = Object.entries(LIGHT_FIELDS).filter(
+    ([, { shading }]) => typeof shading === 'object',
+  );
+  expect(values.map(([key]) => key).filter((key) => !struct.includes(key))).toEqual([]);
 });
 
 it('lets through what learners write, right or wrong', () => {

@@ -1,9 +1,13 @@
 // Do the GLSL's defines name the layout's numbers, and are its limits within what float32 holds?
 
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { KINDS } from '../../../src/phong/light/light-state.js';
 import {
+  FEATURES,
   LIGHT_FEATURES,
   layoutDefines,
+  PACKED_VALUES,
   TEXTURE_ROWS_LOG2,
 } from '../../../src/phong/light/light-layout.js';
 import {
@@ -43,6 +47,26 @@ it('the defines of the layout name each thing once, ints for whole numbers and f
   expect(defines.get('POINT_ROWS')).toMatch(/^[1-9]$/);
   expect(Number(defines.get('TINY'))).toBe(2 ** -120);
   expect(Number(defines.get('NEAREST_SQUARED'))).toBeCloseTo(1e-30, 44);
+});
+
+describe('the loop over the lights', () => {
+  const shaders = readdirSync('shaders')
+    .map((name) => readFileSync(`shaders/${name}`, 'utf8'))
+    .join('\n');
+
+  it.each(KINDS)('reads every value that is packed for a %s light', (kind) => {
+    const name = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`;
+    const body = new RegExp(`void add${name}\\([^]*?\\n\\}`).exec(shaders)?.[0] ?? '';
+    const isRead = (value: string): boolean => new RegExp(`\\blight\\.${value}\\b`).test(body);
+    expect(PACKED_VALUES[kind].map((value) => value.name).filter((one) => !isRead(one))).toEqual(
+      [],
+    );
+  });
+
+  it('asks for every feature that the mask has a bit for', () => {
+    const names = FEATURES.map(({ name }) => name.replace(/[A-Z]/g, '_$&').toUpperCase());
+    expect(names.filter((name) => !shaders.includes(`FEATURE_${name}`))).toEqual([]);
+  });
 });
 
 describe('the layout', () => {
