@@ -29,14 +29,14 @@ for (const [what, attributes, layouts] of [
   test(`a drag with ${what} lays the page out ${layouts}`, async ({ browser, page, mount }) => {
     const viewer = await mount(
       `<phong-viewer geometry="box" ${attributes}>${lights}</phong-viewer>`,
-      { width: 800, height: 500 },
+      { width: 500, height: 320 },
     );
     await settled(viewer);
     const moveTo = async (step: number): Promise<void> => {
-      await page.mouse.move(200 + 3 * step, 200 + step);
+      await page.mouse.move(100 + 3 * step, 120 + step);
       await page.evaluate(() => new Promise(requestAnimationFrame));
     };
-    await page.mouse.move(200, 200);
+    await page.mouse.move(100, 120);
     await page.mouse.down();
     // The first moves show what a drag changes, such as the shape of the pointer.
     for (let i = 0; i < 5; i++) {
