@@ -3,7 +3,7 @@
 import { type Accuracy, WAYS } from '../../bench/accuracy-chart.mjs';
 import { expect, test } from '../../support/test.js';
 
-test('measures every way to write the loop, plots it and copies the result as JSON', async ({
+test('@release measures every way to write the loop, plots it and copies the result as JSON', async ({
   page,
   context,
 }) => {
@@ -14,14 +14,6 @@ test('measures every way to write the loop, plots it and copies the result as JS
   await expect(page.locator('#renderer')).toContainText(/SwiftShader|llvmpipe|ANGLE/);
   const copy = page.getByRole('button', { name: 'Copy the result as JSON' });
   await expect(copy).toBeDisabled();
-  const recorded = page.locator('.recorded');
-  await expect(recorded.filter({ hasText: 'Software rendering' })).toHaveCount(1);
-  for (const section of await recorded.all()) {
-    await expect(section.getByRole('img', { name: 'torus: error over time' })).toBeVisible();
-    const cells = section.getByRole('row', { name: /^TAARenderPass, 32/ }).getByRole('cell');
-    await expect(cells).toHaveCount(await section.getByRole('img').count());
-    await expect(section).not.toContainText(/–|NaN/);
-  }
   const example = (await page.locator('#here p').textContent())!;
   expect(example).toMatch(/^(On an NVIDIA|In software).* exactness costs/);
   await page.getByRole('button', { name: 'Measure' }).click();
@@ -61,11 +53,20 @@ test('measures every way to write the loop, plots it and copies the result as JS
   await expect(page.locator('#machines')).toContainText(example);
 });
 
-test('keeps its canvas on screen while the reader scrolls, and stops on request', async ({
+test('shows recorded pictures; its canvas stays on screen, and it stops on request', async ({
   page,
 }) => {
   await page.goto('/demo/bench/');
+  const recorded = page.locator('.recorded');
+  await expect(recorded.filter({ hasText: 'Software rendering' })).toHaveCount(1);
+  for (const section of await recorded.all()) {
+    await expect(section.getByRole('img', { name: 'torus: error over time' })).toBeVisible();
+    const cells = section.getByRole('row', { name: /^TAARenderPass, 32/ }).getByRole('cell');
+    await expect(cells).toHaveCount(await section.getByRole('img').count());
+    await expect(section).not.toContainText(/–|NaN/);
+  }
   await page.getByRole('button', { name: 'Measure' }).click();
+  await expect(page.getByRole('progressbar')).toBeVisible();
   await page.evaluate(() => {
     scrollTo(0, document.body.scrollHeight);
   });

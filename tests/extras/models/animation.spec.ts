@@ -2,6 +2,7 @@
 // pose of the last frame.
 
 import type { Locator } from '@playwright/test';
+import { firstOf } from '../../support/repeats.js';
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { addressOf, bar } from '../../support/animated-gltf.js';
 import { countEverything, NOTHING, spentIn } from '../../element/support/counting.js';
@@ -90,7 +91,7 @@ test('`auto` frames all poses at the keys: a model that grows or slides stays in
       }
       return least;
     });
-  for (const name of ['slide', 'bend', 'swell']) {
+  for (const name of firstOf(['slide', 'swell', 'bend'], 1)) {
     await show(viewer, viewerOf(`autoplay animation-name="${name}"`));
     expect.soft(await margin(), name).toBeGreaterThan(0);
   }

@@ -17,7 +17,7 @@ import { modelScenes, siteScenes } from './scenes.js';
 const SIZE = { width: 152, height: 84 };
 
 const SCENES = [
-  ...siteScenes(fullOr(Infinity, 5), fullOr(Infinity, 1)),
+  ...siteScenes(fullOr(Infinity, 3), fullOr(Infinity, 1)),
   ...modelScenes().slice(0, fullOr(Infinity, 1)),
 ];
 
