@@ -33,14 +33,14 @@ export const controlCode = /* @__PURE__ */ extraCode<{
   readonly follow: (element: HTMLElement) => void;
 }>('<phong-control>');
 
-export const probeCode = /* @__PURE__ */ extraCode<{
+/** The code of a control of forms. */
+export interface FormCode {
   readonly follow: (element: HTMLElement) => void;
-  readonly restore: (element: HTMLElement, answers: string) => void;
-}>('<phong-probe>');
-export const exerciseCode = /* @__PURE__ */ extraCode<{
-  readonly follow: (element: HTMLElement) => void;
-  readonly restore: (element: HTMLElement, written: string) => void;
-}>('<phong-exercise>');
+  readonly restore: (element: HTMLElement, state: string) => void;
+}
+
+export const probeCode = /* @__PURE__ */ extraCode<FormCode>('<phong-probe>');
+export const exerciseCode = /* @__PURE__ */ extraCode<FormCode>('<phong-exercise>');
 
 /** Lays out the viewers of a comparison. */
 export interface Comparison extends ReactiveController {

@@ -1,7 +1,5 @@
 // <phong-exercise>: a lighting function to write, run and judge. Its chunk also gives it
 // properties.
-import { reportMissing } from '../model/provided-code.js';
-import { Base } from './child-element.js';
 import type {
   FormControl,
   Listen,
@@ -9,6 +7,7 @@ import type {
   PhongExerciseEventMap,
 } from './elements.js';
 import { exerciseCode } from './extra-code.js';
+import { formElement } from './form-element.js';
 import type { ExerciseProperties } from './fields/exercise-properties.js';
 
 // The accessors come from the table of fields and from the chunk.
@@ -28,25 +27,7 @@ interface ExerciseElement extends ExerciseProperties, FormControl {
  * @csspart verdict - what is said after a run
  * @csspart button - each button
  */
-class ExerciseElement extends Base implements PublicExercise {
-  static readonly formAssociated = true;
-
-  connectedCallback(): void {
-    exerciseCode().then(({ follow }) => follow(this), reportMissing);
-  }
-
-  formDisabledCallback(): void {
-    this.connectedCallback();
-  }
-
-  formResetCallback(): void {
-    this.formStateRestoreCallback('');
-  }
-
-  formStateRestoreCallback(written: string): void {
-    exerciseCode().then(({ restore }) => restore(this, written), reportMissing);
-  }
-}
+class ExerciseElement extends formElement(exerciseCode) implements PublicExercise {}
 
 export type PhongExercise = PublicExercise;
 export const PhongExercise: { new (): PhongExercise; readonly prototype: PhongExercise } =

@@ -1,8 +1,7 @@
 // <phong-probe>: one point of a viewer as a table, an equation or questions, anywhere on the page.
 // Its code, an extra, also gives it properties.
-import { reportMissing } from '../model/provided-code.js';
-import { Base } from './child-element.js';
 import { probeCode } from './extra-code.js';
+import { formElement } from './form-element.js';
 import type { PhongProbe as PublicProbe, FormControl } from './elements.js';
 import type { Listen, PhongProbeEventMap } from './elements.js';
 import type { ProbeProperties } from './fields/probe-properties.js';
@@ -24,25 +23,7 @@ interface ProbeElement extends ProbeProperties, FormControl {
  * @csspart button - each button
  * @csspart verdict - what is said of an answer
  */
-class ProbeElement extends Base implements PublicProbe {
-  static readonly formAssociated = true;
-
-  connectedCallback(): void {
-    probeCode().then(({ follow }) => follow(this), reportMissing);
-  }
-
-  formDisabledCallback(): void {
-    this.connectedCallback();
-  }
-
-  formResetCallback(): void {
-    this.formStateRestoreCallback('');
-  }
-
-  formStateRestoreCallback(answers: string): void {
-    probeCode().then(({ restore }) => restore(this, answers), reportMissing);
-  }
-}
+class ProbeElement extends formElement(probeCode) implements PublicProbe {}
 
 export type PhongProbe = PublicProbe;
 export const PhongProbe: { new (): PhongProbe; readonly prototype: PhongProbe } = ProbeElement;

@@ -233,10 +233,20 @@ export class Projection {
  */
 export function inside(
   { x, y }: Point,
-  { width, height }: { width: number; height: number },
+  { width, height }: { readonly width: number; readonly height: number },
   margin: number,
 ): Point {
   const within = (value: number, size: number): number =>
     size <= 2 * margin ? size / 2 : clamp(value, margin, size - margin);
   return { x: within(x, width), y: within(y, height) };
+}
+
+/** At least `margin` pixels inside the layer, as {@link inside} has it. */
+export function isInside(
+  point: Point,
+  layer: { readonly width: number; readonly height: number },
+  margin: number,
+): boolean {
+  const { x, y } = inside(point, layer, margin);
+  return x === point.x && y === point.y;
 }

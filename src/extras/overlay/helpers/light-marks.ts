@@ -17,7 +17,7 @@ import {
 } from '../../../phong/math/vector.js';
 import { arrow, arrowHead, coreColor, cssRgb } from '../drawing/display-list.js';
 import type { Disc, DrawnItem, Stroke } from '../drawing/display-list.js';
-import { inside, type Point, type Projection } from '../drawing/projection.js';
+import { isInside, type Point, type Projection } from '../drawing/projection.js';
 
 /** A sphere that contains the scene; its radius is above 0. */
 export interface SceneBall {
@@ -294,11 +294,9 @@ const circle = (at: (around: number) => Vec3): Vec3[] =>
 
 function handleAt(part: HandlePart, place: Vec3, view: Projection): Handle {
   const point = view.point(place);
-  const shown = point === null ? null : inside(point, view, EDGE);
-  if (point !== null && shown !== null && shown.x === point.x && shown.y === point.y) {
-    return { part, at: point, place, outside: false };
-  }
-  return { part, at: onEdge(place, view), place, outside: true };
+  return point !== null && isInside(point, view, EDGE)
+    ? { part, at: point, place, outside: false }
+    : { part, at: onEdge(place, view), place, outside: true };
 }
 
 /**

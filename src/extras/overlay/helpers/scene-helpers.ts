@@ -20,7 +20,7 @@ import {
 } from '../../../phong/math/vector.js';
 import { arrowHead, type DrawnItem, type Stroke } from '../drawing/display-list.js';
 import type { Drawing, Name } from '../drawing/label-layout.js';
-import { inside, type Point, type Projection } from '../drawing/projection.js';
+import { isInside, type Point, type Projection } from '../drawing/projection.js';
 import type { SceneBall } from './light-marks.js';
 import { isBehind, type RayTest, RayTests } from './occlusion.js';
 
@@ -175,9 +175,7 @@ const NAME_GAP = 10;
 function lastInside(tip: Vec3, view: Projection): Point | null {
   for (let i = AXIS_PIECES; i > 0; i--) {
     const point = view.point(scale(tip, i / AXIS_PIECES));
-    if (point === null) continue;
-    const { x, y } = inside(point, view, NAME_GAP);
-    if (x === point.x && y === point.y) return point;
+    if (point !== null && isInside(point, view, NAME_GAP)) return point;
   }
   return null;
 }
