@@ -1,9 +1,8 @@
 // Do texts hold for a whole page, by markup and by `PhongViewer.texts`, and do numbers follow its
-// language?
+// language? unit/elements/page-texts.test.ts has which texts go before which, and mistakes in them.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, type PhongViewer } from '../support/viewer.js';
 import { readyTexts } from '../../support/texts.js';
 
 const de = readyTexts('de');
@@ -61,57 +60,6 @@ test('a script of texts holds for all viewers, later ones too, under a strict po
     'aria-label',
     /^Divider between/,
   );
-});
-
-test('PhongViewer.texts goes before the script, and a viewer’s own texts before both', async ({
-  mount,
-  page,
-}) => {
-  const first = await mount(
-    `${script('{"Legend": "S", "Normals": "S", "Probe": "S"}')}${viewer}${viewer}`,
-    size,
-  );
-  const second = page.locator('phong-viewer').last();
-  await assign(first, { texts: { Normals: 'V' } });
-  await assignToPage(page, { Normals: 'P', Legend: 'P' });
-  const textsOf = (of: Locator) => of.evaluate((element: PhongViewer) => element.texts);
-  expect(await textsOf(first)).toEqual({ Normals: 'V', Legend: 'P', Probe: 'S' });
-  expect(await textsOf(second)).toEqual({ Normals: 'P', Legend: 'P', Probe: 'S' });
-  await expect(legend(first)).toContainText('V');
-  await expect(legend(second)).toContainText('P');
-  // Read again, it is the same object until something changes.
-  expect(await first.evaluate((element: PhongViewer) => element.texts === element.texts)).toBe(
-    true,
-  );
-  const refused = () => assignToPage(page, ['no'] as unknown as Record<string, string>);
-  await expect(refused()).rejects.toThrow('expected an object of texts');
-  await assignToPage(page, null);
-  expect(await textsOf(second)).toEqual({ Legend: 'S', Normals: 'S', Probe: 'S' });
-  await assign(first, { texts: null });
-  await expect(legend(first)).toContainText('S');
-});
-
-test('each mistake in the scripts gives one warning; other texts are used', async ({
-  mount,
-  page,
-  consoleGuard,
-}) => {
-  const warnings = consoleGuard.allow(/^warning: <script data-phong-viewer-texts>/, 3);
-  const scripts = ['{"Legend": "A",}', '["Legend"]', '{"Legende": "B", "Normals": "C"}']
-    .map(script)
-    .join('');
-  const first = await mount(scripts + viewer + viewer, size);
-  await expect(legend(first)).toContainText('C');
-  await expect(legend(first)).toHaveAttribute('aria-label', 'Legend');
-  await first.evaluate((element) => element.before(element.cloneNode()));
-  await expect(legend(page.locator('phong-viewer').first())).toContainText('C');
-  expect(
-    warnings.map((text) => text.replace('warning: <script data-phong-viewer-texts> ', '')),
-  ).toEqual([
-    expect.stringMatching(/^is not JSON, so it is not used: .*JSON/),
-    'must be an object of texts by English text, so it is not used. Write {"Try again": "…"}.',
-    'has texts that no viewer shows: "Legende" (did you mean "Legend"?). phong-viewer/texts/de.json has all keys.',
-  ]);
 });
 
 test('numbers that are only read follow the language of the words', async ({ mount, page }) => {
