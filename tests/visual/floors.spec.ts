@@ -2,6 +2,7 @@
 // points of rays in float64.
 import type { LightValues } from '../../src/phong/light/light-state.js';
 import type { Vec3 } from '../../src/phong/math/vector.js';
+import { firstOf } from '../support/repeats.js';
 import { expect, pixels, test } from '../support/test.js';
 import { compareWithReference, innerPixels } from './against-reference.js';
 import { Dice, randomLight, sceneMarkup } from './random-scene.js';
@@ -50,7 +51,8 @@ test('shades floors seen edge-on, wherever the eye stands on them', async ({ mou
   let compared = 0;
   const size = { width: 192, height: 128 };
   // Cut into 64 segments, those of seeds 24 and 28 are wrong, by up to 60 codes.
-  for (let i = 16; i < 28; i++) {
+  const scenes = firstOf([23, 27, 16, 17, 18, 19, 20, 21, 22, 24, 25, 26], 4);
+  for (const i of scenes) {
     const scene = edgeOn(FIRST + i, [10, 30, 100, 1000][i % 4]!);
     await viewer.evaluate((element, text) => (element.outerHTML = text), sceneMarkup(scene));
     const errors = compareWithReference(await pixels(viewer, size), scene);
@@ -59,7 +61,7 @@ test('shades floors seen edge-on, wherever the eye stands on them', async ({ mou
       wrong.push(`seed ${FIRST + i}: ${errors.max} codes, ${errors.at}`);
     }
   }
-  expect(compared).toBeGreaterThan(300_000);
+  expect(compared).toBeGreaterThan(25_000 * scenes.length);
   expect(wrong).toEqual([]);
 });
 

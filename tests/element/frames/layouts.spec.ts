@@ -16,8 +16,6 @@ interface TraceEvent {
 
 for (const [what, attributes, layouts] of [
   ['a picture alone', '', 'never'],
-  ['all helpers', 'helpers="lights axes grid normals bounds"', 'once a frame'],
-  ['the panel', 'gui', 'once a frame'],
   ['a legend', 'view="normals"', 'never'],
   ['a probe', 'probe', 'never'],
   [

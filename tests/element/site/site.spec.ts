@@ -25,7 +25,6 @@ const PICTURED: ReadonlySet<string> = new Set([
 const OFTEN: ReadonlySet<string> = new Set([
   '',
   'guide/light/',
-  'guide/reference/',
   'guide/see/',
   'lesson/',
   'playground/',
