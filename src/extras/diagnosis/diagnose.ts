@@ -69,7 +69,7 @@ function diagnoseUnits(element: Element, tests: MistakeTests): void {
   const text = (name: string): string => element.getAttribute(name) ?? [values[name]].join(' ');
   const dim = tests.dimValues(element);
   const colors = dim.filter((name) => name !== 'aperture');
-  const given = colors.map((name) => `${name}="${clip(text(name))}"`).join(' ');
+  const written = colors.map((name) => `${name}="${clip(text(name))}"`).join(' ');
   // CSS colours are of the right range whatever they say.
   if (colors.length > 0 && !colors.some((name) => /#|[a-df-z]/i.test(text(name)))) {
     const full = colors.map((name) => {
@@ -77,7 +77,7 @@ function diagnoseUnits(element: Element, tests: MistakeTests): void {
       return `${name}="${(new Set(color).size === 1 ? color.slice(0, 1) : color).join(' ')}"`;
     });
     warn(
-      `<${element.localName} ${given}> is nearly black, as 255 is full. For colours from 0 to 1 write ${full.join(' ')}.`,
+      `<${element.localName} ${written}> is nearly black, as 255 is full. For colours from 0 to 1 write ${full.join(' ')}.`,
     );
   }
   if (dim.length > colors.length) {

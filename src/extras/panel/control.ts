@@ -41,8 +41,8 @@ class Control extends ExtraElement<ControlValues> {
   /** What is edited; empty while it is waited for. */
   #targets: readonly Editable[] | null = null;
   #texts: ViewerTexts | null = null;
-  /** The viewer's own. */
-  #given: Pick<PhongViewer, 'texts'> | null = null;
+  /** Those of the viewer when the row was built. */
+  #viewerTexts: Pick<PhongViewer, 'texts'> | null = null;
   #gui: GUI | null = null;
   #stops: (() => void)[] = [];
   /** Takes away the styles of a control on a line of its own. */
@@ -79,7 +79,7 @@ class Control extends ExtraElement<ControlValues> {
     const targets = found.filter(
       (one) => one !== null && one.localName in ROWS && viewerOf(one) !== null,
     );
-    const { en } = this.textsOf(this.#given) ?? {};
+    const { en } = this.textsOf(this.#viewerTexts) ?? {};
     if (!sameValue(targets, this.#targets) || en !== this.#texts?.en) {
       this.#build(targets as Editable[]);
     }
@@ -134,8 +134,8 @@ class Control extends ExtraElement<ControlValues> {
     if (element === undefined) return;
     const key = keyOf(element, attribute)!;
     const viewer = viewerOf(element)!;
-    this.#given = { texts: viewer.texts };
-    this.#texts = this.textsOf(this.#given);
+    this.#viewerTexts = { texts: viewer.texts };
+    this.#texts = this.textsOf(this.#viewerTexts);
     const field = (
       fieldsOf(element as PhongViewer).store.fields as Readonly<Record<string, Field<unknown>>>
     )[key]!;
@@ -159,13 +159,13 @@ class Control extends ExtraElement<ControlValues> {
       { element, viewer, range, title: () => '', scale, axis },
       joined(having, sources) as never,
     );
-    dress(gui, key, this.element);
+    adaptRows(gui, key, this.element);
     this.#listen(gui, having, range);
   }
 
   #listen(gui: GUI, targets: readonly Editable[], range: SceneRange): void {
     const refresh = (): void => {
-      if (viewerOf(targets[0]!)?.texts !== this.#given?.texts) {
+      if (viewerOf(targets[0]!)?.texts !== this.#viewerTexts?.texts) {
         this.declared();
         return;
       }
@@ -244,7 +244,7 @@ const UNIT = /\s*°$/;
 /**
  * What the panel's rows lack outside of it: parts, the author's label, units, and what is printed.
  */
-function dress(gui: GUI, key: string, element: HTMLElement): void {
+function adaptRows(gui: GUI, key: string, element: HTMLElement): void {
   const rows = gui.controllers;
   const box = gui.domElement;
   const hasLabel = element.textContent.trim() !== '' || element.firstElementChild !== null;

@@ -127,7 +127,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     const { signals, lightSet } = this.#context;
     this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
     signals.awaited = () => this.#loading.awaited || this.#extras.awaited;
-    signals.layoutNeeded.listen(() => this.#visibility.look());
+    signals.layoutNeeded.listen(() => this.#visibility.measureNow());
     lightSet.changed.listen((light) => this.#events.enqueueLight(light));
     signals.cameraMoved.listen(({ source, linked }) => {
       // The first framing is not a move.
@@ -209,7 +209,7 @@ class ViewerElement extends LitElement implements PublicViewer {
   get ready(): Promise<void> {
     // Observers report what was just shown only after a frame.
     if (!this.#context.viewport.drawable) {
-      this.#visibility.look();
+      this.#visibility.measureNow();
     }
     return this.#readiness.promise;
   }
@@ -275,7 +275,7 @@ class ViewerElement extends LitElement implements PublicViewer {
    * element. A comparison calls it when it has placed the viewer.
    */
   connectedMoveCallback(): void {
-    this.#visibility.look();
+    this.#visibility.measureNow();
     this.#extras.apply();
   }
 
@@ -344,8 +344,8 @@ class ViewerElement extends LitElement implements PublicViewer {
     } else if (!this.hasUpdated) {
       this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
     }
-    if (this.#visibility.connected && !this.#visibility.looked) {
-      this.#visibility.look();
+    if (this.#visibility.connected && !this.#visibility.measured) {
+      this.#visibility.measureNow();
     }
     this.#children.sort();
     this.#children.flush();

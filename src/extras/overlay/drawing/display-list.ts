@@ -97,12 +97,12 @@ export function arrowHead(
 }
 
 /** A line with a head at its end. */
-export function arrow(from: Point, tip: Point, look: Shape): DrawnItem[] {
+export function arrow(from: Point, tip: Point, style: Shape): DrawnItem[] {
   const head = arrowHead(from, tip);
-  const line: Stroke = { kind: 'stroke', lines: [[from, tip]], ...look };
+  const line: Stroke = { kind: 'stroke', lines: [[from, tip]], ...style };
   return head === null
     ? [line]
-    : [line, { ...look, kind: 'stroke', lines: [head], filled: true, dashed: false }];
+    : [line, { ...style, kind: 'stroke', lines: [head], filled: true, dashed: false }];
 }
 
 /**

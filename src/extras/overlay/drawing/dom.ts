@@ -3,7 +3,7 @@
 
 type Attributes = Readonly<Record<string, string | null>>;
 
-export const create = <Tag extends keyof HTMLElementTagNameMap>(
+export const createElement = <Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
 ): HTMLElementTagNameMap[Tag] => set(document.createElement(tag), attributes);

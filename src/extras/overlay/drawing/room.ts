@@ -3,7 +3,7 @@
 // layout, so that no frame forces one.
 import type { ExtraHost } from '../../../viewer/extra.js';
 import type { Rect } from './label-layout.js';
-import { create } from './dom.js';
+import { createElement } from './dom.js';
 
 export class Room {
   /** CSS pixels of the layer. Without width or height where nothing is free. */
@@ -25,7 +25,7 @@ export class Room {
    */
   constructor(tree: ExtraHost['tree'], changed: () => void, namePart: string | null = null) {
     this.#tree = tree;
-    this.#em = create('i', { class: 'corner', 'aria-hidden': 'true', part: namePart });
+    this.#em = createElement('i', { class: 'corner', 'aria-hidden': 'true', part: namePart });
     this.#em.style.width = '1em';
     tree.layer.prepend(this.#em);
     this.#arrivals = namePart === null ? null : new MutationObserver(() => this.#observeBoxes());

@@ -26,7 +26,7 @@ import {
 } from './light-marks.js';
 import { LightMove } from './light-move.js';
 import { followDrag } from '../../../phong/camera/followed-drag.js';
-import { create, set, write } from '../drawing/dom.js';
+import { createElement, set, write } from '../drawing/dom.js';
 
 interface HandleEntry {
   readonly element: HTMLElement;
@@ -51,8 +51,8 @@ const PART_TEXTS = {
 
 export class Handles {
   readonly #host: ExtraHost;
-  readonly #list = create('div', { role: 'listbox' });
-  readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
+  readonly #list = createElement('div', { role: 'listbox' });
+  readonly #region = createElement('p', { class: 'reader', 'aria-live': 'polite' });
   readonly #shown = new Map<EventTarget, HandleEntry>();
   readonly #byLight = {
     place: new Map<PhongLight, HandleEntry>(),
@@ -156,7 +156,7 @@ export class Handles {
 
   #add(light: PhongLight, part: HandlePart): HandleEntry {
     const className = `handle ${part}`;
-    const element = create('div', {
+    const element = createElement('div', {
       class: className,
       role: 'option',
       tabindex: '-1',

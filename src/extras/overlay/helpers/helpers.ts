@@ -16,7 +16,7 @@ import styles from './helpers.css?inline';
 import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './light-marks.js';
 import { SceneHelpers } from './scene-helpers.js';
-import { create as createElement } from '../drawing/dom.js';
+import { createElement } from '../drawing/dom.js';
 
 export const create = (host: ExtraHost): Extra => new Helpers(host);
 
@@ -59,7 +59,7 @@ class Helpers implements Extra {
   #show(isFrame: boolean): void {
     cancelAnimationFrame(this.#later);
     this.#later = 0;
-    const view = this.#look();
+    const view = this.#projectionNow();
     const helpers = view === null ? [] : this.#host.values.helpers;
     const hasLights = helpers.includes('lights');
     const hasObjects = helpers.some((name) => name !== 'lights');
@@ -111,7 +111,7 @@ class Helpers implements Extra {
    * The projection of the picture as it is now; the same object while that stays. Null without a
    * picture.
    */
-  #look(): Projection | null {
+  #projectionNow(): Projection | null {
     const size = this.#host.size();
     if (!(size.width > 0 && size.height > 0)) return null;
     const { width, height, picture } = this.#host.viewport;

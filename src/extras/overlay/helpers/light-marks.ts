@@ -124,7 +124,7 @@ export function lightMarks(
   const placed = placedLight(values, view, scene, surface);
   const { place, spot } = placed;
   const own = scale(values.diffuse, 1 / 255);
-  const look = {
+  const style = {
     color: cssRgb(coreColor(own)),
     dashed: hidden,
     opacity: values.active ? 1 : DIMMED,
@@ -133,13 +133,13 @@ export function lightMarks(
   const handles: Handle[] = [];
   const stroke = (lines: Stroke['lines'], width: number, dashed = hidden): void => {
     if (lines.length > 0) {
-      list.push({ ...look, kind: 'stroke', lines, width, dashed });
+      list.push({ ...style, kind: 'stroke', lines, width, dashed });
     }
   };
   const arrowTo = (tip: Vec3): void => {
     const ends = view.segment(place, tip);
     if (ends !== null) {
-      list.push(...arrow(...ends, { ...look, width: 2 }));
+      list.push(...arrow(...ends, { ...style, width: 2 }));
     }
   };
   if (isDirectional(values)) {
@@ -173,7 +173,7 @@ export function lightMarks(
     }
     for (const { at, outside } of handles) {
       if (!outside) {
-        list.push(disc(at, RADIUS.part, '#fff', look));
+        list.push(disc(at, RADIUS.part, '#fff', style));
       }
     }
     // Over its handle, which would hide the head.
@@ -183,9 +183,9 @@ export function lightMarks(
   handles.unshift(handle);
   const fill = values.active ? cssRgb(own) : null;
   if (handle.outside) {
-    list.push(...pointerTo(handle.at, view, look));
+    list.push(...pointerTo(handle.at, view, style));
   }
-  list.push(disc(handle.at, handle.outside ? RADIUS.outside : RADIUS.place, fill, look));
+  list.push(disc(handle.at, handle.outside ? RADIUS.outside : RADIUS.place, fill, style));
   return { placed, list, handles };
 }
 
@@ -270,15 +270,15 @@ function halfAngle(cutoff: number): number | null {
   return cutoff > 0 && cosine > -1 ? (Math.acos(cosine) * 180) / Math.PI : null;
 }
 
-type Look = Pick<Disc, 'color' | 'dashed' | 'opacity'>;
+type ShapeStyle = Pick<Disc, 'color' | 'dashed' | 'opacity'>;
 
-const disc = (center: Point, radius: number, fill: string | null, look: Look): Disc => ({
+const disc = (center: Point, radius: number, fill: string | null, style: ShapeStyle): Disc => ({
   kind: 'disc',
   center,
   radius,
   fill,
   width: 2,
-  ...look,
+  ...style,
 });
 
 /** A circle that faces the eye: the outline of a sphere without perspective. */
@@ -316,11 +316,11 @@ function onEdge(place: Vec3, view: Projection): Point {
 }
 
 /** A small arrow head outside the disc, away from the picture's middle. */
-function pointerTo(at: Point, { width, height }: Projection, look: Look): DrawnItem[] {
+function pointerTo(at: Point, { width, height }: Projection, style: ShapeStyle): DrawnItem[] {
   const [dx, dy] = [at.x - width / 2, at.y - height / 2];
   const share = POINTER / Math.hypot(dx, dy);
   const head = arrowHead(at, { x: at.x + share * dx, y: at.y + share * dy });
   return head === null
     ? []
-    : [{ ...look, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
+    : [{ ...style, kind: 'stroke', lines: [head], filled: true, width: 1, dashed: false }];
 }

@@ -152,7 +152,7 @@ export class LightMove {
 
   #go(move: Move, travel: Point, along: boolean): void {
     const { light, byKeys } = move;
-    const { view } = this.#seen!;
+    const { view } = this.#seen ?? move.anchor;
     const { values } = fieldsOf(light).store;
     const isOther = MOVED.some((key) => !sameValue(values[key], move.last[key]));
     // Earlier travel was along other axes, or something else has written to the light.
@@ -180,7 +180,8 @@ export class LightMove {
    * frames.
    */
   #anchor(light: PhongLight, part: HandlePart): Anchor | null {
-    const { view, scene } = this.#seen!;
+    if (this.#seen === null) return null;
+    const { view, scene } = this.#seen;
     const values = { ...fieldsOf(light).store.values };
     const { placed, handles } = lightMarks(values, view, scene, false, this.#surfaceOf(light));
     const handle = handles.find((each) => each.part === part);

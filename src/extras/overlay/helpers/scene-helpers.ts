@@ -148,14 +148,14 @@ function axesMarks(
   const list: DrawnItem[] = [];
   for (const [i, name] of (['x', 'y', 'z'] as const).entries()) {
     const tip: Vec3 = [i === 0 ? reach : 0, i === 1 ? reach : 0, i === 2 ? reach : 0];
-    const look = { color: COLORS[name], width: 2 };
+    const style = { color: COLORS[name], width: 2 };
     const { shown, behind } = pieces([0, 0, 0], tip, AXIS_PIECES, `axis ${name}`, view, hiding);
-    list.push(...strokes(behind, { ...look, dashed: true }), ...strokes(shown, look));
+    list.push(...strokes(behind, { ...style, dashed: true }), ...strokes(shown, style));
     const ends = view.segment([0, 0, 0], tip);
     if (ends === null) continue;
     const head = arrowHead(...ends);
     if (head !== null) {
-      list.push(...strokes([head], { ...look, filled: true }));
+      list.push(...strokes([head], { ...style, filled: true }));
     }
     const last = lastInside(tip, view);
     if (last !== null) {
@@ -165,8 +165,8 @@ function axesMarks(
   return list;
 }
 
-const strokes = (lines: Stroke['lines'], look: Omit<Stroke, 'kind' | 'lines'>): Stroke[] =>
-  lines.length > 0 ? [{ kind: 'stroke', lines, ...look }] : [];
+const strokes = (lines: Stroke['lines'], style: Omit<Stroke, 'kind' | 'lines'>): Stroke[] =>
+  lines.length > 0 ? [{ kind: 'stroke', lines, ...style }] : [];
 
 /** Between an axis and its name, CSS pixels. */
 const NAME_GAP = 10;
@@ -246,8 +246,8 @@ function boundsMarks(meshes: readonly Mesh[], view: Projection): DrawnItem[] {
   for (const mesh of meshes.slice(0, MOST_BOXES)) {
     boxEdges(mesh, view, front, back);
   }
-  const look = { color: COLORS.bounds, width: 1.5 };
-  return [...strokes(back, { ...look, dashed: true }), ...strokes(front, look)];
+  const style = { color: COLORS.bounds, width: 1.5 };
+  return [...strokes(back, { ...style, dashed: true }), ...strokes(front, style)];
 }
 
 /** More would run into each other. */
@@ -354,8 +354,8 @@ function normalMarks(
       }
     }
   }
-  const look = { color: COLORS.normals, width: 1, outline: 1 };
-  return [...strokes(lines, look), ...strokes(heads, { ...look, filled: true })];
+  const style = { color: COLORS.normals, width: 1, outline: 1 };
+  return [...strokes(lines, style), ...strokes(heads, { ...style, filled: true })];
 }
 
 /** World place and normal by vertex; the normal is a unit vector, or zero. */

@@ -14,7 +14,7 @@ import {
   type SumContent,
   SumTable,
 } from './sum-table.js';
-import { create } from '../drawing/dom.js';
+import { createElement } from '../drawing/dom.js';
 
 export interface BoxState {
   /** A message stands in place of a sum. Null: nothing is shown. */
@@ -45,7 +45,7 @@ const GAIN = 4;
 
 export class ProbeBox {
   /** Holds the box, in the free part of the picture. */
-  readonly place = create('div', { class: 'probe-place' });
+  readonly place = createElement('div', { class: 'probe-place' });
   readonly #table: SumTable;
   readonly #room: Room;
   readonly #release: () => void;

@@ -20,7 +20,7 @@ import styles from './probe.css?inline';
 import { type Sum, probeSum, fragmentText, KEYS } from './sum.js';
 import { isGouraud, isHalfway, rowOf, type SumContent } from './sum-table.js';
 import tableStyles from './sum-table.css?inline';
-import { create, write } from '../drawing/dom.js';
+import { createElement, write } from '../drawing/dom.js';
 
 export interface ProbedPoint {
   /** Null: outside the picture. */
@@ -37,14 +37,14 @@ const PAUSE = 1000;
 
 export class ProbeView {
   /** What is drawn, below boxes and notices. */
-  readonly root = create('div', { class: 'probe' });
+  readonly root = createElement('div', { class: 'probe' });
   readonly #removeStyles: () => void;
   /** The cross-hair. The mark that is seen is part of the drawing. */
   readonly cursor: HTMLElement;
   shown: ProbedPoint | null = null;
   readonly #host: ExtraHost;
   readonly #drawing = new SvgLayer();
-  readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
+  readonly #region = createElement('p', { class: 'reader', 'aria-live': 'polite' });
   readonly #room: Room;
   readonly #box: ProbeBox;
   #releasable = false;

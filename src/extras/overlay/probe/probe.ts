@@ -109,17 +109,17 @@ class Probe implements Extra {
       const { clientX, clientY, buttons, pointerType } = event;
       if (buttons === 0) {
         if (pointerType !== 'touch') {
-          this.#look(placeOf(event));
+          this.#moveTo(placeOf(event));
         }
         return;
       }
       const slop = pointerType === 'touch' ? SLOP.touch : SLOP.mouse;
       steady &&= Math.hypot(clientX - pressed.x, clientY - pressed.y) <= slop;
       if (!steady) {
-        this.#look(null);
+        this.#moveTo(null);
       }
     });
-    on(surface, 'pointerleave', () => this.#look(null));
+    on(surface, 'pointerleave', () => this.#moveTo(null));
     on(surface, 'click', (event) => {
       if (steady) {
         this.#pinAt(placeOf(event));
@@ -135,7 +135,7 @@ class Probe implements Extra {
     for (const box of boxes) {
       on(box, 'focusout', ({ relatedTarget }) => {
         if (!boxes.some((each) => each.contains(relatedTarget as Node | null))) {
-          this.#look(null);
+          this.#moveTo(null);
         }
       });
     }
@@ -166,7 +166,7 @@ class Probe implements Extra {
    * `at`: where the mouse is; null once it has left, or drags, or neither cross-hair nor table has
    * the focus any more.
    */
-  #look(at: Point | null): void {
+  #moveTo(at: Point | null): void {
     if (this.#host.pin !== null || (at === null && this.#free === null)) return;
     // The cross-hair stays where it is while it has the focus.
     if (at === null && this.#view.hasFocus) return;

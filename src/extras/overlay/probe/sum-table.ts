@@ -177,11 +177,11 @@ export class SumTable {
     return row === null || row === undefined ? undefined : this.#lights[row.sectionRowIndex];
   }
 
-  readonly #point = ({ target }: Event): void => this.#look(this.#lightAt(target));
+  readonly #point = ({ target }: Event): void => this.#setPointed(this.#lightAt(target));
 
-  readonly #leave = (): void => this.#look(undefined);
+  readonly #leave = (): void => this.#setPointed(undefined);
 
-  #look(light: Chosen): void {
+  #setPointed(light: Chosen): void {
     if (light === this.#pointed) return;
     this.#pointed = light;
     // Not at once: a row that is being removed loses the focus in the middle of a template.

@@ -71,7 +71,7 @@ export class Visibility implements ReactiveController {
   }
 
   /** {@link look} was called, or an observer has reported, since the element was connected. */
-  get looked(): boolean {
+  get measured(): boolean {
     return this.#inView !== null || this.#near !== null;
   }
 
@@ -102,7 +102,7 @@ export class Visibility implements ReactiveController {
   }
 
   /** Measures now, by layout: observers report only after a frame. */
-  look(): void {
+  measureNow(): void {
     if (this.#page === null) return;
     this.#locate(this.#page);
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
@@ -154,7 +154,7 @@ export class Visibility implements ReactiveController {
    * The document was shown or hidden, or the element's place in it or its style may have changed.
    */
   shown(): void {
-    if (!this.looked) return;
+    if (!this.measured) return;
     const painted =
       this.#host.ownerDocument.visibilityState !== 'hidden' && isPainted(this.#element);
     const visible = painted && this.#inView === true;

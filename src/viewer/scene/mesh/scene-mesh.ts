@@ -141,6 +141,7 @@ export class SceneMesh {
     this.load.fail(failed.url, isOutOfMemory(error) ? error : undrawable);
   }
 
+  /** Takes it out of the scene for good, and frees what it holds. */
   dispose(): void {
     this.load.drop();
     this.#forgetNotFlat();
@@ -150,7 +151,7 @@ export class SceneMesh {
     const before = this.#shown;
     this.#replace(this.#empty());
     before.free();
-    this.drawn();
+    this.drawn(); // nothing goes back to what was shown before that
   }
 
   /** For its load: what a shape will hold before there is a geometry. */
