@@ -1,12 +1,14 @@
 // From declared values to a scene for the ray caster: what a viewer of this size shows at first.
 import { Matrix4, Mesh, Scene } from 'three';
 import { Orbit } from '../../phong/camera/orbit.js';
-import type { LightValues } from '../../phong/light/light-state.js';
+import type { LightState, LightValues, Term } from '../../phong/light/light-state.js';
 import { lobeScale, PLAIN_LOOK } from '../../phong/material/file-surface.js';
 import { cosDegrees, sinDegrees } from '../../phong/math/angle.js';
 import type { Vec3 } from '../../phong/math/vector.js';
-import { clipMessage, listed } from '../../phong/fields/clip.js';
 import { fitTo } from '../../phong/geometry/framing.js';
+import { chosenLights, unknownLightText } from '../../phong/material/view/view-light.js';
+import { viewEntry } from '../../phong/material/view/view-table.js';
+import type { View } from '../../phong/material/views.js';
 import { appearanceOf } from '../../phong/model/appearance.js';
 import { requireAtMost } from '../../phong/model/budget.js';
 import { LIMITS } from '../../phong/model/limits.js';
@@ -49,7 +51,8 @@ export async function castSceneOf(
 ): Promise<CastScene> {
   const { values } = viewer;
   const { view, fov, theta, phi, reflection } = values;
-  if (view === 'triangles') throw new TypeError('a still cannot show view="triangles"');
+  const { shows } = viewEntry(view);
+  if (shows.by === 'triangles') throw new TypeError('a still cannot show view="triangles"');
   const scene = new Scene();
   const parts: PlacedPart[] = [];
   for (const state of [viewer as MeshState, ...meshes]) {
@@ -79,19 +82,15 @@ export async function castSceneOf(
     }
     objects.push(object);
   }
-  const term = view === 'ambient' || view === 'diffuse' || view === 'specular';
+  const term = termOf(view);
   return {
     camera,
-    lights: chosenLights(
-      lights.map((light) => light.values),
-      values,
-      place.warn,
-    ),
+    lights: shownLights(lights, values, place.warn),
     objects,
     reflection,
-    terms: term ? [view] : values.terms,
+    terms: term === null ? values.terms : [term],
     linear: values.colorInterpolation === 'linear',
-    ...(view !== 'shaded' && !term && { quantity: view }),
+    ...(shows.by === 'quantity' && { quantity: view as Quantity }),
   };
 }
 
@@ -149,9 +148,8 @@ async function objectOf(
     }
   }
   const mesh = meshShape(geometry, look);
-  const { view } = viewer;
   // A view of one term is without emissive and unlit colours.
-  const isTerm = view === 'ambient' || view === 'diffuse' || view === 'specular';
+  const isTerm = termOf(viewer.view) !== null;
   const material: CastMaterial = {
     ...surface,
     ...mesh.textures,
@@ -184,32 +182,25 @@ const ZERO: Vec3 = [0, 0, 0];
 const isTrue = (name: GeometryName): name is TrueShape['kind'] =>
   ['sphere', 'cylinder', 'cone', 'torus'].includes(name);
 
-const ONE_LIGHT: readonly string[] = [
-  'n-dot-l',
-  'r-dot-v',
-  'attenuation',
-  'decay',
-] satisfies Quantity[];
+/** The one term that a view shows; null for all, or another quantity. */
+function termOf(view: View): Term | null {
+  const { shows } = viewEntry(view);
+  return shows.by === 'equation' ? shows.term : null;
+}
 
-/** The lights that the view is limited to, as the legend chooses them. */
-function chosenLights(
-  lights: readonly Readonly<LightValues>[],
-  { view, viewLight }: Readonly<ViewerValues>,
+/** The lights that the view is limited to. */
+function shownLights(
+  lights: readonly LightState[],
+  values: Readonly<ViewerValues>,
   warn: Warn,
 ): readonly Readonly<LightValues>[] {
-  if (viewLight === '') {
-    return ONE_LIGHT.includes(view) ? lights.filter(({ active }) => active).slice(0, 1) : lights;
+  const { viewLight } = values;
+  const names = lights.map(({ values: { name } }, i) => name || `light ${String(i + 1)}`);
+  const chosen = chosenLights(values, lights, (_, i) => names[i] === viewLight);
+  if (viewLight !== '' && chosen.length === 0) {
+    warn(unknownLightText(viewLight, names));
   }
-  const names = lights.map(({ name }, i) => name || `light ${String(i + 1)}`);
-  const index = names.indexOf(viewLight);
-  if (index >= 0) return [lights[index]!];
-  const quoted = names.map((name) => JSON.stringify(name));
-  warn(
-    clipMessage(
-      `<phong-viewer view-light=${JSON.stringify(viewLight)}>: no light has this name, so none is shown. Names of lights: ${listed(quoted)}.`,
-    ),
-  );
-  return [];
+  return chosen.map((i) => lights[i]!.values);
 }
 
 /** As three.js has it, order XYZ, but by degrees: right angles are exact. */

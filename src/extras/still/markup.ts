@@ -49,7 +49,7 @@ export function readMarkup(markup: string, warn: Warn): Declared {
   );
   // Without any light there is a head-light.
   if (lights.length === 0) {
-    lights.push(new LightState({ space: 'camera', position: [0, 0, 1, 0] }));
+    lights.push(new LightState({ name: 'head-light', space: 'camera', position: [0, 0, 1, 0] }));
   }
   return {
     viewer: declared(viewer, new FieldStore(VIEWER_FIELDS)),

@@ -81,6 +81,13 @@ describe('a still', () => {
     ]);
   });
 
+  it('shows the head-light for its name', async () => {
+    const markup = `<phong-viewer ${FRONT} fov="1" view-light="head-light">${WALL}</phong-viewer>`;
+    const { middle, warnings } = await draw(markup);
+    expect(warnings).toEqual([]);
+    expect(middle).toEqual([255, 255, 255, 255]);
+  });
+
   it('blends what a file declares translucent over what lies behind it', async () => {
     const material = {
       alphaMode: 'BLEND',

@@ -1,7 +1,6 @@
 // Shows a view: what the picture draws in place of the shaded colours, and the legend over it:
 // title, lights, scale. Follows `view` and `view-light`.
 import { html, noChange, nothing, render, type TemplateResult } from 'lit';
-import { clipMessage, listed } from '../../../phong/fields/clip.js';
 import { sameValue } from '../../../phong/fields/field-store.js';
 import {
   addStyles,
@@ -15,6 +14,7 @@ import {
 } from '../../../viewer/extra.js';
 import type { LightState } from '../../../phong/light/light-state.js';
 import { pictureView } from '../../../phong/material/view/picture-view.js';
+import { chosenLights, unknownLightText } from '../../../phong/material/view/view-light.js';
 import { VIEW_TABLE, type ViewEntry, viewEntry } from '../../../phong/material/view/view-table.js';
 import type { View } from '../../../phong/material/views.js';
 import styles from './legend.css?inline';
@@ -51,7 +51,7 @@ class ViewExtra implements Extra {
       viewport.holder.classList.toggle('outlined', viewEntry(values.view).scale === 'unit');
     }
     this.#showLegend();
-    if (!this.#warned.has(values.viewLight) && unknownLightText(this.#host) !== null) {
+    if (!this.#warned.has(values.viewLight) && viewLightFault(this.#host) !== null) {
       this.#warnLater();
     }
   }
@@ -72,7 +72,7 @@ class ViewExtra implements Extra {
 
   #warn(): void {
     this.#warning = undefined;
-    const text = this.#place.isConnected ? unknownLightText(this.#host) : null;
+    const text = this.#place.isConnected ? viewLightFault(this.#host) : null;
     if (text === null) return;
     this.#warned.add(this.#host.values.viewLight);
     console.warn(text);
@@ -115,28 +115,13 @@ class ViewExtra implements Extra {
 const lightsOf = ({ viewport }: ExtraHost): readonly LightState[] =>
   viewport.picture.lighting.lights.lights;
 
-/** Index of the light that `view-light` names; -1 if it is empty or no light has this name. */
-function namedIndex(host: ExtraHost): number {
-  const { viewer } = host;
-  const { viewLight } = host.values;
-  // Lights without a name have an English one, and one by the page's texts.
-  const isNamed = (state: LightState, i: number): boolean =>
-    [null, viewer.texts].some((texts) => lightName(state, i, texts) === viewLight);
-  return viewLight === '' ? -1 : lightsOf(host).findIndex(isNamed);
-}
-
-/**
- * Indices of the lights that the view is limited to: `view-light` by name, without it the first
- * active light where a view is of one light, or all. None if no light has the name: the view is
- * black.
- */
+/** Indices of the lights that the view is limited to. */
 function chosenIndices(host: ExtraHost): number[] {
-  const lights = lightsOf(host);
-  const { view, viewLight } = host.values;
-  if (viewLight === '' && viewEntry(view).lights !== 'one') return lights.map((_, i) => i);
-  const index =
-    viewLight === '' ? lights.findIndex(({ values }) => values.active) : namedIndex(host);
-  return index < 0 ? [] : [index];
+  const { values, viewer } = host;
+  // Lights without a name have an English one, and one by the page's texts.
+  return chosenLights(values, lightsOf(host), (state, i) =>
+    [null, viewer.texts].some((texts) => lightName(state, i, texts) === values.viewLight),
+  );
 }
 
 /** The line under a legend's title; empty where no light has a part in the view. */
@@ -158,13 +143,12 @@ function lightsText(host: ExtraHost): string {
 }
 
 /** What is wrong with `view-light`, and its cure; null where it names a light or is empty. */
-function unknownLightText(host: ExtraHost): string | null {
+function viewLightFault(host: ExtraHost): string | null {
   const { viewLight } = host.values;
-  if (viewLight === '' || namedIndex(host) >= 0) return null;
-  const names = lightsOf(host).map((state, i) => JSON.stringify(lightName(state, i)));
-  const value = JSON.stringify(viewLight);
-  return clipMessage(
-    `<phong-viewer view-light=${value}>: no light has this name, so none is shown. Names of lights: ${listed(names)}.`,
+  if (viewLight === '' || chosenIndices(host).length > 0) return null;
+  return unknownLightText(
+    viewLight,
+    lightsOf(host).map((state, i) => lightName(state, i)),
   );
 }
 
