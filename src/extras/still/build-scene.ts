@@ -57,6 +57,7 @@ export async function castSceneOf(
   const parts: PlacedPart[] = [];
   for (const state of [viewer as MeshState, ...meshes]) {
     parts.push(...(await partsOf(state, values, place)));
+    requireAtMost(parts.length, LIMITS.parts, 'draws', 'The still has');
   }
   for (const { object } of parts) {
     scene.add(object);

@@ -55,7 +55,6 @@ export function castRows(
       const piece = middle.pieceAt(2 * column + 1);
       const isSmooth =
         middle.isAll(piece, column) && top.isAll(piece, column) && bottom.isAll(piece, column);
-      if (isSmooth && piece === NOTHING && !tracer.mayMeet(column, row, true)) continue;
       const mayHide = tracer.hasNarrowLobes || piece === NOTHING;
       if (!isSmooth || mayHide || !bySimpson(top, middle, bottom, column)) {
         castPixel(tracer, column, row, samples, isSmooth, piece);

@@ -1,9 +1,10 @@
 // What a ray from the eye sees of a scene: the nearest surfaces, and their colour by the equation.
 import { srgbEncode } from '../../phong/math/color.js';
-import { clamp, cross, dot, length, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
+import { add, clamp, cross, dot, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type { CastObject, CastScene } from './cast-scene.js';
 import { type Hit, type Intersect, newHit } from './hit.js';
 import { LightSums } from './lights.js';
+import { boxOf, type PixelLists, pixelLists } from './pixel-lists.js';
 import { Screen } from './screen.js';
 import { newSurfacePoint, ObjectSurface } from './surfaces.js';
 import {
@@ -25,9 +26,6 @@ interface Solid {
   readonly toWorld: Vec3Matrix;
   /** The eye, in the shape's space. */
   readonly eye: Vec3;
-  /** A sphere around it, as seen from the eye. */
-  readonly center: Vec3;
-  readonly radius: number;
 }
 
 /** One sample, written over by the next. */
@@ -56,6 +54,7 @@ export class Tracer {
   readonly hasNarrowLobes: boolean;
   readonly #scene: CastScene;
   readonly #solids: Solid[] = [];
+  readonly #solidLists: PixelLists;
   readonly #triangles: Triangles;
   readonly #lights: LightSums;
   readonly #surfaces: readonly ObjectSurface[];
@@ -84,18 +83,26 @@ export class Tracer {
     );
     const order = depths.map((_, i) => i).sort((i, j) => depths[j]! - depths[i]! || i - j);
     this.#ranks = depths.map((_, i) => order.indexOf(i));
-    this.#surfaces = scene.objects.map((object, i) => this.#add(object, i));
+    const boxes: number[] = [];
+    this.#surfaces = scene.objects.map((object, i) => this.#add(object, i, boxes));
     this.#triangles.sort();
+    this.#solidLists = pixelLists(boxes, this.screen);
   }
 
-  #add(object: CastObject, i: number): ObjectSurface {
+  /** `boxes`: of the solids. */
+  #add(object: CastObject, i: number, boxes: number[]): ObjectSurface {
     const { shape } = object;
     const matrix = columnsOf(object.matrix);
     let placed: Placed | null = null;
     if (shape.kind === 'triangles') {
       placed = this.#triangles.add(shape, i, matrix, this.#acceptorOf(object, i));
     } else {
-      this.#solids.push(solidOf(trueShape(shape), i, matrix, this.#scene.camera.eye));
+      const center = subtract(matrix.origin, this.#scene.camera.eye);
+      const box = boxOf(cubeOf(matrix, center), this.screen);
+      if (box !== null) {
+        this.#solids.push(solidOf(trueShape(shape), i, matrix, center));
+        boxes.push(...box);
+      }
     }
     this.#placed.push(placed);
     return new ObjectSurface(object, placed, this.#scene);
@@ -117,19 +124,12 @@ export class Tracer {
     };
   }
 
-  /** False: no ray through this pixel meets anything. `exactly`: looks longer. */
-  mayMeet(column: number, row: number, exactly = false): boolean {
-    const { width, height, slopeY } = this.screen;
-    const pixel = row * width + column;
-    if (exactly ? this.#triangles.touches(pixel) : this.#triangles.meets(pixel)) return true;
-    if (this.#solids.length === 0) return false;
-    const d = this.screen.direction(column + 0.5, row + 0.5);
-    const halfDiagonal = (Math.SQRT2 * slopeY) / height;
-    return this.#solids.some(({ center, radius }) => {
-      const apart = length(cross(center, d)) / length(d);
-      // A ray through the pixel leaves its middle by less than that for each unit of length.
-      return apart <= radius + halfDiagonal * length(center);
-    });
+  /** False: no ray through this pixel meets anything. */
+  mayMeet(column: number, row: number): boolean {
+    const pixel = row * this.screen.width + column;
+    const { starts } = this.#solidLists;
+    if (starts[pixel]! < starts[pixel + 1]!) return true;
+    return this.#triangles.meets(pixel);
   }
 
   /**
@@ -160,17 +160,11 @@ export class Tracer {
     }
     const column = clamp(Math.floor(x), 0, width - 1);
     const row = clamp(Math.floor(y), 0, height - 1);
-    this.#triangles.intersect(row * width + column, dx, dy, dz, hit);
-    for (const { intersect, object, toShape, toWorld, eye, center, radius } of this.#solids) {
-      const cx = center[0];
-      const cy = center[1];
-      const cz = center[2];
-      const along = cx * dx + cy * dy + cz * dz;
-      const squared = dx * dx + dy * dy + dz * dz;
-      // Beside its sphere: a rounding more than that is still inside.
-      if ((cx * cx + cy * cy + cz * cz - radius * radius) * squared > along * along * 1.000001) {
-        continue;
-      }
+    const pixel = row * width + column;
+    this.#triangles.intersect(pixel, dx, dy, dz, hit);
+    const { starts, things } = this.#solidLists;
+    for (let i = starts[pixel]!; i < starts[pixel + 1]!; i++) {
+      const { intersect, object, toShape, toWorld, eye } = this.#solids[things[i]!]!;
       if (!intersect(eye, turned(toShape, dx, dy, dz), hit)) continue;
       [hit.nx, hit.ny, hit.nz] = turned(toWorld, hit.nx, hit.ny, hit.nz);
       hit.object = object;
@@ -321,24 +315,26 @@ const turned = ({ x, y, z }: Vec3Matrix, a: number, b: number, c: number): Vec3 
   x[2] * a + y[2] * b + z[2] * c,
 ];
 
-function solidOf(intersect: Intersect, object: number, matrix: Vec3Matrix, eye: Vec3): Solid {
-  const { x, y, z } = matrix;
+/** The corners of the cube of side 1 that holds a true shape, as seen from the eye. */
+const cubeOf = ({ x, y, z }: Vec3Matrix, center: Vec3): readonly Vec3[] =>
+  Array.from({ length: 8 }, (_, k) =>
+    [x, y, z].reduce((sum, axis, i) => add(sum, scale(axis, ((k >> i) & 1) - 0.5)), center),
+  );
+
+/** `center`: as seen from the eye. */
+function solidOf(intersect: Intersect, object: number, matrix: Vec3Matrix, center: Vec3): Solid {
+  const { x, y, z, origin } = matrix;
   const rows = [cross(y, z), cross(z, x), cross(x, y)] as const; // of the adjugate
   const determinant = dot(x, rows[0]);
   // The inverse by its rows is the cofactors' transpose over the determinant; as columns, the
   // inverse transpose.
-  const toWorld: Vec3Matrix = {
-    x: scale(rows[0], 1 / determinant),
-    y: scale(rows[1], 1 / determinant),
-    z: scale(rows[2], 1 / determinant),
-    origin: [0, 0, 0],
-  };
-  const column = (i: 0 | 1 | 2): Vec3 => [toWorld.x[i], toWorld.y[i], toWorld.z[i]];
-  const toShape = { x: column(0), y: column(1), z: column(2), origin: matrix.origin };
-  const center = subtract(matrix.origin, eye);
-  // No point of a true shape is farther from its middle than √½.
-  const radius = Math.SQRT1_2 * length([length(x), length(y), length(z)]);
-  const [cx, cy, cz] = center;
-  const inShape = turned(toShape, -cx, -cy, -cz);
-  return { intersect, object, toShape, toWorld, eye: inShape, center, radius };
+  const [a, b, c] = [0, 1, 2].map((i) => scale(rows[i as 0], 1 / determinant)) as [
+    Vec3,
+    Vec3,
+    Vec3,
+  ];
+  const column = (i: 0 | 1 | 2): Vec3 => [a[i], b[i], c[i]];
+  const toShape = { x: column(0), y: column(1), z: column(2), origin };
+  const eye = turned(toShape, -center[0], -center[1], -center[2]);
+  return { intersect, object, toShape, toWorld: { x: a, y: b, z: c, origin }, eye };
 }

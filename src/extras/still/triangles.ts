@@ -4,16 +4,11 @@
 import { cross, dot, length, subtract, type Vec3 } from '../../phong/math/vector.js';
 import { type Hit, newHit } from './hit.js';
 import type { TrianglesShape } from './cast-scene.js';
+import { boxOf, type PixelLists, pixelLists } from './pixel-lists.js';
 import type { Screen } from './screen.js';
 
 /** Numbers of a triangle: b×c, c×a and a×b of its corners as seen from the eye, and a·(b×c). */
 const STRIDE = 10;
-
-/** Pixels by which boxes are larger than they are, for the rounding of their corners. */
-const SLACK = 1e-6;
-
-/** Corners nearer to the eye's plane than this share of their distance have no sure pixel. */
-const LEAST_DEPTH = 1e-9;
 
 /** An object's vertices as the rays see them. */
 export interface Placed {
@@ -36,15 +31,12 @@ interface PlacedObject extends Placed {
 export class Triangles {
   readonly #screen: Screen;
   readonly #placed: PlacedObject[] = [];
-  #count = 0;
+  /** {@link STRIDE} numbers of each triangle. */
   #volumes = new Float64Array();
   /** Index of each triangle's object in `#placed`, and of the triangle in it. */
-  #owners = new Int32Array();
-  #indices = new Int32Array();
-  /** Left, right, top and bottom pixel of each triangle. */
-  #boxes = new Int32Array();
-  #starts = new Int32Array();
-  #lists = new Int32Array();
+  readonly #owners: number[] = [];
+  readonly #indices: number[] = [];
+  #lists: PixelLists = { starts: new Int32Array(), things: new Int32Array() };
 
   constructor(screen: Screen) {
     this.#screen = screen;
@@ -59,71 +51,17 @@ export class Triangles {
 
   /** Makes the pixels' lists; after the last {@link add}. */
   sort(): void {
+    const boxes: number[] = [];
     const most = this.#placed.reduce((sum, placed) => sum + countOf(placed), 0);
     this.#volumes = new Float64Array(STRIDE * most);
-    this.#owners = new Int32Array(most);
-    this.#indices = new Int32Array(most);
-    this.#boxes = new Int32Array(4 * most);
-    this.#placed.forEach((placed, owner) => this.#measure(placed, owner));
-    const { width, height } = this.#screen;
-    const starts = new Int32Array(width * height + 1);
-    const boxes = this.#boxes;
-    const each = (visit: (pixel: number, triangle: number) => void): void => {
-      for (let triangle = 0; triangle < this.#count; triangle++) {
-        const [left, right] = [boxes[4 * triangle]!, boxes[4 * triangle + 1]!];
-        const bottom = boxes[4 * triangle + 3]!;
-        for (let y = boxes[4 * triangle + 2]!; y <= bottom; y++) {
-          for (let x = left; x <= right; x++) {
-            visit(y * width + x, triangle);
-          }
-        }
-      }
-    };
-    each((pixel) => (starts[pixel + 1]! += 1));
-    for (let i = 0; i < width * height; i++) {
-      starts[i + 1]! += starts[i]!;
-    }
-    const lists = new Int32Array(starts[width * height]!);
-    const next = starts.slice();
-    each((pixel, triangle) => (lists[next[pixel]!++] = triangle));
-    this.#starts = starts;
-    this.#lists = lists;
+    this.#placed.forEach((placed, owner) => this.#measure(placed, owner, boxes));
+    this.#lists = pixelLists(boxes, this.#screen);
   }
 
   /** Whether any triangle's box meets the pixel. */
   meets(pixel: number): boolean {
-    return this.#starts[pixel]! < this.#starts[pixel + 1]!;
-  }
-
-  /**
-   * Whether any triangle covers a part of the pixel, or may: not if the pixel's corners are all
-   * beyond one of its sides.
-   */
-  touches(pixel: number): boolean {
-    const { width } = this.#screen;
-    const [x, y] = [pixel % width, Math.floor(pixel / width)];
-    const corners = [0, 1, 2, 3].map((k) =>
-      this.#screen.direction(
-        x + (k & 1) * (1 + 2 * SLACK) - SLACK,
-        y + (k >> 1) * (1 + 2 * SLACK) - SLACK,
-      ),
-    );
-    for (let i = this.#starts[pixel]!; i < this.#starts[pixel + 1]!; i++) {
-      const at = STRIDE * this.#lists[i]!;
-      let [above, below] = [false, false];
-      for (let side = at; side < at + 9; side += 3) {
-        const [bx, by, bz] = [
-          this.#volumes[side]!,
-          this.#volumes[side + 1]!,
-          this.#volumes[side + 2]!,
-        ];
-        const volume = ([dx, dy, dz]: Vec3): number => dx * bx + dy * by + dz * bz;
-        above ||= corners.every((d) => volume(d) > 0);
-        below ||= corners.every((d) => volume(d) < 0);
-      }
-      if (!(above && below)) return true;
-    }
-    return false;
+    const { starts } = this.#lists;
+    return starts[pixel]! < starts[pixel + 1]!;
   }
 
   /**
@@ -132,9 +70,10 @@ export class Triangles {
    */
   intersect(pixel: number, dx: number, dy: number, dz: number, hit: Hit): void {
     const volumes = this.#volumes;
-    const end = this.#starts[pixel + 1]!;
-    for (let i = this.#starts[pixel]!; i < end; i++) {
-      const triangle = this.#lists[i]!;
+    const { starts, things } = this.#lists;
+    const end = starts[pixel + 1]!;
+    for (let i = starts[pixel]!; i < end; i++) {
+      const triangle = things[i]!;
       const at = STRIDE * triangle;
       const a = dx * volumes[at]! + dy * volumes[at + 1]! + dz * volumes[at + 2]!;
       const b = dx * volumes[at + 3]! + dy * volumes[at + 4]! + dz * volumes[at + 5]!;
@@ -158,7 +97,7 @@ export class Triangles {
     }
   }
 
-  #measure(placed: PlacedObject, owner: number): void {
+  #measure(placed: PlacedObject, owner: number, boxes: number[]): void {
     const { places, index } = placed;
     const count = countOf(placed);
     const corner = (i: number): Vec3 => {
@@ -167,41 +106,15 @@ export class Triangles {
     };
     for (let triangle = 0; triangle < count; triangle++) {
       const [a, b, c] = [corner(3 * triangle), corner(3 * triangle + 1), corner(3 * triangle + 2)];
-      const box = this.#boxOf(a, b, c);
+      const box = boxOf([a, b, c], this.#screen);
       if (box === null) continue;
       const bc = cross(b, c);
-      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], STRIDE * this.#count);
-      this.#owners[this.#count] = owner;
-      this.#indices[this.#count] = triangle;
-      this.#boxes.set(box, 4 * this.#count);
-      this.#count += 1;
+      const at = STRIDE * this.#owners.length;
+      this.#volumes.set([...bc, ...cross(c, a), ...cross(a, b), dot(a, bc)], at);
+      this.#owners.push(owner);
+      this.#indices.push(triangle);
+      boxes.push(...box);
     }
-  }
-
-  /**
-   * The pixels whose rays may meet the triangle; null if none do. Behind the eye nothing is sure:
-   * all of them.
-   */
-  #boxOf(...corners: readonly [Vec3, Vec3, Vec3]): readonly number[] | null {
-    const { width, height } = this.#screen;
-    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
-    let [behind, unsure] = [0, false];
-    for (const corner of corners) {
-      const { x, y, depth } = this.#screen.project(corner);
-      behind += Number(depth <= 0);
-      unsure ||= depth <= LEAST_DEPTH * Math.max(...corner.map(Math.abs));
-      left = Math.min(left, x);
-      right = Math.max(right, x);
-      top = Math.min(top, y);
-      bottom = Math.max(bottom, y);
-    }
-    if (behind === 3) return null;
-    if (unsure) return [0, width - 1, 0, height - 1];
-    left = Math.max(0, Math.floor(left - SLACK));
-    right = Math.min(width - 1, Math.floor(right + SLACK));
-    top = Math.max(0, Math.floor(top - SLACK));
-    bottom = Math.min(height - 1, Math.floor(bottom + SLACK));
-    return left > right || top > bottom ? null : [left, right, top, bottom];
   }
 }
 

@@ -190,6 +190,17 @@ describe('values in a still’s markup', () => {
     await expect(draw(markup)).rejects.toThrow(part);
   });
 
+  it.each([
+    ['box', 20_000, 'draws; at most 10,000 can be shown.'],
+    ['box', 9000, 'surfaces before and behind each other'],
+    ['sphere', 9000, 'surfaces before and behind each other'],
+  ])('are no heap of meshes: %s, %i', async (shape, count, part) => {
+    const mesh = `<phong-mesh geometry="${shape}"></phong-mesh>`;
+    await expect(draw(`<phong-viewer>${mesh.repeat(count)}</phong-viewer>`, 300)).rejects.toThrow(
+      part,
+    );
+  });
+
   it('has a size in whole pixels', async () => {
     for (const size of [0, 1.5, NaN, 1e9]) {
       await expect(draw('<phong-viewer></phong-viewer>', size)).rejects.toThrow(RangeError);
