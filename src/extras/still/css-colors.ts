@@ -1,6 +1,6 @@
 // A CSS colour as three numbers, 255 being full, in sRGB: names, hex, rgb(), hsl() and hwb(),
 // without their alpha. In browsers the canvas parses them (viewer/element/fields/css-color.ts).
-import { clamp, type Vec3 } from '../../phong/math/vector.js';
+import { clamp, map, type Vec3 } from '../../phong/math/vector.js';
 
 /** Colours that browsers know and stills do not. */
 const OTHER = /^((ok)?(lab|lch)|color(-mix)?|light-dark|contrast-color|device-cmyk)\(/;
@@ -13,67 +13,53 @@ export function cssColor(text: string): Vec3 | null {
       `a still cannot read the colour ${JSON.stringify(key)}: write rgb(), hsl() or #hex`,
     );
   }
-  const hex = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/.exec(named.get(key) ?? key)?.[1];
+  const [, hex] = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/.exec(named.get(key) ?? key) ?? [];
   if (hex !== undefined) {
-    const size = hex.length > 4 ? 2 : 1;
-    const channel = (i: number): number =>
-      parseInt(hex.slice(size * i, size * i + size).repeat(3 - size), 16);
-    return [channel(0), channel(1), channel(2)];
+    const full = hex.length > 4 ? hex : hex.replace(/./g, '$&$&');
+    const channel = (i: number): number => parseInt(full.slice(i, i + 2), 16);
+    return [channel(0), channel(2), channel(4)];
   }
   const [, name, inside = ''] = /^(rgb|hsl|hwb)a?\(([^()]*)\)$/.exec(key) ?? [];
   const words = inside.trim().split(/\s*,\s*|\s*\/\s*|\s+/);
   if (name === undefined || words.length < 3 || words.length > 4) return null;
-  const numbers = words.map((word, i) =>
-    i === 0 && name !== 'rgb' ? hueOf(word) : share(word, name),
-  );
-  const [a, b, c] = numbers as [number, number, number];
+  const numbers = words.map((word, i) => numberOf(word, i, name));
   if (numbers.some(Number.isNaN)) return null;
-  if (name === 'rgb') return rounded([a, b, c]);
-  if (name === 'hsl') {
-    // CSS Color 4, section 7.
-    const at = (n: number): number => {
-      const k = (n + a / 30) % 12;
-      return c - b * Math.min(c, 1 - c) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-    };
-    return rounded([at(0), at(8), at(4)]);
-  }
-  const [white, black] = b + c > 1 ? [b / (b + c), c / (b + c)] : [b, c];
+  const [a, b, c] = numbers as [number, number, number];
+  if (name === 'rgb') return map([a, b, c], rounded);
+  const sum = Math.max(1, b + c);
+  // hwb(): a hue at full saturation between its black and white. CSS Color 4, sections 7 and 8.
+  const [low, high] = name === 'hwb' ? [b / sum, 1 - c / sum] : [0, 1];
+  const [s, l] = name === 'hwb' ? [1, 0.5] : [b, c];
   const at = (n: number): number => {
-    const k = (n + a / 60) % 6;
-    return white + (1 - white - black) * (1 - Math.max(0, Math.min(k, 4 - k, 1)));
+    const k = (n + 12 * a) % 12;
+    const hue = l - s * Math.min(l, 1 - l) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
+    return rounded(low + (high - low) * hue);
   };
-  return rounded([at(5), at(3), at(1)]);
+  return [at(0), at(8), at(4)];
 }
 
 /** As browsers serialise them; see viewer/element/fields/css-color.ts. */
-const rounded = (color: readonly [number, number, number]): Vec3 => {
-  const byte = (c: number): number => Math.round(255e3 * clamp(c, 0, 1)) / 1e3;
-  return [byte(color[0]), byte(color[1]), byte(color[2])];
+const rounded = (c: number): number => Math.round(255e3 * clamp(c, 0, 1)) / 1e3;
+
+/** What is 1; `''`: of a hue. */
+const WHOLE: Readonly<Record<string, number>> = {
+  '': 360,
+  deg: 360,
+  grad: 400,
+  rad: 2 * Math.PI,
+  turn: 1,
+  '%': 100,
 };
 
-/** A number from 0 to 1; NaN for no number. */
-function share(word: string, name: string): number {
-  const [, number, percent] =
-    /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|none)(%?)$/.exec(word) ?? [];
-  if (number === undefined) return NaN;
-  const whole = percent === '' && name === 'rgb' ? 255 : 100;
-  return clamp(number === 'none' ? 0 : Number(number) / whole, 0, 1);
-}
-
-const DEGREES: Readonly<Record<string, number>> = {
-  '': 1,
-  deg: 1,
-  grad: 0.9,
-  rad: 180 / Math.PI,
-  turn: 360,
-};
-
-/** Degrees from 0 to 360; NaN for no angle. */
-function hueOf(word: string): number {
+/** Of a function's words, one by one: turns, or a number from 0 to 1; NaN for neither. */
+function numberOf(word: string, i: number, name: string): number {
   const [, number, unit = ''] =
-    /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(deg|grad|rad|turn)?$/.exec(word) ?? [];
-  if (word === 'none') return 0;
-  return number === undefined ? NaN : (((Number(number) * DEGREES[unit]!) % 360) + 360) % 360;
+    /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|none)(%|deg|grad|rad|turn|)$/.exec(word) ?? [];
+  const isHue = i === 0 && name !== 'rgb';
+  if (number === undefined || (isHue ? unit === '%' : unit.length > 1)) return NaN;
+  const value = number === 'none' ? 0 : Number(number);
+  if (isHue) return (((value / WHOLE[unit]!) % 1) + 1) % 1;
+  return clamp(value / (unit === '' && name === 'rgb' ? 255 : 100), 0, 1);
 }
 
 const named = new Map(

@@ -73,7 +73,7 @@ export class ObjectSurface {
       alpha *= texel[3]!;
     }
     const { colors } = this.#shape ?? {};
-    return colors === undefined ? alpha : alpha * this.#mix(colors, 4, 3, hit);
+    return colors === undefined ? alpha : alpha * this.mix(colors, 4, 3, hit);
   }
 
   /** Writes {@link surface} for a hit. True shapes have their normal in the hit. */
@@ -94,7 +94,7 @@ export class ObjectSurface {
     if (colors !== undefined) {
       const isStoredLinear = this.#shape?.linearColors === true;
       const channel = (k: number): number => {
-        const c = this.#mix(colors, 4, k, hit);
+        const c = this.mix(colors, 4, k, hit);
         return isStoredLinear && !this.#linear ? srgbEncode(c) : c;
       };
       r *= channel(0);
@@ -137,21 +137,21 @@ export class ObjectSurface {
     if (placed !== null && shading === 'flat') {
       this.#faceNormal(hit, placed);
     } else if (placed !== null) {
-      hit.nx = this.#mix(placed.normals, 3, 0, hit);
-      hit.ny = this.#mix(placed.normals, 3, 1, hit);
-      hit.nz = this.#mix(placed.normals, 3, 2, hit);
+      hit.nx = this.mix(placed.normals, 3, 0, hit);
+      hit.ny = this.mix(placed.normals, 3, 1, hit);
+      hit.nz = this.mix(placed.normals, 3, 2, hit);
     }
     const tangents = this.#tangents;
     if (normalTexture !== undefined && tangents !== null && shading !== 'flat') {
       unit(hit, 1);
       this.#read(normalTexture, hit, BYTES);
       const [tx, ty, tz] = [texel[0]! * 2 - 1, texel[1]! * 2 - 1, texel[2]! * 2 - 1];
-      const [x, y, z] = [0, 1, 2].map((k) => this.#mix(tangents, 3, k, hit)) as [
+      const [x, y, z] = [0, 1, 2].map((k) => this.mix(tangents, 3, k, hit)) as [
         number,
         number,
         number,
       ];
-      const side = this.#mix(this.#shape!.tangents!, 4, 3, hit) * (placed!.mirrored ? -1 : 1);
+      const side = this.mix(this.#shape!.tangents!, 4, 3, hit) * (placed!.mirrored ? -1 : 1);
       const { nx, ny, nz } = hit;
       const s = normalScale;
       hit.nx = s * (tx * x + ty * side * (ny * z - nz * y)) + tz * nx;
@@ -162,11 +162,7 @@ export class ObjectSurface {
   }
 
   /** The mean of the corners' values, `size` numbers each, by the hit's shares. */
-  mix(values: ArrayLike<number>, size: number, k: number, hit: Hit): number {
-    return this.#mix(values, size, k, hit);
-  }
-
-  #mix(values: ArrayLike<number>, size: number, k: number, { triangle, a, b, c }: Hit): number {
+  mix(values: ArrayLike<number>, size: number, k: number, { triangle, a, b, c }: Hit): number {
     const index = this.#shape!.index;
     const first = 3 * triangle;
     if (index === undefined) {
@@ -182,7 +178,7 @@ export class ObjectSurface {
 
   #read(texture: CastTexture, hit: Hit, decode: Decode): void {
     const uv = this.#shape?.uvs?.[texture.uv ?? 0] ?? NO_UV;
-    readTexture(texture, this.#mix(uv, 2, 0, hit), this.#mix(uv, 2, 1, hit), decode, texel);
+    readTexture(texture, this.mix(uv, 2, 0, hit), this.mix(uv, 2, 1, hit), decode, texel);
   }
 
   /** The triangle's own, on the side that its corners turn to. */

@@ -163,9 +163,8 @@ const isInComparison = ({ parentNode }: Element): boolean =>
 
 /** Of a style sheet: what a selector without spaces and colons declares. */
 interface Rule {
-  readonly tag: string;
-  readonly ids: readonly string[];
-  readonly classes: readonly string[];
+  /** A tag, `#id`s and `.class`es. */
+  readonly parts: readonly string[];
   readonly declarations: string;
 }
 
@@ -177,39 +176,27 @@ function rulesIn({ tagName, childNodes }: Element): Rule[] {
     .join('')
     .replace(/\/\*[^]*?\*\/|@[^{};]*(;|\{([^{}]*\{[^{}]*\})*[^{}]*\})/g, '');
   return [...css.matchAll(/([^{}]+)\{([^{}]*)\}/g)].flatMap(([, selectors, declarations]) =>
-    selectors!.split(',').flatMap((selector): Rule[] => {
-      const [, tag, rest] = /^\s*([\w-]+|\*|)((?:[.#][\w-]+)*)\s*$/.exec(selector) ?? [];
-      if (tag === undefined) return [];
-      const names = (sign: RegExp): readonly string[] => rest!.match(sign) ?? [];
-      return [
-        {
-          tag: tag.replace('*', '').toLowerCase(),
-          ids: names(/(?<=#)[\w-]+/g),
-          classes: names(/(?<=\.)[\w-]+/g),
-          declarations: declarations!,
-        },
-      ];
-    }),
+    selectors!
+      .split(',')
+      .filter((selector) => /^\s*([\w-]+|\*|)([.#][\w-]+)*\s*$/.test(selector))
+      .map((selector) => ({
+        parts: (selector.match(/[.#]?[\w-]+/g) ?? []).map((part) =>
+          /^[.#]/.test(part) ? part : part.toLowerCase(),
+        ),
+        declarations: declarations!,
+      })),
   );
 }
 
 /** All declarations for an element, the strongest last. */
 function styleOf(element: Element, rules: readonly Rule[]): string {
-  const id = attribute(element, 'id');
-  const classes = (attribute(element, 'class') ?? '').split(/\s+/);
+  const classes = (attribute(element, 'class') ?? '').split(/\s+/).map((name) => `.${name}`);
+  const own = [element.tagName, `#${attribute(element, 'id') ?? ''}`, ...classes];
+  const strength = ({ parts }: Rule): number =>
+    parts.reduce((sum, [sign]) => sum + (sign === '#' ? 1e6 : sign === '.' ? 1e3 : 1), 0);
   return rules
-    .filter(
-      (rule) =>
-        (rule.tag === '' || rule.tag === element.tagName) &&
-        rule.ids.every((name) => name === id) &&
-        rule.classes.every((name) => classes.includes(name)),
-    )
-    .sort(
-      (a, b) =>
-        a.ids.length - b.ids.length ||
-        a.classes.length - b.classes.length ||
-        Number(a.tag !== '') - Number(b.tag !== ''),
-    )
+    .filter(({ parts }) => parts.every((part) => own.includes(part)))
+    .sort((a, b) => strength(a) - strength(b))
     .map(({ declarations }) => declarations)
     .concat(attribute(element, 'style') ?? '')
     .join(';');
