@@ -51,6 +51,9 @@ export async function pixels(
   return decodePng(Buffer.from(base64, 'base64'));
 }
 
+/** The pictures are equal to the bit. */
+export const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
+
 /** The codes of one pixel, x to the right and y down from the top left. */
 export function pixelAt(
   { width, height, data }: Picture,

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';
-import { drag, type PhongViewer, shownBy } from '../support/viewer.js';
+import { drag, htmlOf, type PhongViewer, shownBy } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
 
@@ -14,12 +14,9 @@ const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" ter
     <phong-light position="0 3 3" axis="0 -1 -1" aperture="20" cutoff="12" attenuation="1 0.1 0.05" space="camera"></phong-light>
     <phong-light active="false" diffuse="#f00"></phong-light></phong-viewer>`;
 
-const html = (viewer: Locator): Promise<string> =>
-  viewer.evaluate((element: PhongViewer) => element.toHTML());
-
 async function roundTrip(page: Page, viewer: Locator): Promise<void> {
   const before = await pixels(viewer, size);
-  const text = await html(viewer);
+  const text = await htmlOf(viewer);
   expect(compare(await shownBy(page, text, size), before).max).toBe(0);
   const again = await page.evaluate((markup) => {
     const place = document.createElement('div');
@@ -35,7 +32,7 @@ async function roundTrip(page: Page, viewer: Locator): Promise<void> {
 test('toHTML gives the same picture, and the same markup again', async ({ page, mount }) => {
   const viewer = await mount(rich, size);
   await roundTrip(page, viewer);
-  const text = await html(viewer);
+  const text = await htmlOf(viewer);
   for (const part of ['name="sun"', 'active="false"', 'orbit="false"', 'antialias="full"']) {
     expect(text).toContain(part);
   }

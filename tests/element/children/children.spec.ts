@@ -4,7 +4,7 @@
 // markup, complete from the start.
 
 import type { Page } from '@playwright/test';
-import { allReady, compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import { allReady, compare, expect, pixels, same, test, type Picture } from '../../support/test.js';
 import { drawUntilSpecialised } from '../frames/driving.js';
 import { logGl } from '../support/gl-log.js';
 import { type PhongViewer, record, shownBy } from '../support/viewer.js';
@@ -21,7 +21,6 @@ const scene = (...children: readonly string[]): string =>
 
 /** The picture of this markup in a second viewer. */
 const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 const box = '<phong-mesh name="box" geometry="box" scale="0.3"></phong-mesh>';
 
 test('children belong to the nearest viewer at any depth, except in slots', async ({

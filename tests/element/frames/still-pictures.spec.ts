@@ -4,7 +4,15 @@
 import type { Locator, Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import { assign, nextFrame, type PhongViewer, set, settled, statsOf } from '../support/viewer.js';
+import {
+  assign,
+  nextFrame,
+  type PhongViewer,
+  samplesOf,
+  set,
+  settled,
+  statsOf,
+} from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
@@ -27,8 +35,6 @@ const renders = (viewer: Locator) =>
     });
     return list;
   });
-
-const samplesOf = async (viewer: Locator): Promise<number> => (await statsOf(viewer)).samples;
 
 /** Waits until it has all samples. */
 async function converged(viewer: Locator): Promise<void> {

@@ -7,7 +7,7 @@ import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/phong/material/views.js';
 import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import { assign, nextFrame, type PhongViewer, settled, statsOf } from '../support/viewer.js';
+import { assign, nextFrame, type PhongViewer, samplesOf, settled } from '../support/viewer.js';
 
 const SIZE = { width: 48, height: 36 };
 const TIMES = 4;
@@ -16,8 +16,6 @@ const light =
 const spot =
   '<phong-light name="b" position="1 1 2 1" axis="-1 -1 -2" aperture="25" cutoff="4" diffuse="#f84" attenuation="1 0.2 0"></phong-light>';
 const full = 'alt="" antialias="full" samples="64"';
-
-const samplesOf = async (viewer: Locator): Promise<number> => (await statsOf(viewer)).samples;
 
 type Means = readonly number[];
 

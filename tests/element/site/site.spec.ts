@@ -21,20 +21,11 @@ const PICTURED: ReadonlySet<string> = new Set([
   ),
 ]);
 
-/** Pages whose tests run in every run. The others are made of the same parts. */
-const OFTEN: ReadonlySet<string> = new Set([
-  '',
-  'guide/light/',
-  'guide/see/',
-  'lesson/',
-  'playground/',
-]);
-
 /**
- * Pages that are looked at in dark colours too in every run: together they have all that is
- * coloured.
+ * Pages whose tests run in every run, in dark colours too: together they have all that is coloured,
+ * and the others are made of the same parts.
  */
-const DARK: ReadonlySet<string> = new Set([
+const OFTEN: ReadonlySet<string> = new Set([
   '',
   'guide/light/',
   'guide/see/',
@@ -143,7 +134,7 @@ for (const path of sitePages) {
     await page.setViewportSize(PHONE);
     await page.emulateMedia({ colorScheme: 'light' });
     await open(page, path);
-    await expectFitAndAccessible(page, DARK.has(path));
+    await expectFitAndAccessible(page, often);
     await expectHead(page, request);
     if (pictured) {
       await expectPictures(

@@ -14,6 +14,13 @@ export const cameraOf = (viewer: Locator): Promise<CameraState> =>
 export const statsOf = (viewer: Locator): Promise<PhongViewer['stats']> =>
   viewer.evaluate((element: PhongViewer) => element.stats);
 
+/** The samples of the picture that is shown. */
+export const samplesOf = async (viewer: Locator): Promise<number> =>
+  (await statsOf(viewer)).samples;
+
+export const htmlOf = (viewer: Locator): Promise<string> =>
+  viewer.evaluate((element: PhongViewer) => element.toHTML());
+
 /** Width and height in device pixels; -1 without a canvas. */
 export const canvasSize = (viewer: Locator): Promise<readonly [width: number, height: number]> =>
   viewer.evaluate((element: PhongViewer) => {

@@ -11,7 +11,7 @@ import { outputFolder } from '../../../.ci/output-folder.mjs';
 import { bundleOf } from '../../package/bundle.js';
 import { Requests } from '../../package/requests.js';
 import { expect, test } from '../../support/test.js';
-import type { PhongViewer } from '../../element/support/viewer.js';
+import { cameraOf, type PhongViewer } from '../../element/support/viewer.js';
 
 // The pointer rests in the corner.
 const css = 'body { margin: 60px } phong-viewer { display: block; width: 300px; height: 200px }';
@@ -26,8 +26,21 @@ const figure = (attributes = '', inner = ''): string =>
   `<phong-viewer ${BALL} ${attributes}>${POSTER}${inner}</phong-viewer>`;
 const isDefined = (page: Page): Promise<boolean> =>
   page.evaluate(() => customElements.get('phong-viewer') !== undefined);
+const thetaOf = async (page: Page): Promise<number> =>
+  (await cameraOf(page.locator('phong-viewer').first())).theta;
 const waitForPicture = (page: Page): Promise<unknown> =>
   page.waitForFunction(() => document.querySelector<PhongViewer>('phong-viewer')!.loaded);
+
+/** Keeps the elements from the page until the returned function is called. */
+async function holdElements(page: Page): Promise<() => void> {
+  let send = (): void => undefined;
+  const held = new Promise<void>((resolve) => (send = resolve));
+  await page.route(`**/${ELEMENTS}`, async (route) => {
+    await held;
+    await route.continue();
+  });
+  return send;
+}
 
 test('the file has at most 2 kB, and a page with ten figures fetches nothing else before a touch', async ({
   page,
@@ -64,11 +77,7 @@ test('the drag that asks for the elements turns the viewer by what the pointer h
   site,
 }) => {
   await page.goto(site.page(figure(), { css, head }));
-  let send = (): void => undefined;
-  await page.route(`**/${ELEMENTS}`, async (route) => {
-    await new Promise<void>((resolve) => (send = resolve));
-    await route.continue();
-  });
+  const send = await holdElements(page);
   await page.mouse.move(150, 100);
   await page.mouse.down();
   await page.mouse.move(190, 110);
@@ -76,11 +85,10 @@ test('the drag that asks for the elements turns the viewer by what the pointer h
   expect(await isDefined(page)).toBe(false);
   send();
   await waitForPicture(page);
-  const camera = (): Promise<number[]> =>
-    page.evaluate(() => {
-      const { theta, phi } = document.querySelector<PhongViewer>('phong-viewer')!.camera;
-      return [theta, phi];
-    });
+  const camera = async (): Promise<number[]> => {
+    const { theta, phi } = await cameraOf(page.locator('phong-viewer'));
+    return [theta, phi];
+  };
   await expect.poll(async () => (await camera())[0]).not.toBe(30);
   const [theta, phi] = await camera();
   // It goes on: the same move again doubles the turn.
@@ -98,11 +106,7 @@ test('a finger’s drag that asks for the elements turns the viewer too, and the
 }) => {
   const long = `${css} .far { height: 3000px }`;
   await page.goto(site.page(`${figure()}<div class="far"></div>`, { css: long, head }));
-  let send = (): void => undefined;
-  await page.route(`**/${ELEMENTS}`, async (route) => {
-    await new Promise<void>((resolve) => (send = resolve));
-    await route.continue();
-  });
+  const send = await holdElements(page);
   const cdp = await page.context().newCDPSession(page);
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number, y?: number) =>
     cdp.send('Input.dispatchTouchEvent', {
@@ -116,12 +120,10 @@ test('a finger’s drag that asks for the elements turns the viewer too, and the
   await expect.poll(() => page.evaluate(() => scrollY)).toBe(0);
   send();
   await waitForPicture(page);
-  const theta = (): Promise<number> =>
-    page.evaluate(() => document.querySelector<PhongViewer>('phong-viewer')!.camera.theta);
-  await expect.poll(theta).not.toBe(30);
-  const turned = await theta();
+  await expect.poll(() => thetaOf(page)).not.toBe(30);
+  const turned = await thetaOf(page);
   await touch('touchMove', 270, 100);
-  await expect.poll(async () => (await theta()) - 30).toBeCloseTo(2 * (turned - 30), 6);
+  await expect.poll(async () => (await thetaOf(page)) - 30).toBeCloseTo(2 * (turned - 30), 6);
   await touch('touchEnd');
   // Up and down the finger scrolls, over a viewer too.
   await touch('touchStart', 150, 200);
@@ -134,11 +136,7 @@ test('a finger’s drag that asks for the elements turns the viewer too, and the
 
 test('a drag that ends before the elements are there counts too', async ({ page, site }) => {
   await page.goto(site.page(figure(), { css, head }));
-  let send = (): void => undefined;
-  await page.route(`**/${ELEMENTS}`, async (route) => {
-    await new Promise<void>((resolve) => (send = resolve));
-    await route.continue();
-  });
+  const send = await holdElements(page);
   await page.mouse.move(150, 100);
   await page.mouse.down();
   await page.mouse.move(210, 100);
@@ -146,12 +144,10 @@ test('a drag that ends before the elements are there counts too', async ({ page,
   await page.mouse.move(20, 20);
   send();
   await waitForPicture(page);
-  const theta = (): Promise<number> =>
-    page.evaluate(() => document.querySelector<PhongViewer>('phong-viewer')!.camera.theta);
-  await expect.poll(theta).not.toBe(30);
-  const turned = await theta();
+  await expect.poll(() => thetaOf(page)).not.toBe(30);
+  const turned = await thetaOf(page);
   await page.mouse.move(150, 120);
-  expect(await theta()).toBe(turned);
+  expect(await thetaOf(page)).toBe(turned);
 });
 
 test('the keyboard reaches a viewer, and has it once the elements are there', async ({
@@ -166,9 +162,7 @@ test('the keyboard reaches a viewer, and has it once the elements are there', as
   await expect(page.locator('#own')).toHaveAttribute('tabindex', '0');
   await expect(page.locator('[part=surface]').first()).toBeFocused();
   await page.keyboard.press('ArrowLeft');
-  await expect
-    .poll(() => page.evaluate(() => document.querySelector('phong-viewer')!.camera.theta))
-    .not.toBe(30);
+  await expect.poll(() => thetaOf(page)).not.toBe(30);
 });
 
 for (const [what, body] of [

@@ -1,27 +1,12 @@
 // Does reading a text format let other tasks run after a bounded amount of work, whatever the file
-// is made of: one line, one list, one polygon, one vertex, one word? Every look at the clock says
-// that the task has taken long enough, so that the pauses count the slices.
-import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { heardWarnings, loadFiles, type FileContent } from './model-files.js';
+// is made of: one line, one list, one polygon, one vertex, one word? Its pauses
+// count the slices.
+import { describe, expect, it } from 'vitest';
+import { countedPauses, heardWarnings, loadFiles, type FileContent } from './model-files.js';
 
 heardWarnings();
 
-let pauses = 0;
-
-beforeEach(() => {
-  let now = 0;
-  vi.spyOn(performance, 'now').mockImplementation(() => (now += 100));
-  pauses = 0;
-  vi.stubGlobal(
-    'MessageChannel',
-    class extends MessageChannel {
-      constructor() {
-        super();
-        pauses += 1;
-      }
-    },
-  );
-});
+const pauses = countedPauses();
 
 type Files = Readonly<Record<string, FileContent>>;
 
@@ -93,6 +78,6 @@ describe('other tasks can run while a file is read', () => {
     ['names of STL', { 'a.stl': `${NAMES}solid a\n${FACET}endsolid` }],
   ])('made of %s', async (_, files) => {
     expect((await loadFiles(files)).parts.length).toBeGreaterThan(0);
-    expect(pauses).toBeGreaterThanOrEqual(8);
+    expect(pauses.count).toBeGreaterThanOrEqual(8);
   });
 });

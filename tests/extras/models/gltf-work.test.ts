@@ -1,29 +1,14 @@
 // Does reading a glTF document let other tasks run after a bounded amount of work, whichever of its
 // lists is long? Every look at the clock says that the task has taken long enough, so that the
 // pauses count the slices.
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { glbOf, type Json } from '../../fuzz/glb.js';
 import { triangleDocument, triangleGlb } from '../../fuzz/models.js';
-import { heardWarnings, loadFiles } from './model-files.js';
+import { countedPauses, heardWarnings, loadFiles } from './model-files.js';
 
 heardWarnings();
 
-let pauses = 0;
-
-beforeEach(() => {
-  let now = 0;
-  vi.spyOn(performance, 'now').mockImplementation(() => (now += 100));
-  pauses = 0;
-  vi.stubGlobal(
-    'MessageChannel',
-    class extends MessageChannel {
-      constructor() {
-        super();
-        pauses += 1;
-      }
-    },
-  );
-});
+const pauses = countedPauses();
 
 const MANY = 2 ** 13;
 
@@ -31,7 +16,7 @@ const MANY = 2 ** 13;
 async function pausesWith(more: Json): Promise<number> {
   const file = new Uint8Array(triangleGlb(more));
   await loadFiles({ 'a.glb': file }).catch(() => undefined);
-  return pauses;
+  return pauses.count;
 }
 
 const SCALAR = { componentType: 5126, count: 1, type: 'SCALAR' };
@@ -70,7 +55,7 @@ describe('a document is read in slices', () => {
     ],
   ])('of many %s', async (_, more) => {
     const before = await pausesWith({});
-    pauses = 0;
+    pauses.count = 0;
     // Besides parsing, which pauses after some thousand values.
     expect((await pausesWith(more)) - before).toBeGreaterThanOrEqual(MANY / 32);
   });

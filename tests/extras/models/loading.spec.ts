@@ -2,13 +2,12 @@
 // Real files from the page's own server.
 
 import { addressOf } from '../../support/animated-gltf.js';
-import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import { compare, expect, pixels, same, test } from '../../support/test.js';
 import { assign, type PhongViewer, record, set, settled } from '../../element/support/viewer.js';
 
 const size = { width: 90, height: 60 };
 const bunny = '/assets/models/bunny.glb';
 const model = (name: string): string => `/fixtures/models/${name}`;
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 
 test('the bunny is shown, with progress up to 1 and then one load', async ({ page, mount }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', size);

@@ -32,6 +32,29 @@ function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream
 }
 
 /**
+ * How often the running test's work has let other tasks run. Every look at the clock says that a
+ * task has taken long enough. Needs {@link heardWarnings}, which ends the stand-ins.
+ */
+export function countedPauses(): { count: number } {
+  const pauses = { count: 0 };
+  beforeEach(() => {
+    let now = 0;
+    vi.spyOn(performance, 'now').mockImplementation(() => (now += 100));
+    pauses.count = 0;
+    vi.stubGlobal(
+      'MessageChannel',
+      class extends MessageChannel {
+        constructor() {
+          super();
+          pauses.count += 1;
+        }
+      },
+    );
+  });
+  return pauses;
+}
+
+/**
  * The texts of the running test's warnings, which are not shown. Ends the test's stand-ins and
  * spies after it.
  */

@@ -2,7 +2,7 @@
 // downloads of removed viewers. Also: when does `loaded` become true?
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import { compare, expect, pixels, same, test } from '../../support/test.js';
 import {
   assign,
   nextFrame,
@@ -16,7 +16,6 @@ import {
 const SIZE = { width: 120, height: 90 };
 const BUNNY = '/assets/models/bunny.glb';
 const QUAD = '/fixtures/models/no-normals.glb';
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 
 declare global {
   interface Window {

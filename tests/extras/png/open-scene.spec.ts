@@ -6,7 +6,7 @@ import { linkTo } from '../../support/site-pages.js';
 import { markupIn } from '../../../src/extras/png/index.js';
 import { withMarkup } from '../../../src/extras/png/chunks.js';
 import { allReady, expect, test } from '../../support/test.js';
-import { type PhongViewer, settled } from '../../element/support/viewer.js';
+import { htmlOf, type PhongViewer, settled } from '../../element/support/viewer.js';
 
 const plain = new Uint8Array(PNG.sync.write(new PNG({ width: 2, height: 2 })));
 const holding = (markup: string): Uint8Array => withMarkup(plain.slice(), markup);
@@ -24,9 +24,6 @@ async function drop(target: Locator, bytes: Uint8Array, name = 'scene.png'): Pro
     await target.dispatchEvent(type, { dataTransfer: transfer });
   }
 }
-
-const htmlOf = (viewer: Locator): Promise<string> =>
-  viewer.evaluate((element: PhongViewer) => element.toHTML());
 
 const BEFORE = `<phong-viewer droppable gui="lights" geometry="box" kd="200 0 0" theta="10" phi="60" radius="4" target="0 0 0">
   <phong-light name="old" position="1 2 3 0"></phong-light>
