@@ -81,6 +81,14 @@ describe('attributes', () => {
     expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
   });
 
+  it('may lie in a buffer that lacks the bytes behind them, but not their own', async () => {
+    const uri = `data:;base64,${Buffer.from(triangle.buffer).toString('base64')}`;
+    const short = { ...mesh({ POSITION: 0 }), buffers: [{ byteLength: 38, uri }] };
+    expect(numbersOf(await gltf([triangle], [POSITION], short), 'position')).toEqual(TRIANGLE);
+    const cut = { ...short, bufferViews: [{ buffer: 0, byteLength: 38 }] };
+    await expect(gltf([triangle], [POSITION], cut)).rejects.toThrow(/buffers\[0\] is truncated/);
+  });
+
   it('must be as many as there are vertices, and triangles must name vertices that exist', async () => {
     const fewer = view(0, 'VEC3', FLOAT, 2);
     await expect(

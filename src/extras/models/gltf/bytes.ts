@@ -21,16 +21,12 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
     isDataUri(uri) ? (await data(uri)).bytes : source.linked(uri);
 
   const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
-    const buffer = document.buffers[index];
-    const bytes = buffer?.uri === undefined ? body : await bytesOf(buffer.uri);
-    const name = `buffers[${String(index)}]`;
-    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) {
-      throw new Error(`${name} has no bytes`);
+    const uri = document.buffers[index];
+    const bytes = uri === undefined ? body : await bytesOf(uri);
+    if (!bytes || (uri === undefined && index > 0)) {
+      throw new Error(`buffers[${String(index)}] has no bytes`);
     }
-    if (bytes.byteLength >= buffer.byteLength) return bytes;
-    throw new Error(
-      `${name} is truncated: ${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
-    );
+    return bytes;
   };
 
   const buffer = (index: number): Promise<Uint8Array<ArrayBuffer>> => {
@@ -46,7 +42,8 @@ export function gltfBytes(document: GltfDocument, { body, data }: Container, sou
     const bytes = await buffer(view.buffer);
     const end = view.byteOffset + view.byteLength;
     if (end > bytes.byteLength) {
-      throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
+      const has = `${String(bytes.byteLength)} of at least ${String(end)} bytes`;
+      throw new Error(`buffers[${String(view.buffer)}] is truncated: ${has}`);
     }
     return bytes.subarray(view.byteOffset, end);
   };

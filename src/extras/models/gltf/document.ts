@@ -12,7 +12,6 @@ import type { DracoClaims } from './draco-loader.js';
 import { extensionsLeftOut, unreadable, VISIBILITY } from './extensions.js';
 import { type Instances, readInstances } from './instances.js';
 import {
-  countAt,
   indexAt,
   listAt,
   numberAt,
@@ -35,8 +34,8 @@ export interface GltfDocument {
    */
   readonly json: JsonObject;
   readonly bufferViews: readonly BufferView[];
-  /** Claimed byte length, and address; undefined for the GLB's own chunk. */
-  readonly buffers: readonly { readonly byteLength: number; readonly uri: string | undefined }[];
+  /** Their addresses; undefined for the GLB's own chunk. */
+  readonly buffers: readonly (string | undefined)[];
   readonly images: readonly JsonObject[];
   readonly textures: readonly GltfTexture[];
   /** What the equation has no place for, by the file's own names. */
@@ -132,10 +131,7 @@ export async function readDocument(
       ],
     },
     bufferViews,
-    buffers: await slices.map(bufferDefs, (buffer, i) => ({
-      byteLength: countAt(buffer['byteLength'], `buffers[${String(i)}].byteLength`),
-      uri: typeof buffer['uri'] === 'string' ? buffer['uri'] : undefined,
-    })),
+    buffers: bufferDefs.map(({ uri }) => (typeof uri === 'string' ? uri : undefined)),
     images,
     textures,
     dropped,
