@@ -3,6 +3,7 @@
 
 import { describe, expect, it } from 'vitest';
 import { viewEntry, viewValue } from '../../../src/phong/material/view/view-table.js';
+import quantityText from '../../../shaders/view_quantity.glsl?raw';
 import { VIEWS } from '../../../src/phong/material/views.js';
 
 const quantities = VIEWS.flatMap((view) => {
@@ -10,7 +11,7 @@ const quantities = VIEWS.flatMap((view) => {
   if (shows.by !== 'quantity') return [];
   const name = /view\w+/.exec(viewValue(view))?.[0];
   return [
-    { view, text: shows.text, head: `${scale === 'unit' ? 'float' : 'vec3'} ${name ?? ''}(` },
+    { view, text: quantityText, head: `${scale === 'unit' ? 'float' : 'vec3'} ${name ?? ''}(` },
   ];
 });
 

@@ -6,6 +6,8 @@ import type { View, PictureView } from '../views.js';
 import { type Shows, viewEntry, viewValue } from './view-table.js';
 import { Vector4 } from 'three';
 import { normalize, transformed, type Vec3 } from '../../math/vector.js';
+import quantityText from '../../../../shaders/view_quantity.glsl?raw';
+import trianglesText from '../../../../shaders/view_triangles.glsl?raw';
 import trianglesVertex from '../../../../shaders/view_triangles.vert.glsl?raw';
 import { type Variant, variantOf } from '../program/variant.js';
 
@@ -69,6 +71,9 @@ function writeQuantityLight(
 /** Quantities are not encoded, and the same whether a surface is lit or emits light. */
 const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HAS_EMISSIVE_MAP'];
 
+/** What stands in place of surface_color. */
+const TEXTS = { quantity: quantityText, triangles: trianglesText };
+
 const made = new Map<string, Variant>();
 
 /**
@@ -92,7 +97,7 @@ function viewVariant(
   if (shows.by === 'quantity') {
     defines['VIEW_VALUE'] = viewValue(view);
   }
-  const variant = variantOf(defines, shows.text);
+  const variant = variantOf(defines, TEXTS[shows.by]);
   const vertex = ['#define main shadedMain', variant.vertexShader, '#undef main', trianglesVertex];
   const shown = shows.by === 'quantity' ? variant : { ...variant, vertexShader: vertex.join('\n') };
   made.set(key, shown);

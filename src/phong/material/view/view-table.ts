@@ -1,7 +1,5 @@
 // Everything that the views differ in: what their pixels show, which lights have a part in them,
 // and what their legends say. A view of `VIEWS` without an entry does not compile.
-import quantityText from '../../../../shaders/view_quantity.glsl?raw';
-import trianglesText from '../../../../shaders/view_triangles.glsl?raw';
 import type { Term } from '../../light/light-state.js';
 import type { View } from '../views.js';
 
@@ -9,11 +7,11 @@ import type { View } from '../views.js';
  * What a view shows. `equation`: all its terms, or one without emissive and unlit colours;
  * materials keep their programs. `quantity`: one of the fragment or of one light, by the function
  * of the view's name in view_quantity.glsl. `triangles`: every triangle for itself, so each has
- * vertices of its own. `text` stands in place of surface_color.
+ * vertices of its own.
  */
 export type Shows =
   | { readonly by: 'equation'; readonly term: Term | null }
-  | { readonly by: 'quantity' | 'triangles'; readonly text: string };
+  | { readonly by: 'quantity' | 'triangles' };
 
 export interface ViewEntry {
   readonly shows: Shows;
@@ -35,7 +33,7 @@ export interface ViewEntry {
 }
 
 const equation = (term: Term | null): Shows => ({ by: 'equation', term });
-const QUANTITY: Shows = { by: 'quantity', text: quantityText };
+const QUANTITY: Shows = { by: 'quantity' };
 
 export const VIEW_TABLE = {
   shaded: { shows: equation(null), lights: 'all', title: 'Shaded', scale: 'none' },
@@ -48,7 +46,7 @@ export const VIEW_TABLE = {
   attenuation: { shows: QUANTITY, lights: 'one', title: 'Attenuation', scale: 'unit' },
   decay: { shows: QUANTITY, lights: 'one', title: 'Decay', scale: 'unit' },
   triangles: {
-    shows: { by: 'triangles', text: trianglesText },
+    shows: { by: 'triangles' },
     lights: 'none',
     title: 'Triangles',
     scale: 'none',
