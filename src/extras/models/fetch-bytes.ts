@@ -8,6 +8,7 @@ import type { ModelBudget } from '../../phong/model/model-budget.js';
 import type { LoadOptions } from '../../viewer/extra.js';
 import { Slices } from './slices.js';
 import { FILE_LIMIT } from './limits.js';
+import { turnsOf } from './turns.js';
 import { isDataUri, nameOf } from '../../phong/fields/file-names.js';
 
 /**
@@ -52,26 +53,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
     claimed = bytes;
   };
   let files = 0;
-  let free = AT_ONCE;
-  const waiting: (() => void)[] = [];
-  /** Runs `load` when fewer than {@link AT_ONCE} others are running. */
-  const inTurn: FetchBytes = async (...request) => {
-    if (free > 0) {
-      free -= 1;
-    } else {
-      await new Promise<void>((resolve) => waiting.push(resolve));
-    }
-    try {
-      return await load(...request);
-    } finally {
-      const next = waiting.shift();
-      if (next === undefined) {
-        free += 1;
-      } else {
-        next();
-      }
-    }
-  };
+  const inTurn = turnsOf(AT_ONCE);
   const load: FetchBytes = async (url, redirect, request) => {
     signal.throwIfAborted();
     if (isDataUri(url.href)) {
@@ -118,7 +100,7 @@ export function byteFetcher(transfer: Transfer, budget: ModelBudget): FetchBytes
       throw error;
     }
   };
-  return inTurn;
+  return (...request) => inTurn(1, () => load(...request));
 }
 
 /** The first words of a pointer in the version control of a file that is kept elsewhere. */

@@ -7,12 +7,14 @@ import { LIMITS } from '../../phong/model/limits.js';
 import { type FileBytes, type ModelSource, requireDecoders } from './model-reader.js';
 import { Slices } from './slices.js';
 import { IMAGE_SIDE_LIMIT } from './limits.js';
+import { turnsOf } from './turns.js';
 
 /**
  * Pixels that are decoded at once, over all models. A decoder takes up to three times the memory of
  * its result.
  */
 const PIXELS_AT_ONCE = 2 ** 24;
+const inTurn = /* @__PURE__ */ turnsOf(PIXELS_AT_ONCE);
 
 export type Sampler = Readonly<Pick<Texture, 'magFilter' | 'minFilter' | 'wrapS' | 'wrapT'>>;
 
@@ -98,20 +100,17 @@ export class ImageTextures {
       const isPacked = isKtx2(file.bytes);
       budget.add({ pixels });
       const scale = scaledDown(size);
-      const atOnce = Math.min(pixels, PIXELS_AT_ONCE);
-      await acquire(atOnce);
-      try {
+      const bitmap = await inTurn(Math.min(pixels, PIXELS_AT_ONCE), () => {
         signal.throwIfAborted(); // while it waited
         if (isPacked) {
           requireDecoders(this.#source, 'KTX2');
         }
-        const decode =
+        return (
           decodeImage?.(file) ??
-          (isPacked ? decodeKtx2(file.bytes, scale, signal) : decodeByBrowser(file, size, scale));
-        return { pixels, bitmap: await decode };
-      } finally {
-        release(atOnce);
-      }
+          (isPacked ? decodeKtx2(file.bytes, scale, signal) : decodeByBrowser(file, size, scale))
+        );
+      });
+      return { pixels, bitmap };
     });
   }
 
@@ -173,26 +172,6 @@ function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {
     resizeHeight: Math.max(Math.floor(height * factor), 1),
     resizeQuality: 'medium',
   };
-}
-
-let decoding = 0;
-const waiting: { readonly pixels: number; readonly start: () => void }[] = [];
-
-async function acquire(pixels: number): Promise<void> {
-  if (waiting.length > 0 || decoding + pixels > PIXELS_AT_ONCE) {
-    await new Promise<void>((resolve) => waiting.push({ pixels, start: resolve }));
-  } else {
-    decoding += pixels;
-  }
-}
-
-function release(pixels: number): void {
-  decoding -= pixels;
-  for (let next = waiting[0]; next && decoding + next.pixels <= PIXELS_AT_ONCE; next = waiting[0]) {
-    waiting.shift();
-    decoding += next.pixels;
-    next.start();
-  }
 }
 
 /** In pixels, as stored: before any rotation. */
