@@ -70,7 +70,6 @@ export async function castSceneOf(
   const seen: Seen = {
     view: { frame: { ...camera, origin: ZERO }, slopeX: (slopeY * width) / height, slopeY, radius },
     pixels: height / (2 * slopeY),
-    built: new Map(),
   };
   const objects: CastObject[] = [];
   let triangles = 0;
@@ -126,7 +125,7 @@ async function partsOf(
 async function objectOf(
   { state, part, shape: name, object }: PlacedPart,
   viewer: Readonly<ViewerValues>,
-  { view: frustum, pixels, built }: Seen,
+  { view: frustum, pixels }: Seen,
 ): Promise<CastObject> {
   const { look, surface, sides, ...own } = appearanceOf(state, part);
   const shading = own.shading ?? viewer.shading;
@@ -143,9 +142,7 @@ async function objectOf(
       shape = { kind: name };
     } else if (fine !== null || segments !== 'auto') {
       const count = fine ?? Number(segments);
-      const key = `${name} ${String(count)} ${String(fine !== null)}`;
-      geometry = built.get(key) ?? (await createGeometry(name, count, fine !== null));
-      built.set(key, geometry);
+      geometry = await createGeometry(name, count, fine !== null);
     }
   }
   const mesh = meshShape(geometry, look);
@@ -171,11 +168,10 @@ async function objectOf(
   return { shape: shape ?? mesh.shape, matrix, material };
 }
 
-/** The camera, the pixels of a unit of length at depth 1, and the shapes that meshes share. */
+/** The camera, and the pixels of a unit of length at depth 1. */
 interface Seen {
   readonly view: Frustum;
   readonly pixels: number;
-  readonly built: Map<string, ContentPart['geometry']>;
 }
 
 const ZERO: Vec3 = [0, 0, 0];

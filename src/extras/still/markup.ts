@@ -37,25 +37,18 @@ export function readMarkup(markup: string, warn: Warn): Declared {
     }
     once.add(message);
   };
-  const declared = <V extends object, S extends FieldStore<V>>(
-    element: Element,
-    store: S & FieldStore<V>,
-  ): S => {
-    read<V>(element, store, warnOnce);
-    return store;
-  };
   const lights = elementsBelow(viewer, 'phong-light').map((element) =>
-    declared<LightValues, LightState>(element, new LightState()),
+    declared<LightValues, LightState>(element, new LightState(), warnOnce),
   );
   // Without any light there is a head-light.
   if (lights.length === 0) {
     lights.push(new LightState({ name: 'head-light', space: 'camera', position: [0, 0, 1, 0] }));
   }
   return {
-    viewer: declared(viewer, new FieldStore(VIEWER_FIELDS)),
+    viewer: declared(viewer, new FieldStore(VIEWER_FIELDS), warnOnce),
     lights,
     meshes: elementsBelow(viewer, 'phong-mesh').map((element) =>
-      declared(element, new FieldStore(MESH_FIELDS)),
+      declared(element, new FieldStore(MESH_FIELDS), warnOnce),
     ),
   };
 }
@@ -69,7 +62,12 @@ function elementsBelow(node: DefaultTreeAdapterTypes.ParentNode, tag: string): E
   });
 }
 
-function read<V extends object>(element: Element, store: FieldStore<V>, warn: Warn): void {
+/** Sets what an element's attributes say. */
+function declared<V extends object, S extends FieldStore<V>>(
+  element: Element,
+  store: S & FieldStore<V>,
+  warn: Warn,
+): S {
   const keys = Object.keys(store.fields) as (keyof V & string)[];
   const keyOf = new Map(keys.map((key) => [attributeOf(key), key]));
   for (const { name, value } of element.attrs) {
@@ -85,4 +83,5 @@ function read<V extends object>(element: Element, store: FieldStore<V>, warn: Wa
       warn(valueWarning(element.tagName, key, value, field));
     }
   }
+  return store;
 }

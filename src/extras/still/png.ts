@@ -23,37 +23,20 @@ export function encodePng(
   ]);
 }
 
-/** Each row by the filter that leaves the smallest numbers: none, sub, up, average or Paeth. */
+/**
+ * Each pixel's difference from the one to its left. 40 stills of the site's scenes are 0.5 % larger so
+ * than with the best filter for each row.
+ */
 function filtered(width: number, height: number, pixels: Uint8Array): Uint8Array {
   const size = 4 * width;
   const out = new Uint8Array((size + 1) * height);
-  const row = new Uint8Array(size);
   for (let y = 0; y < height; y++) {
-    let least = Infinity;
-    for (let filter = 0; filter < 5; filter++) {
-      let sum = 0;
-      for (let i = 0; i < size; i++) {
-        const at = size * y + i;
-        const left = i < 4 ? 0 : pixels[at - 4]!;
-        const up = y === 0 ? 0 : pixels[at - size]!;
-        const corner = i < 4 || y === 0 ? 0 : pixels[at - size - 4]!;
-        const value = (pixels[at]! - predicted(filter, left, up, corner)) & 0xff;
-        row[i] = value;
-        sum += Math.min(value, 256 - value);
-      }
-      if (sum >= least) continue;
-      least = sum;
-      out[(size + 1) * y] = filter;
-      out.set(row, (size + 1) * y + 1);
+    const row = out.subarray((size + 1) * y, (size + 1) * (y + 1));
+    row[0] = 1;
+    for (let i = 0; i < size; i++) {
+      const at = size * y + i;
+      row[i + 1] = pixels[at]! - (i < 4 ? 0 : pixels[at - 4]!);
     }
   }
   return out;
-}
-
-function predicted(filter: number, left: number, up: number, corner: number): number {
-  if (filter < 3) return filter === 0 ? 0 : filter === 1 ? left : up;
-  if (filter === 3) return (left + up) >> 1;
-  const [a, b] = [Math.abs(up - corner), Math.abs(left - corner)];
-  const c = Math.abs(left + up - 2 * corner);
-  return a <= b && a <= c ? left : b <= c ? up : corner;
 }

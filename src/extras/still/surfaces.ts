@@ -3,11 +3,11 @@
 import { coefficientsOf, type ReferenceOptions } from '../../phong/reference/index.js';
 import { exponentOfRoughness, lobeScale } from '../../phong/material/file-surface.js';
 import { srgbDecode, srgbEncode } from '../../phong/math/color.js';
-import { map, type Vec3 } from '../../phong/math/vector.js';
+import { cross, map, scale, subtract, type Vec3 } from '../../phong/math/vector.js';
 import type { CastObject, CastTexture, TrianglesShape } from './cast-scene.js';
 import type { Hit } from './hit.js';
 import { type Decode, readTexture } from './texture.js';
-import { columnsOf, type Placed, transformedAll, unitAt } from './triangles.js';
+import { columnsOf, cornersOf, type Placed, transformedAll, unitAt } from './triangles.js';
 
 const BYTES = Float64Array.from({ length: 256 }, (_, code) => code / 255);
 const DECODED = BYTES.map(srgbDecode);
@@ -81,30 +81,21 @@ export class ObjectSurface {
     const { material } = this.object;
     const { texture, metalRoughTexture, emissiveTexture, unlit = false } = material;
     out.alpha = material.alphaMode === 'blend' ? this.opacityAt(hit) : 1;
-    let r = this.#base[0];
-    let g = this.#base[1];
-    let b = this.#base[2];
+    const { base } = out;
+    for (const k of RGB) {
+      base[k] = this.#base[k];
+    }
     if (texture !== undefined) {
-      this.#read(texture, hit, this.#decode);
-      r *= texel[0]!;
-      g *= texel[1]!;
-      b *= texel[2]!;
+      this.#multiply(base, texture, hit);
     }
     const colors = this.#colors;
     if (colors !== undefined) {
       const isStoredLinear = this.#shape?.linearColors === true;
-      const channel = (k: number): number => {
+      for (const k of RGB) {
         const c = this.mix(colors, 4, k, hit);
-        return isStoredLinear && !this.#linear ? srgbEncode(c) : c;
-      };
-      r *= channel(0);
-      g *= channel(1);
-      b *= channel(2);
+        base[k] *= isStoredLinear && !this.#linear ? srgbEncode(c) : c;
+      }
     }
-    const { base } = out;
-    base[0] = r;
-    base[1] = g;
-    base[2] = b;
     if (unlit) return;
     let { metalness: m = 0, lobeScale: lobe = 1, shininess: n } = material;
     if (metalRoughTexture !== undefined) {
@@ -116,17 +107,14 @@ export class ObjectSurface {
       }
     }
     out.n = n;
-    for (const k of [0, 1, 2] as const) {
+    for (const k of RGB) {
       out.ka[k] = this.#ka[k] * base[k];
       out.kd[k] = this.#kd[k] * base[k] * (1 - m);
       out.ks[k] = this.#ks[k] * ((1 - m) * lobe + m * base[k]);
       out.emissive[k] = this.#emissive[k];
     }
     if (emissiveTexture !== undefined) {
-      this.#read(emissiveTexture, hit, this.#decode);
-      for (const k of [0, 1, 2] as const) {
-        out.emissive[k] *= texel[k]!;
-      }
+      this.#multiply(out.emissive, emissiveTexture, hit);
     }
   }
 
@@ -176,21 +164,23 @@ export class ObjectSurface {
     );
   }
 
+  #multiply(color: [number, number, number], texture: CastTexture, hit: Hit): void {
+    this.#read(texture, hit, this.#decode);
+    for (const k of RGB) {
+      color[k] *= texel[k]!;
+    }
+  }
+
   #read(texture: CastTexture, hit: Hit, decode: Decode): void {
     const uv = this.#shape?.uvs?.[texture.uv ?? 0] ?? NO_UV;
     readTexture(texture, this.mix(uv, 2, 0, hit), this.mix(uv, 2, 1, hit), decode, texel);
   }
 
   /** The triangle's own, on the side that its corners turn to. */
-  #faceNormal(hit: Hit, { places, index, mirrored }: Placed): void {
-    const corner = (k: number): number =>
-      3 * (index === undefined ? 3 * hit.triangle + k : index[3 * hit.triangle + k]!);
-    const [i, j, k] = [corner(0), corner(1), corner(2)];
-    const edge = (to: number, axis: number): number => places[to + axis]! - places[i + axis]!;
-    const side = mirrored ? -1 : 1;
-    hit.nx = side * (edge(j, 1) * edge(k, 2) - edge(j, 2) * edge(k, 1));
-    hit.ny = side * (edge(j, 2) * edge(k, 0) - edge(j, 0) * edge(k, 2));
-    hit.nz = side * (edge(j, 0) * edge(k, 1) - edge(j, 1) * edge(k, 0));
+  #faceNormal(hit: Hit, placed: Placed): void {
+    const [a, b, c] = cornersOf(placed, hit.triangle);
+    const side = placed.mirrored ? -1 : 1;
+    [hit.nx, hit.ny, hit.nz] = scale(cross(subtract(b, a), subtract(c, a)), side);
   }
 }
 
@@ -226,6 +216,7 @@ function unit(hit: Hit, side: number): void {
   hit.nz *= factor;
 }
 
+const RGB = [0, 1, 2] as const;
 const WHITE: Vec3 = [1, 1, 1];
 const BLACK: Vec3 = [0, 0, 0];
 const NO_UV: readonly number[] = [];

@@ -98,15 +98,11 @@ export class Triangles {
   }
 
   #measure(placed: PlacedObject, owner: number, boxes: number[]): void {
-    const { places, index } = placed;
     const count = countOf(placed);
-    const corner = (i: number): Vec3 => {
-      const at = 3 * (index === undefined ? i : index[i]!);
-      return [places[at]!, places[at + 1]!, places[at + 2]!];
-    };
     for (let triangle = 0; triangle < count; triangle++) {
-      const [a, b, c] = [corner(3 * triangle), corner(3 * triangle + 1), corner(3 * triangle + 2)];
-      const box = boxOf([a, b, c], this.#screen);
+      const corners = cornersOf(placed, triangle);
+      const [a, b, c] = corners;
+      const box = boxOf(corners, this.#screen);
       if (box === null) continue;
       const bc = cross(b, c);
       const at = STRIDE * this.#owners.length;
@@ -120,6 +116,18 @@ export class Triangles {
 
 /** Used within one call of {@link Triangles.intersect}. */
 const candidate = newHit();
+
+/** As seen from the eye. */
+export function cornersOf(
+  { places, index }: Placed,
+  triangle: number,
+): readonly [Vec3, Vec3, Vec3] {
+  const corner = (i: number): Vec3 => {
+    const at = 3 * (index === undefined ? i : index[i]!);
+    return [places[at]!, places[at + 1]!, places[at + 2]!];
+  };
+  return [corner(3 * triangle), corner(3 * triangle + 1), corner(3 * triangle + 2)];
+}
 
 const countOf = ({ places, index }: Placed): number => (index?.length ?? places.length / 3) / 3;
 
