@@ -62,10 +62,10 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
         if (here === null) continue;
         let inside = true;
         let steepness = 0;
-        for (let neighbour = 0; neighbour < 9; neighbour++) {
+        for (let neighbour = 0; inside && neighbour < 9; neighbour++) {
           if (neighbour === 4) continue; // itself
           const there = await at(column + (neighbour % 3) - 1, row + Math.floor(neighbour / 3) - 1);
-          inside &&= there?.object === here.object && there.triangle === here.triangle;
+          inside = there?.object === here.object && there.triangle === here.triangle;
           for (const channel of [0, 1, 2] as const) {
             steepness = Math.max(
               steepness,
