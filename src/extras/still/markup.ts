@@ -7,6 +7,7 @@ import { LightState, type LightValues } from '../../phong/light/light-state.js';
 import { MESH_FIELDS, type MeshValues } from '../../phong/model/mesh-fields.js';
 import { type ValuesByTag, VIEWER_FIELDS } from '../../viewer/extra.js';
 import { cssColor } from './css-colors.js';
+import { elementsBelow } from './elements.js';
 import { attributeOf, parseText, valueWarning } from '../../phong/fields/attribute-text.js';
 
 export type ViewerValues = ValuesByTag['phong-viewer'];
@@ -24,7 +25,7 @@ type Element = DefaultTreeAdapterTypes.Element;
 
 /** @throws TypeError unless there is one viewer. */
 export function readMarkup(markup: string, warn: Warn): Declared {
-  const viewers = elementsBelow(parseFragment(markup), 'phong-viewer');
+  const viewers = named(elementsBelow(parseFragment(markup)), 'phong-viewer');
   const [viewer] = viewers;
   if (viewer === undefined || viewers.length > 1) {
     const count = String(viewers.length);
@@ -37,7 +38,8 @@ export function readMarkup(markup: string, warn: Warn): Declared {
     }
     once.add(message);
   };
-  const lights = elementsBelow(viewer, 'phong-light').map((element) =>
+  const children = elementsBelow(viewer);
+  const lights = named(children, 'phong-light').map((element) =>
     declared<LightValues, LightState>(element, new LightState(), warnOnce),
   );
   // Without any light there is a head-light.
@@ -47,20 +49,14 @@ export function readMarkup(markup: string, warn: Warn): Declared {
   return {
     viewer: declared(viewer, new FieldStore(VIEWER_FIELDS), warnOnce),
     lights,
-    meshes: elementsBelow(viewer, 'phong-mesh').map((element) =>
+    meshes: named(children, 'phong-mesh').map((element) =>
       declared(element, new FieldStore(MESH_FIELDS), warnOnce),
     ),
   };
 }
 
-/** In document order, without what templates hold. */
-function elementsBelow(node: DefaultTreeAdapterTypes.ParentNode, tag: string): Element[] {
-  return node.childNodes.flatMap((child) => {
-    if (!('tagName' in child)) return [];
-    const below = elementsBelow(child, tag);
-    return child.tagName === tag ? [child, ...below] : below;
-  });
-}
+const named = (elements: readonly Element[], tag: string): readonly Element[] =>
+  elements.filter(({ tagName }) => tagName === tag);
 
 /** Sets what an element's attributes say. */
 function declared<V extends object, S extends FieldStore<V>>(

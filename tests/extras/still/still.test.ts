@@ -2,6 +2,7 @@
 import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { still } from 'phong-viewer/still';
+import { readPage } from '../../../src/extras/still/command/page.js';
 import { patch } from '../../support/gltf.js';
 
 const SIZE = 21;
@@ -205,6 +206,14 @@ describe('values in a still’s markup', () => {
     for (const size of [0, 1.5, NaN, 1e9]) {
       await expect(draw('<phong-viewer></phong-viewer>', size)).rejects.toThrow(RangeError);
     }
+  });
+
+  it('reads elements however deep they stand', async () => {
+    const [open, close] = ['<div>', '</div>'].map((tag) => tag.repeat(20_000));
+    const { middle } = await draw(`${open}${front(open + WALL + close)}${close}`);
+    expect(middle).toEqual([200, 200, 200, 255]);
+    const page = `<title>a</title>${open}${front(open + WALL + close).replace('>', ' style="width: 9px; height: 9px">')}`;
+    expect(readPage(page).viewers).toHaveLength(1);
   });
 
   it('need no end tags, as in a browser', async () => {

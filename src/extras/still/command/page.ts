@@ -1,6 +1,7 @@
 // The viewers of an HTML file as it is written: where they stand, how large they are, and which
 // poster they have. Edits the file by places in its text, so that nothing else changes.
 import { type DefaultTreeAdapterTypes, html, parse } from 'parse5';
+import { elementsBelow } from '../elements.js';
 
 /** CSS pixels. */
 export interface Size {
@@ -47,7 +48,7 @@ type Element = DefaultTreeAdapterTypes.Element;
 
 /** @throws Error with `line`s for viewers that have no end tag, or hold another one. */
 export function readPage(text: string): Page {
-  const all = elementsOf(parse(text, { sourceCodeLocationInfo: true }));
+  const all = elementsBelow(parse(text, { sourceCodeLocationInfo: true }));
   const rules = all.flatMap(rulesIn);
   // In SVG they are no viewers, and an <img> would end it.
   const viewers = all.filter(
@@ -77,7 +78,7 @@ function pageViewer(
   if (startTag === undefined || place.endTag === undefined) {
     throw problem('<phong-viewer> needs its end tag, </phong-viewer>.');
   }
-  if (elementsOf(element).some(({ tagName }) => tagName === 'phong-viewer')) {
+  if (elementsBelow(element).some(({ tagName }) => tagName === 'phong-viewer')) {
     throw problem('<phong-viewer> holds another <phong-viewer>.');
   }
   const image = element.childNodes.find(
@@ -146,20 +147,16 @@ function valueEdits(element: Element, values: Readonly<Record<string, string>>):
 
 const escaped = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;');
 
-/** In document order, without what templates hold. */
-function elementsOf(node: DefaultTreeAdapterTypes.ParentNode): Element[] {
-  return node.childNodes.flatMap((child) =>
-    'tagName' in child ? [child, ...elementsOf(child)] : [],
-  );
-}
-
 const attribute = ({ attrs }: Element, name: string): string | null =>
   attrs.find((one) => one.name === name)?.value ?? null;
 
-const isInComparison = ({ parentNode }: Element): boolean =>
-  parentNode !== null &&
-  'tagName' in parentNode &&
-  (parentNode.tagName === 'phong-compare' || isInComparison(parentNode));
+function isInComparison({ parentNode }: Element): boolean {
+  let around = parentNode;
+  while (around !== null && 'tagName' in around && around.tagName !== 'phong-compare') {
+    around = around.parentNode;
+  }
+  return around !== null && 'tagName' in around;
+}
 
 /** Of a style sheet: what a selector without spaces and colons declares. */
 interface Rule {
